@@ -21,7 +21,7 @@ namespace {
 /// Deflate cannot shrink data by more (zlib's technical notes: 1032 to 1).
 constexpr std::uintmax_t most_compression = 1032;
 
-[[noreturn]] void refuse_damaged(const char* detail) {
+[[noreturn]] void refuse_damaged_header(const char* detail) {
   throw InputError(fmt::format("the file is damaged ({}); write or copy it again", detail));
 }
 
@@ -33,7 +33,7 @@ class HeaderReader {
   void seek(std::uint64_t position) { stream_.seekg(static_cast<std::streamoff>(position)); }
   void skip(std::uint64_t bytes) {
     if (bytes > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
-      refuse_damaged("a length in its header is absurd");
+      refuse_damaged_header("a length in its header is absurd");
     stream_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   }
   std::uint64_t big_endian(int width) {
@@ -50,7 +50,7 @@ class HeaderReader {
  private:
   unsigned char byte() {
     const int c = stream_.get();
-    if (c == std::char_traits<char>::eof()) refuse_damaged("it ends within its header");
+    if (c == std::char_traits<char>::eof()) refuse_damaged_header("it ends within its header");
     return static_cast<unsigned char>(c);
   }
   std::ifstream& stream_;
@@ -77,12 +77,12 @@ class ClassicHeader {
 
   std::uint64_t list_length(std::uint64_t wanted_tag) {
     const std::uint64_t tag = in_.big_endian(4), length = number();
-    if (tag != wanted_tag && (tag != 0 || length != 0)) refuse_damaged("its header makes no sense");
+    if (tag != wanted_tag && (tag != 0 || length != 0)) refuse_damaged_header("its header makes no sense");
     return length;
   }
 
   void skip_padded(std::uint64_t count, std::uint64_t width) {
-    if (count > std::numeric_limits<std::uint32_t>::max()) refuse_damaged("a length in its header is absurd");
+    if (count > std::numeric_limits<std::uint32_t>::max()) refuse_damaged_header("a length in its header is absurd");
     in_.skip((count * width + 3) / 4 * 4);
   }
 
@@ -109,7 +109,7 @@ class ClassicHeader {
     // byte, char, short, int, float, double, unsigned byte, short, int, 64-bit, unsigned 64-bit
     constexpr std::array<std::uint64_t, 12> widths{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
     const std::uint64_t type = in_.big_endian(4);
-    if (type < 1 || type >= widths.size()) refuse_damaged("its header makes no sense");
+    if (type < 1 || type >= widths.size()) refuse_damaged_header("its header makes no sense");
     return widths[type];
   }
 
@@ -119,7 +119,7 @@ class ClassicHeader {
     double values = 1;  // in double: products of damaged lengths must not wrap
     for (std::uint64_t d = 0; d < rank; ++d) {
       const std::uint64_t id = number();
-      if (id >= dimensions_.size()) refuse_damaged("its header makes no sense");
+      if (id >= dimensions_.size()) refuse_damaged_header("its header makes no sense");
       values *= static_cast<double>(dimensions_[id]);  // 0 for records, which are left aside
     }
     skip_attributes();
@@ -128,7 +128,7 @@ class ClassicHeader {
     const std::uint64_t begin = in_.big_endian(version_ == 1 ? 4 : 8);
     const double bytes = values * static_cast<double>(width);
     if (bytes == 0) return;
-    if (static_cast<double>(begin) + bytes > 9e18) refuse_damaged("a length in its header is absurd");
+    if (static_cast<double>(begin) + bytes > 9e18) refuse_damaged_header("a length in its header is absurd");
     end_ = std::max(end_, begin + static_cast<std::uint64_t>(bytes));
   }
 
@@ -147,7 +147,7 @@ std::uint64_t find_hdf5_end(std::ifstream& stream) {
   if (version > 3) return 0;
   in.seek(version < 2 ? 13 : 9);
   const int width = static_cast<int>(in.little_endian(1));
-  if (width != 2 && width != 4 && width != 8) refuse_damaged("its header makes no sense");
+  if (width != 2 && width != 4 && width != 8) refuse_damaged_header("its header makes no sense");
   constexpr std::array<std::uint64_t, 4> base_address{24, 28, 12, 12};
   in.seek(base_address[version] + 2 * static_cast<std::uint64_t>(width));
   return in.little_endian(width);

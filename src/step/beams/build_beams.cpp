@@ -26,7 +26,7 @@ const MaterialDeck& find_material(const Deck& deck, const ElementBlock& block) {
   return deck.materials[static_cast<std::size_t>(block.material)];
 }
 
-[[noreturn]] void refuse(const Deck& deck, const ElementBlock& block, const std::string& what) {
+[[noreturn]] void refuse_beams(const Deck& deck, const ElementBlock& block, const std::string& what) {
   const PartDeck& part = find_part(deck, block);
   throw InputError(fmt::format("{}: error: part '{}' has beams {}", deck.where(part.place), part.name, what));
 }
@@ -38,9 +38,10 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
     const MaterialDeck& material = find_material(deck, block);
     const std::string& model = material.law.model;
     if ((model != "elastic" && model != "j2_plasticity") || material.equation_of_state)
-      refuse(deck, block,
-             fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
-                         material.name));
+      refuse_beams(
+          deck, block,
+          fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
+                      material.name));
     if (material.failure)
       refuse(
           deck, block,
@@ -48,9 +49,10 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
               "of material '{}', which can fail (beams do not support failure): give them a material without failure",
               material.name));
     if (model == "j2_plasticity" && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
-      refuse(deck, block,
-             "with a general section of a material that yields (plasticity needs the shape of the section): use round, "
-             "tube, rectangle or box, or an elastic material");
+      refuse_beams(
+          deck, block,
+          "with a general section of a material that yields (plasticity needs the shape of the section): use round, "
+          "tube, rectangle or box, or an elastic material");
   }
 }
 

@@ -29,7 +29,7 @@ const char* name_small_solids(const ElementBlock& block) {
   }
 }
 
-[[noreturn]] void refuse(const Deck& deck, const ElementBlock& block, const std::string& what) {
+[[noreturn]] void refuse_small_solids(const Deck& deck, const ElementBlock& block, const std::string& what) {
   const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
   throw InputError(fmt::format("{}: error: part '{}' has {} ({}", deck.where(part.place), part.name,
                                name_small_solids(block), what));
@@ -60,13 +60,15 @@ void check_small_solids(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     if (name_small_solids(block) == nullptr) continue;
     if (is_single_precision)
-      refuse(deck, block,
-             "this build is in single precision, but these need double): use a build with PERCUSS_PRECISION=double");
+      refuse_small_solids(
+          deck, block,
+          "this build is in single precision, but these need double): use a build with PERCUSS_PRECISION=double");
     if (deck.time.step_estimate == TimeDeck::StepEstimate::global)
-      refuse(deck, block, "time.step_estimate: global supports hexahedra only): leave time.step_estimate out");
+      refuse_small_solids(deck, block,
+                          "time.step_estimate: global supports hexahedra only): leave time.step_estimate out");
     if (is_of_tets(block) && deck.find_mass_scaling(static_cast<std::size_t>(block.part)) != nullptr)
-      refuse(deck, block,
-             "mass scaling does not support them): leave mass_scaling out, or set it for other parts only");
+      refuse_small_solids(
+          deck, block, "mass scaling does not support them): leave mass_scaling out, or set it for other parts only");
   }
 }
 
