@@ -65,6 +65,7 @@ JointSolver::JointSolver(const Model& model) : model_(model) {
   for (Chain& chain : chains_) {
     std::sort(chain.bodies.begin(), chain.bodies.end());
     chain.bodies.erase(std::unique(chain.bodies.begin(), chain.bodies.end()), chain.bodies.end());
+    bodies_.insert(bodies_.end(), chain.bodies.begin(), chain.bodies.end());
   }
 }
 

@@ -29,6 +29,9 @@ class JointSolver {
   /// part most, by more than a share of their speed; -1: none.
   int settle(const State& state, std::vector<RigidState>& bodies);
 
+  /// Bodies on joints, each once.
+  const std::vector<int>& bodies() const { return bodies_; }
+
   /// Impulses of the last solution: on each body about its centre, and of each joint on its first body about its point.
   const std::vector<Wrench>& on_bodies() const { return on_bodies_; }
   const std::vector<Wrench>& of_joints() const { return of_joints_; }
@@ -52,6 +55,7 @@ class JointSolver {
 
   const Model& model_;
   std::vector<Chain> chains_;
+  std::vector<int> bodies_;
   std::vector<JointFrame> frames_;
   std::vector<BodyResponse> responses_;
   std::vector<Wrench> on_bodies_, of_joints_;

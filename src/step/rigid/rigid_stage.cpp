@@ -115,7 +115,8 @@ void RigidStage::move(State& state, double dt) {
   free_ = next_;
   for (std::size_t b = 0; b < next_.size(); ++b) move_body(model_, state, b, dt, next_[b]);
   if (!joints_.any()) return;
-  for (std::size_t b = 0; b < next_.size(); ++b) {
+  for (const int body : joints_.bodies()) {
+    const auto b = static_cast<std::size_t>(body);
     next_[b].velocity = free_[b].velocity;
     next_[b].spin_momentum = free_[b].spin_momentum;
   }

@@ -214,6 +214,30 @@ output: {{history: {{every: 1.0e-5}}}}
   }
 }
 
+// A block hits a body that is held, and pushes one that is free, beside a pendulum that nothing touches.
+TEST(Joint, LeavesOtherBodiesAlone) {
+  const auto run = [](const std::string& joints) {
+    return run_deck(R"(
+time: {end: 4.0e-4}
+parts:
+  block: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [0, 0, 0.0001], material: soft}
+  anvil: {box: {size: [0.12, 0.05, 0.04], cells: [4, 2, 1]}, at: [-0.01, -0.01, -0.04], material: soft, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  slab: {box: {size: [0.12, 0.05, 0.04], cells: [4, 2, 1]}, at: [-0.01, 0.06, -0.04], material: soft, rigid: true}
+  bob: {box: {size: [0.1, 0.1, 0.1], cells: [1, 1, 1]}, at: [3, 0, 0], material: soft, rigid: true}
+initial: [{part: block, velocity: [0, 0, -10]}]
+loads: {gravity: [0, 0, -9.81]}
+contact: {surfaces: all, friction: 0.2}
+materials: {soft: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+output: {history: {every: 1.0e-5, parts: all}}
+)" + joints);
+  };
+  const Outcome with = run("joints: {pin: {kind: spherical, bodies: [bob], at: [3.05, 0.05, 1]}}\n"), without = run("");
+  EXPECT_GT(without.history.largest("contacts"), 0);
+  EXPECT_GT(std::abs(without.history.last("momentum_z:slab")), 0.1);
+  for (const char* column : {"momentum_z:block", "momentum_z:slab", "momentum_z:anvil", "internal:block"})
+    EXPECT_EQ(with.history.column(column), without.history.column(column)) << column;
+}
+
 TEST(Joint, IsRefusedWhereBodiesPart) {
   const std::string scene = "time: {end: 1, max_step: 1.0e-3}\nparts:\n" + describe_rod("a", "[0, -0.01, -0.01]", 1) +
                             describe_rod("b", "[1, -0.01, -0.01]", 1) + materials +
