@@ -235,7 +235,7 @@ output: {history: {every: 1.0e-5, parts: all}}
   EXPECT_GT(without.history.largest("contacts"), 0);
   EXPECT_GT(std::abs(without.history.last("momentum_z:slab")), 0.1);
   for (const char* column : {"momentum_z:block", "momentum_z:slab", "momentum_z:anvil", "internal:block"})
-    EXPECT_EQ(with.history.column(column), without.history.column(column)) << column;
+    EXPECT_EQ(with.history[column], without.history[column]) << column;
 }
 
 TEST(Joint, IsRefusedWhereBodiesPart) {
