@@ -43,7 +43,7 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
           fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
                       material.name));
     if (material.failure)
-      refuse(
+      refuse_beams(
           deck, block,
           fmt::format(
               "of material '{}', which can fail (beams do not support failure): give them a material without failure",
