@@ -335,7 +335,7 @@ std::vector<WrongDeck> joined_bodies() {
        "rigid set 'rod' has the name of another rigid body"},
       {"SetOfAnUnknownSide", append("rigid_sets: {end: {nodes: rod/xmax}}"), "6:27", "part 'rod' has no side 'xmax'"},
       {"SetInertiaOfNoMasses", append("rigid_sets: {end: {nodes: rod/x_max, inertia: [1, 1, 3, 0, 0, 0]}}"), "6:47",
-       "inertia is no inertia of any masses in rigid set 'end'"},
+       "inertia is not a valid inertia tensor in rigid set 'end'"},
   };
 }
 

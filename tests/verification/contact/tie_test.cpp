@@ -104,7 +104,7 @@ output: {{history: {{elements: [
                                                     cells) +
                                         steel)
                                    .history;
-  const double stress = young * 0.7 / (1.3 * 0.4) * std::log1p(1e-4);
+  const double stress = young * 0.7 / (1.3 * 0.4) * std::log1p(1e-4) / (1 + 1e-4);  // J sigma
   double largest = 0;
   for (const char* element : {"a", "b", "c", "d", "e"})
     largest = std::max(largest, std::abs(history.last(std::string(element) + "_stress_xx") - stress));

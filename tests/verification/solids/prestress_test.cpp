@@ -56,8 +56,8 @@ output: {{history: {{every: 1e-3, elements: [{{name: a, id: 1}}, {{name: b, id: 
                          "deck.yaml");
   stretch_and_turn(mesh.written.nodes, deck);
   const HistoryTable h = run_deck(deck).history;
-  // uniaxial strain ln(1 + stretch)
-  const double factor = young / ((1 + poisson) * (1 - 2 * poisson)) * std::log1p(stretch);
+  // uniaxial strain ln(1 + stretch), whose stress is that of J sigma
+  const double factor = young / ((1 + poisson) * (1 - 2 * poisson)) * std::log1p(stretch) / (1 + stretch);
   const double along = (1 - poisson) * factor, across = poisson * factor;
   double worst = 0;
   for (std::size_t i = 0; i < h.rows(); ++i) {
