@@ -152,13 +152,15 @@ PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const HexParameters<Mat
                                                          const CornerField<T, Shape>& x, const CornerField<T, Shape>& v,
                                                          const T& dt, OnePointState<T, Material, Shape>& state,
                                                          CornerField<T, Shape>& f) {
+  const Symmetric3<T> stretch_before = state.polar.stretch;
   const OnePointMotion<T, Shape> motion = follow_one_point(x, v, dt, state.polar);
   const CornerGradient<T, Shape> g = find_corner_gradient(x);
   const HourglassVectors<T, Shape> gamma = find_hourglass_vectors(x, g);
   const GradientSizes<T> size = find_gradient_sizes(g, gamma);
 
   const OnePointViscosity<T> viscous = find_viscosity(par, state, size, g.volume, motion.trace_d);
-  const PointMotion<T> point = tell_one_point(par, motion.de, dt, viscous, g.volume, state);
+  PointMotion<T> point = tell_one_point(par, motion.de, dt, viscous, g.volume, state);
+  point.change = find_volume_change(stretch_before, state.polar.stretch);
   const Symmetric3<T> old_stress = state.stress;
   NoStressRests<T> no_rest;
   const auto response = update_stress(par.material, state.stress, no_rest, state.history, 0, point);

@@ -131,13 +131,17 @@ class UnturnedPoint : public Point<Law> {
   void advance(const PathStep& to) {
     const Matrix3<double> sum = full(to.stretch + last_), change = full(to.stretch) - full(last_);
     const Symmetric3<double> before = this->stress, de = symmetric_part(2.0 * (change * inverse(sum)));
-    this->log_volume = std::log(determinant(full(to.stretch))) - trace(de);
+    const double volume_before = determinant(full(last_)), volume = determinant(full(to.stretch));
+    this->log_volume = std::log(volume) - trace(de);
+    if (is_of_kirchhoff) this->stress = volume_before * this->stress;
     Point<Law>::advance(de, to.dt);
+    if (is_of_kirchhoff) this->stress = (1 / volume) * this->stress;
     energy += 0.5 * determinant(0.5 * sum) * contract(before + this->stress, de);
     last_ = to.stretch;
   }
 
   double energy = 0;
+  bool is_of_kirchhoff = false;  // the rate of the law is that of J sigma
 
  private:
   Symmetric3<double> last_{1, 1, 1, 0, 0, 0};
@@ -203,8 +207,10 @@ void for_each_element(const std::vector<PathStep>& path, const F& f) {
   f(follow<CalledMaterial, HexKind::full>(called, point, path), "full");
   if constexpr (is_compiled_in<typename Pair::Law> && std::is_void_v<typename Pair::State>) {
     using Law = typename Pair::Law;
-    f(follow<Law, HexKind::assumed_strain>(make_sample_law<Law>(), point, path), "compiled in");
-    f(follow<Law, HexKind::full>(make_sample_law<Law>(), point, path), "compiled in, full");
+    auto compiled = point;
+    compiled.is_of_kirchhoff = std::is_same_v<Law, Elastic>;
+    f(follow<Law, HexKind::assumed_strain>(make_sample_law<Law>(), compiled, path), "compiled in");
+    f(follow<Law, HexKind::full>(make_sample_law<Law>(), compiled, path), "compiled in, full");
   }
 }
 

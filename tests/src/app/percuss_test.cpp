@@ -84,7 +84,8 @@ TEST(PercussCheck, RefusesASceneThatCoordinatesDoNotResolveAsARunDoes) {
   for (int i = 0; i < 2; ++i) {
     const ProcessResult result = run_percuss(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments[0];
-    EXPECT_THAT(result.err, HasSubstr("error: coordinates as large as 1e+13 resolve ")) << arguments[0];
+    EXPECT_THAT(result.err, HasSubstr("error: at coordinates as large as 1e+13 the resolution of double precision is "))
+        << arguments[0];
     EXPECT_THAT(result.err, HasSubstr("move the scene to the origin with `at` of its parts")) << arguments[0];
     arguments[0] = "run";
     arguments.insert(arguments.end(), {"--out", folder.path() + "/out"});

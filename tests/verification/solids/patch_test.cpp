@@ -78,7 +78,8 @@ INSTANTIATE_TEST_SUITE_P(Elements, Patch,
 
 TEST_P(Patch, ALinearVelocityFieldStrainsEveryElementAlikeAndExactly) {
   const RandomMesh mesh = make_random_mesh(3, 0.2, 7);
-  // A symmetric gradient of the start's coordinates stretches along fixed axes: J times the stress is that of ln(1 + t g).
+  // A symmetric gradient of the start's coordinates stretches along fixed axes: J times the stress is that of ln(1 + t
+  // g).
   const Matrix3<double> g{{{9, 3, -2}, {3, -6, 4}, {-2, 4, 5}}};
   const Outcome run = run_patch(mesh, g, GetParam());
   expect_uniform(run.history, 0.05 * young);

@@ -120,7 +120,7 @@ TEST_F(FolderLockTest, OfAnotherMachineIsNotJudged) {
   fs::last_write_time(lock_path(), fs::file_time_type::clock::now() - std::chrono::hours(5));
   EXPECT_THAT(refuse(),
               AllOf(HasSubstr("another run may write into this folder (process "), HasSubstr("on host elsewhere"),
-                    HasSubstr("was 5 h ago"), HasSubstr("remove " + lock_path())));
+                    HasSubstr("last 5 h ago"), HasSubstr("remove " + lock_path())));
   EXPECT_EQ(read_lock(), format_holder(far));
   EXPECT_THAT(describe_lock(folder_.path()), HasSubstr("a run may be under way"));
 }

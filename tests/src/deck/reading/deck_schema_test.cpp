@@ -194,7 +194,7 @@ TEST(DeckSchema, SaysOfAKeyWhatTheDocumentationSays) {
   const nlohmann::json& end = schema().at("properties").at("time").at("properties").at("end");
   EXPECT_EQ(
       end.at("description"),
-      "a number, positive [time]; required. When the run ends; it starts at 0. The last step ends exactly there.");
+      "a number, positive [time]; required. End time of the run, which starts at 0. The last step ends exactly there.");
   EXPECT_EQ(end.at("exclusiveMinimum"), 0);
   const nlohmann::json& material = schema().at("properties").at("materials").at("patternProperties").begin().value();
   EXPECT_EQ(material.at("required"), nlohmann::json::array({"model", "density"}));

@@ -48,12 +48,12 @@ TEST(ContactGain, IsToldWithStepAndPlaceInTheUnitsOfTheDeck) {
 TEST(ContactGain, IsNotOfEnergyThatIsRoundOffOrWasAskedFor) {
   EXPECT_THAT(find_texts(5e-26, {.largest = 5e-26, .resolved = 1e-20}), IsEmpty());
   EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 29.5}), IsEmpty());
-  EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 10}), ElementsAre(HasSubstr("given 20 of energy")));
+  EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 10}), ElementsAre(HasSubstr("added 20 of energy")));
 }
 
 TEST(ContactGain, CountsWhatTheSpringsOfContactHold) {
   EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 10}), IsEmpty());
-  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30}), ElementsAre(HasSubstr("given 20 of energy")));
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30}), ElementsAre(HasSubstr("added 20 of energy")));
 }
 
 TEST(ContactGain, IsLimitedByTheDeck) {
