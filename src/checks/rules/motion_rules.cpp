@@ -246,6 +246,18 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
   return warnings;
 }
 
+/// Whether a joint holds two parts together. They are meant to touch there, and to have no contact.
+bool are_jointed(const Deck& deck, const Meeting& meeting) {
+  const auto holds = [&](const JointDeck& joint, std::size_t p) {
+    const PartDeck& part = deck.parts[p];
+    if (!part.rigid) return false;
+    const std::string& body = part.rigid->body.empty() ? part.name : part.rigid->body;
+    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
+  };
+  return std::any_of(deck.joints.begin(), deck.joints.end(),
+                     [&](const JointDeck& joint) { return holds(joint, meeting.a) && holds(joint, meeting.b); });
+}
+
 std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   constexpr std::size_t most = 1;  // one pair says it all
   const Deck& deck = scene.deck;
@@ -266,6 +278,7 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
       touching[p] = touching[q] && scene.measures->are_joined(p, q);
   }
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
+    if (are_jointed(deck, meeting)) continue;
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
       if (touching[part]) continue;
       warnings.push_back(warn_at(deck, "no_contact", "contact.surfaces",

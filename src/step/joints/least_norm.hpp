@@ -17,8 +17,12 @@ class LeastNormSolver {
   int rank() const { return rank_; }
 
  private:
-  double& factor(int row, int column) { return factor_[static_cast<std::size_t>(row * size_ + column)]; }
-  double factor(int row, int column) const { return factor_[static_cast<std::size_t>(row * size_ + column)]; }
+  double& factor(int row, int column) {
+    return factor_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)];
+  }
+  double factor(int row, int column) const {
+    return factor_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)];
+  }
   bool eliminate(const std::vector<double>& matrix, std::vector<double>& left);
   void factorise_normal();
   void solve_lower(std::vector<double>& y) const;
