@@ -7,12 +7,12 @@
 namespace percuss {
 namespace {
 
-KOKKOS_FORCEINLINE_FUNCTION Packed find_abs(const Packed& a) { return select(a < Packed(0), -a, a); }
-KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_abs(const PackedPoint& a) {
-  return {find_abs(a.x), find_abs(a.y), find_abs(a.z)};
+KOKKOS_FORCEINLINE_FUNCTION Packed find_packed_abs(const Packed& a) { return select(a < Packed(0), -a, a); }
+KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_packed_abs(const PackedPoint& a) {
+  return {find_packed_abs(a.x), find_packed_abs(a.y), find_packed_abs(a.z)};
 }
-KOKKOS_FORCEINLINE_FUNCTION Packed max_component(const PackedPoint& a) {
-  const PackedPoint b = find_abs(a);
+KOKKOS_FORCEINLINE_FUNCTION Packed find_packed_max(const PackedPoint& a) {
+  const PackedPoint b = find_packed_abs(a);
   return larger(larger(b.z, b.y), b.x);
 }
 
@@ -27,7 +27,7 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void share_coefficients(const RowPack& pack, con
   for (int d = 0; d < count_directions(pack); ++d) {
     const PackedForce push = make_unit_push(pack, d);
     for (int slot = 0; slot < row_nodes; ++slot) {
-      const PackedPoint c = find_abs(push.spread(pack, slot));
+      const PackedPoint c = find_packed_abs(push.spread(pack, slot));
       sum[slot] = d == 0 ? c : sum[slot] + c;
     }
   }
@@ -50,9 +50,9 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION PackedStiffness sum_stiffness(const RowPack& pac
   for (int d = 0; d < count_directions(pack); ++d) {
     const PackedForce push = make_unit_push(pack, d);
     for (int slot = 0; slot < row_nodes; ++slot) {
-      const PackedPoint c = find_abs(push.spread(pack, slot)), &by = s[slot], &m = w[slot];
+      const PackedPoint c = find_packed_abs(push.spread(pack, slot)), &by = s[slot], &m = w[slot];
       stiffness[d] = stiffness[d] + ((c.x * by.x * m.x + c.y * by.y * m.y) + c.z * by.z * m.z);
-      if (d == 0) free = free + max_component(m) * dot(c, by);
+      if (d == 0) free = free + find_packed_max(m) * dot(c, by);
     }
   }
   return {{LaneValues(stiffness[0]), LaneValues(stiffness[1]), LaneValues(stiffness[2])}, LaneValues(free)};
