@@ -26,6 +26,7 @@ struct Counted {
 inline Counted operator+(Counted a, Counted b) { return ++Counted::counts.add, Counted(a.value + b.value); }
 inline Counted operator-(Counted a, Counted b) { return ++Counted::counts.add, Counted(a.value - b.value); }
 inline Counted operator*(Counted a, Counted b) { return ++Counted::counts.multiply, Counted(a.value * b.value); }
+inline Counted operator*(double a, Counted b) { return Counted(a) * b; }
 inline Counted operator/(Counted a, Counted b) { return ++Counted::counts.divide, Counted(a.value / b.value); }
 inline Counted operator-(Counted a) { return Counted(-a.value); }
 inline bool operator<(Counted a, Counted b) { return a.value < b.value; }

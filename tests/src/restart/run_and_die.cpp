@@ -1,7 +1,8 @@
 // Runs a deck until a write that the arguments choose kills the process; compares what two runs have left.
 //
 // run_and_die run DECK OUT KILL_RANK KILL_WRITE [CHECKPOINT]: runs the deck, from a checkpoint if there is one; the
-// KILL_WRITE-th write to a file of results on rank KILL_RANK is the end of it (0: none). run_and_die fill DECK OUT N:
+// KILL_WRITE-th write to a file of results on rank KILL_RANK is the end of it (0: none; +N: the N-th that begins when
+// there is a checkpoint). run_and_die fill DECK OUT N:
 // the disk is full when the checkpoints after the first ask for room for the N-th time. run_and_die compare A B: 0 if
 // state, history and fields are the same bits.
 
@@ -28,15 +29,16 @@
 
 namespace {
 
-long writes_left = 0;  // 0: nobody dies
+long writes_left = 0;            // 0: nobody dies
+long demands_left = 0;           // for room in a checkpoint; 0: the disk has room for all
+std::string earlier_checkpoint;  // counted is what comes after there is one; empty: everything
+bool is_disk_full = false;
 
 void meet_fate() {
-  if (writes_left > 0 && --writes_left == 0) ::kill(::getpid(), SIGKILL);
+  if (writes_left == 0) return;
+  if (!earlier_checkpoint.empty() && ::access(earlier_checkpoint.c_str(), F_OK) != 0) return;
+  if (--writes_left == 0) ::kill(::getpid(), SIGKILL);
 }
-
-long demands_left = 0;           // for room in a checkpoint; 0: the disk has room for all
-std::string earlier_checkpoint;  // counted is what comes after there is one
-bool is_disk_full = false;
 
 bool is_new_checkpoint(int file) {
   char name[4096];
@@ -140,6 +142,7 @@ int run_and_die(int argc, char** argv) {
   RunOptions options;
   if (argc > 6) options.restart = argv[6];
   options.goes_on_in_place = argc > 6;
+  if (argv[5][0] == '+') earlier_checkpoint = std::string(argv[3]) + "/checkpoint.h5";
   return run(argc, argv, options, [&](int rank) {
     if (std::stoi(argv[4]) == rank) writes_left = std::stol(argv[5]);
   });
