@@ -53,7 +53,15 @@ percuss_precompile(percuss_headers)
 percuss_precompile(percuss_text_headers LINK fmt::fmt HEADERS <fmt/format.h>)
 
 add_library(percuss_unity_options INTERFACE)
-target_compile_options(percuss_unity_options INTERFACE -Wno-shadow) # a name of one source may be that of another
+# A name of one source may be that of another, and bases of tests in anonymous namespaces seem to come from a header.
+target_compile_options(percuss_unity_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+# percuss_unite(target size): PERCUSS_UNITY compiles so many of its sources at once. Names in them differ.
+function(percuss_unite target size)
+  if(PERCUSS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+    target_link_libraries(${target} PRIVATE percuss_unity_options) # after percuss_options, whose warning this takes back
+  endif()
+endfunction()
 
 # percuss_add_library(name [UNITY] SOURCES a.cpp ... LINK lib ...): a static library with the project's options. UNITY: names in
 # its sources differ, so that PERCUSS_UNITY may compile several at once.
@@ -66,9 +74,8 @@ function(percuss_add_library name)
   elseif(arg_LINK) # what links nothing knows nothing of Kokkos, and is compiled without its options
     percuss_reuse_headers(${name} percuss_headers)
   endif()
-  if(PERCUSS_UNITY AND arg_UNITY)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-    target_link_libraries(${name} PRIVATE percuss_unity_options) # after percuss_options, whose warning this takes back
+  if(arg_UNITY)
+    percuss_unite(${name} 6)
   endif()
 endfunction()
 
@@ -85,6 +92,7 @@ function(percuss_add_test_library name)
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK} Kokkos::kokkos GTest::gtest GTest::gmock)
   percuss_reuse_headers(${name} percuss_test_headers)
+  percuss_unite(${name} 6)
 endfunction()
 
 # Long tests start first (ctest's COST), so that none is left alone at the end while a core idles.
@@ -99,10 +107,13 @@ function(percuss_add_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_test_main)
   percuss_reuse_headers(${name} percuss_test_headers)
+  cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
+  if(NOT is_of_kernels) # those take most of their time one by one, and their names meet
+    percuss_unite(${name} 6)
+  endif()
   set(labels ${arg_LABEL})
   if(arg_LABEL STREQUAL unit)
     add_dependencies(unit_tests ${name})
-    cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
     if(is_of_kernels)
       add_dependencies(kernel_tests ${name})
       list(APPEND labels kernels)
@@ -138,6 +149,7 @@ function(percuss_add_mpi_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_mpi_test_main)
   percuss_reuse_headers(${name} percuss_test_headers)
+  percuss_unite(${name} 6)
   foreach(ranks IN LISTS arg_RANKS)
     set(threads 1)
     if(ranks LESS_EQUAL 2)

@@ -15,11 +15,11 @@ namespace percuss::test {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct Box {
-  double low[3] = {-infinity, -infinity, -infinity};
-  double high[3] = {infinity, infinity, infinity};
+  double low[3] = {-unbounded, -unbounded, -unbounded};
+  double high[3] = {unbounded, unbounded, unbounded};
 };
 
 /// Cuts at random places inside the box of each group, and the boxes of all ranks.
@@ -89,7 +89,7 @@ TEST(CutTree, BoxesReachExactlyTheRanksWhoseBoxesTheyMeet) {
 
 TEST(CutTree, ABoxAsLargeAsAllReachesEveryRankInOrder) {
   const RandomTree random_tree(11);
-  const double low[3] = {-infinity, -infinity, -infinity}, high[3] = {infinity, infinity, infinity};
+  const double low[3] = {-unbounded, -unbounded, -unbounded}, high[3] = {unbounded, unbounded, unbounded};
   std::vector<int> all(11);
   for (int rank = 0; rank < 11; ++rank) all[static_cast<std::size_t>(rank)] = rank;
   EXPECT_EQ(list_reached(random_tree.tree, low, high), all);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Without contact: two blocks that fly and deform.
-const char* const blocks = R"yaml(title: Two blocks fly
+const char* const flying_blocks = R"yaml(title: Two blocks fly
 time: {end: 0.5, max_steps: 20}
 parts:
   one: {box: {size: [1, 1, 1], cells: [8, 8, 8]}, material: soft}
@@ -29,7 +29,7 @@ output: {history: {every: 0}}
 TEST(PercussOnRanks, RunsAndReportsOnce) {
   const TemporaryFolder folder;
   const std::string out = folder.path() + "/out";
-  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", blocks), "-o", out}, launch_on(3));
+  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", flying_blocks), "-o", out}, launch_on(3));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(count(result.err, "completed: t ="), 1) << result.err;
   const Summary summary = read_summary(out + "/summary.json");
@@ -41,7 +41,7 @@ TEST(PercussOnRanks, RunsAndReportsOnce) {
 
 TEST(PercussOnRanks, ChecksAndPrintsOnceWhatOneRankPrints) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks);
+  const std::string file = folder.write("deck.yaml", flying_blocks);
   const ProcessResult alone = run_percuss({"check", file});
   const ProcessResult result = run_percuss({"check", file}, launch_on(3));
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -51,7 +51,7 @@ TEST(PercussOnRanks, ChecksAndPrintsOnceWhatOneRankPrints) {
 TEST(PercussOnRanks, TellsOfWrongInputOnce) {
   const TemporaryFolder folder;
   const std::string file =
-      folder.write("deck.yaml", std::string(blocks) +
+      folder.write("deck.yaml", std::string(flying_blocks) +
                                     "conditions: [{nodes: {name: one, inside: [[8, 8, 8], [9, 9, 9]]}, fixed: x}]\n");
   const ProcessResult result = run_percuss({"run", file, "-o", folder.path() + "/out"}, launch_on(2));
   EXPECT_EQ(result.exit_code, 2) << result.err;
@@ -63,7 +63,8 @@ TEST(PercussOnRanks, TellsOfAFailedRunOnceAndWritesItsSummary) {
   const TemporaryFolder folder;
   const std::string out = folder.path() + "/out";
   const ProcessResult result = run_percuss(
-      {"run", folder.write("deck.yaml", blocks), "-o", out, "--set", "audit={max_energy_error: 1e-30}"}, launch_on(2));
+      {"run", folder.write("deck.yaml", flying_blocks), "-o", out, "--set", "audit={max_energy_error: 1e-30}"},
+      launch_on(2));
   EXPECT_EQ(result.exit_code, 3) << result.err;
   EXPECT_EQ(count(result.err, "audit.max_energy_error ="), 1) << result.err;
   EXPECT_EQ(read_summary(out + "/summary.json").status, "failed");
@@ -72,7 +73,7 @@ TEST(PercussOnRanks, TellsOfAFailedRunOnceAndWritesItsSummary) {
 TEST(PercussOnRanks, TellsOfAFailedSystemOnce) {
   const TemporaryFolder folder;
   const ProcessResult result =
-      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", "/proc/percuss/out"}, launch_on(2));
+      run_percuss({"run", folder.write("deck.yaml", flying_blocks), "-o", "/proc/percuss/out"}, launch_on(2));
   EXPECT_EQ(result.exit_code, 4) << result.err;
   EXPECT_EQ(count(result.err, "folder /proc/percuss/out cannot be created"), 1) << result.err;
 }
@@ -80,7 +81,7 @@ TEST(PercussOnRanks, TellsOfAFailedSystemOnce) {
 TEST(PercussOnRanks, SaysThatRanksHaveNoElements) {
   const TemporaryFolder folder;
   const ProcessResult result =
-      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", folder.path() + "/out", "--set",
+      run_percuss({"run", folder.write("deck.yaml", flying_blocks), "-o", folder.path() + "/out", "--set",
                    "parts.one.box.cells=[1, 1, 1]", "--set", "parts.two.box.cells=[1, 1, 1]"},
                   launch_on(3));
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -95,7 +96,7 @@ TEST(PercussOnRanks, HelpsOnce) {
 
 TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks);
+  const std::string file = folder.write("deck.yaml", flying_blocks);
   const ProcessResult result = run_percuss({"plan", file, "--ranks", "1,3"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
@@ -111,7 +112,8 @@ TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
 
 TEST(PercussPlan, RefusesAWrongDeckWithItsPlace) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", std::string(blocks) + "contact: {surfaces: [[one, three]]}\n");
+  const std::string file =
+      folder.write("deck.yaml", std::string(flying_blocks) + "contact: {surfaces: [[one, three]]}\n");
   for (const auto& before : {std::string(), launch_on(2)}) {
     const ProcessResult result = run_percuss({"plan", file, "--ranks", "2"}, before);
     EXPECT_EQ(result.exit_code, 2);
@@ -132,7 +134,7 @@ TEST(PercussSchema, PrintsOneObjectAndNothingElse) {
 
 TEST(PercussOnRanks, StoppedGoesOnOnOthersToTheSameBits) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks), out = folder.path() + "/out",
+  const std::string file = folder.write("deck.yaml", flying_blocks), out = folder.path() + "/out",
                     whole = folder.path() + "/whole";
   const auto steps = [](int count) { return "time.max_steps=" + std::to_string(count); };
   // Long enough to be stopped on the way. SIGUSR1: mpirun leaves its ranks only a second after SIGTERM.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <memory>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/part_mesh.hpp"
 #include "src/mesh/shapes/shape_source.hpp"
+#include "tests/src/mesh/exodus_writer.hpp"
 
 namespace percuss::testing_mesh {
 
@@ -84,6 +86,21 @@ double total_volume(const AnyMesh& mesh) {
   double volume = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) volume += gauss_volume(corners_of(mesh, e));
   return volume;
+}
+
+/// Volume as the mesh itself finds it, for elements of any kind.
+inline double own_volume(const Mesh& mesh) {
+  double volume = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) volume += find_element_volume(mesh, e);
+  return volume;
+}
+
+/// The mesh of a deck whose one part is this file.
+inline Mesh read_mesh_text(const std::string& text, const std::string& name) {
+  const std::string path = write_bytes(text, name);
+  Mesh mesh = build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, false})}));
+  std::remove(path.c_str());
+  return mesh;
 }
 
 /// Least corner Jacobian over the product of its edges; 1 for a brick.

@@ -18,7 +18,7 @@ namespace {
 
 using namespace testing_mesh;
 
-struct Example {
+struct TetExample {
   const char* name;
   Shape shape;
 };
@@ -29,13 +29,7 @@ PartDeck make_tet_deck(const Shape& shape) {
   return part;
 }
 
-double find_volume(const Mesh& mesh) {
-  double volume = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) volume += find_element_volume(mesh, e);
-  return volume;
-}
-
-class TetShape : public testing::TestWithParam<Example> {};
+class TetShape : public testing::TestWithParam<TetExample> {};
 
 TEST_P(TetShape, HasTheCountedNodesAndTwelveElementsACell) {
   const Mesh mesh = build_mesh(make_deck({make_tet_deck(GetParam().shape)}));
@@ -76,45 +70,38 @@ TEST_P(TetShape, HasPositiveElementsThatFillIt) {
       enclosed += triple_product(at(0), at(1), at(2)) / 6;
     }
   }
-  EXPECT_NEAR(find_volume(mesh) / enclosed, 1, 1e-12);
+  EXPECT_NEAR(own_volume(mesh) / enclosed, 1, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, TetShape,
-                         testing::Values(Example{"cell", BoxShape{{1, 1, 1}, {1, 1, 1}}},
-                                         Example{"box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}},
-                                         Example{"cylinder", CylinderShape{0.7, 2, 8, 3}},
-                                         Example{"tube", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}}},
-                                         Example{"ball", SphereShape{0.7, 8}}),
+                         testing::Values(TetExample{"cell", BoxShape{{1, 1, 1}, {1, 1, 1}}},
+                                         TetExample{"box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}},
+                                         TetExample{"cylinder", CylinderShape{0.7, 2, 8, 3}},
+                                         TetExample{"tube", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}}},
+                                         TetExample{"ball", SphereShape{0.7, 8}}),
                          [](const auto& test) { return test.param.name; });
 
 TEST(TetShape, OfABoxHasItsVolume) {
-  EXPECT_NEAR(find_volume(build_mesh(make_deck({make_tet_deck(BoxShape{{1, 2, 0.5}, {3, 4, 2}})}))), 1, 1e-14);
+  EXPECT_NEAR(own_volume(build_mesh(make_deck({make_tet_deck(BoxShape{{1, 2, 0.5}, {3, 4, 2}})}))), 1, 1e-14);
 }
 
 /// The mesh of a text that stands in a file of this name.
-Mesh read_text(const std::string& text, const std::string& name) {
-  const std::string path = write_bytes(text, name);
-  const Mesh mesh = build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, false})}));
-  std::remove(path.c_str());
-  return mesh;
-}
-
 TEST(TetFile, OfLsDynaHasSolidsOfFourNodesInEitherForm) {
   for (const char* const nodes : {"10      50      60      80      80      80      80      80",
                                   "10      50      60      60      80      80      80      80"}) {
     const Mesh mesh =
-        read_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,1.\n*ELEMENT_SOLID\n" +
-                      std::string("       7       1      ") + nodes + "\n*END\n",
-                  "one.k");
+        read_mesh_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,1.\n*ELEMENT_SOLID\n" +
+                           std::string("       7       1      ") + nodes + "\n*END\n",
+                       "one.k");
     ASSERT_EQ(mesh.elements.size(), 1U);
     EXPECT_EQ(mesh.topology_of(0).name, "tet4");
     EXPECT_EQ(mesh.element_ids[0], 7);
-    EXPECT_DOUBLE_EQ(find_volume(mesh), 1.0 / 6);
+    EXPECT_DOUBLE_EQ(own_volume(mesh), 1.0 / 6);
   }
 }
 
 TEST(TetFile, OfAbaqusHasC3D4WithItsFourSides) {
-  const Mesh mesh = read_text(
+  const Mesh mesh = read_mesh_text(
       "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n4,0.,0.,1.\n*ELEMENT, TYPE=C3D4, ELSET=all\n9, 1, 2, 3, 4\n"
       "*SURFACE, NAME=base, TYPE=ELEMENT\nall, S1\n*SURFACE, NAME=skew, TYPE=ELEMENT\nall, S3\n",
       "one.inp");
@@ -133,12 +120,12 @@ TEST(TetFile, OfAbaqusHasC3D4WithItsFourSides) {
 }
 
 TEST(TetFile, OfGmshHasElementsOfType4) {
-  const Mesh mesh = read_text(
+  const Mesh mesh = read_mesh_text(
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
       "$Elements\n1\n5 4 2 1 1 1 2 3 4\n$EndElements\n",
       "one.msh");
   ASSERT_EQ(mesh.elements.size(), 1U);
-  EXPECT_DOUBLE_EQ(find_volume(mesh), 1.0 / 6);
+  EXPECT_DOUBLE_EQ(own_volume(mesh), 1.0 / 6);
 }
 
 TEST(TetFile, OfExodusStandsBesideHexahedraInOnePart) {
@@ -154,10 +141,11 @@ TEST(TetFile, OfExodusStandsBesideHexahedraInOnePart) {
 }
 
 TEST(TetFile, WithAnElementInsideOutIsRefusedWithItsId) {
-  EXPECT_THROW(read_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,-1.\n*ELEMENT_SOLID\n"
-                         "       7       1      10      50      60      80      80      80      80      80\n*END\n",
-                         "turned.k"),
-               InputError);
+  EXPECT_THROW(
+      read_mesh_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,-1.\n*ELEMENT_SOLID\n"
+                     "       7       1      10      50      60      80      80      80      80      80\n*END\n",
+                     "turned.k"),
+      InputError);
 }
 
 }  // namespace

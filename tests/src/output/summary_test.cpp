@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string read_text(const std::string& path) {
+std::string read_whole(const std::string& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -60,7 +60,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
   const sample::TemporaryFolder folder;
   write_summary(folder.file("summary.json"), Summary{});
   std::vector<std::string> keys;
-  list_keys(nlohmann::ordered_json::parse(read_text(folder.file("summary.json"))), "", keys);
+  list_keys(nlohmann::ordered_json::parse(read_whole(folder.file("summary.json"))), "", keys);
   const std::vector<std::string> promised{"status",
                                           "error",
                                           "warnings",
@@ -157,9 +157,9 @@ TEST(Summary, ReadsBackToTheSameValues) {
   ASSERT_EQ(read.warnings.size(), 2U);
   EXPECT_EQ(format_warning(read.warnings[0]),
             "part 'a': warning: too soft [hourglass_energy] (first at t = 0.25, 3 times)");
-  const std::string text = read_text(path);
+  const std::string text = read_whole(path);
   write_summary(path, read);  // every other member as well
-  EXPECT_EQ(read_text(path), text);
+  EXPECT_EQ(read_whole(path), text);
 }
 
 TEST(Summary, WritesWhatIsNotFiniteAsNullAndReadsItAsNan) {
@@ -167,7 +167,7 @@ TEST(Summary, WritesWhatIsNotFiniteAsNullAndReadsItAsNan) {
   Summary summary = make_summary();
   summary.energy.kinetic = NAN;
   write_summary(folder.file("summary.json"), summary);
-  EXPECT_THAT(read_text(folder.file("summary.json")), HasSubstr("\"kinetic\": null"));
+  EXPECT_THAT(read_whole(folder.file("summary.json")), HasSubstr("\"kinetic\": null"));
   EXPECT_TRUE(std::isnan(read_summary(folder.file("summary.json")).energy.kinetic));
 }
 
@@ -211,7 +211,7 @@ TEST(Summary, NamesTheKeyThatHasAWrongType) {
   const sample::TemporaryFolder folder;
   const std::string path = folder.file("summary.json");
   write_summary(path, make_summary());
-  auto json = nlohmann::ordered_json::parse(read_text(path));
+  auto json = nlohmann::ordered_json::parse(read_whole(path));
   json["warnings"][1]["count"] = "many";
   expect_refusal(json.dump(), ": error: 'warnings' is not a list of warnings");
   json.erase("warnings");  // of a percuss that listed none

@@ -19,7 +19,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string take_error(const Deck& deck, const std::string& out_dir = "") {
+std::string take_run_error(const Deck& deck, const std::string& out_dir = "") {
   try {
     run_scene(deck, {out_dir, Progress::Style::quiet});
   } catch (const RunError& error) {
@@ -40,13 +40,13 @@ conditions: [{nodes: bar/x_max, displacement: {x: {table: [[0, 0], [1e-9, -1.5]]
 }  // namespace
 
 TEST(Failure, AnInvertedElementIsNamedWithItsPartAndPlace) {
-  EXPECT_THAT(take_error(parse_deck(inverting, "deck.yaml")),
+  EXPECT_THAT(take_run_error(parse_deck(inverting, "deck.yaml")),
               AllOf(HasSubstr("element 5 of part 'bar' at (2.75, 0.5, 0.5) has inverted"), HasSubstr("in step 1 ")));
 }
 
 TEST(Failure, IsWrittenToTheSummary) {
   const TemporaryFolder folder;
-  const std::string error = take_error(parse_deck(inverting, "deck.yaml"), folder.path());
+  const std::string error = take_run_error(parse_deck(inverting, "deck.yaml"), folder.path());
   const Summary summary = read_summary(folder.path() + "/summary.json");
   EXPECT_EQ(summary.status, "failed");
   EXPECT_EQ(summary.error, error);
@@ -61,11 +61,11 @@ conditions: [{nodes: bar/x_max, velocity: {x: 1}}]
 )" + steel_text,
                          "deck.yaml");
   deck.conditions[0].value[0] = Curve::expression("sqrt(3e-4 - t)");
-  const std::string error = take_error(deck);
+  const std::string error = take_run_error(deck);
   EXPECT_THAT(error, HasSubstr("element 4 of part 'bar'"));
   EXPECT_THAT(error, HasSubstr("is not finite"));
   deck.time.end = 2.9e-4;
-  EXPECT_EQ(take_error(deck), "no error");
+  EXPECT_EQ(take_run_error(deck), "no error");
 }
 
 TEST(Failure, ARunThatLeavesItsEnergyBoundStops) {
@@ -75,9 +75,9 @@ time: {end: 1e-3}
 parts: {bar: {box: {size: [4, 1, 1], cells: [16, 4, 4]}, material: steel}}
 initial: [{nodes: {name: bar, inside: [[0, 0, 0], [1, 1, 1]]}, velocity: [100, 0, 0]}]
 )" + steel_text;
-  EXPECT_EQ(take_error(parse_deck(text, "deck.yaml")), "no error");
-  const std::string error =
-      take_error(parse_deck(text + "audit: {max_energy_error: 1e-9}\noutput: {history: {every: 1e-5}}\n", "deck.yaml"));
+  EXPECT_EQ(take_run_error(parse_deck(text, "deck.yaml")), "no error");
+  const std::string error = take_run_error(
+      parse_deck(text + "audit: {max_energy_error: 1e-9}\noutput: {history: {every: 1e-5}}\n", "deck.yaml"));
   EXPECT_THAT(error, AllOf(HasSubstr("the energy balance is off by"), HasSubstr("audit.max_energy_error = 1e-09"),
                            HasSubstr("kinetic")));
 }
@@ -90,8 +90,8 @@ parts: {bar: {box: {size: [4, 1.1, 1.3], cells: [8, 2, 2]}, material: steel}}
 initial: [{nodes: {name: bar, inside: [[0, 0, 0], [1, 1, 1]]}, velocity: [100, 3, 7]}]
 output: {history: {every: 1e-6}}
 )" + steel_text;
-  EXPECT_EQ(take_error(parse_deck(text, "deck.yaml")), "no error");
-  EXPECT_THAT(take_error(parse_deck(text + "audit: {max_momentum_error: 1e-30}\n", "deck.yaml")),
+  EXPECT_EQ(take_run_error(parse_deck(text, "deck.yaml")), "no error");
+  EXPECT_THAT(take_run_error(parse_deck(text + "audit: {max_momentum_error: 1e-30}\n", "deck.yaml")),
               AllOf(HasSubstr("momentum is off by"), HasSubstr("audit.max_momentum_error = 1e-30"),
                     HasSubstr(" of part 'bar' at ")));
 }
@@ -99,7 +99,7 @@ output: {history: {every: 1e-6}}
 TEST(Failure, TheStateThatFailedIsTheLastRowAndFrame) {
   const TemporaryFolder folder;
   const std::string output = "output: {fields: {every: 1}, history: {every: 1}}\n";
-  take_error(parse_deck(inverting + output, "deck.yaml"), folder.path());
+  take_run_error(parse_deck(inverting + output, "deck.yaml"), folder.path());
   EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 1);
   EXPECT_THAT(describe_fields_file(folder.path() + "/fields.vtkhdf"), HasSubstr("frames:  2, time 0"));
 }
@@ -122,7 +122,7 @@ time: {end: 1e-2, collapse_ratio: 0.9}
 parts: {bar: {box: {size: [4, 1, 1], cells: [4, 1, 1]}, material: steel}}
 conditions: [{nodes: bar/x_max, velocity: {x: {table: [[0, 0], [2e-3, -200]]}}}, {nodes: bar/x_min, fixed: [x]}]
 )" + steel_text;
-  EXPECT_THAT(take_error(parse_deck(text, "deck.yaml")),
+  EXPECT_THAT(take_run_error(parse_deck(text, "deck.yaml")),
               AllOf(HasSubstr("the time step has collapsed"), HasSubstr(" of part 'bar' at "),
                     HasSubstr("collapse_ratio (now 0.9)")));
 }

@@ -16,7 +16,7 @@ namespace percuss::test {
 namespace {
 
 // 693 elements in several chunks and 15 in one of their own; the tough part yields, the other cannot.
-std::string make_text(const std::string& elements) {
+std::string make_launcher_text(const std::string& elements) {
   return R"(
 time: {end: 1}
 parts:
@@ -153,7 +153,7 @@ void expect_same_results(const OneByOne<Kind>& expected, const Scene& scene) {
 
 template <HexKind Kind>
 void compare_steps(const std::string& elements) {
-  Scene scene(make_text(elements));
+  Scene scene(make_launcher_text(elements));
   ASSERT_GE(scene.chunked.chunks.size(), 3u);
   shake(scene);
   OneByOne<Kind> one_by_one(scene);
@@ -214,7 +214,7 @@ TEST(AdvanceElements, GivesTheBitsOfTheElementFunctionWithFullIntegration) {
 }
 
 TEST(NodeSlots, HoldEverySlotOfANodeOnceInAscendingOrder) {
-  const Scene scene(make_text("{}") +
+  const Scene scene(make_launcher_text("{}") +
                     "loads: {pressure: [{faces: tough/x_min, value: 1}, {faces: tough, value: 2}]}\n");
   const Model& model = scene.model;
   const auto first = to_host(model.nodes_to_slots.first);

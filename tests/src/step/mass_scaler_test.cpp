@@ -30,7 +30,7 @@ conditions: [{{nodes: body/x_min, fixed: [x, y, z]}}, {{nodes: body/x_max, veloc
 const std::string solid = "box: {size: [0.1, 0.2, 0.2], cells: [1, 1, 1]}",
                   sheet = "shell_plate: {size: [0.1, 0.2], cells: [1, 1]}, thickness: 0.01";
 
-double find_first_bound(const std::string& shape) {
+double find_press_bound(const std::string& shape) {
   Scene scene(write_press(shape, ""));
   scene.stepper.start(scene.state);
   return scene.state.bound.step;
@@ -38,7 +38,7 @@ double find_first_bound(const std::string& shape) {
 
 /// The mass that the least bound lacks is added after the forces: the bound of the next forces tells.
 void expect_bound_held(const std::string& shape) {
-  const double wanted = 0.98 * find_first_bound(shape);
+  const double wanted = 0.98 * find_press_bound(shape);
   Scene scene(write_press(shape, fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 9, every: 1}}", wanted)));
   scene.run(0);
   const double before = scene.state.total_mass;
@@ -62,7 +62,7 @@ TEST(MassScaler, HoldsTheStepOfASolidThatIsPressed) { expect_bound_held(solid); 
 TEST(MassScaler, HoldsTheStepOfAShellThatIsPressed) { expect_bound_held(sheet); }
 
 TEST(MassScaler, NodesHaveTheMassOfTheirElements) {
-  const double wanted = 0.99 * find_first_bound(sheet);
+  const double wanted = 0.99 * find_press_bound(sheet);
   Scene scene(write_press(sheet, fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 9, every: 7}}", wanted)));
   scene.run(60);
   double elements = 0, nodes = 0;
@@ -84,7 +84,7 @@ TEST(MassScaler, NodesHaveTheMassOfTheirElements) {
 }
 
 TEST(MassScaler, OnlyEveryNStepsAddsMass) {
-  const double wanted = 0.99 * find_first_bound(solid);
+  const double wanted = 0.99 * find_press_bound(solid);
   Scene scene(write_press(solid, fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 9, every: 5}}", wanted)));
   scene.run(0);
   int additions = 0;
@@ -100,7 +100,7 @@ TEST(MassScaler, OnlyEveryNStepsAddsMass) {
 }
 
 TEST(MassScaler, StopsAtTheLimitAndSaysSo) {
-  const double wanted = 0.99 * find_first_bound(solid);
+  const double wanted = 0.99 * find_press_bound(solid);
   Scene scene(write_press(solid, fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 0.05, every: 1}}", wanted)));
   scene.run(0);
   std::vector<Warning> warnings;

@@ -13,7 +13,7 @@ namespace percuss::test {
 namespace {
 
 // Two materials that share nodes, each averaged for itself, beside hexahedra; contact, pressure, held nodes.
-const std::string joined_text = R"yaml(
+const std::string joined_tets_text = R"yaml(
 time: {end: 1}
 parts:
   low: {box: {size: [0.04, 0.04, 0.01], cells: [6, 5, 2]}, elements: tetrahedra, material: copper}
@@ -32,18 +32,18 @@ contact: {surfaces: all, friction: 0.2}
 )yaml";
 
 TEST(TetsOnRanks, OfTwoMaterialsBesideHexahedraHaveTheBitsOfOneRank) {
-  TwoScenes scenes(joined_text);
+  TwoScenes scenes(joined_tets_text);
   expect_same_run(scenes, 60);
   EXPECT_GT(scenes.alone.stepper.contact_report().interactions, 0);
 }
 
 TEST(TetsOnRanks, OfThePlainFormHaveTheBitsOfOneRank) {
-  TwoScenes scenes(joined_text + "elements: {tetrahedra: plain}\n");
+  TwoScenes scenes(joined_tets_text + "elements: {tetrahedra: plain}\n");
   expect_same_run(scenes, 60);
 }
 
 TEST(TetsOnRanks, AreAveragedForEachMaterialOfANode) {
-  const Scene scene(joined_text, Communicator(MPI_COMM_SELF));
+  const Scene scene(joined_tets_text, Communicator(MPI_COMM_SELF));
   // Nodes of the common face have a record for copper and one for steel: 7 x 6 of them.
   std::vector<int> nodes(static_cast<std::size_t>(scene.model.node_count), 0);
   const auto first = to_host(scene.model.tet_nodes.first), slots = to_host(scene.model.tet_nodes.slots),

@@ -11,7 +11,7 @@ namespace percuss::test {
 namespace {
 
 constexpr double amplitude = 10, rate = 100, dt = 4e-5, mass = 6000;
-constexpr int steps = 1000;
+constexpr int step_count = 1000;
 
 Outcome run_block(const std::string& rigid, const std::string& conditions) {
   return run_deck(fmt::format(R"yaml(
@@ -24,7 +24,7 @@ loads: {{gravity: [0, 3, {{expression: "{} * cos({} * t)"}}]}}
 output: {{history: {{every: 0}}}}
 silence: [step_scale]
 )yaml",
-                              steps * dt, dt, rigid, amplitude, rate, conditions));
+                              step_count * dt, dt, rigid, amplitude, rate, conditions));
 }
 
 }  // namespace
@@ -39,8 +39,8 @@ TEST(VaryingGravity, DrivesFreeAndRigidBodiesAsItsSum) {
       const double step = row == 0 ? 0.5 * dt : dt;
       v += step * amplitude * std::cos(rate * dt * static_cast<double>(row));
     }
-    EXPECT_EQ(run.history.rows(), steps + 1);
-    const double end = steps * dt, exact = 1 + amplitude / rate * std::sin(rate * (end - 0.5 * dt));
+    EXPECT_EQ(run.history.rows(), step_count + 1);
+    const double end = step_count * dt, exact = 1 + amplitude / rate * std::sin(rate * (end - 0.5 * dt));
     EXPECT_NEAR(run.history.last("momentum_z"), mass * exact, 1e-5 * mass);
     EXPECT_LT(std::abs(run.summary.energy.error), 1e-12);
     EXPECT_LT(run.summary.momentum.linear_error, 1e-13);

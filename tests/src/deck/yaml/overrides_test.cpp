@@ -14,13 +14,13 @@
 namespace percuss {
 namespace {
 
-Deck parse(const std::vector<std::string>& settings) {
+Deck parse_with(const std::vector<std::string>& settings) {
   return parse_deck(right_deck + "initial:\n  - {part: rod, velocity: [1, 2, 3]}\n", "deck.yaml", settings);
 }
 
 std::string refusal(const std::vector<std::string>& settings) {
   try {
-    parse(settings);
+    parse_with(settings);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -28,33 +28,33 @@ std::string refusal(const std::vector<std::string>& settings) {
 }
 
 TEST(Overrides, ReplaceValuesByPath) {
-  const Deck deck = parse({"time.end=2.5", "parts.rod.at=[1, 2, 3]", "materials.steel.density=1000"});
+  const Deck deck = parse_with({"time.end=2.5", "parts.rod.at=[1, 2, 3]", "materials.steel.density=1000"});
   EXPECT_EQ(deck.time.end, 2.5);
   EXPECT_EQ(deck.parts[0].at, (Vec3{1, 2, 3}));
   EXPECT_EQ(deck.materials[0].density, 1000);
 }
 
 TEST(Overrides, ReachListsByIndex) {
-  EXPECT_EQ(parse({"initial.0.velocity=[7, 0, 0]"}).initial.at(0).velocity, (Vec3{7, 0, 0}));
-  EXPECT_EQ(parse({"initial.0.velocity.1=9"}).initial.at(0).velocity, (Vec3{1, 9, 3}));
+  EXPECT_EQ(parse_with({"initial.0.velocity=[7, 0, 0]"}).initial.at(0).velocity, (Vec3{7, 0, 0}));
+  EXPECT_EQ(parse_with({"initial.0.velocity.1=9"}).initial.at(0).velocity, (Vec3{1, 9, 3}));
 }
 
 TEST(Overrides, AppendAfterTheLastItem) {
-  EXPECT_EQ(parse({"initial.1={velocity: [0, 0, 1]}"}).initial.size(), 2U);
-  EXPECT_EQ(parse({"initial.1.velocity=[0, 0, 1]"}).initial.size(), 2U);
+  EXPECT_EQ(parse_with({"initial.1={velocity: [0, 0, 1]}"}).initial.size(), 2U);
+  EXPECT_EQ(parse_with({"initial.1.velocity=[0, 0, 1]"}).initial.size(), 2U);
 }
 
 TEST(Overrides, MakeTheMapsOnTheirWay) {
-  EXPECT_EQ(parse({"elements.hourglass.kind=viscous"}).elements.hourglass, ElementDeck::Hourglass::viscous);
-  EXPECT_EQ(parse({"elements.hourglass=stiffness"}).elements.hourglass, ElementDeck::Hourglass::stiffness);
-  EXPECT_EQ(parse({"elements.integration=full"}).elements.integration, ElementDeck::Integration::full);
-  EXPECT_EQ(parse({"contact={surfaces: all, friction: 0.5}"}).contact.friction, 0.5);
-  EXPECT_EQ(parse({"parts.ball={sphere: {radius: 1, cells: 4}, material: steel}"}).parts.size(), 2U);
+  EXPECT_EQ(parse_with({"elements.hourglass.kind=viscous"}).elements.hourglass, ElementDeck::Hourglass::viscous);
+  EXPECT_EQ(parse_with({"elements.hourglass=stiffness"}).elements.hourglass, ElementDeck::Hourglass::stiffness);
+  EXPECT_EQ(parse_with({"elements.integration=full"}).elements.integration, ElementDeck::Integration::full);
+  EXPECT_EQ(parse_with({"contact={surfaces: all, friction: 0.5}"}).contact.friction, 0.5);
+  EXPECT_EQ(parse_with({"parts.ball={sphere: {radius: 1, cells: 4}, material: steel}"}).parts.size(), 2U);
 }
 
-TEST(Overrides, ApplyInOrder) { EXPECT_EQ(parse({"time.end=2", "time.end=3"}).time.end, 3); }
+TEST(Overrides, ApplyInOrder) { EXPECT_EQ(parse_with({"time.end=2", "time.end=3"}).time.end, 3); }
 
-TEST(Overrides, TakeTextWithEqualSigns) { EXPECT_EQ(parse({"title=a = b"}).title, "a = b"); }
+TEST(Overrides, TakeTextWithEqualSigns) { EXPECT_EQ(parse_with({"title=a = b"}).title, "a = b"); }
 
 TEST(Overrides, MayGiveTheWholeDeck) {
   const Deck deck = parse_deck("", "deck.yaml",

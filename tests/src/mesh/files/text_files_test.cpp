@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::ThrowsMessage;
 
-PartMesh read(const std::string& text, const std::string& name, std::vector<std::string> blocks = {}) {
+PartMesh read_part(const std::string& text, const std::string& name, std::vector<std::string> blocks = {}) {
   const std::string path = write_bytes(text, name);
   try {
     PartMesh mesh = read_part_mesh({path, std::move(blocks), 1, false});
@@ -55,7 +55,7 @@ TEST(TextNumbers, AreReadAsFortranAndCWriteThem) {
 }
 
 TEST(GmshFile, OfVersion22HasGroupsAsBlocksAndSets) {
-  const PartMesh mesh = read(gmsh_22, "two.msh", {"left", "block_2"});
+  const PartMesh mesh = read_part(gmsh_22, "two.msh", {"left", "block_2"});
   ASSERT_THAT(mesh.elements.blocks, SizeIs(2));
   EXPECT_EQ(mesh.elements.blocks[0].name, "left");
   EXPECT_EQ(mesh.elements.blocks[1].name, "block_2");
@@ -67,7 +67,7 @@ TEST(GmshFile, OfVersion22HasGroupsAsBlocksAndSets) {
 }
 
 TEST(GmshFile, HasShellsWhereAGroupIsNotOfFaces) {
-  const PartMesh all = read(gmsh_22, "two.msh");
+  const PartMesh all = read_part(gmsh_22, "two.msh");
   EXPECT_THAT(all.elements.blocks, SizeIs(3));
   EXPECT_EQ(all.elements.blocks[2].name, "cap");
   EXPECT_EQ(all.elements.blocks[2].topology, TopologyKind::tri3);
@@ -75,7 +75,7 @@ TEST(GmshFile, HasShellsWhereAGroupIsNotOfFaces) {
 }
 
 TEST(GmshFile, OfVersion41HasTheSame) {
-  const PartMesh mesh = read(gmsh_41, "two.msh");
+  const PartMesh mesh = read_part(gmsh_41, "two.msh");
   EXPECT_THAT(mesh.elements.blocks, SizeIs(3));
   EXPECT_THAT(mesh.element_ids, ElementsAre(3, 4, 5));
   EXPECT_EQ(mesh.elements.blocks[0].name, "left");
@@ -88,7 +88,7 @@ TEST(GmshFile, OfVersion41HasTheSame) {
 
 TEST(GmshFile, CanBeBinary) {
   for (const bool is_41 : {false, true}) {
-    const PartMesh mesh = read(make_binary_gmsh(is_41), "binary.msh");
+    const PartMesh mesh = read_part(make_binary_gmsh(is_41), "binary.msh");
     EXPECT_THAT(mesh.nodes, SizeIs(8));
     EXPECT_THAT(mesh.element_ids, ElementsAre(77));
     EXPECT_DOUBLE_EQ(gauss_volume(corners_of(mesh, 0)), 1);
@@ -96,7 +96,7 @@ TEST(GmshFile, CanBeBinary) {
 }
 
 TEST(KeywordFile, HasPartsAsBlocksAndSets) {
-  const PartMesh mesh = read(keyword_deck, "two.k");
+  const PartMesh mesh = read_part(keyword_deck, "two.k");
   ASSERT_THAT(mesh.elements.blocks, SizeIs(3));
   EXPECT_EQ(mesh.elements.blocks[0].name, "left");
   EXPECT_EQ(mesh.elements.blocks[1].name, "right side");
@@ -127,7 +127,7 @@ TEST(KeywordFile, IsNamedOnceInMessagesWithItsLine) {
 }
 
 TEST(KeywordFile, KeepsIdsOfSolidsAlone) {
-  const PartMesh mesh = read(keyword_deck, "two.k", {"left", "block_2"});
+  const PartMesh mesh = read_part(keyword_deck, "two.k", {"left", "block_2"});
   EXPECT_THAT(mesh.node_ids, SizeIs(12));
   EXPECT_THAT(mesh.elements.blocks, SizeIs(2));
 }
@@ -137,17 +137,17 @@ TEST(KeywordFile, IncludesFilesBesideIt) {
   const std::string inner = write_bytes(keyword_deck.substr(nodes, elements - nodes) + "*END\nignored\n", "inner.k");
   const std::string name = std::filesystem::path(inner).filename().string();
   const std::string outer = keyword_deck.substr(0, nodes) + "*INCLUDE\n" + name + "\n" + keyword_deck.substr(elements);
-  EXPECT_THAT(read(outer, "outer.k").nodes, SizeIs(12));
+  EXPECT_THAT(read_part(outer, "outer.k").nodes, SizeIs(12));
   EXPECT_THAT(
-      [&] { read(change(outer, name, "../" + name), "outer.k"); },
+      [&] { read_part(change(outer, name, "../" + name), "outer.k"); },
       ThrowsMessage<InputError>(AllOf(HasSubstr("outer.k:14: "), HasSubstr("in the folder of the first file"))));
-  EXPECT_THAT([&] { read(change(outer, name, change(name, "inner", "outer")), "outer.k"); },
+  EXPECT_THAT([&] { read_part(change(outer, name, change(name, "inner", "outer")), "outer.k"); },
               ThrowsMessage<InputError>(HasSubstr("too deeply, or without end")));
   std::remove(inner.c_str());
 }
 
 TEST(AbaqusFile, HasSetsOfElementsAsBlocksAndSurfaces) {
-  const PartMesh mesh = read(abaqus_input, "two.inp", {"left", "right", "cap"});
+  const PartMesh mesh = read_part(abaqus_input, "two.inp", {"left", "right", "cap"});
   ASSERT_THAT(mesh.elements.blocks, SizeIs(3));
   EXPECT_EQ(mesh.elements.blocks[0].name, "left");
   EXPECT_EQ(mesh.elements.blocks[2].topology, TopologyKind::tri3);
@@ -165,7 +165,7 @@ TEST(AbaqusFile, HasSetsOfElementsAsBlocksAndSurfaces) {
 }
 
 TEST(AbaqusFile, GivesTheElementsOfASet) {
-  const PartMesh mesh = read(abaqus_input, "two.inp", {"half of it"});
+  const PartMesh mesh = read_part(abaqus_input, "two.inp", {"half of it"});
   EXPECT_THAT(mesh.element_ids, ElementsAre(3, 5));
   EXPECT_THAT(mesh.nodes, SizeIs(11));
 }
@@ -180,7 +180,7 @@ class WrongTextFile : public testing::TestWithParam<WrongFile> {};
 
 TEST_P(WrongTextFile, IsRefusedAtItsLine) {
   const WrongFile& wrong = GetParam();
-  EXPECT_THAT([&] { read(change(*wrong.text, wrong.from, wrong.to), wrong.file); },
+  EXPECT_THAT([&] { read_part(change(*wrong.text, wrong.from, wrong.to), wrong.file); },
               ThrowsMessage<InputError>(HasSubstr(wrong.message)));
 }
 

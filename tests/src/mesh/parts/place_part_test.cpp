@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing_mesh;
 
-PartDeck make_brick() { return make_part_deck("p", BoxShape{{1, 2, 3}, {1, 1, 1}}); }
+PartDeck make_brick_deck() { return make_part_deck("p", BoxShape{{1, 2, 3}, {1, 1, 1}}); }
 
 std::vector<Vec3> place(const PartDeck& part) {
   PartMesh mesh = make_part_mesh(part.shape);
@@ -18,14 +18,14 @@ std::vector<Vec3> place(const PartDeck& part) {
 }
 
 TEST(PlacePart, TranslatesByAt) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.at = {10, 20, 30};
   EXPECT_EQ(place(part).front(), (Vec3{10, 20, 30}));
   EXPECT_EQ(place(part).back(), (Vec3{11, 22, 33}));
 }
 
 TEST(PlacePart, QuarterTurnsAreExact) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.rotate.push_back({{0, 1, 0}, 90, {}});  // what `axis: x` means: local z onto x
   EXPECT_EQ(place(part).back(), (Vec3{3, 2, -1}));
   part.rotate.assign(1, {{0, 0, 1}, 90, {}});
@@ -39,7 +39,7 @@ TEST(PlacePart, QuarterTurnsAreExact) {
 }
 
 TEST(PlacePart, RotationsApplyInOrderAboutTheirCentersAndBeforeAt) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.rotate.push_back({{0, 0, 1}, 90, {1, 0, 0}});  // (1, 2, 3) -> (-1, 0, 3)
   part.rotate.push_back({{1, 0, 0}, 90, {}});         // -> (-1, -3, 0)
   part.at = {100, 0, 0};
@@ -47,7 +47,7 @@ TEST(PlacePart, RotationsApplyInOrderAboutTheirCentersAndBeforeAt) {
 }
 
 TEST(PlacePart, AThirdTurnAboutTheCubeDiagonalPermutesTheAxes) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   const double s = 1 / std::sqrt(3.0);
   part.rotate.push_back({{s, s, s}, 120, {}});  // x -> y -> z -> x
   const Vec3 corner = place(part).back();
@@ -76,7 +76,7 @@ TEST(PlacePart, ArraysShiftOddCoursesAlongY) {
 }
 
 TEST(PlacePart, ArraysOfOneRowAlongYShiftAlongX) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.array = ArrayCopies{{2, 1, 2}, {1.5, 2, 4}, 0.5};
   const std::vector<Vec3> nodes = place(part);
   EXPECT_EQ(nodes[8], (Vec3{1.5, 0, 0}));
@@ -85,7 +85,7 @@ TEST(PlacePart, ArraysOfOneRowAlongYShiftAlongX) {
 }
 
 TEST(PlacePart, SidesOfAnArrayAreThoseOfAllCopies) {
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.array = ArrayCopies{{3, 1, 1}, {2, 0, 0}, 0};
   const Mesh mesh = build_mesh(make_deck({part}));
   EXPECT_EQ(mesh.side_sets.at("p/x_min"), (std::vector<ElementFace>{{0, 3}, {1, 3}, {2, 3}}));
@@ -100,7 +100,7 @@ TEST(PlacePart, CopiesCountOnFromTheIdsOfTheFile) {
   mesh.element_ids = {70, 50};
   mesh.node_ids.assign(12, 0);
   for (std::size_t n = 0; n < 12; ++n) mesh.node_ids[n] = static_cast<std::int64_t>(100 - n);
-  PartDeck part = make_brick();
+  PartDeck part = make_brick_deck();
   part.array = ArrayCopies{{2, 1, 1}, {2, 0, 0}, 0};
   place_part(mesh, part);
   EXPECT_EQ(mesh.element_ids, (std::vector<std::int64_t>{70, 50, 71, 72}));

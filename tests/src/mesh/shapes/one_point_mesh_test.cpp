@@ -20,7 +20,7 @@ namespace {
 using namespace testing_mesh;
 using Elements = PartDeck::Elements;
 
-struct Example {
+struct CutExample {
   const char* name;
   Shape shape;
   PartDeck::Elements elements;
@@ -33,13 +33,7 @@ PartDeck make_cut_deck(const Shape& shape, PartDeck::Elements elements) {
   return part;
 }
 
-double find_volume(const Mesh& mesh) {
-  double volume = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) volume += find_element_volume(mesh, e);
-  return volume;
-}
-
-class CutShape : public testing::TestWithParam<Example> {
+class CutShape : public testing::TestWithParam<CutExample> {
  protected:
   PartDeck deck() const { return make_cut_deck(GetParam().shape, GetParam().elements); }
 };
@@ -78,29 +72,22 @@ TEST_P(CutShape, HasPositiveElementsThatFillTheCells) {
       EXPECT_GT(jacobian.value, 0.03 * jacobian.edge_product);
     }
   }
-  const double whole = find_volume(build_mesh(make_deck({make_part_deck("p", GetParam().shape)})));
-  EXPECT_NEAR(find_volume(mesh) / whole, 1, 1e-12);
+  const double whole = own_volume(build_mesh(make_deck({make_part_deck("p", GetParam().shape)})));
+  EXPECT_NEAR(own_volume(mesh) / whole, 1, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, CutShape,
-    testing::Values(Example{"wedges_of_a_cell", BoxShape{{1, 1, 1}, {1, 1, 1}}, Elements::wedges, 2},
-                    Example{"wedges_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::wedges, 2},
-                    Example{"wedges_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::wedges, 2},
-                    Example{"wedges_of_a_tube", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}}, Elements::wedges, 2},
-                    Example{"pyramids_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::pyramids, 6},
-                    Example{"pyramids_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::pyramids, 6},
-                    Example{"pyramids_of_a_ball", SphereShape{0.7, 8}, Elements::pyramids, 6}),
+    testing::Values(CutExample{"wedges_of_a_cell", BoxShape{{1, 1, 1}, {1, 1, 1}}, Elements::wedges, 2},
+                    CutExample{"wedges_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::wedges, 2},
+                    CutExample{"wedges_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::wedges, 2},
+                    CutExample{"wedges_of_a_tube", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}}, Elements::wedges, 2},
+                    CutExample{"pyramids_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::pyramids, 6},
+                    CutExample{"pyramids_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::pyramids, 6},
+                    CutExample{"pyramids_of_a_ball", SphereShape{0.7, 8}, Elements::pyramids, 6}),
     [](const auto& test) { return test.param.name; });
 
 /// The mesh of a text that stands in a file of this name.
-Mesh read_text(const std::string& text, const std::string& name) {
-  const std::string path = write_bytes(text, name);
-  const Mesh mesh = build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, false})}));
-  std::remove(path.c_str());
-  return mesh;
-}
-
 const std::string keyword_nodes =
     "*KEYWORD\n*NODE\n10,0.,0.,0.\n20,1.,0.,0.\n30,1.,1.,0.\n40,0.,1.,0.\n50,0.,.5,1.\n60,1.,.5,1.\n*ELEMENT_SOLID\n";
 
@@ -114,16 +101,16 @@ TEST(OnePointFile, OfLsDynaHasSolidsWithCollapsedEdges) {
         Case{"10,40,50,50,20,30,60,60", "wedge6", 0.5}, Case{"10,20,30,40,50,50,50,50", "pyramid5", 1.0 / 3},
         Case{"50,50,50,50,40,30,20,10", "pyramid5", 1.0 / 3}, Case{"10,20,30,30,50,50,50,50", "tet4", 1.0 / 6},
         Case{"50,50,50,50,30,30,20,10", "tet4", 1.0 / 6}}) {
-    const Mesh mesh = read_text(keyword_nodes + "7,1," + c.nodes + "\n*END\n", "one.k");
+    const Mesh mesh = read_mesh_text(keyword_nodes + "7,1," + c.nodes + "\n*END\n", "one.k");
     ASSERT_EQ(mesh.elements.size(), 1U);
     EXPECT_EQ(mesh.topology_of(0).name, c.topology) << c.nodes;
     EXPECT_EQ(mesh.element_ids[0], 7);
-    EXPECT_NEAR(find_volume(mesh), c.volume, 1e-15) << c.nodes;
+    EXPECT_NEAR(own_volume(mesh), c.volume, 1e-15) << c.nodes;
   }
 }
 
 TEST(OnePointFile, OfLsDynaIsRefusedWhereTheEdgesLeaveNoSolid) {
-  EXPECT_THROW(read_text(keyword_nodes + "7,1,10,10,20,30,40,50,60,60\n*END\n", "one.k"), InputError);
+  EXPECT_THROW(read_mesh_text(keyword_nodes + "7,1,10,10,20,30,40,50,60,60\n*END\n", "one.k"), InputError);
 }
 
 /// Ids of the nodes of the only face of a set.
@@ -147,11 +134,11 @@ std::string write_surfaces() {
 }
 
 TEST(OnePointFile, OfAbaqusHasC3D6WithItsFiveSides) {
-  const Mesh mesh =
-      read_text(abaqus_nodes + "*ELEMENT, TYPE=C3D6, ELSET=all\n9, 1, 4, 5, 2, 3, 6\n" + write_surfaces(), "one.inp");
+  const Mesh mesh = read_mesh_text(
+      abaqus_nodes + "*ELEMENT, TYPE=C3D6, ELSET=all\n9, 1, 4, 5, 2, 3, 6\n" + write_surfaces(), "one.inp");
   ASSERT_EQ(mesh.elements.size(), 1U);
   EXPECT_EQ(mesh.topology_of(0).name, "wedge6");
-  EXPECT_NEAR(find_volume(mesh), 0.5, 1e-15);
+  EXPECT_NEAR(own_volume(mesh), 0.5, 1e-15);
   using Ids = std::vector<std::int64_t>;
   EXPECT_EQ(list_face(mesh, "p/S1"), (Ids{1, 4, 5}));
   EXPECT_EQ(list_face(mesh, "p/S2"), (Ids{2, 3, 6}));
@@ -162,7 +149,7 @@ TEST(OnePointFile, OfAbaqusHasC3D6WithItsFiveSides) {
 
 TEST(OnePointFile, OfAbaqusHasC3D5WithItsFiveSides) {
   const Mesh mesh =
-      read_text(abaqus_nodes + "*ELEMENT, TYPE=C3D5, ELSET=all\n9, 1, 2, 3, 4, 5\n" + write_surfaces(), "one.inp");
+      read_mesh_text(abaqus_nodes + "*ELEMENT, TYPE=C3D5, ELSET=all\n9, 1, 2, 3, 4, 5\n" + write_surfaces(), "one.inp");
   EXPECT_EQ(mesh.topology_of(0).name, "pyramid5");
   using Ids = std::vector<std::int64_t>;
   EXPECT_EQ(list_face(mesh, "p/S1"), (Ids{1, 2, 3, 4}));
@@ -174,9 +161,9 @@ TEST(OnePointFile, OfAbaqusHasC3D5WithItsFiveSides) {
 
 // Sides of the hexahedron are those of the wedge that it is; S2, 5-8-7-6, has no area and is left out.
 TEST(OnePointFile, OfAbaqusHasC3D8WithCollapsedEdgesAndItsSides) {
-  const Mesh mesh = read_text(abaqus_nodes + "*ELEMENT, TYPE=C3D8, ELSET=all\n9, 1, 2, 3, 4, 5, 6, 6, 5\n" +
-                                  write_surfaces() + "*SURFACE, NAME=S6, TYPE=ELEMENT\nall, S6\n",
-                              "one.inp");
+  const Mesh mesh = read_mesh_text(abaqus_nodes + "*ELEMENT, TYPE=C3D8, ELSET=all\n9, 1, 2, 3, 4, 5, 6, 6, 5\n" +
+                                       write_surfaces() + "*SURFACE, NAME=S6, TYPE=ELEMENT\nall, S6\n",
+                                   "one.inp");
   EXPECT_EQ(mesh.topology_of(0).name, "wedge6");
   using Ids = std::vector<std::int64_t>;
   EXPECT_EQ(list_face(mesh, "p/S1"), (Ids{1, 2, 3, 4}));
@@ -187,12 +174,12 @@ TEST(OnePointFile, OfAbaqusHasC3D8WithCollapsedEdgesAndItsSides) {
 }
 
 TEST(OnePointFile, OfGmshHasElementsOfTypes6And7) {
-  const Mesh mesh = read_text(
+  const Mesh mesh = read_mesh_text(
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 .5 1\n6 1 .5 1\n"
       "7 .5 .5 -1\n$EndNodes\n$Elements\n2\n5 6 2 1 1 1 4 5 2 3 6\n6 7 2 1 1 1 4 3 2 7\n$EndElements\n",
       "one.msh");
   ASSERT_EQ(mesh.elements.size(), 2U);
-  EXPECT_NEAR(find_volume(mesh), 0.5 + 1.0 / 3, 1e-15);
+  EXPECT_NEAR(own_volume(mesh), 0.5 + 1.0 / 3, 1e-15);
 }
 
 TEST(OnePointFile, OfExodusHasWedgesAndPyramidsBesideHexahedraOfOnePart) {
@@ -209,7 +196,7 @@ TEST(OnePointFile, OfExodusHasWedgesAndPyramidsBesideHexahedraOfOnePart) {
   const Mesh mesh = build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, true})}));
   std::remove(path.c_str());
   ASSERT_EQ(mesh.elements.size(), 4U);
-  EXPECT_NEAR(find_volume(mesh), 2 + 1.0 / 6, 1e-14);
+  EXPECT_NEAR(own_volume(mesh), 2 + 1.0 / 6, 1e-14);
   EXPECT_EQ(mesh.exterior, mark_exterior_faces(mesh.elements, mesh.nodes.size()));
   EXPECT_EQ(mesh.side_sets.at("p/wedge sides").size(), 3U);
   EXPECT_EQ(mesh.side_sets.at("p/pyramid sides").size(), 2U);
@@ -225,7 +212,7 @@ TEST(OnePointFile, OfExodusMayHaveHexahedraWithCollapsedEdges) {
   std::remove(path.c_str());
   ASSERT_EQ(mesh.elements.size(), 2U);
   EXPECT_EQ(mesh.topology_of(1).name, "wedge6");
-  EXPECT_NEAR(find_volume(mesh), 1.5, 1e-14);
+  EXPECT_NEAR(own_volume(mesh), 1.5, 1e-14);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ namespace {
 using sample::TemporaryFolder;
 using testing::HasSubstr;
 
-std::string write_run(const TemporaryFolder& folder, int frames) {
+std::string write_frames(const TemporaryFolder& folder, int frames) {
   const Mesh mesh = sample::make_mesh();
   FieldsFile file = sample::create_file(folder.path(), mesh, sample::options());
   for (int frame = 0; frame < frames; ++frame) sample::write_frame(file, mesh, frame);
@@ -45,7 +45,7 @@ void write_bytes(const std::string& path, const std::string& bytes) {
 
 TEST(DescribeFields, TellsMeshFramesAndTheRangeOfEveryField) {
   const TemporaryFolder folder;
-  const std::string text = describe_fields_file(write_run(folder, 3));
+  const std::string text = describe_fields_file(write_frames(folder, 3));
   EXPECT_THAT(text, HasSubstr("title:   A sample & its <title>\n"));
   EXPECT_THAT(text, HasSubstr("units:   m, kg, s\n"));
   EXPECT_THAT(text, HasSubstr("mesh:    16 elements, 54 nodes, 2 parts (left, right <&\"> one)\n"));
@@ -59,7 +59,7 @@ TEST(DescribeFields, TellsMeshFramesAndTheRangeOfEveryField) {
 
 TEST(DescribeFields, SaysWhenThereIsNoFrame) {
   const TemporaryFolder folder;
-  EXPECT_THAT(describe_fields_file(write_run(folder, 0)), HasSubstr("frames:  none\n"));
+  EXPECT_THAT(describe_fields_file(write_frames(folder, 0)), HasSubstr("frames:  none\n"));
 }
 
 TEST(DescribeFields, CountsWhatIsNotFinite) {
@@ -91,7 +91,7 @@ TEST(DescribeFields, TellsWhyAFileCannotBeRead) {
 
 TEST(DescribeFields, RefusesAFileThatIsCutShortAnywhere) {
   const TemporaryFolder folder;
-  const std::string bytes = read_bytes(write_run(folder, 2));
+  const std::string bytes = read_bytes(write_frames(folder, 2));
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
     write_bytes(folder.file("cut"), bytes.substr(0, size));
     EXPECT_THROW(describe_fields_file(folder.file("cut")), InputError) << size << " of " << bytes.size() << " bytes";
@@ -120,7 +120,7 @@ int describe_in_child(const std::string& path) {
 
 TEST(DescribeFields, AnswersADamagedFileWithTextOrWithAnError) {
   const TemporaryFolder folder;
-  const std::string bytes = read_bytes(write_run(folder, 2));
+  const std::string bytes = read_bytes(write_frames(folder, 2));
   std::mt19937 random(7);
   int refused = 0;
   for (int trial = 0; trial < 200; ++trial) {

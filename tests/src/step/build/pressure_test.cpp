@@ -137,7 +137,7 @@ loads: {pressure: [{faces: bar/x_min, value: 4e8}]}
 namespace {
 
 /// Largest energy error while a lopsided pulse on two faces spins, bends and squeezes a free block.
-double find_largest_error(double step_scale) {
+double find_pressure_error(double step_scale) {
   Scene scene(R"deck(
 time: {end: 1}
 parts: {block: {box: {size: [1, 0.4, 0.3], cells: [10, 4, 3]}, material: steel}}
@@ -167,8 +167,8 @@ loads:
 TEST(Pressure, WorkIsBookedSoThatTheEnergyClosesAtAnyStep) {
   // In linear elements the balance is an identity but for small changes of the step; what is left here, 5e-5, falls
   // with the load: it is of the order of the strain, 1e-3, times its change in a step.
-  EXPECT_LT(find_largest_error(0.9), 1e-4);
-  EXPECT_LT(find_largest_error(0.45), 5e-5);
+  EXPECT_LT(find_pressure_error(0.9), 1e-4);
+  EXPECT_LT(find_pressure_error(0.45), 5e-5);
 }
 
 }  // namespace percuss::test

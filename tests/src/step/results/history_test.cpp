@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string make_text(const std::string& output) {
+std::string make_history_text(const std::string& output) {
   return R"(time: {end: 1e-4}
 parts:
   a: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: steel}
@@ -32,11 +32,11 @@ output:
 }
 
 std::vector<FollowedPoint> find_points(const std::string& output) {
-  const Scene scene(make_text(output));
+  const Scene scene(make_history_text(output));
   return find_history_points(scene.deck, scene.chunked);
 }
 
-std::string take_error(const std::string& output) {
+std::string take_points_error(const std::string& output) {
   try {
     find_points(output);
   } catch (const InputError& error) {
@@ -49,8 +49,8 @@ std::string take_error(const std::string& output) {
 
 TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
   const Scene scene(
-      make_text("nodes: [{name: n, near: [0.9, 0.1, 0]}, {name: m, near: [0.9, 0.1, 0], part: b}], "
-                "elements: [{name: e, near: [1.1, 0.9, 0.9]}, {name: f, near: [5, 5, 5], part: a}]"));
+      make_history_text("nodes: [{name: n, near: [0.9, 0.1, 0]}, {name: m, near: [0.9, 0.1, 0], part: b}], "
+                        "elements: [{name: e, near: [1.1, 0.9, 0.9]}, {name: f, near: [5, 5, 5], part: a}]"));
   const Mesh& mesh = scene.chunked.mesh;
   const std::vector<FollowedPoint> points = find_history_points(scene.deck, scene.chunked);
   ASSERT_EQ(points.size(), 4u);
@@ -69,20 +69,20 @@ TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
 }
 
 TEST(HistoryPoints, AreFoundByTheUsersId) {
-  const Scene scene(make_text("nodes: [{name: n, id: 20}], elements: [{name: e, id: 9}]"));
+  const Scene scene(make_history_text("nodes: [{name: n, id: 20}], elements: [{name: e, id: 9}]"));
   const std::vector<FollowedPoint> points = find_history_points(scene.deck, scene.chunked);
   EXPECT_EQ(scene.chunked.mesh.node_ids[static_cast<std::size_t>(points[0].index)], 20);
   EXPECT_EQ(scene.chunked.mesh.element_ids[static_cast<std::size_t>(points[1].index)], 9);
 }
 
 TEST(HistoryPoints, WithAnUnknownIdAreRefusedAtTheirPlace) {
-  EXPECT_THAT(take_error("nodes: [{name: n, id: 99}]"), HasSubstr("deck.yaml:6:"));
-  EXPECT_THAT(take_error("nodes: [{name: n, id: 99}]"), HasSubstr("no node has the id 99 (history point 'n')"));
-  EXPECT_THAT(take_error("elements: [{name: e, id: 99}]"), HasSubstr("no element has the id 99"));
+  EXPECT_THAT(take_points_error("nodes: [{name: n, id: 99}]"), HasSubstr("deck.yaml:6:"));
+  EXPECT_THAT(take_points_error("nodes: [{name: n, id: 99}]"), HasSubstr("no node has the id 99 (history point 'n')"));
+  EXPECT_THAT(take_points_error("elements: [{name: e, id: 99}]"), HasSubstr("no element has the id 99"));
 }
 
 TEST(History, HasARowAtTheStartAtEveryDueTimeAndAtTheEnd) {
-  const Outcome run = run_deck(make_text("nodes: [{name: n, near: [2, 1, 1]}]"), {"time.max_step=3e-6"});
+  const Outcome run = run_deck(make_history_text("nodes: [{name: n, near: [2, 1, 1]}]"), {"time.max_step=3e-6"});
   ASSERT_EQ(run.history.rows(), 11u);
   const std::vector<double>& time = run.history["time"];
   EXPECT_EQ(time[0], 0);
@@ -100,7 +100,7 @@ TEST(History, HasARowAtTheStartAtEveryDueTimeAndAtTheEnd) {
 TEST(HistoryColumns, AreDescribedForPrograms) {
   const TemporaryFolder folder;
   const std::string text =
-      "units: mm, kg, ms\n" + make_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]") +
+      "units: mm, kg, ms\n" + make_history_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]") +
       "walls: [{name: ram, normal: z, point: [0, 0, -9], speed: 1}, {normal: x, point: [-9, 0, 0], mass: 1}]\n";
   const Scene scene(text);
   History(folder.path(), scene.deck, scene.chunked, scene.model.springs).close();

@@ -19,7 +19,7 @@ struct Shape {
   double distortion = 0;  // of each edge
 };
 
-std::string make_text(double poisson, const std::string& elements) {
+std::string make_cube_text(double poisson, const std::string& elements) {
   return "time: {end: 1}\nparts: {a: {box: {size: [3, 3, 3], cells: [3, 3, 3]}, material: m}}\nmaterials: {m: "
          "{model: " +
          std::string("elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: ") + std::to_string(poisson) +
@@ -29,7 +29,7 @@ std::string make_text(double poisson, const std::string& elements) {
 /// 27 elements of a shape; the unit cube's nodes are moved before the model is built.
 struct SmallMesh {
   SmallMesh(const Shape& shape, double poisson, const std::string& elements, unsigned long seed)
-      : deck(parse_deck(make_text(poisson, elements), "deck.yaml")),
+      : deck(parse_deck(make_cube_text(poisson, elements), "deck.yaml")),
         chunked(move_nodes(load_mesh(deck, Communicator::world()), shape, seed)),
         model(build_model(deck, chunked)),
         state(make_initial_state(model)),
