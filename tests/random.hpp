@@ -7,7 +7,7 @@
 namespace percuss::test {
 
 /// Marsaglia's xorshift.
-class Random {
+class RandomIndex {
  public:
   /// A number in [0, n).
   std::size_t below(std::size_t n) {

@@ -18,11 +18,11 @@
 namespace {
 
 using percuss::fuzz::try_bytes;
-using percuss::test::Random;
+using percuss::test::RandomIndex;
 
 /// One change: a bit flipped, a byte set, a piece cut, repeated or taken from another seed, a word put in.
 void damage(std::string& bytes, const std::vector<std::string>& seeds, const std::vector<std::string>& words,
-            Random& random) {
+            RandomIndex& random) {
   if (bytes.empty()) bytes = seeds[random.below(seeds.size())];
   if (bytes.empty()) return;
   const std::size_t at = random.below(bytes.size());
@@ -52,7 +52,7 @@ void damage(std::string& bytes, const std::vector<std::string>& seeds, const std
 void replay(long count) {
   const std::vector<std::string> seeds = percuss::fuzz::make_seeds(), words = percuss::fuzz::make_words();
   for (const std::string& seed : seeds) try_bytes(seed);
-  Random random;
+  RandomIndex random;
   for (long i = 0; i < count; ++i) {
     std::string bytes = seeds[random.below(seeds.size())];
     for (std::size_t changes = 1 + random.below(4); changes > 0; --changes) damage(bytes, seeds, words, random);

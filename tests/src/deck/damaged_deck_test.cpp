@@ -64,7 +64,7 @@ TEST(DamagedDeck, IsRefusedOrReadWhereverItIsCut) {
 }
 
 TEST(DamagedDeck, SurvivesBytesInPlaceOfOthers) {
-  test::Random random;
+  test::RandomIndex random;
   const std::string bytes = "{}[]:,-?&*!|>'\"%@`#~ \t\n\r\\0e.\x00\x7f\xc3\xff<=";
   for (int i = 0; i < 3000; ++i) {
     std::string text = full_deck;
@@ -76,7 +76,7 @@ TEST(DamagedDeck, SurvivesBytesInPlaceOfOthers) {
 }
 
 TEST(DamagedDeck, SurvivesPiecesMovedAndRepeated) {
-  test::Random random;
+  test::RandomIndex random;
   for (int i = 0; i < 2000; ++i) {
     const std::string piece = full_deck.substr(random.below(full_deck.size()), 1 + random.below(60));
     std::string text = full_deck;
@@ -87,7 +87,7 @@ TEST(DamagedDeck, SurvivesPiecesMovedAndRepeated) {
 }
 
 TEST(DamagedDeck, SurvivesWordsOfYamlAlone) {
-  test::Random random;
+  test::RandomIndex random;
   const std::vector<std::string> words = {"{",     "}",     "[",   "]",    ": ",    ", ", "- ", "? ",   "&a ",
                                           "*a",    "!t ",   "|\n", ">\n",  "'",     "\"", "\n", "\n  ", "%YAML 1.2\n",
                                           "---\n", "...\n", "a",   "time", "parts", "1",  "~",  "#",    "<<"};

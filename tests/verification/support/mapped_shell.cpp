@@ -31,7 +31,7 @@ WrittenMesh make_mapped_shell(const std::array<int, 2>& cells, const std::functi
 
 std::function<Vec3(double, double)> distort(const std::array<int, 2>& cells, double share,
                                             const std::function<Vec3(double, double)>& place) {
-  return [=, random = Random()](double u, double v) mutable {
+  return [=, random = RandomIndex()](double u, double v) mutable {
     const auto move = [&](double at, int count) {
       const double by = 2 * static_cast<double>(random.below(1000001)) / 1e6 - 1;
       return at + share * by / count;

@@ -25,9 +25,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
+std::size_t position(std::int64_t index) { return static_cast<std::size_t>(index); }
 
-Communicator self() { return Communicator(MPI_COMM_SELF); }
+Communicator alone() { return Communicator(MPI_COMM_SELF); }
 
 PartDeck make_box(const std::string& name, double length, int cells, double at_x) {
   PartDeck part = make_part_deck(name, BoxShape{{length, 1, 1}, {cells, 4, 4}});
@@ -70,7 +70,7 @@ TEST(Joints, MergeTheNodesOfPartsThatTouch) {
   int bodies = 0;
   for (std::size_t e = 0; e < share.mesh.elements.size(); ++e) {
     bodies = std::max(bodies, share.mesh.bodies[e] + 1);
-    const bool is_copy = share.mesh.nodes[at(share.mesh.corners(e)[0])][0] > 50;
+    const bool is_copy = share.mesh.nodes[position(share.mesh.corners(e)[0])][0] > 50;
     EXPECT_EQ(share.mesh.bodies[e], is_copy ? 1 : 0);
   }
   all_reduce(Communicator::world(), Reduce::largest, bodies);
@@ -80,16 +80,16 @@ TEST(Joints, MergeTheNodesOfPartsThatTouch) {
 /// Every rank that holds a node knows all sets and parts that it is in.
 TEST(Joints, TellEveryRankTheSetsOfItsNodes) {
   const Deck deck = make_joined_bar();
-  const ChunkedMesh whole = load_mesh(deck, self()), share = load_mesh(deck, Communicator::world());
+  const ChunkedMesh whole = load_mesh(deck, alone()), share = load_mesh(deck, Communicator::world());
   ASSERT_EQ(share.mesh.node_sets.size(), whole.mesh.node_sets.size());
   for (const auto& [name, nodes] : whole.mesh.node_sets) {
     std::vector<std::int64_t> expected, told;
     for (const int n : nodes) {
-      const std::int64_t number = whole.mesh.node_numbers[at(n)];
+      const std::int64_t number = whole.mesh.node_numbers[position(n)];
       const auto& held = share.mesh.node_numbers;
       if (std::binary_search(held.begin(), held.end(), number)) expected.push_back(number);
     }
-    for (const int n : share.mesh.node_sets.at(name)) told.push_back(share.mesh.node_numbers[at(n)]);
+    for (const int n : share.mesh.node_sets.at(name)) told.push_back(share.mesh.node_numbers[position(n)]);
     EXPECT_EQ(told, expected) << name;
   }
   EXPECT_EQ(whole.mesh.node_sets.at("first").size(), 9U * 25);
@@ -100,10 +100,10 @@ TEST(Joints, TellEveryRankTheSetsOfItsNodes) {
 TEST(Joints, MoveANodeToThatOfTheFirstPart) {
   Deck deck = make_deck({make_box("a", 1, 2, 0), make_box("b", 1, 2, 1.001)});
   deck.joins.push_back({{"a", "b"}, 2e-3, {7, 1}});
-  const ChunkedMesh whole = load_mesh(deck, self());
+  const ChunkedMesh whole = load_mesh(deck, alone());
   EXPECT_EQ(whole.numbering.node_count(), 5 * 25);
   EXPECT_NEAR(whole.mesh.joints.at(0).farthest, 1e-3, 1e-12);
-  for (const int n : whole.mesh.node_sets.at("b/x_min")) EXPECT_EQ(whole.mesh.nodes[at(n)][0], 1.0);
+  for (const int n : whole.mesh.node_sets.at("b/x_min")) EXPECT_EQ(whole.mesh.nodes[position(n)][0], 1.0);
   std::set<std::int64_t> ids(whole.mesh.node_ids.begin(), whole.mesh.node_ids.end());
   EXPECT_EQ(ids.size(), whole.mesh.nodes.size());
 }
@@ -111,7 +111,7 @@ TEST(Joints, MoveANodeToThatOfTheFirstPart) {
 TEST(Joints, LeavePartsApartThatNoneNames) {
   Deck deck = make_deck({make_box("a", 1, 2, 0), make_box("b", 1, 2, 1), make_box("c", 1, 2, 2)});
   deck.joins.push_back({{"b", "c"}, {}, {7, 1}});
-  const ChunkedMesh whole = load_mesh(deck, self());
+  const ChunkedMesh whole = load_mesh(deck, alone());
   EXPECT_EQ(whole.numbering.node_count(), 3 * 25 + 5 * 25);
   ASSERT_EQ(whole.mesh.joints.size(), 1U);
   EXPECT_EQ(whole.mesh.joints[0].part, 1);
@@ -170,7 +170,7 @@ class JoinedFile : public testing::Test {
 };
 
 TEST_F(JoinedFile, GivesItsPartsTheNodesThatTheyShareAndKeepsItsIds) {
-  const ChunkedMesh whole = load_mesh(make_scene(), self());
+  const ChunkedMesh whole = load_mesh(make_scene(), alone());
   EXPECT_EQ(whole.numbering.node_count(), 24);
   ASSERT_EQ(whole.mesh.joints.size(), 1U);
   EXPECT_EQ(whole.mesh.joints[0].nodes, 8);
@@ -186,14 +186,14 @@ TEST_F(JoinedFile, GivesItsPartsTheNodesThatTheyShareAndKeepsItsIds) {
 
 TEST_F(JoinedFile, HasSetsThatGoAcrossItsParts) {
   const Deck deck = make_scene();
-  const ChunkedMesh whole = load_mesh(deck, self());
+  const ChunkedMesh whole = load_mesh(deck, alone());
   EXPECT_EQ(select_nodes(whole.mesh, deck, {"across", {}, {}}).size(), 6U);
   EXPECT_EQ(select_nodes(whole.mesh, deck, {"l/across", {}, {}}).size(), 4U);
   EXPECT_EQ(select_faces(whole.mesh, deck, {"sides_6", {}, {}}).size(), 4U);
 }
 
 TEST_F(JoinedFile, SharesNothingBetweenPartsThatStandApart) {
-  const ChunkedMesh whole = load_mesh(make_scene(0.5), self());
+  const ChunkedMesh whole = load_mesh(make_scene(0.5), alone());
   EXPECT_EQ(whole.numbering.node_count(), 32);
   EXPECT_THAT(whole.mesh.joints, IsEmpty());
 }

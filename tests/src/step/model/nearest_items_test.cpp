@@ -22,7 +22,7 @@ Nearest look_at_all(const std::vector<Item>& items, const Vec3& place) {
 }  // namespace
 
 TEST(NearestItems, AreThoseOfAllAndTheLowestAmongEquals) {
-  Random random;
+  RandomIndex random;
   const auto pick = [&] { return static_cast<double>(random.below(9)); };  // on a lattice: many are equally near
   for (const std::size_t count : {1U, 2U, 3U, 50U, 700U}) {
     std::vector<Item> items;
