@@ -10,7 +10,7 @@
 namespace percuss::test {
 namespace {
 
-constexpr double amplitude = 10, rate = 100, dt = 4e-5, mass = 6000;
+constexpr double amplitude = 10, rate = 100, time_step = 4e-5, mass = 6000;
 constexpr int step_count = 1000;
 
 Outcome run_block(const std::string& rigid, const std::string& conditions) {
@@ -24,23 +24,23 @@ loads: {{gravity: [0, 3, {{expression: "{} * cos({} * t)"}}]}}
 output: {{history: {{every: 0}}}}
 silence: [step_scale]
 )yaml",
-                              step_count * dt, dt, rigid, amplitude, rate, conditions));
+                              step_count * time_step, time_step, rigid, amplitude, rate, conditions));
 }
 
 }  // namespace
 
-// v(n-1/2) is the sum of dt g over the steps before, the first of them with half a dt.
+// v(n-1/2) is the sum of time_step g over the steps before, the first of them with half a time_step.
 TEST(VaryingGravity, DrivesFreeAndRigidBodiesAsItsSum) {
   for (const std::string rigid : {"", ", rigid: true"}) {
     const Outcome run = run_block(rigid, "");
     double v = 1;
     for (std::size_t row = 0; row < run.history.rows(); ++row) {
       ASSERT_NEAR(run.history["momentum_z"][row], mass * v, 1e-9 * mass);
-      const double step = row == 0 ? 0.5 * dt : dt;
-      v += step * amplitude * std::cos(rate * dt * static_cast<double>(row));
+      const double step = row == 0 ? 0.5 * time_step : time_step;
+      v += step * amplitude * std::cos(rate * time_step * static_cast<double>(row));
     }
     EXPECT_EQ(run.history.rows(), step_count + 1);
-    const double end = step_count * dt, exact = 1 + amplitude / rate * std::sin(rate * (end - 0.5 * dt));
+    const double end = step_count * time_step, exact = 1 + amplitude / rate * std::sin(rate * (end - 0.5 * time_step));
     EXPECT_NEAR(run.history.last("momentum_z"), mass * exact, 1e-5 * mass);
     EXPECT_LT(std::abs(run.summary.energy.error), 1e-12);
     EXPECT_LT(run.summary.momentum.linear_error, 1e-13);

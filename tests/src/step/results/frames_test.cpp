@@ -27,7 +27,7 @@ contact: {surfaces: all}
 output: {fields: {every: 1, write: [contact_rank, fe_rank]}}
 )yaml" + steel_text;
 
-constexpr std::size_t nodes = 2 * 5 * 5 * 5, inner_nodes = 2 * 3 * 3 * 3, elements = 2 * 4 * 4 * 4;
+constexpr std::size_t node_count = 2 * 5 * 5 * 5, inner_nodes = 2 * 3 * 3 * 3, element_count = 2 * 4 * 4 * 4;
 
 /// What a frame has of the division.
 struct Frame {
@@ -43,13 +43,13 @@ std::vector<Frame> write_and_read(const Communicator& ranks) {
   const Hdf5FileView file(path + "/fields.vtkhdf");
   const std::vector<double> contact = file.numbers("VTKHDF/PointData/contact_rank");
   const std::vector<double> fe = file.numbers("VTKHDF/CellData/fe_rank");
-  EXPECT_EQ(contact.size(), 2 * nodes);
-  EXPECT_EQ(fe.size(), 2 * elements);
+  EXPECT_EQ(contact.size(), 2 * node_count);
+  EXPECT_EQ(fe.size(), 2 * element_count);
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto n = static_cast<std::ptrdiff_t>(i * nodes), e = static_cast<std::ptrdiff_t>(i * elements);
-    frames.push_back({{contact.begin() + n, contact.begin() + n + static_cast<std::ptrdiff_t>(nodes)},
-                      {fe.begin() + e, fe.begin() + e + static_cast<std::ptrdiff_t>(elements)}});
+    const auto n = static_cast<std::ptrdiff_t>(i * node_count), e = static_cast<std::ptrdiff_t>(i * element_count);
+    frames.push_back({{contact.begin() + n, contact.begin() + n + static_cast<std::ptrdiff_t>(node_count)},
+                      {fe.begin() + e, fe.begin() + e + static_cast<std::ptrdiff_t>(element_count)}});
   }
   return frames;
 }
@@ -65,15 +65,15 @@ TEST(FramesOnRanks, ShowWhoOwnsEveryContactNodeAndComputesEveryElement) {
   const Frame& last = frames.back();
   EXPECT_EQ(count(last.contact_ranks, -1), inner_nodes);
   // Nodes and faces together are divided evenly; nodes alone nearly so.
-  const double share = static_cast<double>(nodes - inner_nodes) / ranks.size();
+  const double share = static_cast<double>(node_count - inner_nodes) / ranks.size();
   std::size_t owned = 0, computed = 0;
   for (int r = 0; r < ranks.size(); ++r) {
     EXPECT_NEAR(static_cast<double>(count(last.contact_ranks, r)), share, 0.2 * share) << "rank " << r;
     owned += count(last.contact_ranks, r);
     computed += count(last.fe_ranks, r);
   }
-  EXPECT_EQ(owned, nodes - inner_nodes);
-  EXPECT_EQ(computed, elements);
+  EXPECT_EQ(owned, node_count - inner_nodes);
+  EXPECT_EQ(computed, element_count);
 }
 
 // A plate of two elements, bent by its ends beyond yield.
