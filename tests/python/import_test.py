@@ -232,6 +232,28 @@ class Mesh(InFolder):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
+    def test_tetrahedra_of_ten_nodes_are_cut_by_the_program(self):
+        plain = "       1       2       3       4      11      12      13      14\n"
+        ten = f"\n{','.join(map(str, (1, 2, 3, 11, *range(101, 107))))}\n"
+        ends = {i: x for i, x in zip((1, 2, 3, 11), ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 1)))}
+        edges = ((1, 2), (2, 3), (3, 1), (1, 11), (2, 11), (3, 11))
+        nodes = "*NODE\n" + "".join(
+            f"{101 + i},{','.join(str(0.5 * (a + b)) for a, b in zip(ends[first], ends[second]))}\n" for i, (first, second) in enumerate(edges)
+        )
+        at = decks.SMALL.replace("     500       3" + plain, "500,3,\n" + ten.strip() + "\n")
+        self.assertIn("101,102", at)
+        path = self.write(at.replace("*ELEMENT_SOLID", nodes + "*ELEMENT_SOLID", 1))
+        ledger = Ledger(allowed=["ALL"])
+        model = read_keyword_deck(path, ledger)
+        self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11, *range(101, 107)))])
+        self.assertIn("ELEMENT_SOLID.ten_nodes", {e.card for e in ledger.list_rows()})
+        x = [model.nodes[node] for node in model.blocks[0].solids[0][1]]
+        self.assertAlmostEqual(solid_volume(x), tet_volume(*x[:4]), 12)
+        self.assertIn("500,3,", list(list_blocks(model)))
+        result = self.percuss("import", path, "--out", "ten", "--units", "m, kg, s", "--allow", "all")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("1 tetrahedra of ten nodes are cut into 8 of four", result.stdout)
+
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
         start, _, rest = decks.PLATE.partition("*ELEMENT_SHELL")
@@ -618,6 +640,20 @@ class Abaqus(InFolder):
             model = read_abaqus_deck(path, Ledger(allowed=["ALL"]))
             self.assertIn(4, [len(corners) for block in model.blocks for _, corners in block.solids])
             self.assertEqual(model.deck.get("elements", {}).get("integration", "one_point"), "full" if kind == "C3D8" else "one_point")
+
+    def test_tetrahedra_of_ten_nodes_keep_their_nodes_and_faces(self):
+        corners = {5: (0, 0, 1), 6: (1, 0, 1), 8: (0, 1, 1), 9: (0, 0, 2)}
+        edges = ((5, 6), (6, 8), (8, 5), (5, 9), (6, 9), (8, 9))
+        nodes = "".join(
+            f"{21 + i}, {', '.join(str(0.5 * (a + b)) for a, b in zip(corners[first], corners[second]))}\n" for i, (first, second) in enumerate(edges)
+        )
+        for kind in ("C3D10", "C3D10M"):
+            text = decks.ABAQUS.replace(
+                "*NSET, NSET=foot", f"*NODE\n9, 0., 0., 2.\n{nodes}*ELEMENT, TYPE={kind}, ELSET=all\n2, 5, 6, 8, 9, 21, 22, 23, 24,\n25, 26\n"
+                "*SURFACE, NAME=slope\n2, S3\n*NSET, NSET=foot", 1)  # fmt: skip
+            model, ledger = self.read_abaqus(text)
+            self.assertIn((5, 6, 8, 9, *range(21, 27)), [corners for block in model.blocks for _, corners in block.solids])
+            self.assertIn(f"ELEMENT.{kind}", {e.card for e in ledger.list_rows()})
 
     def test_wedges_and_pyramids_are_solids_of_one_point(self):
         for kind, corners in (("C3D6", "5, 6, 8, 9, 10, 11"), ("C3D5", "5, 6, 7, 8, 9"), ("C3D8", "5, 6, 7, 8, 9, 9, 9, 9")):

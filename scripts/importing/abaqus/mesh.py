@@ -10,11 +10,11 @@ from ..model import Vector
 from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
-SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4}
+SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10}
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
 BEAMS = {"B31": 2, "T3D2": 2}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
-NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
+NODES_OF_OTHERS = {"C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 # Faces S1, S2, ... by the number of corners.
 SIDES = {
     8: ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)),
@@ -22,6 +22,7 @@ SIDES = {
     5: ((0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)),
     4: ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
 }
+SIDES[10] = SIDES[4]  # percuss takes the four triangles of a face by its corners
 MOST_MEMBERS = 20_000_000
 Side = tuple[str, str]  # an element or a set of elements, the label of a face
 

@@ -120,7 +120,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
     elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
         deck.blocks_of_elements[id] = len(deck.model.blocks)
-        if SOLIDS[kind] < 8:  # have one point, whatever hexahedra have
+        if SOLIDS[kind] == 10:
+            deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "tetrahedra of ten nodes are cut into eight of four")
+        if SOLIDS[kind] != 8:  # have one point, whatever hexahedra have
             return
         integration = "full" if kind == "C3D8" else "one_point"
         counts = deck.integrations.setdefault(len(deck.model.blocks), Counter())
