@@ -234,14 +234,12 @@ class Mesh(InFolder):
 
     def test_tetrahedra_of_ten_nodes_are_cut_by_the_program(self):
         plain = "       1       2       3       4      11      12      13      14\n"
-        ten = f"\n{','.join(map(str, (1, 2, 3, 11, *range(101, 107))))}\n"
         ends = {i: x for i, x in zip((1, 2, 3, 11), ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 1)))}
         edges = ((1, 2), (2, 3), (3, 1), (1, 11), (2, 11), (3, 11))
         nodes = "*NODE\n" + "".join(
             f"{101 + i},{','.join(str(0.5 * (a + b)) for a, b in zip(ends[first], ends[second]))}\n" for i, (first, second) in enumerate(edges)
         )
-        at = decks.SMALL.replace("     500       3" + plain, "500,3,\n" + ten.strip() + "\n")
-        self.assertIn("101,102", at)
+        at = decks.SMALL.replace(plain, "1,2,3,11,101,102,103,104,105,106\n")
         path = self.write(at.replace("*ELEMENT_SOLID", nodes + "*ELEMENT_SOLID", 1))
         ledger = Ledger(allowed=["ALL"])
         model = read_keyword_deck(path, ledger)
@@ -252,7 +250,7 @@ class Mesh(InFolder):
         self.assertIn("500,3,", list(list_blocks(model)))
         result = self.percuss("import", path, "--out", "ten", "--units", "m, kg, s", "--allow", "all")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("1 tetrahedra of ten nodes are cut into 8 of four", result.stdout)
+        self.assertIn("tetrahedra of ten nodes, cut into eight of four: 1 into 8", result.stdout)
 
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
@@ -540,6 +538,38 @@ class Scene(InFolder):
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_INERTIA", refusals("BODY_TITLE\nhub", "BODY_INERTIA_TITLE\nhub"))
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_SPC.CMO", refusals("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n-1,1,1\n"))
         self.fails(decks.JOINTED.replace("105,106", "105,999"), "there is no node 999")
+
+    def test_sensors_matter_where_something_listens(self):
+        card = "*SENSOR_DEFINE_FORCE\n1,RWALL,2,X,,0\n*END"
+        model, ledger = self.read(decks.SMALL.replace("*END", card))
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertIn("SENSOR_DEFINE_FORCE", {e.card for e in ledger.list_rows() if e.status is Status.IGNORED})
+        refused = self.refusals(decks.SMALL.replace("*END", "*SENSOR_CONTROL\n1,TIMER\n" + card))
+        self.assertEqual(set(refused), {"SENSOR_CONTROL", "SENSOR_DEFINE_FORCE"})
+
+    def test_walls_are_cylinders_and_spheres(self):
+        card = (
+            "*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION_DISPLAY_ID\n7,pole\n0,0,0\n5,0,-2,5,0,3,0.2\n0.4,2.5\n9,0,0,3,4\n,1e-9,1e-4,0.3\n"
+            "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n0,0,9\n1.5\n"
+            "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n0\n0,0,8,0,0,7\n1,0,8,6,5\n9,1,0,0,1\n"
+            "*DEFINE_CURVE\n9\n0.0,2.0\n1.0,4.0\n"
+        )
+        model, ledger = self.read(decks.SMALL.replace("*END", card + "*END"))
+        self.assertEqual(ledger.list_refused(), [])
+        pole, ball, floor = model.deck["walls"]
+        self.assertEqual(pole["name"], "pole")
+        self.assertEqual(pole["cylinder"], {"axis": [0, 0, 1], "radius": 0.4, "length": 2.5})
+        self.assertEqual((pole["direction"], pole["friction"]), ([0, 0.6, 0.8], 0.2))
+        self.assertNotIn("normal", pole)
+        self.assertEqual(pole["speed"]["table"][0], [0, 2])
+        self.assertEqual((ball["sphere"], ball["point"]), ({"radius": 1.5}, [0, 0, 9]))
+        self.assertEqual(floor["rectangle"]["size"], [6, 5])
+        # the way 2 + 2 t along z, against the normal -z
+        self.assertEqual({y for _, y in floor["speed"]["table"]} if isinstance(floor["speed"], dict) else {floor["speed"]}, {-2})
+        for wrong in ("GEOMETRIC_PRISM", "GEOMETRIC_CYLINDER_INTERIOR", "GEOMETRIC_CYLINDER_DEFORM"):
+            ledger = self.read(decks.SMALL.replace("*END", f"*RIGIDWALL_{wrong}\n0\n0,0,9\n1\n*END"))[1]
+            self.assertEqual([e.card for e in ledger.list_refused()], [f"RIGIDWALL_{wrong}"])
+        self.accept(decks.SMALL.replace("*END", card + "*END"))
 
     def test_walls_end_and_give_way(self):
         card = "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n5,ram\n0\n-1,-1,3,-1,-1,0,0.2\n4,-1,0,6.0,5.0\n500.0,12.0\n*END"

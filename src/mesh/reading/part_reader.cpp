@@ -164,7 +164,8 @@ class PartReader {
 
   std::string describe_cuts() const {
     return fmt::format(
-        "{} tetrahedra of ten nodes are cut into {} of four (pieces of element N: N, N + {}, N + {}, ..., N + {})",
+        "tetrahedra of ten nodes, cut into eight of four: {} into {} (pieces of element N: N, N + {}, N + {}, ..., N + "
+        "{})",
         cut_.size(), tet10_pieces * cut_.size(), piece_stride_, 2 * piece_stride_,
         static_cast<std::int64_t>(tet10_pieces - 1) * piece_stride_);
   }
