@@ -11,7 +11,6 @@
 #include "src/error.hpp"
 #include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/exodus/exodus_coordinates.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 namespace {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/mesh/mesh.hpp"
+#include "src/mesh/tet10.hpp"
 
 namespace percuss {
 

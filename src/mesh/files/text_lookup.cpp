@@ -6,7 +6,6 @@
 
 #include "src/error.hpp"
 #include "src/index.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 namespace {

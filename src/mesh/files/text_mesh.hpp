@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "src/mesh/files/mesh_file.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 

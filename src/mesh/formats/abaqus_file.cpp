@@ -12,7 +12,6 @@
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/abaqus_lines.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 namespace {

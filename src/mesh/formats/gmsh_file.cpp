@@ -10,7 +10,6 @@
 
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/formats/gmsh_scanner.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 namespace {

@@ -12,7 +12,6 @@
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/keyword_cards.hpp"
 #include "src/mesh/topology/collapsed_hexahedron.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "src/mesh/files/mesh_file.hpp"
 #include "src/mesh/topology/elements.hpp"
-#include "src/mesh/topology/tet10.hpp"
 
 namespace percuss {
 
