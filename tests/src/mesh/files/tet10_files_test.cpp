@@ -13,6 +13,7 @@
 #include "src/mesh/reading/part_reader.hpp"
 #include "src/mesh/topology/connectivity.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
+#include "tests/src/mesh/files/sample_files.hpp"
 #include "tests/src/mesh/files/ten_nodes.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
@@ -301,6 +302,15 @@ TEST(Tet10, IsTheSameFromAllFormats) {
     EXPECT_EQ(other.notes, mesh.notes);
     EXPECT_EQ(other.side_sets.at("low"), mesh.side_sets.at("low"));
     expect_foot(other);
+  }
+}
+
+TEST(Tet10, HasASideByItsCornersOrItsTriangles) {
+  for (const std::string& text : {gmsh_of_ten, keyword_of_ten}) {
+    const PartMesh mesh = read_text(text, text == gmsh_of_ten ? "one.msh" : "one.k");
+    EXPECT_EQ(mesh.element_ids, (std::vector<std::int64_t>{2, 12, 22, 32, 42, 52, 62, 72}));
+    EXPECT_EQ(mesh.side_sets.at("sides_3").size(), 4U);
+    EXPECT_NEAR(find_volume(mesh), 8.0 / 6, 1e-14);
   }
 }
 
