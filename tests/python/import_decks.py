@@ -535,6 +535,16 @@ ABAQUS_BODIES = (
     .replace("block-1.foot, ENCASTRE", "900, 1, 5\n901, ENCASTRE")
 )  # fmt: skip
 
+# A roller above the plate, an analytical surface, that comes down.
+ABAQUS_ROLLER = (
+    ABAQUS.replace("*ASSEMBLY, NAME=assembly\n", "*PART, NAME=roll\n*END PART\n*ASSEMBLY, NAME=assembly\n")
+    .replace("*NSET, NSET=tip,", "*INSTANCE, NAME=roll-1, PART=roll\n0.5, 0., 2.\n0.5, 0., 2., 0.5, 0., 3., 90.\n*NODE\n1, 0., 0., 0.\n"
+             "*NSET, NSET=ref\n1,\n*SURFACE, TYPE=REVOLUTION, NAME=skin\nSTART, 0.5, 2.\n LINE, 0.5, -1.\n"
+             "*RIGID BODY, REF NODE=ref, ANALYTICAL SURFACE=skin\n*END INSTANCE\n*NSET, NSET=tip,", 1)
+    .replace("block-1.foot, ENCASTRE\n", "block-1.foot, ENCASTRE\nroll-1.ref, 1, 2\nroll-1.ref, 4, 6\n")
+    .replace("tip, 1, 1, 2.\n", "tip, 1, 1, 2.\nroll-1.ref, 3, 3, -4.\n")
+)  # fmt: skip
+
 # A frame: a rectangle, a tube, resultants, and a truss.
 BEAMS = (
     _HEAD

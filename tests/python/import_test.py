@@ -671,6 +671,27 @@ class Abaqus(InFolder):
             self.assertIn(4, [len(corners) for block in model.blocks for _, corners in block.solids])
             self.assertEqual(model.deck.get("elements", {}).get("integration", "one_point"), "full" if kind == "C3D8" else "one_point")
 
+    def test_analytical_surfaces_are_walls(self):
+        model, ledger = self.read_abaqus(decks.ABAQUS_ROLLER)
+        self.assertEqual(ledger.list_refused(), [])
+        (wall,) = model.deck["walls"]
+        self.assertEqual(wall["cylinder"]["radius"], 0.5)
+        self.assertEqual(wall["cylinder"]["length"], 3)
+        for found, exact in zip((*wall["cylinder"]["axis"], *wall["point"]), (-1, 0, 0, 1.5, 0, 2)):
+            self.assertAlmostEqual(found, exact, 12)
+        self.assertEqual((wall["friction"], wall["thickness"], wall["direction"]), (0.25, "seen", "z"))
+        self.assertEqual([round(x, 9) for x in wall["speed"]["table"][-1]], [1e-4, -4])
+        self.accept(decks.ABAQUS_ROLLER, "deck.inp")
+        ball = "START, 0., 2.\n CIRCL, 0.5, 1.5, 0., 1.5\n CIRCL, 0., 1., 0., 1.5\n"
+        line = "START, 0.5, 2.\n LINE, 0.5, -1.\n"
+        sphere = self.read_abaqus(decks.ABAQUS_ROLLER.replace(line, ball))[0].deck["walls"][0]
+        self.assertAlmostEqual(sphere["sphere"]["radius"], 0.5)
+        self.assertAlmostEqual(sphere["point"][0], 0.5 - 1.5)
+        card = "RIGID BODY.ANALYTICAL SURFACE"
+        for old, new in ((line, "START, 0.5, -1.\n LINE, 0.5, 2.\n"), (line, "START, 0.5, 2.\n LINE, 0.7, -1.\n"),
+                         ("roll-1.ref, 1, 2\n", ""), ("roll-1.ref, 4, 6\n", "roll-1.ref, 4, 5\n")):  # fmt: skip
+            self.assertIn(card, {e.card for e in self.read_abaqus(decks.ABAQUS_ROLLER.replace(old, new))[1].list_refused()})
+
     def test_tetrahedra_of_ten_nodes_keep_their_nodes_and_faces(self):
         corners = {5: (0, 0, 1), 6: (1, 0, 1), 8: (0, 1, 1), 9: (0, 0, 2)}
         edges = ((5, 6), (6, 8), (8, 5), (5, 9), (6, 9), (8, 9))

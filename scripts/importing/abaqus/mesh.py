@@ -55,6 +55,16 @@ class SpringSet:
 
 
 @dataclass
+class Profile:
+    """*SURFACE, TYPE=REVOLUTION: words of its line with their numbers, and the axis."""
+
+    place: Place
+    pieces: list[tuple[str, list[float]]] = field(default_factory=list)
+    origin: Vector = (0.0, 0.0, 0.0)
+    axis: Vector = (0.0, 1.0, 0.0)
+
+
+@dataclass
 class BodyCard:
     """A keyword that makes nodes rigid; names are empty where it has none."""
 
@@ -64,6 +74,7 @@ class BodyCard:
     elements: str = ""
     nodes: list[str] = field(default_factory=list)
     surface: str = ""
+    profile: str = ""  # an analytical surface
 
 
 @dataclass
@@ -80,6 +91,7 @@ class Scope:
     masses: list[tuple[str, float, Place]] = field(default_factory=list)
     springs: list[SpringSet] = field(default_factory=list)
     bodies: list[BodyCard] = field(default_factory=list)
+    profiles: dict[str, Profile] = field(default_factory=dict)
     place: Place | None = None
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
@@ -225,9 +237,14 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for section in part.sections:
         into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
     into.springs += [replace(spring, elements=f"{instance.name}.{spring.elements}") for spring in part.springs]
+    for name, profile in part.profiles.items():
+        origin, end = instance.put(profile.origin), instance.put(tuple(o + a for o, a in zip(profile.origin, profile.axis)))  # type: ignore[arg-type]
+        axis = tuple(e - o for e, o in zip(end, origin))
+        add_names(into.profiles, instance.name, name, replace(profile, origin=origin, axis=axis))
     into.bodies += [
         replace(body, ref=qualify(body.ref, instance), elements=qualify(body.elements, instance),
-                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance))
+                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance),
+                profile=qualify(body.profile, instance))
         for body in part.bodies
     ]  # fmt: skip
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]

@@ -58,6 +58,7 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
                         ("node_surfaces", assembly.node_surfaces)):  # fmt: skip
         getattr(deck.mesh, name).update(table)
     deck.mesh.bodies += assembly.bodies
+    deck.mesh.profiles |= assembly.profiles
 
 
 def build_parts(deck: AbaqusDeck) -> None:
