@@ -233,14 +233,7 @@ class Mesh(InFolder):
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
     def test_tetrahedra_of_ten_nodes_are_cut_by_the_program(self):
-        plain = "       1       2       3       4      11      12      13      14\n"
-        ends = {i: x for i, x in zip((1, 2, 3, 11), ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 1)))}
-        edges = ((1, 2), (2, 3), (3, 1), (1, 11), (2, 11), (3, 11))
-        nodes = "*NODE\n" + "".join(
-            f"{101 + i},{','.join(str(0.5 * (a + b)) for a, b in zip(ends[first], ends[second]))}\n" for i, (first, second) in enumerate(edges)
-        )
-        at = decks.SMALL.replace(plain, "1,2,3,11,101,102,103,104,105,106\n")
-        path = self.write(at.replace("*ELEMENT_SOLID", nodes + "*ELEMENT_SOLID", 1))
+        path = self.write(decks.TEN_NODES)
         ledger = Ledger(allowed=["ALL"])
         model = read_keyword_deck(path, ledger)
         self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11, *range(101, 107)))])
@@ -548,13 +541,7 @@ class Scene(InFolder):
         self.assertEqual(set(refused), {"SENSOR_CONTROL", "SENSOR_DEFINE_FORCE"})
 
     def test_walls_are_cylinders_and_spheres(self):
-        card = (
-            "*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION_DISPLAY_ID\n7,pole\n0,0,0\n5,0,-2,5,0,3,0.2\n0.4,2.5\n9,0,0,3,4\n,1e-9,1e-4,0.3\n"
-            "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n0,0,9\n1.5\n"
-            "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n0\n0,0,8,0,0,7\n1,0,8,6,5\n9,1,0,0,1\n"
-            "*DEFINE_CURVE\n9\n0.0,2.0\n1.0,4.0\n"
-        )
-        model, ledger = self.read(decks.SMALL.replace("*END", card + "*END"))
+        model, ledger = self.read(decks.ROUND_WALLS)
         self.assertEqual(ledger.list_refused(), [])
         pole, ball, floor = model.deck["walls"]
         self.assertEqual(pole["name"], "pole")
@@ -569,7 +556,7 @@ class Scene(InFolder):
         for wrong in ("GEOMETRIC_PRISM", "GEOMETRIC_CYLINDER_INTERIOR", "GEOMETRIC_CYLINDER_DEFORM"):
             ledger = self.read(decks.SMALL.replace("*END", f"*RIGIDWALL_{wrong}\n0\n0,0,9\n1\n*END"))[1]
             self.assertEqual([e.card for e in ledger.list_refused()], [f"RIGIDWALL_{wrong}"])
-        self.accept(decks.SMALL.replace("*END", card + "*END"))
+        self.accept(decks.ROUND_WALLS)
 
     def test_walls_end_and_give_way(self):
         card = "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n5,ram\n0\n-1,-1,3,-1,-1,0,0.2\n4,-1,0,6.0,5.0\n500.0,12.0\n*END"
