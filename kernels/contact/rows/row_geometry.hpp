@@ -229,9 +229,11 @@ KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactH
   row.friction = wall.friction;
   row.pair = inputs.num_pairs;
   row.size = walls.size(p);
-  WallGap gap{find_wall_gap(walls, inputs.motion, p, 0), find_wall_gap(walls, inputs.motion, p, 1), wall.normal,
-              wall.normal};
-  if (wall.shape != WallShape::plane) gap = find_round_gap(walls, inputs.motion, p);
+  const SurfaceMotion& motion = inputs.motion;
+  const WallGap gap =
+      wall.shape == WallShape::plane
+          ? WallGap{find_wall_gap(walls, motion, p, 0), find_wall_gap(walls, motion, p, 1), wall.normal, wall.normal}
+          : find_round_gap(walls, motion, p);
   row.normal = gap.normal;
   row.gap_gradient = gap.gradient;
   row.gap_start = gap.start;
