@@ -36,8 +36,8 @@ SCENE = {
 SCENE.update({f"momentum_{axis}": ("momentum", f"momentum {axis}") for axis in "xyz"})
 SCENE.update({f"angular_{axis}": ("angular momentum", f"angular momentum {axis}") for axis in "xyz"})
 SCENE.update({f"wall_force_{axis}": ("force", f"force of the walls {axis}") for axis in "xyz"})
-SCENE.update({"wall_displacement": ("length", "displacement of the wall along its normal"),
-              "wall_speed": ("velocity", "speed of the wall along its normal")})
+SCENE.update({"wall_displacement": ("length", "displacement of the wall along its normal or direction"),
+              "wall_speed": ("velocity", "speed of the wall along its normal or direction")})
 SCENE.update({f"f{axis}": ("force", f"force {axis}") for axis in "xyz"})
 SCENE.update({f"m{axis}": ("moment", f"moment {axis}") for axis in "xyz"})
 SCENE.update({f"body_{axis}": ("length", f"mass centre {axis}") for axis in "xyz"})

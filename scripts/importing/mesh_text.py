@@ -35,6 +35,9 @@ def list_blocks(model: Model) -> Iterator[str]:
             if elements:
                 yield keyword
             for id, corners in elements:
+                if count == 8 and len(corners) == 10:
+                    yield from (f"{id},{block.id},", ",".join(map(str, corners)))
+                    continue
                 nodes = tuple(corners[i] for i in OF_EIGHT[len(corners)]) if count == 8 else corners + corners[-1:] * (count - len(corners))
                 yield f"{id},{block.id},{','.join(map(str, nodes))}"
 

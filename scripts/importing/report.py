@@ -39,7 +39,7 @@ def summarise(model: Model, notes: list[str]) -> list[str]:
     """Mass, extent, centre, parts, counts, ids, and what the units may be."""
     nodes = model.used_nodes()
     solids = [len(corners) for block in model.blocks for _, corners in block.solids]
-    others = "".join(f", {solids.count(n)} {NAMES[n]}" for n in (6, 5, 4) if n in solids)
+    others = "".join(f", {solids.count(n)} {NAMES[n]}" for n in (10, 6, 5, 4) if n in solids)
     shells = [corners for block in model.blocks for _, corners in block.shells]
     beams = sum(len(block.beams) for block in model.blocks)
     triangles = sum(1 for corners in shells if len(corners) == 3)

@@ -3,7 +3,7 @@
 import math
 
 from .model import Block, Model, Vector
-from .solids import FACES
+from .solids import FACES, SEGMENTS
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
@@ -98,7 +98,7 @@ class FaceOwners:
             for _, corners in block.solids:
                 if nodes.isdisjoint(corners):
                     continue
-                for face in FACES[len(corners)]:
+                for face in SEGMENTS[len(corners)]:
                     self._solids[frozenset(corners[i] for i in face)] = corners
             self._shells.update(frozenset(corners) for _, corners in block.shells if nodes.issuperset(corners))
 

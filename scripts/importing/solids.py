@@ -1,4 +1,5 @@
-"""Solids by their number of corners: hexahedra (8), wedges (6), pyramids (5) and tetrahedra (4), in the orders of Exodus."""
+"""Solids by their number of nodes: hexahedra (8), wedges (6), pyramids (5), tetrahedra of four and ten nodes, in the
+orders of Exodus. percuss cuts those of ten nodes into eight of four."""
 
 # Faces outward by the right-hand rule; those of hexahedra in LS-DYNA's order of segments.
 HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
@@ -8,8 +9,19 @@ FACES = {
     5: ((0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)),
     4: ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)),
 }
+MIDDLES = {frozenset(edge): 4 + i for i, edge in enumerate(((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)))}
+# Of ten nodes: the triangles at the corners of each face and between them.
+FACES[10] = tuple(
+    triangle
+    for face in FACES[4]
+    for a, b, c in [face]
+    for ab, bc, ca in [[MIDDLES[frozenset(edge)] for edge in ((a, b), (b, c), (c, a))]]
+    for triangle in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
+)
+# Faces that a segment may name.
+SEGMENTS = FACES | {10: FACES[4] + FACES[10]}
 HEX_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
-NAMES = {8: "hexahedra", 6: "wedges", 5: "pyramids", 4: "tetrahedra"}
+NAMES = {8: "hexahedra", 10: "tetrahedra of ten nodes", 6: "wedges", 5: "pyramids", 4: "tetrahedra"}
 # Corners of a *ELEMENT_SOLID with eight nodes that says the same: n5 = n6 and n7 = n8, n5 = ... = n8, n4 = ... = n8.
 OF_EIGHT = {8: (0, 1, 2, 3, 4, 5, 6, 7), 6: (1, 0, 3, 4, 2, 2, 5, 5), 5: (0, 1, 2, 3, 4, 4, 4, 4), 4: (0, 1, 2, 3, 3, 3, 3, 3)}
 

@@ -160,10 +160,10 @@ class Preview:
             swatch = Markup(f"<i class=swatch style='background:{color_of(item['what'])}'></i>{escape(item['key'])}")
             rows.append((swatch, item["what"], item["where"], f"{item['count']:,}", item["place"]))
         text = make_table(("key", "what", "set", "nodes", "place"), rows, (3,)) if rows else ""
-        walls = [(wall["name"] or f"walls.{number}", format_number(wall["point"]), format_number(wall["normal"]),
+        walls = [(wall["name"] or f"walls.{number}", wall["shape"], format_number(wall["point"]), format_number(wall["normal"]),
                   format_number(wall["friction"]), wall["place"]) for number, wall in enumerate(self.scene["walls"])]
         if walls:
-            text += "<h3>Rigid walls</h3>" + make_table(("wall", "point", "normal", "friction", "place"), walls)
+            text += "<h3>Rigid walls</h3>" + make_table(("wall", "shape", "point", "normal", "friction", "place"), walls)
         return text or "<p class=soft>The deck has no set, condition, load or wall.</p>"
 
     def _make_contact(self):

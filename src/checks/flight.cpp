@@ -118,8 +118,35 @@ double find_meeting(const Flight& a, const Flight& b, double end, double share) 
   });
 }
 
+namespace {
+
+/// Of the middle of a box from a cylinder without end or a sphere, less half its diagonal: never too far.
+double find_height_over_round(const Flight::Box& box, const WallDeck& wall) {
+  Vec3 middle{}, half{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    middle[k] = 0.5 * (box.low[k] + box.high[k]) - wall.point[k];
+    half[k] = 0.5 * (box.high[k] - box.low[k]);
+  }
+  const double along = wall.cylinder ? dot(middle, wall.cylinder->axis) : 0;
+  const double away = std::sqrt(std::max(dot(middle, middle) - along * along, 0.0));
+  return away - std::sqrt(dot(half, half)) - (wall.cylinder ? wall.cylinder->radius : wall.sphere->radius);
+}
+
+}  // namespace
+
 double find_meeting(const Flight& part, const WallDeck& wall, double end) {
   const double gap = wall_margin * find_size(part.find_box(0));
+  if (wall.is_round()) {
+    const double bend_rate = std::sqrt(dot(part.gravity(), part.gravity())) / 8;
+    return find_first(end, [&](double from, double to) {
+      // Between two times a flight comes nearer than at either by at most half of its way.
+      const Flight::Box box = part.find_box(from), next = part.find_box(to);
+      double way = 0;
+      for (std::size_t k = 0; k < 3; ++k) way += std::abs(next.low[k] - box.low[k]);
+      const double nearest = std::min(find_height_over_round(box, wall), find_height_over_round(next, wall));
+      return nearest <= gap + 0.5 * way + bend_rate * (to - from) * (to - from);
+    });
+  }
   const auto find_height = [&](double time) {
     const Flight::Box box = part.find_box(time);
     double height = 0;  // of the corner that is closest to the wall

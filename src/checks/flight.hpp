@@ -51,7 +51,8 @@ bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 /// 0: never.
 double find_meeting(const Flight& a, const Flight& b, double end, double share);
 
-/// The same of a part and the endless plane of a wall at time 0, to a twentieth of the part's size.
+/// The same of a part and a wall at time 0 as if it had no ends, to a twentieth of the part's size; of a cylinder or a
+/// sphere and the ball around the box.
 double find_meeting(const Flight& part, const WallDeck& wall, double end);
 
 }  // namespace percuss

@@ -293,20 +293,35 @@ struct RectangleDeck {
   std::array<double, 2> size{};
 };
 
+/// A wall that bodies are outside of.
+struct CylinderWallDeck {
+  Vec3 axis{};  // unit vector, from WallDeck::point on
+  double radius = 0;
+  std::optional<double> length;  // none: without end, both ways
+};
+
+struct SphereWallDeck {
+  double radius = 0;
+};
+
 struct WallDeck {
   std::string name;  // for output.history.forces; may be empty
   Vec3 point{};
-  Vec3 normal{};                           // unit vector towards the side where bodies live
+  Vec3 normal{};                           // of a plane: unit vector towards the side where bodies live
   std::optional<RectangleDeck> rectangle;  // none: the wall does not end
-  std::optional<Curve> speed;              // prescribed motion along the normal
-  std::optional<double> mass;              // of a wall that bodies push along its normal
-  double start_speed = 0;                  // of that at time 0
+  std::optional<CylinderWallDeck> cylinder;
+  std::optional<SphereWallDeck> sphere;
+  Vec3 direction{};            // of the motion of a cylinder or a sphere: a unit vector; zero of a plane
+  std::optional<Curve> speed;  // prescribed motion along the normal or the direction
+  std::optional<double> mass;  // of a wall that bodies push along its normal
+  double start_speed = 0;      // of that at time 0
   double friction = 0;
   std::vector<Selector> nodes;  // empty: every contact node of the scene
   bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
 
   bool moves() const { return speed || mass; }
+  bool is_round() const { return cylinder || sphere; }
 };
 
 struct SurfacePairDeck {

@@ -22,6 +22,7 @@ struct PartMesh {
   std::map<std::string, std::vector<int>> node_sets;          // by the name without the part's; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // likewise
   std::vector<Warning> warnings;                              // without the part in their places
+  std::vector<std::string> notes;                             // what was done to it, likewise
 };
 
 /// Gives each side set without a node set of its name one: the nodes of its faces.

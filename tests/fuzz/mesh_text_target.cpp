@@ -54,6 +54,8 @@ std::vector<std::string> make_seeds() {
           make_binary_gmsh(true),
           keyword_deck,
           abaqus_input,
+          gmsh_of_ten,
+          keyword_of_ten,
           keyword_deck + "*INCLUDE\nmesh.k\n"};
 }
 

@@ -159,6 +159,20 @@ FULL = _HEAD + BLOCK + PLATE + CONDITIONS + CONTACTS + OUTPUT
 SMALL = _HEAD + BLOCK + "*END\n"
 
 
+# The block between a cylinder, a sphere and a plane that move; its cube is a tetrahedron of ten nodes.
+ROUND_WALLS = SMALL.replace(
+    "*END",
+    "*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION_DISPLAY_ID\n7,pole\n0,0,0\n5,0,-2,5,0,3,0.2\n0.4,2.5\n9,0,0,3,4\n,1e-9,1e-4,0.3\n"
+    "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n0,0,9\n1.5\n"
+    "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n0\n0,0,8,0,0,7\n1,0,8,6,5\n9,1,0,0,1\n"
+    "*DEFINE_CURVE\n9\n0.0,2.0\n1.0,4.0\n*END",
+)
+TEN_NODES = SMALL.replace(
+    "*ELEMENT_SOLID",
+    "*NODE\n101,0.5,0,0\n102,1,0.5,0\n103,0.5,0.5,0\n104,0,0,0.5\n105,0.5,0,0.5\n106,0.5,0.5,0.5\n*ELEMENT_SOLID",
+).replace("       1       2       3       4      11      12      13      14\n", "1,2,3,11,101,102,103,104,105,106\n")
+
+
 def make_block(material: str, state: str = "", shells: bool = False) -> str:
     """A deck of one element of a material 1, with an equation of state 2 if there is a card of it."""
     element = (
@@ -533,6 +547,16 @@ ABAQUS_BODIES = (
                    "*SURFACE, TYPE=NODE, NAME=coupled\npair,\n*RIGID BODY, REF NODE=900, ELSET=block-1.all\n"
                    "*COUPLING, CONSTRAINT NAME=c, REF NODE=901, SURFACE=coupled\n*KINEMATIC\n*END ASSEMBLY\n")
     .replace("block-1.foot, ENCASTRE", "900, 1, 5\n901, ENCASTRE")
+)  # fmt: skip
+
+# A roller above the plate, an analytical surface, that comes down.
+ABAQUS_ROLLER = (
+    ABAQUS.replace("*ASSEMBLY, NAME=assembly\n", "*PART, NAME=roll\n*END PART\n*ASSEMBLY, NAME=assembly\n")
+    .replace("*NSET, NSET=tip,", "*INSTANCE, NAME=roll-1, PART=roll\n0.5, 0., 2.\n0.5, 0., 2., 0.5, 0., 3., 90.\n*NODE\n1, 0., 0., 0.\n"
+             "*NSET, NSET=ref\n1,\n*SURFACE, TYPE=REVOLUTION, NAME=skin\nSTART, 0.5, 2.\n LINE, 0.5, -1.\n"
+             "*RIGID BODY, REF NODE=ref, ANALYTICAL SURFACE=skin\n*END INSTANCE\n*NSET, NSET=tip,", 1)
+    .replace("block-1.foot, ENCASTRE\n", "block-1.foot, ENCASTRE\nroll-1.ref, 1, 2\nroll-1.ref, 4, 6\n")
+    .replace("tip, 1, 1, 2.\n", "tip, 1, 1, 2.\nroll-1.ref, 3, 3, -4.\n")
 )  # fmt: skip
 
 # A frame: a rectangle, a tube, resultants, and a truss.

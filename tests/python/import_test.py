@@ -232,6 +232,19 @@ class Mesh(InFolder):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
+    def test_tetrahedra_of_ten_nodes_are_cut_by_the_program(self):
+        path = self.write(decks.TEN_NODES)
+        ledger = Ledger(allowed=["ALL"])
+        model = read_keyword_deck(path, ledger)
+        self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11, *range(101, 107)))])
+        self.assertIn("ELEMENT_SOLID.ten_nodes", {e.card for e in ledger.list_rows()})
+        x = [model.nodes[node] for node in model.blocks[0].solids[0][1]]
+        self.assertAlmostEqual(solid_volume(x), tet_volume(*x[:4]), 12)
+        self.assertIn("500,3,", list(list_blocks(model)))
+        result = self.percuss("import", path, "--out", "ten", "--units", "m, kg, s", "--allow", "all")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("tetrahedra of ten nodes, cut into eight of four: 1 into 8", result.stdout)
+
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
         start, _, rest = decks.PLATE.partition("*ELEMENT_SHELL")
@@ -519,6 +532,32 @@ class Scene(InFolder):
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_SPC.CMO", refusals("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n-1,1,1\n"))
         self.fails(decks.JOINTED.replace("105,106", "105,999"), "there is no node 999")
 
+    def test_sensors_matter_where_something_listens(self):
+        card = "*SENSOR_DEFINE_FORCE\n1,RWALL,2,X,,0\n*END"
+        model, ledger = self.read(decks.SMALL.replace("*END", card))
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertIn("SENSOR_DEFINE_FORCE", {e.card for e in ledger.list_rows() if e.status is Status.IGNORED})
+        refused = self.refusals(decks.SMALL.replace("*END", "*SENSOR_CONTROL\n1,TIMER\n" + card))
+        self.assertEqual(set(refused), {"SENSOR_CONTROL", "SENSOR_DEFINE_FORCE"})
+
+    def test_walls_are_cylinders_and_spheres(self):
+        model, ledger = self.read(decks.ROUND_WALLS)
+        self.assertEqual(ledger.list_refused(), [])
+        pole, ball, floor = model.deck["walls"]
+        self.assertEqual(pole["name"], "pole")
+        self.assertEqual(pole["cylinder"], {"axis": [0, 0, 1], "radius": 0.4, "length": 2.5})
+        self.assertEqual((pole["direction"], pole["friction"]), ([0, 0.6, 0.8], 0.2))
+        self.assertNotIn("normal", pole)
+        self.assertEqual(pole["speed"]["table"][0], [0, 2])
+        self.assertEqual((ball["sphere"], ball["point"]), ({"radius": 1.5}, [0, 0, 9]))
+        self.assertEqual(floor["rectangle"]["size"], [6, 5])
+        # the way 2 + 2 t along z, against the normal -z
+        self.assertEqual({y for _, y in floor["speed"]["table"]} if isinstance(floor["speed"], dict) else {floor["speed"]}, {-2})
+        for wrong in ("GEOMETRIC_PRISM", "GEOMETRIC_CYLINDER_INTERIOR", "GEOMETRIC_CYLINDER_DEFORM"):
+            ledger = self.read(decks.SMALL.replace("*END", f"*RIGIDWALL_{wrong}\n0\n0,0,9\n1\n*END"))[1]
+            self.assertEqual([e.card for e in ledger.list_refused()], [f"RIGIDWALL_{wrong}"])
+        self.accept(decks.ROUND_WALLS)
+
     def test_walls_end_and_give_way(self):
         card = "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n5,ram\n0\n-1,-1,3,-1,-1,0,0.2\n4,-1,0,6.0,5.0\n500.0,12.0\n*END"
         wall = self.read(decks.SMALL.replace("*END", card))[0].deck["walls"][0]
@@ -618,6 +657,41 @@ class Abaqus(InFolder):
             model = read_abaqus_deck(path, Ledger(allowed=["ALL"]))
             self.assertIn(4, [len(corners) for block in model.blocks for _, corners in block.solids])
             self.assertEqual(model.deck.get("elements", {}).get("integration", "one_point"), "full" if kind == "C3D8" else "one_point")
+
+    def test_analytical_surfaces_are_walls(self):
+        model, ledger = self.read_abaqus(decks.ABAQUS_ROLLER)
+        self.assertEqual(ledger.list_refused(), [])
+        (wall,) = model.deck["walls"]
+        self.assertEqual(wall["cylinder"]["radius"], 0.5)
+        self.assertEqual(wall["cylinder"]["length"], 3)
+        for found, exact in zip((*wall["cylinder"]["axis"], *wall["point"]), (-1, 0, 0, 1.5, 0, 2)):
+            self.assertAlmostEqual(found, exact, 12)
+        self.assertEqual((wall["friction"], wall["thickness"], wall["direction"]), (0.25, "seen", "z"))
+        self.assertEqual([round(x, 9) for x in wall["speed"]["table"][-1]], [1e-4, -4])
+        self.accept(decks.ABAQUS_ROLLER, "deck.inp")
+        ball = "START, 0., 2.\n CIRCL, 0.5, 1.5, 0., 1.5\n CIRCL, 0., 1., 0., 1.5\n"
+        line = "START, 0.5, 2.\n LINE, 0.5, -1.\n"
+        sphere = self.read_abaqus(decks.ABAQUS_ROLLER.replace(line, ball))[0].deck["walls"][0]
+        self.assertAlmostEqual(sphere["sphere"]["radius"], 0.5)
+        self.assertAlmostEqual(sphere["point"][0], 0.5 - 1.5)
+        card = "RIGID BODY.ANALYTICAL SURFACE"
+        for old, new in ((line, "START, 0.5, -1.\n LINE, 0.5, 2.\n"), (line, "START, 0.5, 2.\n LINE, 0.7, -1.\n"),
+                         ("roll-1.ref, 1, 2\n", ""), ("roll-1.ref, 4, 6\n", "roll-1.ref, 4, 5\n")):  # fmt: skip
+            self.assertIn(card, {e.card for e in self.read_abaqus(decks.ABAQUS_ROLLER.replace(old, new))[1].list_refused()})
+
+    def test_tetrahedra_of_ten_nodes_keep_their_nodes_and_faces(self):
+        corners = {5: (0, 0, 1), 6: (1, 0, 1), 8: (0, 1, 1), 9: (0, 0, 2)}
+        edges = ((5, 6), (6, 8), (8, 5), (5, 9), (6, 9), (8, 9))
+        nodes = "".join(
+            f"{21 + i}, {', '.join(str(0.5 * (a + b)) for a, b in zip(corners[first], corners[second]))}\n" for i, (first, second) in enumerate(edges)
+        )
+        for kind in ("C3D10", "C3D10M"):
+            text = decks.ABAQUS.replace(
+                "*NSET, NSET=foot", f"*NODE\n9, 0., 0., 2.\n{nodes}*ELEMENT, TYPE={kind}, ELSET=all\n2, 5, 6, 8, 9, 21, 22, 23, 24,\n25, 26\n"
+                "*SURFACE, NAME=slope\n2, S3\n*NSET, NSET=foot", 1)  # fmt: skip
+            model, ledger = self.read_abaqus(text)
+            self.assertIn((5, 6, 8, 9, *range(21, 27)), [corners for block in model.blocks for _, corners in block.solids])
+            self.assertIn(f"ELEMENT.{kind}", {e.card for e in ledger.list_rows()})
 
     def test_wedges_and_pyramids_are_solids_of_one_point(self):
         for kind, corners in (("C3D6", "5, 6, 8, 9, 10, 11"), ("C3D5", "5, 6, 7, 8, 9"), ("C3D8", "5, 6, 7, 8, 9, 9, 9, 9")):

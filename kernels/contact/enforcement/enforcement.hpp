@@ -38,9 +38,10 @@ template <class Space>
 WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
                            const RowSystem& system, RowSumMemory& memory);
 
-/// Pushes of the rows of one wall, from first_row on.
+/// Pushes of the rows of one wall, from first_row on. direction: in which it moves; zero: along its normal.
 template <class Space>
-WallPush sum_wall_push(const Space& space, int first_row, int wall, const RowSystem& system, RowSumMemory& memory);
+WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3& direction, const RowSystem& system,
+                       RowSumMemory& memory);
 
 /// Of the nodes that a wall would meet in the step at its speed, if only it pushed them: the sum of their masses, and
 /// of these times the speed at which each would just touch it. looks_inside: as RowInputs has it.

@@ -204,13 +204,19 @@ WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const 
 }
 
 template <class Space>
-WallPush sum_wall_push(const Space& space, int first_row, int wall, const RowSystem& system, RowSumMemory& memory) {
+WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3& direction, const RowSystem& system,
+                       RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
+  const bool is_along_normal = dot(direction, direction) == 0;
   return sum_rows<WallPush>(space, system.num_rows - first_row, memory.push,
-                            [rows, first_row, wall] KOKKOS_FUNCTION(int i, WallPush& s) {
+                            [rows, first_row, wall, direction, is_along_normal] KOKKOS_FUNCTION(int i, WallPush& s) {
                               const ContactRow& row = rows(first_row + i);
                               if (row.kind != RowKind::wall || find_key_wall(row.key) != wall) return;
-                              if (row.impulse.push != 0) s.push.add(row.impulse.push);
+                              if (row.impulse.push == 0) return;
+                              const double push =
+                                  is_along_normal ? row.impulse.push : row.impulse.push * dot(row.normal, direction);
+                              s.push.add(push);
+                              if (!is_along_normal) s.rub.add(dot(row.force, direction) - push);
                             });
 }
 
@@ -270,7 +276,7 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
   template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
                                       RowSumMemory&);                                                                 \
-  template WallPush sum_wall_push(const Space&, int, int, const RowSystem&, RowSumMemory&);                           \
+  template WallPush sum_wall_push(const Space&, int, int, const Point3&, const RowSystem&, RowSumMemory&);            \
   template WallMeeting sum_wall_meeting(const Space&, int, const WallPairs&, const RowInputs&, RowSumMemory&);        \
   template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
   template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);

@@ -192,26 +192,25 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   limit_closing(at, inputs.motion.dt, row);
 }
 
-/// Gap between the node and the wall of pair p, `share` of the step after n.
+/// Gap of pair p, of a wall that is a cylinder or a sphere.
+KOKKOS_INLINE_FUNCTION WallGap find_round_gap(const WallPairs& walls, const SurfaceMotion& motion, int p) {
+  const double offset = walls.offset.extent(0) > 0 ? walls.offset(p) : 0;
+  return find_round_gap(walls.walls(walls.wall(p)), load_row(motion.x, walls.node(p)),
+                        load_row(motion.v, walls.node(p)), motion.dt, offset);
+}
+
+/// Gap between the node and the wall of pair p, `share` of the step after n: 0 or 1.
 KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const SurfaceMotion& motion, int p, double share) {
   const ContactWall& wall = walls.walls(walls.wall(p));
   const int node = walls.node(p);
+  if (wall.shape != WallShape::plane) {
+    const WallGap gap = find_round_gap(walls, motion, p);
+    return share > 0 ? gap.end : gap.start;
+  }
   const Point3 from_wall = load_row(motion.x, node) - wall.point;
   const double closing = dot(wall.normal, load_row(motion.v, node)) - wall.speed;
   const double gap = dot(wall.normal, from_wall) + share * motion.dt * closing;
   return walls.offset.extent(0) > 0 ? gap - walls.offset(p) : gap;
-}
-
-/// Whether a point lies beside a rectangle, or farther behind it than what has come through it could; false where the
-/// wall does not end. depth: of the point behind its plane; size: h of its row.
-KOKKOS_INLINE_FUNCTION bool is_beside(const ContactWall& wall, const Point3& x, double depth, double size) {
-  constexpr double round_off = 1e-9;  // of an edge
-  constexpr double most_depth = 0.5;  // of h: enforcement leaves far less, what comes in at the side is soon deeper
-  if (!(wall.size[0] > 0)) return false;
-  const double a = dot(wall.along, x - wall.point), b = dot(wall.across, x - wall.point);
-  const double more_a = round_off * wall.size[0], more_b = round_off * wall.size[1];
-  return a < -more_a || a > wall.size[0] + more_a || b < -more_b || b > wall.size[1] + more_b ||
-         depth > most_depth * size;
 }
 
 /// Whether the wall of pair p can stop its node at n.
@@ -227,14 +226,22 @@ KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactH
   const ContactWall& wall = walls.walls(walls.wall(p));
   row.key = make_wall_row_key(inputs.node_numbers(walls.node(p)), walls.wall(p));
   row.record = static_cast<int>(history.face.extent(0)) + p;  // behind those of faces
-  row.normal = wall.normal;
-  row.gap_gradient = wall.normal;
   row.friction = wall.friction;
   row.pair = inputs.num_pairs;
   row.size = walls.size(p);
-  row.gap_start = find_wall_gap(walls, inputs.motion, p, 0);
-  row.gap = find_wall_gap(walls, inputs.motion, p, 1);
+  const SurfaceMotion& motion = inputs.motion;
+  const WallGap gap =
+      wall.shape == WallShape::plane
+          ? WallGap{find_wall_gap(walls, motion, p, 0), find_wall_gap(walls, motion, p, 1), wall.normal, wall.normal}
+          : find_round_gap(walls, motion, p);
+  row.normal = gap.normal;
+  row.gap_gradient = gap.gradient;
+  row.gap_start = gap.start;
+  row.gap = gap.end;
   complete_row(inputs, at, true, load_record(history, row.record), row);
+  // A plane moves along its normal; what moves along its surface takes nodes along.
+  if (wall.shape == WallShape::plane || !(row.friction > 0)) return;
+  for (int d = 0; d < 2; ++d) row.slide[d] -= inputs.motion.dt * wall.speed * dot(wall.direction, row.tangent[d]);
 }
 
 }  // namespace percuss

@@ -10,21 +10,13 @@
 #include "kernels/contact/check/detailed_check.hpp"
 #include "kernels/contact/check/edge_check.hpp"
 #include "kernels/contact/geometry/tie_geometry.hpp"
+#include "kernels/contact/geometry/wall_geometry.hpp"
 #include "kernels/contact/rows/contact_row.hpp"
 #include "kernels/contact/rows/row_bodies.hpp"
 #include "kernels/contact/rows/row_pack.hpp"
 #include "kernels/contact/rows/row_sums.hpp"
 
 namespace percuss {
-
-/// A rigid plane; bodies live where (x - point) . normal > 0.
-struct ContactWall {
-  Point3 point{}, normal{};  // the point at n
-  double friction = 0;
-  double speed = 0;          // along the normal, from n to n+1
-  Point3 along{}, across{};  // of a rectangle with a corner at `point`: unit vectors of its edges
-  double size[2] = {0, 0};   // their lengths; 0: the wall does not end
-};
 
 /// Walls and the nodes of this rank that each stops, const after set-up but for where moving walls are.
 struct WallPairs {

@@ -20,11 +20,14 @@ struct WallSums {
   }
 };
 
-/// Pushes of the rows of one wall: its impulse along its normal.
+/// Impulse of the rows of one wall in the direction in which it moves, of pushes and of friction.
 struct WallPush {
-  ExactSum push;
+  ExactSum push, rub;
 
-  KOKKOS_INLINE_FUNCTION void merge(const WallPush& other) { push.merge(other.push); }
+  KOKKOS_INLINE_FUNCTION void merge(const WallPush& other) {
+    push.merge(other.push);
+    rub.merge(other.rub);
+  }
 };
 
 /// What the nodes before a wall that gives way say of its speed, in a pass (moving_walls.hpp).

@@ -8,6 +8,7 @@ from ..model import Deck
 from .deck import AbaqusDeck, RigidGroup
 from .lines import Block
 from .mesh import BodyCard, Scope
+from .surfaces import add_wall, finish_wall
 
 TURNS = {"rx", "ry", "rz"}
 WAYS = ("x", "y", "z")
@@ -18,7 +19,13 @@ def read_rigid_body(scope: Scope, block: Block, ledger: Ledger) -> None:
     if "PIN NSET" in block.options:
         ledger.refuse("RIGID BODY.PIN NSET", block.place, "nodes whose rotations are free", "their rotations are those of the body")
     nodes = [block.option(name) for name in ("TIE NSET", "PIN NSET") if block.option(name)]
-    scope.bodies.append(BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes))
+    profile = block.option("ANALYTICAL SURFACE")
+    if profile and (nodes or "ELSET" in block.options):
+        ledger.refuse("RIGID BODY.ANALYTICAL SURFACE", block.place, "an analytical surface with nodes or elements", "it is left out")
+        profile = ""
+    scope.bodies.append(
+        BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes, profile=profile)
+    )
 
 
 def read_coupling(block: Block) -> BodyCard:
@@ -92,7 +99,9 @@ def merge(found: list[Members]) -> list[list[Members]]:
 
 def build_bodies(deck: AbaqusDeck) -> None:
     """Parts that are rigid, and `rigid_sets` of what they do not have."""
-    for together in merge([list_members(deck, card) for card in deck.mesh.bodies]):
+    for card in (card for card in deck.mesh.bodies if card.profile):
+        add_wall(deck, card)
+    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile]):
         card = together[0].card
         nodes = {node for m in together for node in m.nodes if node in deck.used_nodes()}
         if not nodes:
@@ -132,6 +141,8 @@ def add_reference_masses(deck: AbaqusDeck, nodes: list[int], mass: float) -> lis
     left = []
     for node in nodes:
         group = deck.group_of_ref.get(node)
+        if group is not None and group.wall:
+            continue  # a wall is held or moved, whatever its mass
         if group is None or node in deck.used_nodes():
             left.append(node)
             continue
@@ -146,6 +157,9 @@ def finish_bodies(deck: AbaqusDeck) -> None:
     for number, group in enumerate(deck.groups, 1):
         rest = {d for d, (_, motion) in group.held.items() if motion is None}
         moved = {d: motion for d, (_, motion) in group.held.items() if motion is not None}
+        if group.wall:
+            finish_wall(deck, group)
+            continue
         if not group.held:
             continue
         if TURNS <= rest:

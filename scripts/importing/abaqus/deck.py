@@ -29,6 +29,8 @@ class RigidGroup:
     name: str = ""  # of the body
     keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
     held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
+    wall: Deck | None = None  # of an analytical surface, by its name
+    profile: str = ""
 
 
 class AbaqusDeck:
@@ -44,6 +46,7 @@ class AbaqusDeck:
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
         self.pairs: list[Deck] = []
+        self.wall_pairs: list[tuple[str, str, float]] = []  # analytical surface, what it stops, friction
         self.whole: Deck | None = None  # contact of everything
         self.end_time = 0.0
         self.step_scale = 0.0  # 0: percuss' own

@@ -10,11 +10,11 @@ from ..model import Vector
 from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
-SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4}
+SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10}
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
 BEAMS = {"B31": 2, "T3D2": 2}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
-NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
+NODES_OF_OTHERS = {"C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 # Faces S1, S2, ... by the number of corners.
 SIDES = {
     8: ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)),
@@ -22,6 +22,7 @@ SIDES = {
     5: ((0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)),
     4: ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
 }
+SIDES[10] = SIDES[4]  # percuss takes the four triangles of a face by its corners
 MOST_MEMBERS = 20_000_000
 Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
@@ -54,6 +55,16 @@ class SpringSet:
 
 
 @dataclass
+class Profile:
+    """*SURFACE, TYPE=REVOLUTION: words of its line with their numbers, and the axis."""
+
+    place: Place
+    pieces: list[tuple[str, list[float]]] = field(default_factory=list)
+    origin: Vector = (0.0, 0.0, 0.0)
+    axis: Vector = (0.0, 1.0, 0.0)
+
+
+@dataclass
 class BodyCard:
     """A keyword that makes nodes rigid; names are empty where it has none."""
 
@@ -63,6 +74,7 @@ class BodyCard:
     elements: str = ""
     nodes: list[str] = field(default_factory=list)
     surface: str = ""
+    profile: str = ""  # an analytical surface
 
 
 @dataclass
@@ -79,6 +91,7 @@ class Scope:
     masses: list[tuple[str, float, Place]] = field(default_factory=list)
     springs: list[SpringSet] = field(default_factory=list)
     bodies: list[BodyCard] = field(default_factory=list)
+    profiles: dict[str, Profile] = field(default_factory=dict)
     place: Place | None = None
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
@@ -224,9 +237,14 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for section in part.sections:
         into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
     into.springs += [replace(spring, elements=f"{instance.name}.{spring.elements}") for spring in part.springs]
+    for name, profile in part.profiles.items():
+        origin, end = instance.put(profile.origin), instance.put(tuple(o + a for o, a in zip(profile.origin, profile.axis)))  # type: ignore[arg-type]
+        axis = tuple(e - o for e, o in zip(end, origin))
+        add_names(into.profiles, instance.name, name, replace(profile, origin=origin, axis=axis))
     into.bodies += [
         replace(body, ref=qualify(body.ref, instance), elements=qualify(body.elements, instance),
-                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance))
+                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance),
+                profile=qualify(body.profile, instance))
         for body in part.bodies
     ]  # fmt: skip
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]

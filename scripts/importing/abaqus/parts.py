@@ -58,6 +58,7 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
                         ("node_surfaces", assembly.node_surfaces)):  # fmt: skip
         getattr(deck.mesh, name).update(table)
     deck.mesh.bodies += assembly.bodies
+    deck.mesh.profiles |= assembly.profiles
 
 
 def build_parts(deck: AbaqusDeck) -> None:
@@ -120,7 +121,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
     elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
         deck.blocks_of_elements[id] = len(deck.model.blocks)
-        if SOLIDS[kind] < 8:  # have one point, whatever hexahedra have
+        if SOLIDS[kind] == 10:
+            deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "tetrahedra of ten nodes are cut into eight of four")
+        if SOLIDS[kind] != 8:  # have one point, whatever hexahedra have
             return
         integration = "full" if kind == "C3D8" else "one_point"
         counts = deck.integrations.setdefault(len(deck.model.blocks), Counter())

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ..ledger import BadInput, Ledger
 from ..model import Model
-from . import bodies, steps
+from . import bodies, steps, surfaces
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
@@ -97,6 +97,10 @@ class Reader:
         self.deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
 
     def surface(self, block: Block) -> None:
+        if block.option("TYPE") == "REVOLUTION":
+            surfaces.read_profile(self.scope, block)
+            self.deck.ledger.translated("SURFACE.REVOLUTION", block.place, "a wall, where a rigid body has it")
+            return
         read_surface(self.scope, block, self.deck.ledger)
         self.deck.ledger.translated("SURFACE", block.place, "a side set, where something uses it")
 

@@ -7,6 +7,7 @@ from ..model import Deck
 from .bodies import hold_reference
 from .deck import AbaqusDeck
 from .lines import Block
+from .surfaces import is_profile
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"), "ZSYMM": ("z", "rx", "ry"),
@@ -222,6 +223,9 @@ def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
     friction = deck.frictions.get(block.option("INTERACTION"), 0.0)
     for line in block.lines:
         place = block.at(line[0])
+        if is_profile(deck, block.text(line, 1)):
+            note_wall_pair(deck, block.text(line, 0), block.text(line, 1), place, friction)
+            continue
         a = deck.surface_name(block.text(line, 0), place, of_contact=True)
         b = deck.surface_name(block.text(line, 1), place, of_contact=True) if block.text(line, 1) else a
         if a and b:
@@ -229,6 +233,14 @@ def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
             deck.ledger.translated("CONTACT PAIR", place, "contact.surfaces")
         else:
             deck.ledger.ignored("CONTACT PAIR", place, "one of its surfaces has no element")
+
+
+def note_wall_pair(deck: AbaqusDeck, nodes: str, wall: str, place: Place, friction: float) -> None:
+    """A surface before an analytical one."""
+    name = deck.surface_name(nodes, place, of_contact=True)
+    if name:
+        deck.wall_pairs.append((wall.strip().strip('"').upper(), name, friction))
+        deck.ledger.translated("CONTACT PAIR", place, "walls.N.nodes")
 
 
 def read_inclusions(deck: AbaqusDeck, block: Block) -> None:

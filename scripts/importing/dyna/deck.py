@@ -160,6 +160,7 @@ class KeywordDeck:
         self.general_hourglass: Row | None = None
         self.waiting_table: list[tuple[int, float]] = []  # table and value of curves that are still to come
         self.output = Output()
+        self.sensors: list[Card] = []
         self.friction_by_part = False  # whether a contact takes FS of its parts
         self.contacts: list[dict] = []  # a, b, friction, title
         self.forces: list[dict] = []  # entries of output.history.forces

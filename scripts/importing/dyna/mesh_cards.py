@@ -83,6 +83,10 @@ def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, c
     if len(corners) == 8 and different == 8:
         found.solids.append((id, tuple(corners)))
         return
+    if len(corners) == 10 and different == 10:
+        found.solids.append((id, tuple(corners)))
+        deck.ledger.approximated("ELEMENT_SOLID.ten_nodes", place, "tetrahedra of ten nodes are cut into eight of four")
+        return
     first = list(dict.fromkeys(corners))
     if different == 4 and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4]):
         found.solids.append((id, tuple(first)))

@@ -27,6 +27,20 @@ def read_database(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.ignored(card.keyword, card.place, "output")
 
 
+def read_sensor(deck: KeywordDeck, card: Card) -> None:
+    deck.sensors.append(card)
+
+
+def finish_sensors(deck: KeywordDeck) -> None:
+    """A sensor that nothing listens to is output."""
+    acts = any(not card.keyword.startswith("SENSOR_DEFINE_") for card in deck.sensors)
+    for card in deck.sensors:
+        if acts:
+            deck.ledger.refuse(card.keyword, card.place, "sensors that switch something", "they switch nothing")
+        else:
+            deck.ledger.ignored(card.keyword, card.place, "a sensor that switches nothing")
+
+
 def read_frames(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     row, more = reader.row("DT LCDT~ BEAM~ NPLTC PSETID~"), reader.row("IOOPT~")

@@ -14,7 +14,7 @@ from .rigid_cards import read_inertia
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
-TETRAHEDRA_FORMS = {10, 13}
+TETRAHEDRA_FORMS = {10, 13, 16, 17}  # the last two of ten nodes
 WEDGE_FORMS = {15, 115}
 HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: "stiffness", 8: "assumed_strain"}
 PART_LINES = {"INERTIA": 3, "REPOSITION": 1, "CONTACT": 1, "PRINT": 1, "ATTACHMENT_NODES": 1}

@@ -18,7 +18,7 @@ from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_b
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
-from .output_cards import finish_output, read_database
+from .output_cards import finish_output, finish_sensors, read_database, read_sensor
 from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
@@ -51,6 +51,7 @@ DEFINITIONS: dict[str, Handler] = {
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "INITIAL_DETONATION": read_detonation,
+    "SENSOR_": read_sensor,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -166,6 +167,7 @@ def finish(deck: KeywordDeck) -> None:
     add_springs(deck)
     finish_contacts(deck)
     finish_output(deck)
+    finish_sensors(deck)
     keep_sets(deck)
     note_unused(deck)
 

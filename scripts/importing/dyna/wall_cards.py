@@ -1,5 +1,6 @@
-"""*RIGIDWALL_...: planes."""
+"""*RIGIDWALL_...: planes, cylinders and spheres."""
 
+from ..curves import Curve, differentiate, make_time_value, order_points
 from ..fields import Row
 from ..model import Deck
 from ..shapes import dot, normalise, subtract
@@ -11,6 +12,13 @@ STICK = 100.0  # a coefficient of friction that no node slips under
 
 
 def read_wall(deck: KeywordDeck, card: Card) -> None:
+    if card.keyword.startswith("RIGIDWALL_GEOMETRIC"):
+        read_geometric_wall(deck, card)
+    else:
+        read_plane_wall(deck, card)
+
+
+def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
     """*RIGIDWALL_PLANAR with _ID, _FINITE, _MOVING, _FORCES, and others that are refused."""
     words = card.keyword.removeprefix("RIGIDWALL_PLANAR").split("_")[1:]
     if not card.keyword.startswith("RIGIDWALL_PLANAR") or set(words) - set(OPTIONS):
@@ -18,23 +26,92 @@ def read_wall(deck: KeywordDeck, card: Card) -> None:
         return
     reader = card.reader()
     while reader.skip_blank():
-        name = ""
-        if card.has_id:
-            head = reader.row("ID TITLE", (10, 70))
-            name = head.text("TITLE") or f"wall_{head.integer('ID')}"
+        name = read_name(deck, card, reader)
         row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~")
         plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
-        wall = make_wall(deck, plane, name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}")
+        wall = make_wall(deck, plane, name)
         read_wall_options(deck, reader, words, wall)
-        if choose_nodes(deck, row, plane, wall):
+        if choose_nodes(deck, row, wall, row.number("OFFSET")):
             deck.model.add("walls", wall)
             deck.ledger.translated(card.keyword, row.place, "walls")
 
 
-def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck:
+def read_name(deck: KeywordDeck, card: Card, reader: Lines) -> str:
+    name = ""
+    if card.has_id:
+        head = reader.row("ID TITLE", (10, 70))
+        name = head.text("TITLE") or f"wall_{head.integer('ID')}"
+    return name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}"
+
+
+def read_geometric_wall(deck: KeywordDeck, card: Card) -> None:
+    """*RIGIDWALL_GEOMETRIC_FLAT, _CYLINDER and _SPHERE with _ID, _MOTION and _DISPLAY."""
+    shape, *options = card.keyword.removeprefix("RIGIDWALL_GEOMETRIC").split("_")[1:] or [""]
+    if shape not in ("FLAT", "CYLINDER", "SPHERE") or set(options) - {"MOTION", "DISPLAY"}:
+        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is a prism, hollow, or deforms", "it is left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        name = read_name(deck, card, reader)
+        row = reader.row("NSID NSIDEX BOXID BIRTH DEATH=1e20")
+        wall = make_wall(deck, reader.row("XT YT ZT XH YH ZH FRIC"), name, shape)
+        if shape == "FLAT":
+            end_wall(deck, reader.row("XHEV YHEV ZHEV LENL LENM"), wall, card.keyword)
+        else:
+            round_wall(deck, reader, wall, shape)
+        moves = "MOTION" not in options or read_wall_motion(deck, card, reader, wall)
+        if "DISPLAY" in options:
+            reader.row("PID RO E PR")
+        if moves and choose_nodes(deck, row, wall, 0.0):
+            deck.model.add("walls", wall)
+            deck.ledger.translated(card.keyword, row.place, "walls")
+
+
+def round_wall(deck: KeywordDeck, reader: Lines, wall: Deck, shape: str) -> None:
+    """A cylinder begins at the tail; without a length it goes on both ways."""
+    axis = wall.pop("normal")
+    if shape == "SPHERE":
+        row = reader.row("RADSPH")
+        wall["sphere"] = {"radius": row.positive("RADSPH")}
+    else:
+        row = reader.row("RADCYL LENCYL NSEGS")
+        wall["cylinder"] = {"axis": axis, "radius": row.positive("RADCYL")}
+        if row.number("LENCYL") > 0:
+            wall["cylinder"]["length"] = row.number("LENCYL")
+        for _ in range(min(row.integer("NSEGS"), 1000)):
+            reader.row("VL HEIGHT")
+        if row.integer("NSEGS") > 0:
+            deck.ledger.ignored("RIGIDWALL_GEOMETRIC_CYLINDER.NSEGS", row.place, "output; percuss writes the force of the wall")
+    row.finish(deck.ledger)
+
+
+def read_wall_motion(deck: KeywordDeck, card: Card, reader: Lines, wall: Deck) -> bool:
+    """Speed or way over time along a direction; False if it has none."""
+    row = reader.row("LCID OPT VX VY VZ")
+    way = normalise(tuple(row.numbers("VX", "VY", "VZ")))  # type: ignore[arg-type]
+    curve, kind = deck.curve(row.integer("LCID"), row.place), row.integer("OPT")
+    row.finish(deck.ledger)
+    if way == (0.0, 0.0, 0.0) or kind not in (0, 1) or (kind == 1 and len(curve.points) < 2):
+        deck.ledger.refuse(f"{card.keyword}.MOTION", row.place, "a motion without a direction or a table", "the wall is left out")
+        return False
+    if kind == 1:
+        curve = Curve(curve.place, differentiate(order_points(curve.points)))
+        deck.ledger.approximated(f"{card.keyword}.OPT", row.place, "the slope of the way as a speed")
+    scale = 1.0
+    if "normal" in wall:
+        scale = dot(way, tuple(wall["normal"]))  # type: ignore[arg-type]
+        if abs(abs(scale) - 1) > 1e-9:
+            deck.ledger.refuse(f"{card.keyword}.VX", row.place, "a plane that moves along itself too", "its way along the normal alone")
+    else:
+        wall["direction"] = list(way)
+    wall["speed"] = make_time_value(curve, scale, deck.end_time)
+    return True
+
+
+def make_wall(deck: KeywordDeck, plane: Row, name: str, shape: str = "FLAT") -> Deck:
     point = tuple(plane.numbers("XT", "YT", "ZT"))
     normal = normalise(subtract(tuple(plane.numbers("XH", "YH", "ZH")), point))  # type: ignore[arg-type]
-    if normal == (0.0, 0.0, 0.0):
+    if normal == (0.0, 0.0, 0.0) and shape != "SPHERE":
         plane.fail("XH", "the head must not be the tail")
     friction = plane.number("FRIC")
     wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
@@ -72,7 +149,7 @@ def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str], wall: 
             deck.ledger.ignored("RIGIDWALL_PLANAR_FORCES", first.place, "output; percuss writes the force of each wall")
 
 
-def end_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
+def end_wall(deck: KeywordDeck, row: Row, wall: Deck, name: str = "RIGIDWALL_PLANAR_FINITE") -> None:
     """A rectangle from the tail on: LENL towards the head of the edge, LENM across."""
     edge = subtract(tuple(row.numbers("XHEV", "YHEV", "ZHEV")), tuple(wall["point"]))  # type: ignore[arg-type]
     sizes, normal = row.numbers("LENL", "LENM"), tuple(wall["normal"])
@@ -80,9 +157,9 @@ def end_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
     along = normalise(tuple(e - out * n for e, n in zip(edge, normal)))  # type: ignore[arg-type]
     row.finish(deck.ledger)
     if not any(sizes):
-        deck.ledger.approximated("RIGIDWALL_PLANAR_FINITE", row.place, "without lengths the plane goes on without end")
+        deck.ledger.approximated(name, row.place, "without lengths the plane goes on without end")
     elif min(sizes) <= 0 or along == (0.0, 0.0, 0.0):
-        deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", row.place, "a wall of one length", "the plane goes on without end")
+        deck.ledger.refuse(name, row.place, "a wall of one length", "the plane goes on without end")
     else:
         wall["rectangle"] = {"along": list(along), "size": sizes}
 
@@ -102,10 +179,10 @@ def move_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
         wall["start_speed"] = speed
 
 
-def choose_nodes(deck: KeywordDeck, row: Row, plane: Row, wall: Deck) -> bool:
+def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool:
     """Which nodes the wall stops; False if none has an element."""
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
-    offset, birth, death = row.numbers("OFFSET", "BIRTH", "DEATH")
+    birth, death = row.numbers("BIRTH", "DEATH")
     if birth > 0 or 0 < death < deck.end_time:
         deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall for a part of the time", "it acts all the time")
     row.finish(deck.ledger)

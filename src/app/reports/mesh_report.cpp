@@ -121,6 +121,7 @@ std::string format_reading(const std::string& file, const MeshContents& contents
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
   std::string text = mesh_line("percuss", "reads " + format_elements(mesh));
   if (!all) text += mesh_line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
+  for (const std::string& note : mesh.notes) text += mesh_line("", note);
   for (const Warning& warning : mesh.warnings) text += format_warning(warning) + "\n";
   return text;
 }

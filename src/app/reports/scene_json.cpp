@@ -196,6 +196,9 @@ Json list_walls(const Deck& deck) {
   Json list = Json::array();
   for (const WallDeck& wall : deck.walls) {
     list.push_back({{"name", wall.name},
+                    {"shape", wall.cylinder ? "cylinder"
+                              : wall.sphere ? "sphere"
+                                            : "plane"},
                     {"point", wall.point},
                     {"normal", wall.normal},
                     {"friction", wall.friction},

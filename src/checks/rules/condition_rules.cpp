@@ -188,6 +188,7 @@ std::vector<Warning> check_gravity_direction(const CheckedScene& scene) {
   if (size == 0 || scene.deck.walls.empty()) return {};
   double up = 0;
   for (const WallDeck& wall : scene.deck.walls) {
+    if (wall.is_round()) return {};  // which bodies may lie on
     const double along = dot(g, wall.normal) / size;
     if (along < 0) return {};
     up = std::max(up, along);

@@ -56,6 +56,19 @@ class PossibleContact {
   const Deck& deck_;
 };
 
+/// Distance of a box from a cylinder or a sphere, at least: its centre's, less half its diagonal.
+double find_distance_of_round(const WallDeck& wall, const Vec3& middle, const Vec3& half) {
+  Vec3 away = middle;
+  if (wall.cylinder) {
+    const double along = dot(middle, wall.cylinder->axis);
+    const double end = wall.cylinder->length.value_or(std::abs(along));
+    const double nearest = std::clamp(along, wall.cylinder->length ? 0.0 : -end, end);
+    for (std::size_t k = 0; k < 3; ++k) away[k] -= nearest * wall.cylinder->axis[k];
+  }
+  return std::sqrt(dot(away, away)) - std::sqrt(dot(half, half)) -
+         (wall.cylinder ? wall.cylinder->radius : wall.sphere->radius);
+}
+
 /// Distance of the scene's box from a wall: from its plane, or from the rectangle that it ends at.
 double find_distance(const WallDeck& wall, const Vec3& low, const Vec3& high) {
   Vec3 middle{}, half{};
@@ -63,6 +76,7 @@ double find_distance(const WallDeck& wall, const Vec3& low, const Vec3& high) {
     middle[k] = 0.5 * (low[k] + high[k]) - wall.point[k];
     half[k] = 0.5 * (high[k] - low[k]);
   }
+  if (wall.is_round()) return find_distance_of_round(wall, middle, half);
   const auto find_reach = [&](const Vec3& direction) {
     return std::abs(direction[0]) * half[0] + std::abs(direction[1]) * half[1] + std::abs(direction[2]) * half[2];
   };

@@ -228,12 +228,16 @@ void Enforcer::book_pairs(const Space& space) {
 /// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside.
 template <class Space>
 void Enforcer::finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report) {
-  const double work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
+  const WallWork work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
   moving_walls_.place(walls_);
-  report.normal_work -= work;
+  report.normal_work -= work.push;
+  report.friction_work -= work.rub;
   if (!is_first_rank_) return;
-  report.walls.work.add(work);
-  if (!pair_work_.empty()) pair_work_.back().normal.add(-work);
+  report.walls.work.add(work.push);
+  report.walls.work.add(work.rub);
+  if (pair_work_.empty()) return;
+  pair_work_.back().normal.add(-work.push);
+  pair_work_.back().friction.add(-work.rub);
 }
 
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,

@@ -63,7 +63,8 @@ void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speed
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     ContactWall& of = host(static_cast<std::size_t>(moving_[i]));
     const Vec3& point = wall(i).point;
-    of.point = Point3{point[0], point[1], point[2]} + motions_[i].displacement * of.normal;
+    const Point3& way = of.shape == WallShape::plane ? of.normal : of.direction;
+    of.point = Point3{point[0], point[1], point[2]} + motions_[i].displacement * way;
     of.speed = speeds[i];
   }
   Kokkos::deep_copy(walls.walls, host);
@@ -116,17 +117,19 @@ void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const do
 }
 
 template <class Space>
-double MovingWalls::finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
-                                const RowSystem& system, RowSumMemory& memory) {
-  double work = 0;
+WallWork MovingWalls::finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+                                  const RowSystem& system, RowSumMemory& memory) {
+  WallWork work;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
-    std::array<ExactSum, 1> push{};
-    push[0] = sum_wall_push(space, first_row, moving_[i], system, memory).push;
+    const Vec3& way = wall(i).direction;
+    const WallPush own = sum_wall_push(space, first_row, moving_[i], Point3{way[0], way[1], way[2]}, system, memory);
+    std::array<ExactSum, 2> push{own.push, own.rub};
     sum_over_ranks(ranks_, push);
     const double impulse = push[0].round(), before = motions_[i].speed;
     const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
     if (wall(i).mass && !converged) refuse_throw(i, after, motion.v_before);
-    work += impulse * (0.5 * (before + after));
+    work.push += impulse * (0.5 * (before + after));
+    work.rub += push[1].round() * (0.5 * (before + after));
     motions_[i] = {motions_[i].displacement + motion.dt * after, after};
   }
   return work;
@@ -143,8 +146,8 @@ void MovingWalls::archive(CheckpointArchive& archive) {
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                \
   template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
-  template double MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,       \
-                                           RowSumMemory&);
+  template WallWork MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,     \
+                                             RowSumMemory&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -1,5 +1,6 @@
 #pragma once
-// Rigid walls that move along their normal: as the deck prescribes, or with a mass that bodies push.
+// Rigid walls that move along their normal, or along the direction of a cylinder or a sphere: as the deck prescribes,
+// or with a mass that bodies push.
 //
 // The rows see a wall at one speed from n to n+1. That of a wall with a mass is the one at which it and the nodes that
 // it meets stop each other, if nothing else pushed them: so a light wall takes no more than it can. Afterwards its
@@ -14,10 +15,15 @@
 
 namespace percuss {
 
-/// Along the normal of a wall, towards the bodies.
+/// Along the normal of a wall, towards the bodies, or along its direction.
 struct WallMotion {
   double displacement = 0;  // from its place at time 0 to that at n [length]
   double speed = 0;         // at n-1/2
+};
+
+/// Of walls on the bodies in a step.
+struct WallWork {
+  double push = 0, rub = 0;  // by normal forces and by friction
 };
 
 class MovingWalls {
@@ -40,8 +46,8 @@ class MovingWalls {
   /// converged: the pushes fulfil the rows; if not, throws RunError, on all ranks, where they give a wall with a mass
   /// more speed than any impact can. Collective.
   template <class Space>
-  double finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
-                     const RowSystem& system, RowSumMemory& memory);
+  WallWork finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+                       const RowSystem& system, RowSumMemory& memory);
 
   /// Of the walls that move, in the order of the deck.
   const std::vector<WallMotion>& motions() const { return motions_; }

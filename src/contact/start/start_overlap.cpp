@@ -63,7 +63,7 @@ struct HostWalls {
     const ContactWall& w = walls(wall(p));
     const double kept = offset.extent(0) > 0 ? offset(p) : 0;
     const Point3 at = load_row(x, node(p));
-    const double depth = kept - dot(w.normal, at - w.point);
+    const double depth = kept - find_wall_height(w, at);
     return is_beside(w, at, depth, size(p)) ? std::min(depth, 0.0) : depth;
   }
 

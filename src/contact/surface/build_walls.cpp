@@ -2,6 +2,7 @@
 // Where only the surface were held, an impact could drive the nodes behind it through the wall.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -132,10 +133,29 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   return nodes;
 }
 
+Point3 to_point(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+/// A unit vector across another.
+Point3 find_across(const Point3& along) {
+  const Point3 size = {std::abs(along.x), std::abs(along.y), std::abs(along.z)};
+  const bool is_x = size.x <= size.y && size.x <= size.z, is_y = !is_x && size.y <= size.z;
+  return normalize(cross(along, is_x ? Point3{1, 0, 0} : is_y ? Point3{0, 1, 0} : Point3{0, 0, 1}));
+}
+
+/// A cylinder or a sphere. across: the way out of it from its middle.
+void make_round(const WallDeck& deck, ContactWall& wall) {
+  wall.shape = deck.cylinder ? WallShape::cylinder : WallShape::sphere;
+  wall.radius = deck.cylinder ? deck.cylinder->radius : deck.sphere->radius;
+  wall.along = deck.cylinder ? to_point(deck.cylinder->axis) : Point3{1, 0, 0};
+  wall.across = find_across(wall.along);
+  wall.direction = to_point(deck.direction);
+  if (deck.cylinder) wall.size[0] = deck.cylinder->length.value_or(0);
+}
+
 /// The wall at time 0.
 ContactWall make_wall(const WallDeck& deck) {
-  const auto to_point = [](const Vec3& v) { return Point3{v[0], v[1], v[2]}; };
   ContactWall wall{to_point(deck.point), to_point(deck.normal), deck.friction};
+  if (deck.is_round()) make_round(deck, wall);
   if (!deck.rectangle) return wall;
   wall.along = to_point(deck.rectangle->along);
   wall.across = cross(wall.normal, wall.along);

@@ -227,10 +227,17 @@ void check_walls(const Deck& deck, const Node& root, Reading& reading) {
   const auto rigid = std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.rigid; });
   const Node* walls = root.find("walls");
   if (walls == nullptr || walls->items.size() != deck.walls.size()) return;  // some are wrong, which is told already
+  const bool has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   for (std::size_t w = 0; w < deck.walls.size(); ++w) {
-    if (!deck.walls[w].mass) continue;
+    const WallDeck& wall = deck.walls[w];
+    if (has_springs && wall.is_round() && wall.speed && wall.friction > 0)
+      reading.errors.add(walls->items[w].find("friction")->key,
+                         fmt::format("walls.{}.friction cannot be used with contact.enforcement: penalty (its springs "
+                                     "do not follow a surface that moves along itself): use kinematic or lagrange",
+                                     w));
+    if (!wall.mass) continue;
     const Spot spot = walls->items[w].find("mass")->key;
-    if (deck.contact.enforcement == ContactDeck::Enforcement::penalty)
+    if (has_springs)
       reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used with contact.enforcement: penalty (its "
                                            "springs do not account for the wall's mass): use kinematic or lagrange",
                                            w));

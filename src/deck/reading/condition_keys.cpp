@@ -254,12 +254,29 @@ const Keys<RectangleDeck>& rectangle_keys() {
   return keys;
 }
 
+const Keys<CylinderWallDeck>& cylinder_wall_keys() {
+  static const Keys<CylinderWallDeck> keys = {
+      need("axis", &CylinderWallDeck::axis, DirectionValue{}),
+      need("radius", &CylinderWallDeck::radius, NumberValue{positive}),
+      may("length", &CylinderWallDeck::length, NumberValue{positive}),
+  };
+  return keys;
+}
+
+const Keys<SphereWallDeck>& sphere_wall_keys() {
+  static const Keys<SphereWallDeck> keys = {need("radius", &SphereWallDeck::radius, NumberValue{positive})};
+  return keys;
+}
+
 const Keys<WallDeck>& wall_keys() {
   static const Keys<WallDeck> keys = {
       may("name", &WallDeck::name, NameValue{}),
       may("point", &WallDeck::point, vector3()),
-      need("normal", &WallDeck::normal, DirectionValue{}),
+      may("normal", &WallDeck::normal, DirectionValue{}),
       may("rectangle", &WallDeck::rectangle, MapValue<RectangleDeck>{rectangle_keys}),
+      may("cylinder", &WallDeck::cylinder, MapValue<CylinderWallDeck>{cylinder_wall_keys}),
+      may("sphere", &WallDeck::sphere, MapValue<SphereWallDeck>{sphere_wall_keys}),
+      may("direction", &WallDeck::direction, DirectionValue{}),
       may("speed", &WallDeck::speed, CurveValue{}),
       may("mass", &WallDeck::mass, NumberValue{positive}),
       may("start_speed", &WallDeck::start_speed, NumberValue{}),
@@ -288,6 +305,33 @@ bool turn_rectangle(const Reader& reader, const Node& node, WallDeck& wall) {
   return true;
 }
 
+/// Planes have a normal, and cylinders and spheres what belongs to them.
+bool check_wall_shape(const Reader& reader, const Node& node, const WallDeck& wall) {
+  const auto refuse = [&](const char* key, const char* why) {
+    const Node* value = node.find(key);
+    if (value == nullptr) return false;
+    reader.error(value->key, fmt::format("{} has no effect ({})", reader.name_of(key), why));
+    return true;
+  };
+  if (!wall.is_round()) {
+    if (refuse("direction", "a plane moves along its normal")) return false;
+    if (node.find("normal") != nullptr) return true;
+    refuse_missing(reader, node, "normal", DirectionValue{}.takes() + "; cylinder or sphere in its place");
+    return false;
+  }
+  if (wall.cylinder && refuse("sphere", "the wall is a cylinder")) return false;
+  const char* const what = "a cylinder or a sphere has none";
+  for (const char* key : {"normal", "rectangle", "mass", "start_speed"})
+    if (refuse(key, what)) return false;
+  const bool has_direction = node.find("direction") != nullptr;
+  if (wall.speed && !has_direction) {
+    reader.error(node.find("speed")->key,
+                 fmt::format("{} has no direction (give the key direction as well)", reader.name_of("speed")));
+    return false;
+  }
+  return wall.speed || !refuse("direction", "the wall has no speed");
+}
+
 bool check_wall_motion(const Reader& reader, const Node& node, const WallDeck& wall) {
   if (wall.speed && wall.mass) {
     reader.error(node.find("mass")->key,
@@ -304,7 +348,9 @@ bool check_wall_motion(const Reader& reader, const Node& node, const WallDeck& w
 
 bool check_wall(const Reader& reader, const Node& node, WallDeck& wall) {
   wall.place = node.spot.place;
-  if (!turn_rectangle(reader, node, wall) || !check_wall_motion(reader, node, wall)) return false;
+  if (!check_wall_shape(reader, node, wall) || !turn_rectangle(reader, node, wall) ||
+      !check_wall_motion(reader, node, wall))
+    return false;
   // A list that names the whole mesh says nothing more than no list.
   const auto all =
       std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });

@@ -35,12 +35,14 @@ void find_box(const Communicator& ranks, Mesh& mesh) {
   }
 }
 
+/// And what was done to the parts.
 void tell_warnings(const SceneParts& scene, Mesh& mesh) {
   for (const ScenePart& part : scene.parts) {
     for (Warning warning : part.warnings) {
       warning.place = "part '" + part.name + "'" + (warning.place.empty() ? "" : ", " + warning.place);
       mesh.warnings.push_back(std::move(warning));
     }
+    for (const std::string& note : part.notes) mesh.notes.push_back("part '" + part.name + "': " + note);
   }
   mesh.warnings.insert(mesh.warnings.end(), scene.warnings.begin(), scene.warnings.end());
 }

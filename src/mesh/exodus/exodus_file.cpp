@@ -97,7 +97,8 @@ std::optional<TopologyKind> find_kind(std::string_view block, std::int64_t nodes
     const auto& names = topology.exodus_names;
     const bool is_called =
         std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_called_kind(block, name); });
-    if (is_called && nodes_per_element == topology.corner_count) return static_cast<TopologyKind>(kind);
+    const bool is_cut = topology.family == ElementFamily::tetrahedra && nodes_per_element == std::int64_t{tet10_nodes};
+    if (is_called && (nodes_per_element == topology.corner_count || is_cut)) return static_cast<TopologyKind>(kind);
   }
   return {};
 }
@@ -229,7 +230,7 @@ std::string ExodusFile::list_kinds() const {
     for (const std::string_view name : topology.exodus_names)
       if (!name.empty()) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", name, topology.corner_count);
   }
-  return list;
+  return list + ", TETRA10";
 }
 
 std::vector<FileSide> ExodusFile::read_side_set(const FileSet& set) const {

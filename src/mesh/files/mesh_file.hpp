@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/mesh/mesh.hpp"
+#include "src/mesh/tet10.hpp"
 
 namespace percuss {
 
@@ -20,7 +21,7 @@ struct FileBlock {
   std::string name;  // "block_7" if the file gives none
   std::string kind;  // of its elements, as the format calls it: "HEX8", "C3D8R", ...
   std::int64_t elements = 0;
-  std::int64_t nodes_per_element = 0;
+  std::int64_t nodes_per_element = 0;    // more than corners of the topology: cut (src/mesh/reading/cut_elements.hpp)
   std::int64_t first_element = 1;        // its place in the file
   std::optional<TopologyKind> topology;  // none: elements of this kind cannot be run
 };
@@ -58,7 +59,8 @@ class MeshFile {
   virtual std::vector<FileSide> read_side_set(const FileSet& set) const = 0;
   virtual std::vector<std::int64_t> read_element_set(const FileSet& set) const = 0;
 
-  /// Face of an element that the format calls by this side; below 0: it has none.
+  /// Face of an element that the format calls by this side; below 0: it has none. Of tetrahedra of ten nodes also
+  /// triangles of faces (tet10_sides).
   virtual int find_face(const Topology& topology, std::int64_t side) const = 0;
   /// Kinds of elements of this format that can be run: "HEX8, SHELL4, ...".
   virtual std::string list_kinds() const = 0;

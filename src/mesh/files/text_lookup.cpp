@@ -104,7 +104,7 @@ const Topology* TextLookup::topology_of(std::int64_t element) const {
 
 std::span<const std::int64_t> TextLookup::corners_of(std::int64_t element) const {
   const std::size_t block = find_block(element);
-  const auto count = static_cast<std::size_t>(topology_of(element)->corner_count);
+  const std::size_t count = at(to_.blocks[block].nodes_per_element);
   return std::span(to_.corners[block]).subspan(at(element - to_.blocks[block].first_element) * count, count);
 }
 
@@ -131,9 +131,25 @@ void TextLookup::list_faces(const std::vector<char>& on_faces) {
         }
         if (is_asked) faces_.push_back({make_key(nodes), e, f});
       }
+      if (block.nodes_per_element == std::int64_t{tet10_nodes}) list_triangles(e, on_faces);
     }
   }
   std::sort(faces_.begin(), faces_.end());
+}
+
+/// The same of the triangles into which faces of a tetrahedron of ten nodes are cut.
+void TextLookup::list_triangles(std::int64_t element, const std::vector<char>& on_faces) {
+  const std::span<const std::int64_t> nodes_of = corners_of(element);
+  for (int side = tet4_topology.face_count; side < tet10_sides; ++side) {
+    const int behind = side - tet4_topology.face_count;
+    std::array<std::int64_t, 4> nodes{};
+    bool is_asked = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      nodes[i] = nodes_of[at(cut_tet10_face(behind / 4)[at(behind % 4)][i])];
+      is_asked = is_asked && on_faces[at(nodes[i])] != 0;
+    }
+    if (is_asked) faces_.push_back({make_key(nodes), element, side});
+  }
 }
 
 /// [nodes + 1]
@@ -178,7 +194,8 @@ void TextLookup::sort_surfaces() {
       if (is_side_set)
         from_.add_set_face(name, nodes, element.place);
       else
-        from_.add_element(from_.find_block(name, surface.id, element.kind), element.id.id, nodes, element.place);
+        from_.add_element(from_.find_block(name, surface.id, element.kind), element.id.id,
+                          element.kind.topology ? nodes : nodes.first(0), element.place);
     }
     if (is_side_set) from_.number_set(name, surface.id);
   }

@@ -49,6 +49,7 @@ class TextLookup {
   const Topology* topology_of(std::int64_t element) const;
   std::span<const std::int64_t> corners_of(std::int64_t element) const;
   void list_faces(const std::vector<char>& on_faces);
+  void list_triangles(std::int64_t element, const std::vector<char>& on_faces);
   std::vector<char> mark_nodes_of_faces() const;
   FileSide find_face(
       const std::array<std::int64_t, 4>& nodes) const;  // numbers, of a triangle the last is 0; {0, 0}: none

@@ -50,7 +50,8 @@ class TextMesh : public MeshFile {
     return of_.elements_of_sets.at(set.name);
   }
   int find_face(const Topology& topology, std::int64_t side) const override {
-    return side >= 1 && side <= topology.face_count ? static_cast<int>(side) - 1 : -1;
+    const bool is_tet = topology.family == ElementFamily::tetrahedra;  // which may have had ten nodes
+    return side >= 1 && side <= (is_tet ? tet10_sides : topology.face_count) ? static_cast<int>(side) - 1 : -1;
   }
   std::string list_kinds() const override { return of_.kinds; }
   std::vector<std::string> notes() const override { return of_.notes; }

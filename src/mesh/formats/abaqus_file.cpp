@@ -35,12 +35,15 @@ std::optional<TextSide> find_side(const std::string& name) {
                   faces_of_tetrahedra[number], faces_of_wedges[number], faces_of_pyramids[number]};
 }
 
+/// Those that are cut into eight.
+bool is_tet10(const std::string& type) { return type == "C3D10" || type == "C3D10M"; }
+
 std::optional<TopologyKind> find_kind(const std::string& type) {
   for (std::size_t kind = 0; kind < topology_count; ++kind) {
     const auto& names = topologies[kind].abaqus_names;
     if (std::find(names.begin(), names.end(), type) != names.end()) return static_cast<TopologyKind>(kind);
   }
-  return {};
+  return is_tet10(type) ? std::optional(TopologyKind::tet4) : std::nullopt;
 }
 
 std::string list_kinds() {
@@ -49,7 +52,7 @@ std::string list_kinds() {
     for (const std::string_view name : topology.abaqus_names)
       if (!name.empty()) list += (list.empty() ? "" : ", ") + std::string(name);
   }
-  return list;
+  return list + ", C3D10, C3D10M";
 }
 
 class AbaqusReader {
@@ -130,7 +133,8 @@ class AbaqusReader {
     const std::string type = to_upper(lines_.parameter("TYPE"));
     if (type.empty()) lines_.refuse("*ELEMENT has no TYPE");
     TextKind kind{type, find_kind(type), 0, IdSpace::elements};
-    if (kind.topology) kind.nodes = find_topology(*kind.topology).corner_count;
+    if (kind.topology)
+      kind.nodes = is_tet10(type) ? std::int64_t{tet10_nodes} : find_topology(*kind.topology).corner_count;
     if (!kind.topology) kind.name += fmt::format(" (line {})", lines_.place().line);
     const std::string set = lines_.parameter("ELSET");
     const std::string name = set.empty() ? fmt::format("block_{}", blocks_ + 1) : find_name(set);

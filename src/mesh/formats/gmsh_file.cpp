@@ -33,7 +33,7 @@ const GmshType* find_type(std::int64_t number) {
       {8, {"3-node line", 1, 3, {}}},
       {9, {"6-node triangle", 2, 6, {}}},
       {10, {"9-node quadrangle", 2, 9, {}}},
-      {11, {"10-node tetrahedron", 3, 10, {}}},
+      {11, {"10-node tetrahedron", 3, 10, TopologyKind::tet4}},
       {12, {"27-node hexahedron", 3, 27, {}}},
       {13, {"18-node prism", 3, 18, {}}},
       {14, {"14-node pyramid", 3, 14, {}}},
@@ -49,7 +49,8 @@ const GmshType* find_type(std::int64_t number) {
 
 /// Those that can be run.
 std::string list_kinds() {
-  return "3-node triangles, 4-node quadrangles, 4-node tetrahedra, 5-node pyramids, 6-node prisms and 8-node hexahedra";
+  return "3-node triangles, 4-node quadrangles, 4-node and 10-node tetrahedra, 5-node pyramids, 6-node prisms and "
+         "8-node hexahedra";
 }
 
 /// What a group of a dimension is called where it has no name.
@@ -272,12 +273,15 @@ class GmshReader {
       }
       return;
     }
-    if (type.dimension == 2 && type.topology) {
+    const bool is_quadratic_face = type.dimension == 2 && type.nodes == 6;  // of tetrahedra: its corners say which
+    if (type.dimension == 2 && (type.topology || is_quadratic_face)) {
+      if (is_quadratic_face) nodes_.resize(3);
       builder_.name_surface(name, group);
       builder_.add_surface_element(name, kind, {id, IdSpace::elements}, nodes_, place);
       return;
     }
     if (!type.topology) nodes_.clear();
+    if (nodes_.size() == tet10_nodes) std::swap(nodes_[8], nodes_[9]);  // this format has the last edges the other way
     builder_.add_element(builder_.find_block(name, group, kind), id, nodes_, place);
     for (std::size_t g = 1; g < groups_of_element_.size(); ++g)
       builder_.add_set_element(name_group(type.dimension, groups_of_element_[g]), {id, IdSpace::elements}, place);

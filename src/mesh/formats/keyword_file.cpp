@@ -51,8 +51,9 @@ class KeywordReader {
     while (cards_.next_keyword()) read_keyword(cards_.keyword());
     for (const auto& [id, title] : titles_) builder_.rename_blocks(id, title);
     if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
-    return std::make_unique<TextMesh>(builder_.finish(
-        "hexahedra, wedges, pyramids and tetrahedra, shells of three and four nodes, beams of two nodes"));
+    return std::make_unique<TextMesh>(
+        builder_.finish("hexahedra, wedges, pyramids and tetrahedra of four or ten nodes, shells of three and four "
+                        "nodes, beams of two nodes"));
   }
 
  private:
@@ -125,6 +126,11 @@ class KeywordReader {
     const std::size_t different = count_different(nodes);
     if (nodes.size() == 8 && different == 8) {
       const TextKind kind{"ELEMENT_SOLID", TopologyKind::hex8, 8, IdSpace::elements};
+      return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, place);
+    }
+    if (nodes.size() == tet10_nodes && different == tet10_nodes) {
+      const TextKind kind{"ELEMENT_SOLID, tetrahedron of ten nodes", TopologyKind::tet4, std::int64_t{tet10_nodes},
+                          IdSpace::elements};
       return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, place);
     }
     const std::vector<std::int64_t> corners = find_tetrahedron(nodes);

@@ -119,6 +119,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files
   part.node_sets = list_names(mesh.node_sets);
   part.side_sets = list_names(mesh.side_sets);
   part.warnings = mesh.warnings;
+  part.notes = mesh.notes;
   part.file = std::move(file);
 }
 

@@ -49,6 +49,7 @@ struct ScenePart {
   int first_node_set = 0, first_side_set = 0;     // places among those of all parts
   std::string error;                              // what is wrong, without its place; such a part is left out
   std::vector<Warning> warnings;                  // rank 0, likewise
+  std::vector<std::string> notes;                 // of Mesh::notes; rank 0, likewise
 };
 
 /// A node that several parts have: all keys with one root are one node.

@@ -13,6 +13,7 @@
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/reading/collapsed_elements.hpp"
+#include "src/mesh/reading/cut_elements.hpp"
 #include "src/mesh/reading/mesh_reader.hpp"
 
 namespace percuss {
@@ -125,6 +126,7 @@ class PartReader {
   PartMesh read() {
     file_node_ids_ = accept_ids(file_.read_node_ids(), "node", mesh_);
     file_element_ids_ = accept_ids(file_.read_element_ids(), "element", mesh_);
+    if (std::any_of(choice_.blocks.begin(), choice_.blocks.end(), is_cut)) prepare_cuts();
     read_elements();
     throw_problems();  // what follows relies on indexes in range
     drop_unused_nodes();
@@ -135,6 +137,7 @@ class PartReader {
     read_element_sets();
     name_sides_of_shells();
     throw_problems();
+    if (cut_.size() > 0) mesh_.notes.push_back(describe_cuts());
     for (const std::string& note : file_.notes()) mesh_.warnings.push_back({"unread_content", note, "", 0, 1});
     return std::move(mesh_);
   }
@@ -142,6 +145,29 @@ class PartReader {
  private:
   void throw_problems() const {
     if (!problems_.empty()) throw InputError(problems_.join(""));
+  }
+
+  /// Places, which choose how elements are cut, and ids of pieces.
+  void prepare_cuts() {
+    places_ = file_.read_coordinates();
+    std::optional<std::int64_t> stride = find_piece_stride(file_element_ids_, highest_id);
+    if (!stride) {
+      mesh_.warnings.push_back({"file_ids",
+                                "the file's element ids leave no room for those of the pieces of tetrahedra of ten "
+                                "nodes (percuss numbers elements by their position in the file)",
+                                "", 0, 1});
+      std::iota(file_element_ids_.begin(), file_element_ids_.end(), std::int64_t{1});
+      stride = find_piece_stride(file_element_ids_, highest_id);
+    }
+    piece_stride_ = *stride;
+  }
+
+  std::string describe_cuts() const {
+    return fmt::format(
+        "tetrahedra of ten nodes, cut into eight of four: {} into {} (pieces of element N: N, N + {}, N + {}, ..., N + "
+        "{})",
+        cut_.size(), tet10_pieces * cut_.size(), piece_stride_, 2 * piece_stride_,
+        static_cast<std::int64_t>(tet10_pieces - 1) * piece_stride_);
   }
 
   void read_elements() {
@@ -152,8 +178,10 @@ class PartReader {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
         if (!choice_.elements.empty() && choice_.elements[in_file] == 0) continue;
         file_to_part_element_[in_file] = static_cast<int>(mesh_.elements.size());
+        ++taken_elements_;
         mesh_.element_ids.push_back(file_element_ids_[in_file]);
-        add_element(read_corners(corners, e, block), block);
+        std::vector<int> nodes = read_corners(corners, e, block);
+        is_cut(block) ? add_pieces(nodes, block) : add_element(std::move(nodes), block);
       }
     }
   }
@@ -172,6 +200,19 @@ class PartReader {
                       mesh_.element_ids.back(), block.name, node, c + 1, file_.node_count()));
     }
     return nodes;
+  }
+
+  /// The first piece has the id of the element.
+  void add_pieces(const std::vector<int>& nodes, const FileBlock& block) {
+    cut_.add(static_cast<int>(mesh_.elements.size()));
+    const std::int64_t id = mesh_.element_ids.back();
+    const auto pieces = cut_tet10(find_shortest_diagonal(nodes, places_, file_node_ids_));
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      if (p > 0) mesh_.element_ids.push_back(id + static_cast<std::int64_t>(p) * piece_stride_);
+      std::vector<int> corners;
+      for (const int place : pieces[p]) corners.push_back(nodes[static_cast<std::size_t>(place)]);
+      mesh_.elements.add(find_block(block.name, TopologyKind::tet4), corners);
+    }
   }
 
   void add_element(std::vector<int> nodes, const FileBlock& block) {
@@ -198,7 +239,7 @@ class PartReader {
   }
 
   void drop_unused_nodes() {
-    const std::vector<Vec3> nodes = file_.read_coordinates();
+    const std::vector<Vec3> nodes = places_.empty() ? file_.read_coordinates() : std::exchange(places_, {});
     std::vector<char> used(nodes.size(), 0);
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
       for (const int node : mesh_.elements.corners(e)) used[static_cast<std::size_t>(node)] = 1;
@@ -220,7 +261,7 @@ class PartReader {
   void warn_of_unused_nodes() {
     const std::size_t unused = file_to_part_node_.size() - mesh_.nodes.size();
     // With only some blocks chosen, the others are what uses the rest.
-    if (unused == 0 || mesh_.elements.size() != static_cast<std::size_t>(file_.element_count())) return;
+    if (unused == 0 || taken_elements_ != file_.element_count()) return;
     const auto first = std::find(file_to_part_node_.begin(), file_to_part_node_.end(), not_chosen);
     mesh_.warnings.push_back({"unused_nodes",
                               fmt::format("{} nodes belong to no element and are dropped, the first is node {}", unused,
@@ -256,6 +297,10 @@ class PartReader {
         }
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
+        if (cut_.has(in_part)) {
+          add_faces_of_pieces(set, in_part, side, faces);
+          continue;
+        }
         const Topology& topology =
             collapsed_.has(in_part) ? hex8_topology : mesh_.elements.topology_of(static_cast<std::size_t>(in_part));
         int face = file_.find_face(topology, side);
@@ -263,7 +308,7 @@ class PartReader {
           face = collapsed_.find_face(mesh_.elements, in_part, face, file_to_part_node_);
           if (face < 0) continue;  // a side without area
         }
-        if (face < 0) {
+        if (face < 0 || face >= topology.face_count) {
           problems_.add(fmt::format(
               "side set '{}' names side {} of element {} ({})", set.name, side,
               mesh_.element_ids[static_cast<std::size_t>(in_part)],
@@ -278,6 +323,15 @@ class PartReader {
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     }
+  }
+
+  void add_faces_of_pieces(const FileSet& set, int first_piece, std::int64_t side, std::vector<ElementFace>& faces) {
+    const std::vector<ElementFace> found =
+        CutElements::find_faces(mesh_.elements, first_piece, file_.find_face(tet4_topology, side));
+    if (found.empty())
+      problems_.add(fmt::format("side set '{}' names side {} of element {} (a tetrahedron has the sides 1 to 4)",
+                                set.name, side, mesh_.element_ids[static_cast<std::size_t>(first_piece)]));
+    faces.insert(faces.end(), found.begin(), found.end());
   }
 
   /// An element set is a set of all faces of its elements; selections of faces keep the exterior ones.
@@ -301,7 +355,8 @@ class PartReader {
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
         const int count = mesh_.elements.topology_of(static_cast<std::size_t>(in_part)).face_count;
-        for (int face = 0; face < count; ++face) faces.push_back({in_part, face});
+        for (int piece = in_part; piece < in_part + cut_.count_pieces(in_part); ++piece)
+          for (int face = 0; face < count; ++face) faces.push_back({piece, face});
       }
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -326,6 +381,9 @@ class PartReader {
   std::vector<std::int64_t> file_node_ids_, file_element_ids_;
   std::vector<int> file_to_part_node_, file_to_part_element_;
   CollapsedElements collapsed_;
+  CutElements cut_;
+  std::vector<Vec3> places_;  // of the file's nodes, while elements are cut
+  std::int64_t piece_stride_ = 0, taken_elements_ = 0;
   PartMesh mesh_;
   Problems problems_;
 };

@@ -44,10 +44,23 @@ WallPlane make_wall_plane(const WallDeck& wall) {
   return plane;
 }
 
+/// Walls that pictures show, among those that move.
+std::vector<std::size_t> list_drawn_walls(const Deck& deck) {
+  std::vector<std::size_t> drawn;
+  std::size_t moving = 0;
+  for (const WallDeck& wall : deck.walls) {
+    if (wall.moves() && !wall.is_round()) drawn.push_back(moving);
+    moving += wall.moves() ? 1 : 0;
+  }
+  return drawn;
+}
+
 FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
   FieldsOptions options{.title = deck.title, .units = deck.units};
-  for (const WallDeck& wall : deck.walls)
+  for (const WallDeck& wall : deck.walls) {
+    if (wall.is_round()) continue;
     (wall.moves() ? options.moving_walls : options.walls).push_back(make_wall_plane(wall));
+  }
   if (!deck.output.has_format(FieldsFormat::exodus)) return options;
   NamedSets sets = find_named_sets(deck, mesh);
   options.node_sets = std::move(sets.of_nodes);
@@ -59,7 +72,7 @@ FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact)
-    : model_(model), contact_(contact), names_(list_fields(deck, model)) {
+    : model_(model), contact_(contact), names_(list_fields(deck, model)), drawn_walls_(list_drawn_walls(deck)) {
   const FieldsOptions options = make_options(deck, chunked.mesh);
   if (deck.output.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(directory, chunked, options, model.ranks);
   if (deck.output.has_format(FieldsFormat::exodus)) exodus_.emplace(directory, chunked, options, model.ranks);
@@ -68,7 +81,11 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact, std::int64_t frames)
-    : model_(model), contact_(contact), names_(list_fields(deck, model)), count_(frames) {
+    : model_(model),
+      contact_(contact),
+      names_(list_fields(deck, model)),
+      drawn_walls_(list_drawn_walls(deck)),
+      count_(frames) {
   const FieldsOptions options = make_options(deck, chunked.mesh);
   if (deck.output.has_format(FieldsFormat::vtkhdf))
     vtkhdf_.emplace(directory, chunked, options, model.ranks, frames, names_);
@@ -216,9 +233,9 @@ void Frames::write(const State& state) {
   }
   const auto x = to_host(state.x);
   const std::span<const double> positions{x.data(), x.extent(0) * 3};
-  std::vector<double> walls = contact_.list_wall_motions();  // displacement and speed of each
-  for (std::size_t i = 0; 2 * i < walls.size(); ++i) walls[i] = walls[2 * i];
-  walls.resize(walls.size() / 2);
+  const std::vector<double> motions = contact_.list_wall_motions();  // displacement and speed of each
+  std::vector<double> walls;
+  for (const std::size_t i : drawn_walls_) walls.push_back(motions[2 * i]);
   if (vtkhdf_) vtkhdf_->write_frame(state.time, state.step, positions, frame, walls);
   if (exodus_) exodus_->write_frame(state.time, state.step, positions, frame);
   ++count_;

@@ -42,7 +42,8 @@ class Frames {
 
   const Model& model_;
   const ContactStage& contact_;
-  std::vector<std::string> names_;    // of the fields
+  std::vector<std::string> names_;  // of the fields
+  std::vector<std::size_t> drawn_walls_;
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
   std::optional<FieldsFile> vtkhdf_;
   std::optional<ExodusResults> exodus_;

@@ -110,9 +110,9 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
-                       fmt::format("displacement of wall '{}' along its normal", name)});
-    columns.push_back(
-        {"wall_speed:" + name, dimensions::velocity, fmt::format("speed of wall '{}' along its normal", name)});
+                       fmt::format("displacement of wall '{}' along its normal or direction", name)});
+    columns.push_back({"wall_speed:" + name, dimensions::velocity,
+                       fmt::format("speed of wall '{}' along its normal or direction", name)});
   }
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());

@@ -92,7 +92,8 @@ std::vector<BadMesh> list_bad_meshes() {
          m.side_sets.clear();
          m.blocks[0] = {10, "q", "HEX20", 20, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8}};
        },
-       {"HEX20", "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4, BEAM2, BAR2, TRUSS2, ROD2, WEDGE6, PYR5 can be run"}},
+       {"HEX20",
+        "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4, BEAM2, BAR2, TRUSS2, ROD2, WEDGE6, PYR5, TETRA10 can be run"}},
       {"quadratic_triangles",
        [](auto& m) {
          m.blocks[0] = {10, "t", "TRI6", 6, {1, 2, 3, 4, 5, 6}};

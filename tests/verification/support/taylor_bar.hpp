@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/src/mesh/files/ten_nodes.hpp"
 #include "tests/verification/support/mapped_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
@@ -27,14 +28,16 @@ struct TaylorShape {
 
 enum class TaylorFoot { held, on_wall };
 /// What the cells of its mesh are.
-enum class TaylorCells { hexahedra, tetrahedra, wedges };
+enum class TaylorCells { hexahedra, tetrahedra, tetrahedra_of_ten_nodes, wedges };
 
 /// Runs a quarter of the bar between its planes of symmetry: 3 n^2 elements a section, 20 n sections; the mesh that a
 /// generated cylinder with `cells: [4 n, 20 n]` has there.
 inline TaylorShape run_taylor_bar(int n, TaylorFoot foot, const std::string& elements = "{}",
                                   TaylorCells cells = TaylorCells::hexahedra) {
   testing_mesh::WrittenMesh mesh = make_quarter_cylinder(3.2e-3, 32.4e-3, n, 20 * n);
-  if (cells == TaylorCells::tetrahedra) cut_into_tetrahedra(mesh);
+  const bool have_ten = cells == TaylorCells::tetrahedra_of_ten_nodes;
+  if (cells == TaylorCells::tetrahedra || have_ten) cut_into_tetrahedra(mesh);
+  if (have_ten) testing_mesh::raise_to_ten_nodes(mesh);
   if (cells == TaylorCells::wedges) cut_into_wedges(mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "taylor_bar.exo"));
   const bool held = foot == TaylorFoot::held;

@@ -23,6 +23,14 @@ TEST(Tetrahedra, OfTheMixedFormMakeTheTaylorBarOfTheReference) {
   EXPECT_LT(fine.energy_error, 2e-3);
 }
 
+// 720 elements of ten nodes are 5760 of four, as the finer bar above has.
+TEST(Tetrahedra, OfTenNodesMakeTheTaylorBarOfTheReference) {
+  const TaylorShape bar = run_taylor_bar(1, TaylorFoot::held, "{}", TaylorCells::tetrahedra_of_ten_nodes);
+  EXPECT_NEAR(bar.length, taylor_length, 0.007 * taylor_length);
+  EXPECT_NEAR(bar.mean_foot(), taylor_radius, 0.02 * taylor_radius);
+  EXPECT_LT(bar.energy_error, 2e-3);
+}
+
 TEST(Tetrahedra, OfThePlainFormLock) {
   const TaylorShape plain = run_tets(1, "{tetrahedra: plain}"), mixed = run_tets(1, "{}");
   EXPECT_LT(plain.mean_foot(), 0.9 * taylor_radius);

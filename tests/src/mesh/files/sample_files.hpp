@@ -203,6 +203,53 @@ joined cubes
  7850.
 )";
 
+/// One tetrahedron of ten nodes, with a side: by its three corners and three middles, and by its triangles.
+inline const std::string gmsh_of_ten = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+10
+1 0 0 0
+2 2 0 0
+3 0 2 0
+4 0 0 2
+5 1 0 0
+6 1 1 0
+7 0 1 0
+8 0 0 1
+9 1 0 1
+10 0 1 1
+$EndNodes
+$Elements
+2
+1 9 2 3 1 1 3 2 7 6 5
+2 11 2 7 1 1 2 3 4 5 6 7 8 10 9
+$EndElements
+)";
+inline const std::string keyword_of_ten = R"(*KEYWORD
+*NODE
+1, 0., 0., 0.
+2, 2., 0., 0.
+3, 0., 2., 0.
+4, 0., 0., 2.
+5, 1., 0., 0.
+6, 1., 1., 0.
+7, 0., 1., 0.
+8, 0., 0., 1.
+9, 1., 0., 1.
+10, 0., 1., 1.
+*ELEMENT_SOLID
+2, 7
+1, 2, 3, 4, 5, 6, 7, 8, 9, 10
+*SET_SEGMENT
+3
+1, 7, 5, 5
+7, 3, 6, 6
+5, 6, 2, 2
+5, 7, 6, 6
+*END
+)";
+
 template <class T>
 void append_bytes(std::string& text, T value) {
   char bytes[sizeof(T)];
