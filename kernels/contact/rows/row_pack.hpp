@@ -174,4 +174,15 @@ KOKKOS_FORCEINLINE_FUNCTION void share_pack(const RowPack& pack, const Rows4<dou
   for (int slot = 0; slot < row_nodes; ++slot) store_share(pack, slot, force.spread(pack, slot), shares);
 }
 
+/// dv of a place in the extrapolated iterate of the packs.
+KOKKOS_INLINE_FUNCTION void set_dv(const RowPacks& packs, int a, const Point3& dv) {
+  store_row(packs.dv, a, dv);
+  packs.dv(a, 3) = 0;
+  packs.moved(a) = dv.x != 0 || dv.y != 0 || dv.z != 0 ? 1 : 0;
+}
+
+KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before, double beta) {
+  return beta > 0 ? dv + beta * (dv - before) : dv;
+}
+
 }  // namespace percuss

@@ -1,7 +1,5 @@
 #include "kernels/contact/rows/row_packs.hpp"
 
-#include "kernels/contact/rows/place_velocity.hpp"
-
 namespace percuss {
 namespace {
 
