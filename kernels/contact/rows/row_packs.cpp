@@ -5,12 +5,6 @@ namespace {
 
 KOKKOS_INLINE_FUNCTION Point3 multiply(const Point3& a, const Point3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane, const Point3& a) {
-  values[0][lane] = a.x;
-  values[1][lane] = a.y;
-  values[2][lane] = a.z;
-}
-
 /// A lane without a row: its impulse is 0 and stays so.
 KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
   for (int slot = 0; slot < row_nodes; ++slot) {
@@ -46,26 +40,17 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   for (int d = 0; d < 2; ++d) set_lane(pack.tangent[d], lane, row.tangent[d]);
   pack.tied[lane] = is_tie(row) ? 1 : 0;
   pack.row[lane] = r;
+  const Point3 tilt = row.gap_gradient - row.normal;
+  if (tilt.x != 0 || tilt.y != 0 || tilt.z != 0) pack.tilted = 1;
   if (row.friction > 0) pack.rubs = 1;
   if (is_tie(row)) pack.ties = 1;
-}
-
-/// What it asks for and begins with.
-KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
-  set_lane(pack.gap_gradient, lane, row.gap_gradient);
-  pack.missing[lane] = row.gap - row.target;
-  pack.friction[lane] = is_tie(row) ? 0 : row.friction;
-  pack.stiffness[0][lane] = row.stiffness;
-  pack.stiffness[1][lane] = row.rub_stiffness;
-  for (int d = 0; d < 2; ++d) pack.slide[d][lane] = row.slide[d];
-  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
-  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
 }
 
 /// From now on the nodes of the pack are looked at.
 KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
   for (const auto& places : pack.place)
-    for (const int place : places) Kokkos::atomic_fetch_or(&stirred(place), 1);
+    for (const int place : places)
+      if (stirred(place) == 0) Kokkos::atomic_fetch_or(&stirred(place), 1);
 }
 
 KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>& moved) {
@@ -131,7 +116,7 @@ void pack_geometry(const Space& space, RowSystem& system) {
   Kokkos::parallel_for(
       "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = pack.ties = 0;
+        pack.rubs = pack.ties = pack.tilted = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int place = i * RowPack::lanes + lane;
           const int r = place < num_rows ? p.order(place) : -1;
@@ -160,6 +145,7 @@ void pack_rows(const Space& space, RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> wants = system.wants;
   const Rows4<double> shares = system.shares;
+  const bool has_bodies = system.bodies.count() > 0;  // hold_rows_within_bodies() may have changed rows since
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
@@ -167,7 +153,7 @@ void pack_rows(const Space& space, RowSystem& system) {
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int r = pack.row[lane];
           if (r < 0) continue;
-          set_state(pack, lane, rows(r));
+          if (has_bodies) set_state(pack, lane, rows(r));
           if (wants(r) != 0) p.active(i) = 1;
         }
         share_pack(pack, shares);
