@@ -72,7 +72,7 @@ namespace filling {
 KOKKOS_FORCEINLINE_FUNCTION PackedPoint no_points() { return {Packed(0), Packed(0), Packed(0)}; }
 
 /// Vectors shortened to `longest`.
-KOKKOS_FORCEINLINE_FUNCTION PackedPoint shorten(const PackedPoint& a, const Packed& longest) {
+KOKKOS_FORCEINLINE_FUNCTION PackedPoint shorten_lanes(const PackedPoint& a, const Packed& longest) {
   const Packed length = norm(a);
   const auto is_long = length > longest;
   const Packed factor = longest / select(is_long, length, Packed(1));
@@ -80,7 +80,7 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint shorten(const PackedPoint& a, const Pack
 }
 
 /// invert() of point3.hpp.
-KOKKOS_FORCEINLINE_FUNCTION Symmetric3<Packed> invert(const Symmetric3<Packed>& a) {
+KOKKOS_FORCEINLINE_FUNCTION Symmetric3<Packed> invert_lanes(const Symmetric3<Packed>& a) {
   const Packed xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz, zx = a.xy * a.yz - a.yy * a.zx;
   const Packed yy = a.xx * a.zz - a.zx * a.zx, yz = a.xy * a.zx - a.xx * a.yz, zz = a.xx * a.yy - a.xy * a.xy;
   const Packed determinant = a.xx * xx + a.xy * xy + a.zx * zx, zero(0);
@@ -108,7 +108,7 @@ KOKKOS_FORCEINLINE_FUNCTION void set_arms(const TouchPack& touch, const Rows3<co
     inertia = inertia + Symmetric3<Packed>{p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
                                            -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
   }
-  row.inverse_inertia = invert(inertia);
+  row.inverse_inertia = invert_lanes(inertia);
 }
 
 /// Velocities of the two sides relative to each other.
@@ -163,7 +163,7 @@ KOKKOS_FORCEINLINE_FUNCTION void set_rubs(const TouchPack& touch, const SideVelo
   const auto goes_on = load_pack(touch.continues) > zero;
   set_tangents(row);
   const PackedPoint v = select_point(load_pack(touch.thickness) > zero, velocity.work, velocity.relative);
-  const PackedPoint owed = shorten(load_point(touch.slip), Packed(inputs.longest_slip) * load_pack(touch.size));
+  const PackedPoint owed = shorten_lanes(load_point(touch.slip), Packed(inputs.longest_slip) * load_pack(touch.size));
   for (int d = 0; d < 2; ++d) {
     row.tangent[d] = select_point(has_friction, row.tangent[d], no_points());
     const Packed slide = Packed(inputs.motion.dt) * dot(v, row.tangent[d]);
