@@ -6,18 +6,6 @@
 
 namespace percuss {
 
-/// measure_distance() of faces, one a lane, at their closest points, along push directions.
-KOKKOS_FORCEINLINE_FUNCTION Packed measure_distances(const CornerPack& face, const ClosestPack& closest,
-                                                     const PackedPoint& push) {
-  const auto weighted = [&](int i) { return load_pack(closest.weight[i]) * load_point(face.of[i]); };
-  const PackedPoint place = (weighted(0) + weighted(1)) + (weighted(2) + weighted(3)),
-                    normal = load_point(closest.normal);
-  const Packed cosine = dot(normal, push);
-  const auto is_seen = cosine > Packed(least_push_cosine);
-  const Packed scale = Packed(1) / select(is_seen, cosine, Packed(1));
-  return -dot(select_point(is_seen, scale * normal, push), place);
-}
-
 template <Thickness thickness>
 struct OwedStarts {
   int count = 0;
