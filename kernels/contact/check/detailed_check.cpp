@@ -1,6 +1,6 @@
 #include "kernels/contact/check/detailed_check.hpp"
 
-#include "kernels/contact/check/owed_starts.hpp"
+#include "kernels/contact/check/node_check.hpp"
 #include "kernels/contact/surface/listed_faces.hpp"
 #include "kernels/core/index_lists.hpp"
 
@@ -157,12 +157,16 @@ void prepare_faces(const Space& space, const MovingSurface& surface, const Candi
       "contact::prepare_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
         if (moving.faces.is_prepared(face) == 0) return;
+        if (has_shells) {  // half of the faces around a node are those of the other side, which little touches
+          moving.faces.vertex(face) = find_vertex_normals(moving.surface, moving.faces, face, [](int) { return true; });
+          moving.faces.outward(face) = find_outward_directions(moving, face);
+          return;
+        }
         for (int k = 0; k < 4; ++k) {
           const int corner = moving.surface.face_corners(face, k);
           if (is_first_prepared(moving.surface, moving.faces, corner, face))
             set_vertex_normals_at(moving.surface, moving.faces, corner);
         }
-        if (has_shells) moving.faces.outward(face) = find_outward_directions(moving, face);
       });
 }
 
@@ -323,52 +327,31 @@ struct StillTouches {
   }
 };
 
-/// Checks nodes in stretches: what touches owe is settled once a stretch.
-template <Thickness thickness>
-struct NodeChecker {
-  static constexpr int stretch = 64;
-
-  CheckInputs inputs;
-  CandidateList candidates;
-  TouchTable table;
-  bool is_listed;  // whether TouchTable::checked names the nodes to be checked, or it is all of them
-  int num_checked;
-
-  static int count_stretches(int nodes) { return (nodes + stretch - 1) / stretch; }
-
-  /// found: touches that are not those of the check before.
-  KOKKOS_INLINE_FUNCTION void operator()(int s, int& found) const {
-    const int first = s * stretch, end = first + stretch < num_checked ? first + stretch : num_checked;
-    OwedStarts<thickness> owed;
-    for (int k = first; k < end; ++k) {
-      const int node = candidates.nodes(is_listed ? table.checked(k) : k);
-      found += check(node);
-      owed.add(inputs, node, table.by_node(node));
-    }
-    owed.settle();
-  }
-
- private:
-  KOKKOS_INLINE_FUNCTION int check(int node) const {
-    const bool leaves_out = candidates.with_history.extent(0) > 0 && !has_history(inputs.history_face, node);
-    NodeCandidates own{candidates.face, candidates.with_history, leaves_out, candidates.offset(node),
-                       candidates.offset(node + 1)};
-    own.first = find_first_near(inputs, node, own);
-    NodeTouches& touches = table.by_node(node);
-    const StillTouches before(is_listed && table.is_still(node) != 0 ? &touches : nullptr);
-    if (own.first == own.last)
-      touches.count = 0;
-    else
-      check_node_flat<thickness>(inputs, node, own, touches);
-    return before.are(touches, table.near_moved) ? 0 : touches.count;
-  }
-};
-
+/// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
 template <Thickness thickness, class Space>
-void check_nodes(const Space& space, const NodeChecker<thickness>& checker, int& num_new) {
-  Kokkos::parallel_reduce("contact::detailed_check",
-                          RangeOf<Space>(space, 0, NodeChecker<thickness>::count_stretches(checker.num_checked)),
-                          checker, num_new);
+void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, bool is_listed,
+                 int num_checked, TouchTable& table) {
+  const CheckInputs in = inputs;
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  const Array<const int> with_history = candidates.with_history;
+  const bool has_marks = with_history.extent(0) > 0;
+  const Array<NodeTouches> by_node = table.by_node;
+  const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
+  Kokkos::parallel_reduce(
+      "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
+      KOKKOS_LAMBDA(int k, int& found) {
+        const int node = nodes(is_listed ? checked(k) : k);
+        NodeCandidates own{face, with_history, has_marks && !has_history(in.history_face, node), offset(node),
+                           offset(node + 1)};
+        own.first = find_first_near(in, node, own);
+        const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
+        if (own.first == own.last)
+          by_node(node).count = 0;
+        else
+          check_node_flat<thickness>(in, node, own, by_node(node));
+        found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
+      },
+      table.num_new);
 }
 
 }  // namespace
@@ -383,9 +366,9 @@ void find_touches(const Space& space, const CheckInputs& inputs, const Candidate
   const int num_checked = list_checked_nodes(space, inputs, candidates, still, table);
   const bool is_listed = still.is_watched();
   if (surface.offsets.largest > 0)
-    check_nodes<Thickness::of_shells>(space, {inputs, candidates, table, is_listed, num_checked}, table.num_new);
+    check_nodes<Thickness::of_shells>(space, inputs, candidates, is_listed, num_checked, table);
   else
-    check_nodes<Thickness::none>(space, {inputs, candidates, table, is_listed, num_checked}, table.num_new);
+    check_nodes<Thickness::none>(space, inputs, candidates, is_listed, num_checked, table);
   const Array<const int> nodes = candidates.nodes;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<int> place_of_first = table.first;

@@ -156,7 +156,7 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
 }
 
 /// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
-/// negative. accepted: out; its gaps at n may still be owed (Touch::owes_start).
+/// negative. accepted: out.
 template <Thickness thickness, class Faces>
 KOKKOS_INLINE_FUNCTION void check_node(const CheckInputs& inputs, int node, const Faces& candidates,
                                        NodeTouches& accepted) {
@@ -179,9 +179,10 @@ KOKKOS_INLINE_FUNCTION void check_node(const CheckInputs& inputs, int node, cons
   accepted.count = 0;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
-    accepted.touch[accepted.count] = found.touch[i];
-    claim_record(accepted, accepted.touch[accepted.count]);
-    ++accepted.count;
+    Touch touch = found.touch[i];
+    settle_start<thickness>(inputs, checked, touch);
+    claim_record(accepted, touch);
+    accepted.touch[accepted.count++] = touch;
     decide_around(surface, motion, faces, found, i, decided);
   }
   sort_by_face(accepted);

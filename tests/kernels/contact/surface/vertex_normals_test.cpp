@@ -1,6 +1,4 @@
-// What is found of touches and of nodes together, against what is found of them one by one.
-
-#include "kernels/contact/check/owed_starts.hpp"
+// Vertex normals of the faces around a node, found together, against those of one face.
 
 #include <gtest/gtest.h>
 
@@ -17,48 +15,6 @@ struct Draw {
   double value(double largest) { return largest * (2 * (static_cast<double>(random()) / 4294967295.0) - 1); }
   Point3 point(double largest) { return {value(largest), value(largest), value(largest)}; }
 };
-
-/// Bricks with crooked faces.
-BrickScene draw_bricks(Draw& draw) {
-  BrickScene bricks = make_pile();
-  for (Point3& x : bricks.x) x = x + draw.point(0.2);
-  for (Point3& v : bricks.v) v = v + draw.point(1);
-  return bricks;
-}
-
-TEST(OwedStarts, EachTouchHasTheGapThatItWouldHaveAlone) {
-  Draw draw;
-  const CheckedScene scene(draw_bricks(draw), 0.01);
-  const CheckInputs inputs = scene.inputs();
-  constexpr int nodes = 16;
-  NodeTouches together[nodes], alone[nodes];
-  for (int node = 0; node < nodes; ++node) {
-    together[node].count = node % (contact_limits::max_touches + 1);
-    for (int i = 0; i < together[node].count; ++i) {
-      Touch& touch = together[node].touch[i];
-      start_touch((5 * node + i) % scene.surface.num_faces, 1, 0, touch);
-      touch.normal = normalize(load_row(scene.faces.normal, touch.face) + draw.point(i == 0 ? 0.1 : 2));
-      touch.gap_start = -7;
-      touch.owes_start = i != 1;
-    }
-    alone[node] = together[node];
-  }
-  OwedStarts<Thickness::none> owed;
-  for (int node = 0; node < nodes; ++node) owed.add(inputs, node, together[node]);
-  owed.settle();
-  int found = 0;
-  for (int node = 0; node < nodes; ++node) {
-    const CheckedNode checked = load_checked_node(scene.surface, scene.motion, node);
-    for (int i = 0; i < alone[node].count; ++i, ++found) {
-      settle_start<Thickness::none>(inputs, checked, alone[node].touch[i]);
-      EXPECT_EQ(together[node].touch[i].gap_start, alone[node].touch[i].gap_start);
-      EXPECT_FALSE(together[node].touch[i].owes_start);
-      const double kept = together[node].touch[i].gap_start;
-      EXPECT_TRUE(i != 1 || kept == -7) << kept;
-    }
-  }
-  EXPECT_EQ(found, 24);
-}
 
 /// One node that is a corner of `around` faces, whose normals are drawn, and no two of which share another node.
 struct Hub {
