@@ -46,11 +46,15 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   if (is_tie(row)) pack.ties = 1;
 }
 
-/// From now on the nodes of the pack are looked at.
-KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
+/// From now on the nodes of the pack are looked at. is_alone: no other thread does so at the same time.
+KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, bool is_alone, const Array<int>& stirred) {
   for (const auto& places : pack.place)
-    for (const int place : places)
-      if (stirred(place) == 0) Kokkos::atomic_fetch_or(&stirred(place), 1);
+    for (const int place : places) {
+      if (is_alone)
+        stirred(place) = 1;
+      else
+        Kokkos::atomic_fetch_or(&stirred(place), 1);
+    }
 }
 
 KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>& moved) {
@@ -145,6 +149,7 @@ void pack_rows(const Space& space, RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> wants = system.wants;
   const Rows4<double> shares = system.shares;
+  const bool is_alone = space.concurrency() == 1;
   const bool has_bodies = system.bodies.count() > 0;  // hold_rows_within_bodies() may have changed rows since
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
@@ -157,7 +162,7 @@ void pack_rows(const Space& space, RowSystem& system) {
           if (wants(r) != 0) p.active(i) = 1;
         }
         share_pack(pack, shares);
-        if (p.active(i) != 0) stir(pack, p.stirred);
+        if (p.active(i) != 0) stir(pack, is_alone, p.stirred);
       });
   const Array<const int> remote_place = system.remote_place;
   Kokkos::parallel_for(
@@ -202,15 +207,17 @@ template <class Space>
 PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
   const RowPacks p = system.packs;
   const Rows4<double> shares = system.shares;
-  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, query] KOKKOS_FUNCTION(int i, PassSums& s) {
-    RowPack& pack = p.pack(i);
-    if (p.active(i) == 0) {
-      if (!is_moved(pack, p.moved)) return;
-      p.active(i) = 1;
-      stir(pack, p.stirred);
-    }
-    advance_pack(pack, p.dv, shares, query, s);
-  });
+  const bool is_alone = space.concurrency() == 1;
+  return sum_rows<PassSums>(space, p.count, memory.pass,
+                            [p, shares, query, is_alone] KOKKOS_FUNCTION(int i, PassSums& s) {
+                              RowPack& pack = p.pack(i);
+                              if (p.active(i) == 0) {
+                                if (!is_moved(pack, p.moved)) return;
+                                p.active(i) = 1;
+                                stir(pack, is_alone, p.stirred);
+                              }
+                              advance_pack(pack, p.dv, shares, query, s);
+                            });
 }
 
 template <class Space>
