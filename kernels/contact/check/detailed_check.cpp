@@ -119,22 +119,54 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node
   return first;
 }
 
-/// Finds the directions of faces that the check before read more than once. In: normals and slabs of this step.
+/// Marks the faces that the check before read often enough; returns how many.
+template <class Space>
+int mark_read_faces(const Space& space, const FaceState& state, const CandidateList& candidates) {
+  const FaceState faces = state;
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  int count = 0;
+  Kokkos::parallel_reduce(
+      "contact::mark_read_faces", RangeOf<Space>(space, 0, candidates.num_faces),
+      KOKKOS_LAMBDA(int i, int& marked) {
+        const int face = list(i);
+        const bool is_worth_it = is_boxed(i) != 0 && faces.reads(face) >= faces.worth_preparing();
+        faces.is_prepared(face) = is_worth_it ? 1 : 0;
+        faces.reads(face) = 0;
+        marked += is_worth_it ? 1 : 0;
+      },
+      count);
+  return count;
+}
+
+/// Whether of the faces around a node that are prepared this one comes first.
+KOKKOS_INLINE_FUNCTION bool is_first_prepared(const ContactSurface& surface, const FaceState& faces, int node,
+                                              int face) {
+  int j = surface.nodes_to_faces_offset(node);
+  while (faces.is_prepared(surface.nodes_to_faces(j)) == 0) ++j;
+  return surface.nodes_to_faces(j) == face;
+}
+
+/// Finds the directions of faces that the check before read. In: normals and slabs of this step.
 template <class Space>
 void prepare_faces(const Space& space, const MovingSurface& surface, const CandidateList& candidates) {
-  if (surface.faces.is_prepared.extent(0) == 0) return;
+  if (surface.faces.is_prepared.extent(0) == 0 || mark_read_faces(space, surface.faces, candidates) == 0) return;
   const MovingSurface moving = surface;
-  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const Array<const int> list = candidates.faces;
+  const bool has_shells = surface.surface.offsets.largest > 0;
   Kokkos::parallel_for(
       "contact::prepare_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
-        const FaceState& faces = moving.faces;
-        const bool is_worth_it = is_boxed(i) != 0 && faces.reads(face) >= FaceState::worth_preparing;
-        faces.is_prepared(face) = is_worth_it ? 1 : 0;
-        faces.reads(face) = 0;
-        if (!is_worth_it) return;
-        faces.vertex(face) = find_vertex_normals(moving.surface, faces, face, [](int) { return true; });
-        faces.outward(face) = find_outward_directions(moving, face);
+        if (moving.faces.is_prepared(face) == 0) return;
+        if (has_shells) {  // half of the faces around a node are those of the other side, which little touches
+          moving.faces.vertex(face) = find_vertex_normals(moving.surface, moving.faces, face, [](int) { return true; });
+          moving.faces.outward(face) = find_outward_directions(moving, face);
+          return;
+        }
+        for (int k = 0; k < 4; ++k) {
+          const int corner = moving.surface.face_corners(face, k);
+          if (is_first_prepared(moving.surface, moving.faces, corner, face))
+            set_vertex_normals_at(moving.surface, moving.faces, corner);
+        }
       });
 }
 

@@ -6,6 +6,7 @@
 // pushed (kept), or went through it in the last step unseen (passed). A node behind a face that it did not go through
 // is not in contact with it. Nothing here depends on what other pairs exist.
 
+#include "kernels/contact/check/end_pack.hpp"
 #include "kernels/contact/check/touch.hpp"
 #include "kernels/contact/geometry/swept_root.hpp"
 #include "kernels/contact/surface/face_pack.hpp"
@@ -34,12 +35,6 @@ KOKKOS_INLINE_FUNCTION double find_row_gap(const Touch& touch) {
   return touch.record >= 0 || gap > widest ? widest : gap;
 }
 
-KOKKOS_INLINE_FUNCTION double find_longest_way(const FacePoints& move) {
-  double longest = 0;
-  for (int i = 0; i < 4; ++i) longest = larger(longest, dot(move.corner[i], move.corner[i]));
-  return std::sqrt(longest);
-}
-
 /// Bounds leave this much room for round-off.
 inline constexpr double bound_slack = 1.001;
 
@@ -49,10 +44,6 @@ KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
   if (touch.gap_end >= 0) return 1;
   return touch.gap_start / (touch.gap_start - touch.gap_end);
 }
-
-/// A face that looks away from the push direction by more than this cosine is seen along the push direction itself: no
-/// gap is more than 1 / least_push_cosine times the distance.
-inline constexpr double least_push_cosine = 0.5;
 
 /// Distance of the origin from the triangle with this normal along a push direction.
 KOKKOS_INLINE_FUNCTION double measure_distance(const FacePoints& face, const Point3& normal, const double weight[4],
@@ -86,17 +77,18 @@ KOKKOS_INLINE_FUNCTION bool is_surely_shallow(const FacePoints& start, const Tou
   return touch.record >= 0 && bound_slack * dot(place, place) <= least * least;
 }
 
-/// Touching: the closest point of the face at the predicted place.
-KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const FaceState& faces,
-                                           const FacePoints& start, const FacePoints& end, const FacePoint& closest,
-                                           Touch& touch) {
+/// Whether the closest point of the face at the predicted place is within the reach of the node.
+KOKKOS_INLINE_FUNCTION bool is_in_reach(const FacePoint& closest, const Touch& touch) {
+  const double band = touch.record >= 0 ? contact_limits::history_band : contact_limits::new_band;
+  return !(closest.distance > find_reach(touch)) && !(closest.off > band * touch.size);
+}
+
+/// Touching: the closest point of the face at the predicted place, which is in reach. In: normal and gap_end there.
+KOKKOS_INLINE_FUNCTION bool check_touching(const FacePoints& start, const FacePoint& closest, Touch& touch) {
   const double h = touch.size;
   const bool known = touch.record >= 0;
-  if (closest.distance > find_reach(touch)) return false;
-  if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
-  measure_end(surface, faces, end, closest.normal, touch);
   if (touch.gap_end > find_row_gap(touch)) return false;
   touch.owes_start = is_surely_shallow(start, touch);
   if (touch.owes_start) return true;
@@ -266,7 +258,7 @@ KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, con
   if (range.least[lane] > contact_limits::history_row_gap * touch.size || range.most[lane] < -find_reach(touch))
     return PairOutlook::out;
   if (!(touch.offset > 0)) find_record(surface, faces, known, touch);
-  touch.way = find_longest_way(pairs.faces.move[lane]);
+  touch.way = pairs.faces.way[lane];
   if (range.least[lane] > find_row_gap(touch)) return PairOutlook::out;
   touch.opposed = thickness == Thickness::of_shells
                       ? looks_against(surface, motion, faces, node.node, touch.face)
@@ -277,7 +269,8 @@ KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, con
   return may_cross ? PairOutlook::swept_only : PairOutlook::out;
 }
 
-/// Whether a pair is in contact. closest: at the predicted place, none where it can only be swept.
+/// Whether a pair is in contact. closest: at the predicted place, none where it can only be swept; of those in reach
+/// normal and gap_end there are known.
 KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const FaceState& faces, const FacePoint* closest,
                                        int lane, PairPack& pairs) {
   Touch& touch = pairs.touch[lane];
@@ -294,12 +287,43 @@ KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const Face
     return (may_sweep && check_swept(surface, faces, relative, end, touch) &&
             touch.gap_start > contact_limits::overlap * touch.size) ||
            has_passed();
-  if (check_touching(surface, faces, relative.start, end, *closest, touch)) return true;
+  if (is_in_reach(*closest, touch) && check_touching(relative.start, *closest, touch)) return true;
   if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
   if (!is_surely_not_held(relative.move, closest->distance, touch) &&
       check_held(surface, faces, relative.start, end, touch))
     return true;
   return touch.record >= 0 ? check_kept(surface, faces, relative.start, end, touch) : has_passed();
+}
+
+/// Closest points of the faces that are to be measured, and normal and predicted gap of the touches in reach there.
+KOKKOS_INLINE_FUNCTION void measure_ends(const MovingSurface& moving, const PairOutlook (&outlook)[FacePack::lanes],
+                                         PairPack& pairs, FacePoint (&points)[FacePack::lanes]) {
+  ClosestPack closest;
+  find_closest_points(pairs.faces.end, closest);
+  EndPack ends;
+  bool is_near[FacePack::lanes];
+  for (int lane = 0; lane < pairs.faces.count; ++lane) {
+    is_near[lane] = false;
+    if (outlook[lane] != PairOutlook::any) continue;
+    points[lane] = closest[lane];
+    is_near[lane] = is_in_reach(points[lane], pairs.touch[lane]);
+    if (is_near[lane]) ends.set(moving, pairs.touch[lane].face, points[lane], lane);
+  }
+  ends.measure(pairs.faces.end, closest);
+  for (int lane = 0; lane < pairs.faces.count; ++lane) {
+    if (!is_near[lane]) continue;
+    pairs.touch[lane].normal = {ends.normal[0][lane], ends.normal[1][lane], ends.normal[2][lane]};
+    pairs.touch[lane].gap_end = ends.gap[lane];
+  }
+}
+
+/// The same of one face.
+KOKKOS_INLINE_FUNCTION FacePoint measure_one_end(const MovingSurface& moving, const FacePoints& end, Touch& touch) {
+  const FacePoint closest = find_closest_point(end);
+  if (!is_in_reach(closest, touch)) return closest;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  measure_end(moving.surface, moving.faces, end, closest.normal, touch);
+  return closest;
 }
 
 /// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.
@@ -317,14 +341,15 @@ KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const Known
     measured += outlook[lane] == PairOutlook::any ? 1 : 0;
   }
   constexpr int worth_a_pack = 2;  // one face is measured faster by its four triangles at once
-  ClosestPack closest;
-  if (measured >= worth_a_pack) find_closest_points(pairs.faces.end, closest);
+  FacePoint points[FacePack::lanes];
+  if (measured >= worth_a_pack) measure_ends(moving, outlook, pairs, points);
   for (int lane = 0; lane < count; ++lane) {
     if (outlook[lane] == PairOutlook::out) continue;
-    FacePoint point;
     const bool is_measured = outlook[lane] == PairOutlook::any;
-    if (is_measured) point = measured >= worth_a_pack ? closest[lane] : find_closest_point(pairs.faces.end[lane]);
-    if (judge_pair(moving.surface, moving.faces, is_measured ? &point : nullptr, lane, pairs)) found(pairs.touch[lane]);
+    if (is_measured && measured < worth_a_pack)
+      points[lane] = measure_one_end(moving, pairs.faces.end[lane], pairs.touch[lane]);
+    if (judge_pair(moving.surface, moving.faces, is_measured ? &points[lane] : nullptr, lane, pairs))
+      found(pairs.touch[lane]);
   }
 }
 

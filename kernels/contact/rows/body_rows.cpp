@@ -1,6 +1,5 @@
 #include "kernels/contact/rows/body_rows.hpp"
 
-#include "kernels/contact/rows/place_velocity.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"

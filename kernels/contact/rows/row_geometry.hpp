@@ -44,10 +44,12 @@ KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
   row.target = recovered < floor ? recovered : floor;
 }
 
+/// Thickness turns with the faces: it comes nearer by at most so many times what nodes do.
+inline constexpr double longest_turn = 3;
+
 /// The most by which the gap of a touch can change in the step: no point of either side moves farther relative to the
-/// other than their nodes do. Thickness turns with the faces: at most by some of the same again.
+/// other than their nodes do.
 KOKKOS_INLINE_FUNCTION double find_longest_approach(const ContactRow& row, const RowNodes& at, double dt) {
-  constexpr double longest_turn = 3;
   double fastest = 0;
   const int first_bearing = row.kind == RowKind::edges ? 2 : 1;
   for (int i = 0; i < first_bearing; ++i) {
@@ -159,9 +161,8 @@ KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& r
   row.inverse_inertia = invert(inertia);
 }
 
-/// The row of a touch whose places are set.
-KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
-                                           const RowTouch& touch, ContactRow& row) {
+/// What a row has of its touch as it is.
+KOKKOS_INLINE_FUNCTION void take_touch(const RowTouch& touch, ContactRow& row) {
   for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
   row.count = touch.count;
   row.key = touch.key;
@@ -176,18 +177,28 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.size = touch.size;
   row.has_thickness = touch.has_thickness;
   row.gap_start = touch.gap_start;
+}
+
+/// The record that a touch continues.
+KOKKOS_INLINE_FUNCTION LastContact load_last_contact(const ContactHistory& history, const RowTouch& touch) {
+  if (touch.old_record < 0) return {};
+  return touch.kind == RowKind::edges ? load_record(history.edges, touch.old_record)
+                                      : load_record(history, touch.old_record);
+}
+
+/// The row of a touch whose places are set.
+KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
+                                           const RowTouch& touch, ContactRow& row) {
+  take_touch(touch, row);
   set_arms(at.x, row);
   const RowWays ways = find_ways(at, inputs.motion.dt, row);
   if (touch.old_record >= 0)
     row.normal = row.gap_gradient =
         find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start, touch.size);
   row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.seen);
-  const int old = touch.old_record;
   // Depth that no contact has seen arise cost nothing: it is held.
-  if (old < 0 && row.gap_start < 0) row.reference = -row.gap_start;
-  LastContact last;
-  if (old >= 0) last = touch.kind == RowKind::edges ? load_record(history.edges, old) : load_record(history, old);
-  complete_row(inputs, at, old >= 0, last, row);
+  if (touch.old_record < 0 && row.gap_start < 0) row.reference = -row.gap_start;
+  complete_row(inputs, at, touch.old_record >= 0, load_last_contact(history, touch), row);
   limit_recovery(ways, row);
   limit_closing(at, inputs.motion.dt, row);
 }

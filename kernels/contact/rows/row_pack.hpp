@@ -31,6 +31,7 @@ struct alignas(64) RowPack {
   int row[lanes];                                // -1: no row
   int rubs;                                      // whether any row has friction, or is a tie
   int ties;                                      // whether any row is a tie
+  int tilted;                                    // whether any gap gradient is not the normal; without, none is set
 };
 
 /// The rows of a step in packs.
@@ -136,7 +137,8 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   }
   const Packed stiffness = load_pack(pack.stiffness[0]);
   const Packed push =
-      y[0] - (load_pack(pack.missing) + step * dot(load_point(pack.gap_gradient), u)) / (step * stiffness);
+      y[0] - (load_pack(pack.missing) + step * dot(load_point(pack.tilted != 0 ? pack.gap_gradient : pack.normal), u)) /
+                 (step * stiffness);
   p[0] = choose_tied(pack, push, select(push > Packed(0), push, Packed(0)));
   change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
   if (pack.rubs != 0) {
@@ -172,6 +174,35 @@ KOKKOS_FORCEINLINE_FUNCTION void share_pack(const RowPack& pack, const Rows4<dou
   const Packed p[3] = {load_pack(pack.impulse[0]), load_pack(pack.impulse[1]), load_pack(pack.impulse[2])};
   const PackedForce force(pack, sum_impulse(pack, p));
   for (int slot = 0; slot < row_nodes; ++slot) store_share(pack, slot, force.spread(pack, slot), shares);
+}
+
+/// dv of a place in the extrapolated iterate of the packs.
+KOKKOS_INLINE_FUNCTION void set_dv(const RowPacks& packs, int a, const Point3& dv) {
+  store_row(packs.dv, a, dv);
+  packs.dv(a, 3) = 0;
+  packs.moved(a) = dv.x != 0 || dv.y != 0 || dv.z != 0 ? 1 : 0;
+}
+
+KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before, double beta) {
+  return beta > 0 ? dv + beta * (dv - before) : dv;
+}
+
+KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane, const Point3& a) {
+  values[0][lane] = a.x;
+  values[1][lane] = a.y;
+  values[2][lane] = a.z;
+}
+
+/// What a row asks for and begins with. In: RowPack::tilted.
+KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
+  if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, row.gap_gradient);
+  pack.missing[lane] = row.gap - row.target;
+  pack.friction[lane] = is_tie(row) ? 0 : row.friction;
+  pack.stiffness[0][lane] = row.stiffness;
+  pack.stiffness[1][lane] = row.rub_stiffness;
+  for (int d = 0; d < 2; ++d) pack.slide[d][lane] = row.slide[d];
+  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
+  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
 }
 
 }  // namespace percuss

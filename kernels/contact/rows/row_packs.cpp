@@ -1,17 +1,9 @@
 #include "kernels/contact/rows/row_packs.hpp"
 
-#include "kernels/contact/rows/place_velocity.hpp"
-
 namespace percuss {
 namespace {
 
 KOKKOS_INLINE_FUNCTION Point3 multiply(const Point3& a, const Point3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-
-KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane, const Point3& a) {
-  values[0][lane] = a.x;
-  values[1][lane] = a.y;
-  values[2][lane] = a.z;
-}
 
 /// A lane without a row: its impulse is 0 and stays so.
 KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
@@ -48,26 +40,21 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   for (int d = 0; d < 2; ++d) set_lane(pack.tangent[d], lane, row.tangent[d]);
   pack.tied[lane] = is_tie(row) ? 1 : 0;
   pack.row[lane] = r;
+  const Point3 tilt = row.gap_gradient - row.normal;
+  if (tilt.x != 0 || tilt.y != 0 || tilt.z != 0) pack.tilted = 1;
   if (row.friction > 0) pack.rubs = 1;
   if (is_tie(row)) pack.ties = 1;
 }
 
-/// What it asks for and begins with.
-KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
-  set_lane(pack.gap_gradient, lane, row.gap_gradient);
-  pack.missing[lane] = row.gap - row.target;
-  pack.friction[lane] = is_tie(row) ? 0 : row.friction;
-  pack.stiffness[0][lane] = row.stiffness;
-  pack.stiffness[1][lane] = row.rub_stiffness;
-  for (int d = 0; d < 2; ++d) pack.slide[d][lane] = row.slide[d];
-  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
-  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
-}
-
-/// From now on the nodes of the pack are looked at.
-KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
+/// From now on the nodes of the pack are looked at. is_alone: no other thread does so at the same time.
+KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, bool is_alone, const Array<int>& stirred) {
   for (const auto& places : pack.place)
-    for (const int place : places) Kokkos::atomic_fetch_or(&stirred(place), 1);
+    for (const int place : places) {
+      if (is_alone)
+        stirred(place) = 1;
+      else
+        Kokkos::atomic_fetch_or(&stirred(place), 1);
+    }
 }
 
 KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>& moved) {
@@ -133,7 +120,7 @@ void pack_geometry(const Space& space, RowSystem& system) {
   Kokkos::parallel_for(
       "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = pack.ties = 0;
+        pack.rubs = pack.ties = pack.tilted = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int place = i * RowPack::lanes + lane;
           const int r = place < num_rows ? p.order(place) : -1;
@@ -162,6 +149,8 @@ void pack_rows(const Space& space, RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> wants = system.wants;
   const Rows4<double> shares = system.shares;
+  const bool is_alone = space.concurrency() == 1;
+  const bool has_bodies = system.bodies.count() > 0;  // hold_rows_within_bodies() may have changed rows since
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
@@ -169,11 +158,11 @@ void pack_rows(const Space& space, RowSystem& system) {
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int r = pack.row[lane];
           if (r < 0) continue;
-          set_state(pack, lane, rows(r));
+          if (has_bodies) set_state(pack, lane, rows(r));
           if (wants(r) != 0) p.active(i) = 1;
         }
         share_pack(pack, shares);
-        if (p.active(i) != 0) stir(pack, p.stirred);
+        if (p.active(i) != 0) stir(pack, is_alone, p.stirred);
       });
   const Array<const int> remote_place = system.remote_place;
   Kokkos::parallel_for(
@@ -218,15 +207,17 @@ template <class Space>
 PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
   const RowPacks p = system.packs;
   const Rows4<double> shares = system.shares;
-  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, query] KOKKOS_FUNCTION(int i, PassSums& s) {
-    RowPack& pack = p.pack(i);
-    if (p.active(i) == 0) {
-      if (!is_moved(pack, p.moved)) return;
-      p.active(i) = 1;
-      stir(pack, p.stirred);
-    }
-    advance_pack(pack, p.dv, shares, query, s);
-  });
+  const bool is_alone = space.concurrency() == 1;
+  return sum_rows<PassSums>(space, p.count, memory.pass,
+                            [p, shares, query, is_alone] KOKKOS_FUNCTION(int i, PassSums& s) {
+                              RowPack& pack = p.pack(i);
+                              if (p.active(i) == 0) {
+                                if (!is_moved(pack, p.moved)) return;
+                                p.active(i) = 1;
+                                stir(pack, is_alone, p.stirred);
+                              }
+                              advance_pack(pack, p.dv, shares, query, s);
+                            });
 }
 
 template <class Space>

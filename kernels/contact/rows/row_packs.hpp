@@ -14,12 +14,12 @@ void pack_geometry(const Space& space, RowSystem& system);
 template <class Space>
 void share_coefficients(const Space& space, const RowSystem& system);
 
-/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. In: S at
-/// all places, packs.
+/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. Packs what
+/// rows ask for, with their first guess. In: S at all places, packs.
 template <class Space>
 void sum_stiffness(const Space& space, RowSystem& system);
 
-/// Packs what rows ask for, with their first guess, and the shares of all their entries. In: what pack_geometry() left.
+/// Begins the iteration: shares of all entries by the first guess. In: what sum_stiffness() left in the packs.
 template <class Space>
 void pack_rows(const Space& space, RowSystem& system);
 

@@ -83,7 +83,7 @@ void sum_stiffness(const Space& space, RowSystem& system) {
       });
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
-        const RowPack& pack = p.pack(i);
+        RowPack& pack = p.pack(i);
         const PackedStiffness found = sum_stiffness(pack, sums, inverse_mass);
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           if (pack.row[lane] < 0) continue;
@@ -93,6 +93,7 @@ void sum_stiffness(const Space& space, RowSystem& system) {
             set_tie_stiffness(row, stiffness);
           else
             set_stiffness(row, stiffness, found.free[lane]);
+          set_state(pack, lane, row);
           wants(pack.row[lane]) = wants_something(row) ? 1 : 0;
         }
       });

@@ -1,7 +1,7 @@
 #include "kernels/contact/rows/row_system.hpp"
 
 #include "kernels/contact/rows/body_rows.hpp"
-#include "kernels/contact/rows/row_geometry.hpp"
+#include "kernels/contact/rows/row_filling.hpp"
 #include "kernels/contact/rows/tie_row.hpp"
 #include "kernels/core/index_lists.hpp"
 
@@ -256,41 +256,69 @@ void start_rows(const Space& space, const RowInputs& inputs, const RowSources& s
   for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places() + 1);
 }
 
+namespace {
+
+/// Makes rows that are not of nodes on faces, one by one, and those a pack at a time.
+struct RowMaker {
+  RowInputs inputs;
+  WallPairs walls;
+  ContactHistory history;
+  RowNodes at;
+  Array<const RowTouch> touches;
+  Array<const int> place_of_entry, near_walls;
+  Array<ContactRow> rows;
+  Array<int> wants;
+  int num_touches = 0, num_rows = 0;
+
+  /// Of a tie, two edges or a wall.
+  KOKKOS_FUNCTION void make_row(int r) const {
+    ContactRow& row = rows(r);
+    row = ContactRow{};
+    const int count = r < num_touches ? touches(r).count : 1;
+    for (int slot = 0; slot < count; ++slot) row.place[slot] = place_of_entry(r * row_nodes + slot);
+    if (r >= num_touches)
+      fill_wall_row(walls, history, inputs, at, near_walls(r - num_touches), row);
+    else if (touches(r).kind == RowKind::tie)
+      fill_tie_row(inputs.ties(touches(r).record), inputs, at, touches(r), load_row(history.ties, touches(r).record),
+                   row);
+    else
+      fill_touch_row(history, inputs, at, touches(r), row);
+  }
+
+  /// Of a pack of rows.
+  KOKKOS_INLINE_FUNCTION void operator()(int pack) const {
+    const int first = pack * TouchPack::lanes;
+    const int end = first + TouchPack::lanes < num_rows ? first + TouchPack::lanes : num_rows;
+    TouchPack on_faces;
+    for (int r = first; r < end; ++r) {
+      if (r < num_touches && touches(r).kind == RowKind::face)
+        on_faces.add(touches(r), r, &place_of_entry(r * row_nodes), load_last_contact(history, touches(r)));
+      else
+        make_row(r);
+    }
+    if (on_faces.count > 0) {
+      on_faces.fill_up();
+      make_face_rows(on_faces, inputs, at, touches, rows);
+    }
+    for (int r = first; r < end; ++r) wants(r) = wants_something(rows(r)) ? 1 : 0;
+  }
+};
+
+}  // namespace
+
 template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
                RowSystem& system) {
-  const Array<const RowTouch> touches = sources.touches;
-  const int num_touches = sources.num_touches;
-  const WallPairs& walls = sources.walls;
+  const auto& [touches, num_touches, walls] = sources;
   reserve(system.rows, system.num_rows);
   reserve(system.wants, system.num_rows);
   group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
                 {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
-  const Array<ContactRow> rows = system.rows;
-  const Array<const int> place = system.place_of_entry;
-  const Array<int> near_walls = system.near_walls, wants = system.wants;
-  const Array<const RowTouch> list = touches;
-  const RowNodes at = system.at;
-  const RowInputs in = inputs;
-  const WallPairs w = walls;
-  const ContactHistory h = history;
-  Kokkos::parallel_for(
-      "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        ContactRow& row = rows(r);
-        row = ContactRow{};
-        if (r >= num_touches) {
-          row.place[0] = place(r * row_nodes);
-          fill_wall_row(w, h, in, at, near_walls(r - num_touches), row);
-        } else {
-          for (int slot = 0; slot < list(r).count; ++slot) row.place[slot] = place(r * row_nodes + slot);
-          const int record = list(r).record;
-          if (list(r).kind == RowKind::tie)
-            fill_tie_row(in.ties(record), in, at, list(r), load_row(h.ties, record), row);
-          else
-            fill_touch_row(h, in, at, list(r), row);
-        }
-        wants(r) = wants_something(row) ? 1 : 0;
-      });
+  const RowMaker maker{
+      inputs,      walls,        history,     system.at,      touches, system.place_of_entry, system.near_walls,
+      system.rows, system.wants, num_touches, system.num_rows};
+  const int packs = (system.num_rows + TouchPack::lanes - 1) / TouchPack::lanes;
+  Kokkos::parallel_for("contact::make_rows", RangeOf<Space>(space, 0, packs), maker);
 }
 
 template <class Space>

@@ -31,21 +31,23 @@ struct FaceState {
   Array<double> size;    // h of contact_limits.hpp at n
   Boxes box;             // of the face over the step, widened by the reach of the check
 
-  // in scenes with shells; the rest is empty in others
+  // in scenes with shells; empty in others
   Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
-  // Directions of faces that the check before read more than once, as those that a node touches; pairs find those of
-  // others by themselves, to the same bits. Without thickness that costs a pair as little as to read them.
+  // Directions of faces that the check before read, as those that a node touches; pairs find those of others by
+  // themselves, to the same bits. Empty: those of all faces.
   Array<int> is_prepared = Array<int>("contact::prepared_faces", 0);  // [faces] 1: these are of this step
-  Array<int> reads = Array<int>("contact::face_reads", 0);            // [faces] of this check, up to worth_preparing
+  Array<int> reads = Array<int>("contact::face_reads", 0);            // [faces] of this check, up to worth_preparing()
   Array<CornerDirections> vertex = Array<CornerDirections>("contact::vertex_normals", 0);
-  Array<OutwardDirections> outward = Array<OutwardDirections>("contact::outward_directions", 0);
+  Array<OutwardDirections> outward = Array<OutwardDirections>("contact::outward_directions", 0);  // as slab
 
-  static constexpr int worth_preparing = 2;  // reads
+  /// Reads of a face in a check from which on it is prepared for the next. One pair alone finds what it needs of a
+  /// face of shells for less.
+  KOKKOS_INLINE_FUNCTION int worth_preparing() const { return outward.extent(0) > 0 ? 2 : 1; }
 
   /// Whether the face is prepared; called once for each reading of its directions.
   KOKKOS_INLINE_FUNCTION bool has_prepared(int face) const {
     if (face >= static_cast<int>(is_prepared.extent(0))) return false;
-    if (reads(face) < worth_preparing) Kokkos::atomic_add(&reads(face), 1);
+    if (reads(face) < worth_preparing()) Kokkos::atomic_add(&reads(face), 1);
     return is_prepared(face) != 0;
   }
 };
@@ -211,6 +213,37 @@ KOKKOS_INLINE_FUNCTION CornerDirections find_vertex_normals(const ContactSurface
   return normals;
 }
 
+/// Vertex normals at a node of all faces that hold it, as find_vertex_normals() finds them: FaceState::vertex.
+KOKKOS_INLINE_FUNCTION void set_vertex_normals_at(const ContactSurface& surface, const FaceState& faces, int node) {
+  constexpr int at_once = 4;
+  const Array<const int>& held_by = surface.nodes_to_faces;
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  for (int m = first; m < last; m += at_once) {
+    double own[3][at_once], vertices[3][at_once];
+    for (int k = 0; k < at_once; ++k)
+      for (int axis = 0; axis < 3; ++axis) own[axis][k] = faces.normal(held_by(m + k < last ? m + k : m), axis);
+    for (int k = 0; k < at_once; k += fan_lanes) {
+      const FanPoint normal = {load_fan(own[0] + k), load_fan(own[1] + k), load_fan(own[2] + k)};
+      const FanPack zero(0);
+      FanPoint vertex = {zero, zero, zero};
+      for (int j = first; j < last; ++j) {
+        const FanPoint other = spread_to_fan(load_row(faces.normal, held_by(j)));
+        const auto is_smooth = dot(other, normal) > FanPack(contact_limits::smooth);
+        vertex = vertex + FanPoint{select(is_smooth, other.x, zero), select(is_smooth, other.y, zero),
+                                   select(is_smooth, other.z, zero)};
+      }
+      store_fan(vertices[0] + k, vertex.x);
+      store_fan(vertices[1] + k, vertex.y);
+      store_fan(vertices[2] + k, vertex.z);
+    }
+    normalize_four(vertices);
+    for (int k = 0; k < at_once && m + k < last; ++k)
+      for (int i = 0; i < 4; ++i)
+        if (surface.face_corners(held_by(m + k), i) == node)
+          faces.vertex(held_by(m + k)).of[i] = {vertices[0][k], vertices[1][k], vertices[2][k]};
+  }
+}
+
 /// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
 /// Continuous from face to face of a smooth surface, the face's own normal at a crease.
 KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
@@ -221,7 +254,12 @@ KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface,
       if (weight[i] != 0) sum = sum + weight[i] * vertex.of[i];
     return normalize(sum);
   };
-  if (faces.has_prepared(face)) return add_up(faces.vertex(face));
+  if (faces.has_prepared(face)) {
+    const CornerDirections& vertex = faces.vertex(face);
+    Point3 sum{};
+    for (int i = 0; i < 4; ++i) sum = sum + weight[i] * vertex.of[i];  // of corners without weight +0: the same bits
+    return normalize(sum);
+  }
   return add_up(find_vertex_normals(surface, faces, face, [weight](int i) { return weight[i] != 0; }));
 }
 

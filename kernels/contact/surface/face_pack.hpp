@@ -54,6 +54,7 @@ struct alignas(64) FacePack {
   double normal[3][lanes] = {};
   CornerPack end;  // at the predicted place
   PlaneRange<double[lanes]> range;
+  double way[lanes];  // longest way of a corner
 
   KOKKOS_INLINE_FUNCTION RelativeFace get_relative(int lane) const { return {start[lane], move[lane]}; }
 };
@@ -89,14 +90,18 @@ KOKKOS_FORCEINLINE_FUNCTION void see_from(const Point3& x, const Point3& v, doub
   }
 }
 
-/// Finds end and range of all lanes.
+/// Finds end, range and way of all lanes.
 KOKKOS_FORCEINLINE_FUNCTION void measure_motion(FacePack& pack) {
   PackedPoint start[4], end[4];
+  Packed longest(0);
   for (int i = 0; i < 4; ++i) {
+    const PackedPoint move = load_point(pack.move.of[i]);
     start[i] = load_point(pack.start.of[i]);
-    end[i] = start[i] + load_point(pack.move.of[i]);
+    end[i] = start[i] + move;
+    longest = larger(longest, dot(move, move));
     store_point(pack.end.of[i], end[i]);
   }
+  store_pack(pack.way, square_root(longest));
   const PlaneRange<Packed> range = find_plane_range(start, end, load_point(pack.normal));
   store_pack(pack.range.least, range.least);
   store_pack(pack.range.most, range.most);

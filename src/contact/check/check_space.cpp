@@ -84,11 +84,11 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     check.faces = {};
     check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
                    Boxes("contact::face_box", faces)};
+    check.faces.is_prepared = Array<int>("contact::prepared_faces", faces);
+    check.faces.reads = Array<int>("contact::face_reads", faces);
+    check.faces.vertex = Array<CornerDirections>("contact::vertex_normals", faces);
     if (surface.offsets.largest > 0) {
       check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
-      check.faces.is_prepared = Array<int>("contact::prepared_faces", faces);
-      check.faces.reads = Array<int>("contact::face_reads", faces);
-      check.faces.vertex = Array<CornerDirections>("contact::vertex_normals", faces);
       check.faces.outward = Array<OutwardDirections>("contact::outward_directions", faces);
     }
   }

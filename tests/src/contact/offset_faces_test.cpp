@@ -175,6 +175,27 @@ TEST(PreparedFaces, AreThoseThatWereReadMoreThanOnceAndGiveTheSameBits) {
   }
 }
 
+TEST(PreparedFaces, OfSolidsAreThoseThatWereReadAndGiveTheSameBits) {
+  std::mt19937 random(10);
+  for (int draw = 0; draw < 50; ++draw) {
+    CrookedPatch patch(0);
+    const SurfaceMotion motion = patch.draw(random);
+    const MovingSurface moving{patch.check.surface, motion, patch.check.faces};
+    const double at_middle[4] = {0.25, 0.25, 0.25, 0.25}, at_edge[4] = {0, 0.3, 0.7, 0};
+    const auto find_both = [&](int face) {
+      return std::array<Point3, 2>{find_push_direction(moving.surface, moving.faces, face, at_middle),
+                                   find_push_direction(moving.surface, moving.faces, face, at_edge)};
+    };
+    std::vector<std::array<Point3, 2>> unprepared;
+    for (int face = 0; face < 10; ++face) unprepared.push_back(find_both(face));
+    update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, StillFaces(), patch.check.faces);
+    for (int face = 0; face < patch.check.surface.num_faces; ++face)
+      EXPECT_EQ(patch.check.faces.is_prepared(face), face < 10 ? 1 : 0);
+    for (std::size_t face = 0; face < 10; ++face)
+      for (std::size_t k = 0; k < 2; ++k) expect_same(find_both(static_cast<int>(face))[k], unprepared[face][k]);
+  }
+}
+
 /// Size of a face by its corners and, but for a shell, the distance of the middles of its two sides.
 double find_size(const CrookedPatch& patch, int face, double half, const RelativeFace& relative, bool& is_thin) {
   const ContactSurface& surface = patch.check.surface;
