@@ -14,7 +14,7 @@ def read_wall(deck: KeywordDeck, card: Card) -> None:
     """*RIGIDWALL_PLANAR with _ID, _FINITE, _MOVING, _FORCES, and others that are refused."""
     words = card.keyword.removeprefix("RIGIDWALL_PLANAR").split("_")[1:]
     if not card.keyword.startswith("RIGIDWALL_PLANAR") or set(words) - set(OPTIONS):
-        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is no plane", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is not a plane", "it is left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -40,7 +40,7 @@ def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck:
     wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
     if friction >= 2:
         deck.ledger.refuse(
-            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that are welded to the wall", "they stick, and may part from it"
+            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that stick to the wall", "friction holds them, and they may separate"
         )
     if friction >= 1:
         deck.ledger.approximated("RIGIDWALL_PLANAR.FRIC", plane.place, f"sticking is a friction of {STICK:g}")
@@ -82,7 +82,7 @@ def end_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
     if not any(sizes):
         deck.ledger.approximated("RIGIDWALL_PLANAR_FINITE", row.place, "without lengths the plane goes on without end")
     elif min(sizes) <= 0 or along == (0.0, 0.0, 0.0):
-        deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", row.place, "a wall of one length", "the plane goes on without end")
+        deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", row.place, "a finite wall", "the plane is infinite")
     else:
         wall["rectangle"] = {"along": list(along), "size": sizes}
 
@@ -107,7 +107,7 @@ def choose_nodes(deck: KeywordDeck, row: Row, plane: Row, wall: Deck) -> bool:
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
     offset, birth, death = row.numbers("OFFSET", "BIRTH", "DEATH")
     if birth > 0 or 0 < death < deck.end_time:
-        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall for a part of the time", "it acts all the time")
+        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall with a birth or death time", "it acts during the whole run")
     row.finish(deck.ledger)
     if not (id or exempt or box or offset):
         return True
