@@ -6,10 +6,11 @@ import numpy as np
 from percuss.units import choose_time_unit, choose_unit
 
 from .findings import BAD, GOOD
-from .forces import describe_kind, find_force, list_forces
+from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
 
 MOST_CHANGES = 6
+PERIODS = 10  # of the cut-off frequency of CFC 1000, from which a filter is suggested
 REFINE = "Nothing that this run shows. Repeat it with smaller elements and compare both runs: percuss report DIR DIR2."
 
 
@@ -95,14 +96,21 @@ def tell_force(run):
     texts = []
     for name, kind, value, time, is_mean in peaks[:4]:
         meaning = "mean since the row before" if is_mean else "value of one step"
-        texts.append(escape(f"{name}{f' ({kind})' if kind else ''}: {show(run, value, 'force')} at t = {show_time(run, time)}, {meaning}."))
+        text = f"{name}{f' ({kind})' if kind else ''}: {show(run, value, 'force')} at t = {show_time(run, time)}, {meaning}."
+        if is_mean:
+            mean = np.linalg.norm(find_impulse(run.history, name)) / (run.history["time"][-1] - run.history["time"][0])
+            text += f" Mean over the whole run {show(run, mean, 'force')}."
+        texts.append(escape(text))
     if not any(is_mean for *_, is_mean in peaks) and not list_forces(run.history):
         texts.append(escape("The history has no forces of contact, supports or sections. For forces whose integral is exact, add to the deck:")
                      + show_deck(suggest_forces(run)))
     if peaks and peaks[0][-1]:
         rows = float(np.median(np.diff(run.history["time"])))
-        texts.append(escape(f"Rows are {show_time(run, rows)} apart; a shorter peak is averaged. For values to compare with a test, filter: "
-                            f"percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."))
+        unit, factor = choose_time_unit(run.units.name_of("time") if run.units else "", rows)
+        text = f"Rows are {f'{rows * factor:.3g} {unit}'.rstrip()} apart; a shorter peak is averaged."
+        if run.units and (run.history["time"][-1] - run.history["time"][0]) * run.units.time[1] > PERIODS * 0.6 / 1000:
+            text += f" To compare with a filtered test signal: percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."
+        texts.append(escape(text))
     return texts or [escape("All forces of the history are zero.")]
 
 

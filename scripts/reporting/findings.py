@@ -14,6 +14,7 @@ MOMENTUM_ERROR = 1e-9    # round-off lies far below
 STEP_FALL = 0.1          # least over largest step
 ADDED_MASS = 0.01        # of mass scaling
 PENETRATION = 0.05       # that enforcement leaves, of the edge of a face
+ROUND_OFF = 1e-9         # of the largest force: components below it are not listed
 STILL_CHANGING = 0.01    # change of the internal energy in the last twentieth of the run, of the largest energy
 
 
@@ -164,9 +165,12 @@ def _judge_history(history):
 
 def find_peaks(history):
     """[(column, largest value, its time, least value, its time)] of what has a dimension of force, of contacts and energies."""
-    rows = []
+    rows, forces = [], [name for name in history if history.dimension(name) == "force"]
+    largest = max((float(np.nanmax(np.abs(history[name]))) for name in forces if len(history) and np.isfinite(history[name]).any()), default=0.0)
     for name in history:
-        wanted = history.dimension(name) == "force" or name in ("kinetic", "internal", "contacts", "residual")
+        wanted = name in forces or name in ("kinetic", "internal", "contacts", "residual")
+        if name in forces and np.isfinite(history[name]).any() and not np.nanmax(np.abs(history[name])) > ROUND_OFF * largest:
+            continue
         if not wanted or not len(history) or not np.isfinite(history[name]).any() or not history[name].any():
             continue
         high, low = int(np.nanargmax(history[name])), int(np.nanargmin(history[name]))
