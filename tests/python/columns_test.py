@@ -66,7 +66,7 @@ parts:
   b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 2], material: hard, rigid: true}
 materials: {hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
 joints: {hinge: {kind: revolute, bodies: [a, b], at: [0, 0, 1.5], axis: x}}
-initial: [{part: a, velocity: [0, 0, 1]}]
+initial: [{part: a, velocity: [0, 0, 1]}, {part: b, velocity: [0, 0, 1]}]
 output: {history: {}}
 """,
 }
