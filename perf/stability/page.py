@@ -223,7 +223,7 @@ def tell_impacts(page, stored):
     page.texts["impact_internal"] = (
         f"In {len(below)} of the {len(done)} completed runs, at {min(r['speed'] for r in below):g} wave speeds and more, the internal energy falls "
         f"below zero, to {min(r['lowest_internal'] for r in below):.2f} of the kinetic energy at worst"
-        if below else "In none of them does the internal energy fall below zero")
+        if below else f"In none of the {len(done)} completed runs does the internal energy fall below zero")
     messages = {}
     for r in rows:
         if r["verdict"] == "named":

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .columns import SCENE, describe, read_sidecar
+from .columns import read_sidecar
 from .errors import NotResults
 from .table import read_lines
 from .units import find_powers, name_quantity
@@ -38,10 +38,13 @@ class History:
         return list(self.names)
 
     def dimension(self, name):
-        """'energy', 'force', '-' ...; None if it is not known."""
+        """'energy', 'force', '-' ... by columns.json; None if it does not have the column."""
         self[name]
-        given = self._sidecar.get(name, {}).get("dimension")
-        return name_quantity(given) if given else describe(name)[0]
+        given = "time" if name == "time" else self._sidecar.get(name, {}).get("dimension")
+        named = name_quantity(given) if given else None
+        if named == "energy" and self.units and self._sidecar[name].get("unit") == self.units.name_of("moment"):
+            return "moment"  # of the same dimension, but no energy
+        return named
 
     def unit(self, name):
         """'J'; empty without a dimension, or without units in the deck."""
@@ -53,17 +56,13 @@ class History:
         return self.units.name_of(dimension)
 
     def meaning(self, name):
-        """What the column is, in words; of a part, a pair or a followed item with its name."""
+        """What the column is, in words of columns.json; its name where the folder has no such file."""
         self[name]
-        given = self._sidecar.get(name, {}).get("meaning")
-        if not given:
-            return describe(name)[1]
-        return given if name in SCENE else f"{given}: {name.partition(':')[2] or name}"
+        return self._sidecar.get(name, {}).get("meaning") or name
 
     def label(self, name):
         """The same in few words, as it stands beside a curve."""
-        dimension, words = describe(name)
-        return words if dimension is not None else self.meaning(name)
+        return self.meaning(name).partition(", ")[0]
 
     def at(self, time, name):
         """The value of a column at a time, linear between rows."""

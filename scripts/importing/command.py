@@ -26,7 +26,7 @@ def choose_reader(path: str):
         head = file.read(4096)
     if b"*KEYWORD" in head.upper():
         return lambda ledger: read_keyword_deck(path, ledger)
-    raise BadInput(clean(path), "neither a keyword deck (.k, .key, .dyn) nor an Abaqus deck (.inp)")
+    raise BadInput(clean(path), "not a keyword deck and not an Abaqus deck (by its ending and its first lines): name it .k, .key, .dyn or .inp")
 
 
 def make_ledger(patterns: list[str]) -> Ledger:
@@ -37,7 +37,7 @@ def make_ledger(patterns: list[str]) -> Ledger:
 def import_model(arguments: argparse.Namespace) -> int:
     """Returns the exit code."""
     if not os.path.isfile(arguments.model):
-        raise BadInput(clean(arguments.model), "is no file")
+        raise BadInput(clean(arguments.model), "is not a file: check the name")
     ledger = make_ledger(arguments.allow)
     try:
         model = choose_reader(arguments.model)(ledger)
@@ -46,7 +46,7 @@ def import_model(arguments: argparse.Namespace) -> int:
         raise
     refused = ledger.list_refused()
     if not refused and not model.blocks:
-        raise BadInput(clean(arguments.model), "no part is left to run")
+        raise BadInput(clean(arguments.model), "no part is left to run (every part was left out): read import_report.md and allow less")
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
     if not arguments.quiet:

@@ -100,7 +100,7 @@ class Row:
             if name in self._harmless:
                 ledger.ignored(f"{self.card}.{name}", self.place, "numerics or output, not physics")
             else:
-                ledger.refuse(f"{self.card}.{name}", self.place, f"{shown}, which percuss does not have", instead)
+                ledger.refuse(f"{self.card}.{name}", self.place, shown, instead)
 
     def _parse(self, name: str, parse: Callable[[str], float | None], wanted: str) -> float:
         self._read.add(name)

@@ -6,6 +6,9 @@ from enum import Enum
 from typing import NamedTuple
 
 
+NO_COUNTERPART = "percuss has no counterpart"
+
+
 class Place(NamedTuple):
     """A line of a file, as messages show it."""
 
@@ -21,6 +24,11 @@ class BadInput(Exception):
 
     def __init__(self, place: "Place | str", text: str):
         super().__init__(f"{place}: error: {text}")
+
+
+def missing(what: str) -> str:
+    """The text of BadInput where a card refers to what is not there."""
+    return f"there is no {what} (this card refers to it): add it, or correct the name or id"
 
 
 class Status(Enum):
@@ -82,7 +90,9 @@ class Ledger:
         if instead and self.allows(key):
             self.note(key, Status.LEFT_OUT, place, f"{problem}: {instead}")
             return True
-        self.note(key, Status.REFUSED, place, f"{problem}; --allow {key}: {instead}" if instead else problem)
+        reason = "" if problem.endswith(")") else f" ({NO_COUNTERPART})"
+        remedy = f"change or remove it, or use --allow {key}; then {instead}" if instead else "change or remove it"
+        self.note(key, Status.REFUSED, place, f"{problem}{reason}: {remedy}")
         return False
 
     def list_rows(self) -> list[Entry]:

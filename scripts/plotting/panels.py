@@ -37,7 +37,7 @@ def list_panels(histories):
         Panel("momentum", "Linear momentum", among([f"momentum_{axis}" for axis in "xyz"], ("momentum_x",))),
         Panel("forces", "Forces", among(forces, FORCES if any(map(moves, FORCES)) else ())[:MOST_CURVES]),
         Panel("step", "Time step", among(("dt",), ("dt",)), colored_by_part=True),
-        Panel("contact", "Interactions in force", among(("contacts",))),
+        Panel("contact", "Active contacts", among(("contacts",))),
         Panel("iterations", "Iterations of contact enforcement", among(("iterations",))),
         Panel("penetration", "Penetration that contact leaves, over the edge of a face", among(("residual",))),
         Panel("contact_pairs", "Work of contact by pair",

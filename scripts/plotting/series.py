@@ -37,6 +37,12 @@ def make_curve(history, name, options):
     return time[inside], values[inside]
 
 
+def is_too_short(history, channel_class):
+    """Whether a filter of this class takes the whole history for less than a period of the frequency that it weakens by 3 dB."""
+    seconds = history.units.time[1] if history.units else 1.0
+    return len(history) > 1 and (history["time"][-1] - history["time"][0]) * seconds * channel_class / 0.6 < 1
+
+
 def thin(time, values, most=MOST_POINTS):
     """The curve with fewer points, but each peak: the least and the largest value of runs of rows, in their order."""
     if len(time) <= most:

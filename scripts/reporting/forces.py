@@ -1,6 +1,7 @@
 """Forces of a run: their peaks and impulses, and whether impulses and momenta, and pairs and their sum, are in balance."""
 
 import numpy as np
+from percuss.units import choose_time_unit
 
 from .markup import make_table, with_unit
 
@@ -49,6 +50,7 @@ def make_forces_table(run):
     if not names or len(history) < 2:
         return ""
     force_unit, time_unit = history.unit(f"fx:{names[0]}"), history.unit("time")
+    shown_unit, factor = choose_time_unit(time_unit, float(history["time"][-1]))
     rows = []
     for name in names:
         size = np.linalg.norm(find_force(history, name), axis=1)
@@ -56,7 +58,7 @@ def make_forces_table(run):
         top = int(np.argmax(size))
         impulse = find_impulse(history, name)
         mean = np.linalg.norm(impulse) / (history["time"][-1] - history["time"][0])
-        rows.append((name, describe_kind(run, name), _show(size[top], force_unit), _show(history["time"][top], time_unit),
+        rows.append((name, describe_kind(run, name), _show(size[top], force_unit), _show(history["time"][top] * factor, shown_unit),
                      "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", _show(mean, force_unit),
                      *(_show_peak(history, f"{quantity}:{name}") for quantity in ("normal", "area", "pressure"))))
     unit = f" [{force_unit} {time_unit}]" if force_unit else ""

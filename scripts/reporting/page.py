@@ -5,13 +5,14 @@ import os
 import sys
 import time
 
-from percuss.units import choose_unit, format_time
+from percuss.units import choose_time_unit, choose_unit, format_time
 from plotting.drawing import Plot, write_svg
 from plotting.panels import choose_panels, list_panels
 from plotting.series import Options
 from rendering.colors import CATEGORIES, label_of
 
 from . import comparison, scene
+from .answers import make_answers
 from .findings import find_findings, find_peaks
 from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
@@ -35,6 +36,8 @@ def make_page(runs, options):
     if len(runs) > 1:
         sections.append(("compared", "Differences", _make_comparison(runs, labels)))
     first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run) for label, run in zip(labels, runs))
+    if len(runs) == 1:
+        sections.append(("short", "In short", make_answers(runs[0], find_findings(runs[0]))))
     sections.append(("first", "What to look at first", first))
     sections.append(("pictures", "Start, worst and end", _make_pictures(runs, labels, options)))
     sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""), _make_view(runs[0], options)))
@@ -181,10 +184,10 @@ def _make_plots(runs, labels):
 def _make_peaks(run):
     history = run.history
     rows = []
+    unit, factor = choose_time_unit(history.unit("time"), float(history["time"][-1]) if len(history) else 0)
     for name, high, high_time, low, low_time in find_peaks(history):
-        unit = history.unit("time")
-        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)), f"{high_time:.4g} {unit}",
-                     with_unit(float(low), history.unit(name)), f"{low_time:.4g} {unit}"))
+        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)), f"{high_time * factor:.4g} {unit}",
+                     with_unit(float(low), history.unit(name)), f"{low_time * factor:.4g} {unit}"))
     heading = ("column", "meaning", "largest", "at", "least", "at")
     return "<h3>Largest and least values of rows</h3>" + make_table(heading, rows, (2, 3, 4, 5)) if rows else ""
 

@@ -15,9 +15,9 @@ QUALITY = 88  # of JPEG: about 60 kB a picture
 
 
 def choose_field(fields, wanted=None):
-    """What colours show: as scripts/render chooses it."""
+    """What colours show, where the user names nothing."""
     names = fields.names()
-    return wanted or next((name for name in ("von_mises", "stress", "velocity") if name in names), "part")
+    return wanted or next((name for name in ("von_mises", "stress", "equivalent_plastic_strain", "velocity") if name in names), "part")
 
 
 class Worst:

@@ -25,6 +25,7 @@ from .trial import format_bytes, format_seconds, split_messages
 HERE = os.path.dirname(os.path.realpath(__file__))
 VIEWS = ("-50:22", "130:-12")
 QUALITY = 88
+OF_THE_END = ("hourglass_energy", "energy_error", "element_energy")  # rules that judge a whole run, not its first steps
 MUCH_MEMORY, MUCH_DISK = 0.8, 0.8  # of what there is
 
 
@@ -121,7 +122,8 @@ class Preview:
         found += [Finding(LOOK, _describe(warning)) for warning in self.scene["warnings"]]
         later = self.trial.run.warnings if self.trial.run is not None else []
         found += [Finding(LOOK, _describe(warning) + " In the first steps.") for warning in later
-                  if (warning["rule"], warning["place"], warning["text"]) not in known and warning["time"] > 0]
+                  if (warning["rule"], warning["place"], warning["text"]) not in known and warning["time"] > 0
+                  and warning["rule"] not in OF_THE_END]
         found += self._judge_resources() + self._judge_overlap()
         if all(finding.level == GOOD for finding in found):
             found.append(Finding(GOOD, "No errors in the deck or its meshes, and no warnings."))
@@ -181,7 +183,7 @@ class Preview:
             rows = [(g["part"], g["other"], length(g["gap"]) if g["gap"] > 0 else "they touch") for g in gaps[:40]]
             text += "<h3>Smallest gaps</h3>" + make_table(("part", "other", "gap"), rows, (2,))
             text += "<p class=soft>Only parts within reach of each other, about an element, are listed.</p>"
-        notes = self.scene["joints"] + self.scene["notes"]
+        notes = self.scene["joints"] + [line for line in self.scene["notes"] if not line.startswith("smallest gaps")]
         if notes:
             text += "<h3>Notes</h3><ul>" + "".join(f"<li>{escape(line)}</li>" for line in notes) + "</ul>"
         return text or "<p class=soft>Nothing overlaps, and no two parts are near each other.</p>"

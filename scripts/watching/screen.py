@@ -9,6 +9,7 @@ LABEL = 15
 SHOWN = [("kinetic", "kinetic"), ("internal", "internal"), ("hourglass", "hourglass"), ("contact", "contact work"),
          ("friction", "friction"), ("external", "external"), ("energy_error", "energy error"), ("dt", "time step"),
          ("contacts", "contacts"), ("eroded_elements", "eroded")]
+MOST_FORCES = 4  # of output.history.forces
 
 
 def make_sparkline(values, width, bars=BARS):
@@ -102,10 +103,18 @@ def make_screen(run, rows, end, left, size):
     return [line if len(line) <= width else line[: width - 1] + ("~" if plain else "\u2026") for line in lines]
 
 
+def list_curves(rows):
+    """[(name, label, values)]: those of SHOWN, then the magnitude of the first forces."""
+    curves = [(name, label, rows.columns.get(name, [])) for name, label in SHOWN]
+    for name in [name[len("fx:") :] for name in rows.names if name.startswith("fx:")][:MOST_FORCES]:
+        parts = zip(*(rows.columns[f"f{axis}:{name}"] for axis in "xyz"))
+        curves.append((f"fx:{name}", f"|f| {name}"[:LABEL], [math.sqrt(sum(x * x for x in part)) for part in parts]))
+    return curves
+
+
 def _make_curves(rows, width, plain):
     lines = []
-    for name, label in SHOWN:
-        values = rows.columns.get(name, [])
+    for name, label, values in list_curves(rows):
         if name == "dt" and len(values) > 1 and values[0] == 0:
             values = values[1:]  # no step has led to the start
         if not values or not any(values):

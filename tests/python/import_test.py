@@ -626,6 +626,8 @@ class Strictness(InFolder):
         done = self.percuss("import", path, "--out", "out")
         self.assertEqual(done.returncode, 2)
         self.assertIn("deck.k:34: error: *CONSTRAINED_SPOTWELD", done.stderr)
+        for line in filter(lambda line: "error: *" in line, done.stderr.splitlines()):  # problem (reason): what to do; then what follows
+            self.assertRegex(line, r"error: \*[A-Z_.]+: .+ \(.+\): change or remove it, or use --allow [A-Z_.]+; then .+")
         self.assertFalse(os.path.exists(os.path.join(self.folder, "out/deck.yaml")))
         self.assertTrue(os.path.exists(os.path.join(self.folder, "out/import_report.md")))
         done = self.percuss("import", path, "--out", "out", "--allow", "constrained_*,nothing")

@@ -26,9 +26,10 @@ except ImportError as error:
 from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from reporting.answers import find_peaks_of_forces, judge_trust, list_changes, suggest_forces, tell_events  # noqa: E402
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
-from reporting.forces import find_balances, find_impulse, list_forces  # noqa: E402
+from reporting.forces import find_balances, find_force, find_impulse, list_forces  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.pictures import Worst  # noqa: E402
 from reporting.surface import pack_surface, read_library  # noqa: E402
@@ -120,7 +121,7 @@ class Report(OfARun):
         self.check(text)
         self.expect(text, "A block falls on a plate &amp; &lt;wall&gt;", percuss.read(self.out).summary["state_hash"],
                     "16 quadrilaterals", "8 hexahedra", "j2_plasticity", "[hourglass_energy]", "# A block falls on a plate.",
-                    "controlled by block", "force of the walls z", "Largest von Mises stress", "Largest and least values")
+                    "controlled by block", "force of the rigid walls in z", "Largest von Mises stress", "Largest and least values")
         self.assertNotIn("<wall>", text)
         if read_library():
             self.expect(text, "OrbitControls", "id=surface-data")
@@ -177,6 +178,10 @@ class Report(OfARun):
         history = percuss.read(out).history
         self.expect(text, f"{np.nanmax(history['area:hit']):.4g}", f"{np.nanmax(history['pressure:hit']):.4g}")
         self.assertEqual(list_forces(history), ["hit", "back", "clamp"])
+        size = np.linalg.norm(find_force(history, "hit"), axis=1)
+        peak = next(peak for peak in find_peaks_of_forces(percuss.read(out)) if peak[0] == "hit")
+        self.assertEqual(peak, ("hit", "contact block and all", size.max(), history["time"][size.argmax()], True))
+        self.expect(text, "In short", "hit (contact block and all)", "mean since the row before")
         change = history["momentum_z:block"][-1] - history["momentum_z:block"][0]
         self.assertAlmostEqual(find_impulse(history, "hit")[2] / change, 1, places=10)  # nothing else acts on the block
         self.assertLess(max(difference for _, _, _, difference, _ in find_balances(history)), 1e-10)
@@ -250,6 +255,30 @@ class Findings(OfARun):
         findings = self.find(lambda summary: summary["energy"].update(error=0.5))
         self.assertEqual(self.level_of(findings, "Energy is balanced"), BAD)
         self.assertEqual(findings[0].level, BAD)
+
+    def test_lead_to_a_verdict_and_to_what_to_change(self):
+        def spoil(summary):
+            summary["energy"].update(error=0.02, hourglass=0)
+            summary["warnings"] = [{"rule": "friction", "text": "mu is 3 (rubber has 1.5): check it", "place": "deck.yaml:3:4"}]
+
+        run = percuss.read(self.out)
+        findings = self.find(spoil)
+        self.assertRegex(judge_trust(run, findings), r"^With care: .* \d points? below")
+        self.assertIn("Check it (friction, deck.yaml:3:4).", list_changes(findings))
+        self.assertIn("Find the time at which energy_error of the history grows; lower time.step_scale.", list_changes(findings))
+        self.assertRegex(judge_trust(run, self.find(lambda summary: summary.update(status="failed", error="it burst."))), "^No: The run failed: it burst.")
+        calm = [finding for finding in findings if finding.level == GOOD]
+        self.assertRegex(judge_trust(run, calm), "^As far as balances tell, yes")
+        self.assertEqual(list_changes(calm), [])
+
+    def test_tell_where_the_energy_went_and_which_forces_to_ask_for(self):
+        run = percuss.read(self.out)
+        start, end = (run.history["kinetic"][row] for row in (0, -1))
+        self.assertIn(f"In 200 \u00b5s the kinetic energy went from {start:.4g} J to {end:.4g} J.", tell_events(run)[0])
+        if run.deck.values:  # without Python's yaml there are none
+            self.assertIn("every: 1e-06\n    forces:\n      - {name: force_on_block, contact: [block, all]}\n      - {name: support_0, support: plate/x_min}\n",
+                          suggest_forces(run))
+        self.assertEqual([(peak[0], peak[-1]) for peak in find_peaks_of_forces(run)], [("wall_force", False)])
 
     def test_tell_how_a_run_ended(self):
         findings = self.find(lambda summary: summary.update(status="failed", error="element 3 is inverted."))

@@ -13,7 +13,7 @@ sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import sample_run  # noqa: E402
 from percuss.deck import Deck  # noqa: E402
 from watching.rows import Rows  # noqa: E402
-from watching.screen import find_end, format_duration, make_progress, make_sparkline, name_limit  # noqa: E402
+from watching.screen import find_end, format_duration, list_curves, make_progress, make_sparkline, name_limit  # noqa: E402
 
 
 class Watch(unittest.TestCase):
@@ -104,6 +104,12 @@ class Screen(unittest.TestCase):
         self.assertEqual(make_progress(0.5, 1, 10, True), "#####-----  50.0 %")
         self.assertEqual(make_progress(0.5, None, 10, True), "")
         self.assertEqual([format_duration(s) for s in (59.9, 61, 7260)], ["59 s", "1 min 01 s", "2 h 01 min"])
+
+    def test_shows_the_magnitude_of_forces(self):
+        rows = Rows("")
+        rows.names = ["time", "fx:hit", "fy:hit", "fz:hit"]
+        rows.columns = {"time": [0, 1], "fx:hit": [0, 3], "fy:hit": [0, -4], "fz:hit": [0, 12]}
+        self.assertEqual(list_curves(rows)[-1], ("fx:hit", "|f| hit", [0, 13]))
 
     def test_names_what_limits_the_step(self):
         rows = Rows("")

@@ -46,6 +46,19 @@ class Packaging(unittest.TestCase):
         self.assertLessEqual({names.get(name, name.lower()) for name in sought}, dependencies)
         self.assertLessEqual({"metis", "seacas", "netcdf-c", "muparser"}, dependencies)
 
+    def test_recipe_of_spack_has_the_least_versions_of_the_build(self):
+        _, told = load_recipe()
+        least = {match[1]: match[2] for match in (re.match(r"([\w-]+)@([\d.]+):", text) for text in told["depends_on"]) if match}
+        libraries = read("cmake/PercussDependencies.cmake")
+        self.assertEqual(least["cmake"], re.search(r"cmake_minimum_required\(VERSION ([\d.]+)\)", read("CMakeLists.txt"))[1])
+        kokkos = re.search(r"Kokkos_VERSION VERSION_LESS ([\d.]+)\)", libraries)[1]
+        self.assertEqual((least["kokkos"], least["kokkos-kernels"]), (kokkos, kokkos))
+        self.assertEqual(least["python"], re.search(r"Needs Python ([\d.]+\d)", read("scripts/import"))[1])
+
+    def test_container_has_what_the_debian_package_recommends(self):
+        recommended = re.search(r'CPACK_DEBIAN_PACKAGE_RECOMMENDS "([^"]+)"', read("CMakeLists.txt"))[1].split(", ")
+        self.assertEqual([name for name in recommended if name not in read("packaging/Containerfile")], [])
+
     def test_container_has_packages_that_the_scripts_name(self):
         text = read("packaging/Containerfile")
         packages = set(re.findall(r"(?<![\w/-])(python3-[\w]+|libjs-three|fonts-dejavu-core|xvfb|xauth)", text))

@@ -24,14 +24,14 @@ def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
     """The section of a part; None where it is refused."""
     if section.kind == "SOLID":  # of trusses
         if section.area <= 0:
-            raise BadInput(section.place, "the area of a truss must be positive")
+            raise BadInput(section.place, "the area of this truss is not positive: correct it")
         return {"truss": {"area": section.area}}
     sizes = section.sizes
     if section.shape not in DIMENSIONS:
         deck.ledger.refuse("BEAM SECTION.SECTION", section.place, f"a section of type {section.shape or '(none)'}", "it is left out")
         return None
     if not sizes or min(sizes) <= 0:
-        raise BadInput(section.place, "the dimensions of a beam must be positive")
+        raise BadInput(section.place, "a dimension of this beam section is not positive: correct it")
     if section.shape == "CIRC":
         return {"round": {"radius": sizes[0]}}
     if section.shape == "PIPE":
@@ -44,7 +44,7 @@ def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
         deck.ledger.refuse("BEAM SECTION.BOX", section.place, "walls of different thickness", "all have their mean")
     wall = sizes[2] if len(set(sizes[2:])) == 1 else sum(sizes[2:]) / 4
     if 2 * wall >= min(sizes[:2]):
-        raise BadInput(section.place, "the walls of a box are thicker than half of its width")
+        raise BadInput(section.place, "the walls of this box are thicker than half of its width: correct them")
     return {"box": {"size": sizes[:2], "wall": wall}}
 
 
@@ -54,7 +54,7 @@ def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> 
     if found is None:
         return False
     if law["model"] not in LAWS or "equation_of_state" in law:
-        deck.ledger.refuse("BEAM SECTION.MATERIAL", section.place, f"beams of the law {law['model']}", "they are left out")
+        deck.ledger.refuse("BEAM SECTION.MATERIAL", section.place, f"beams of the material model {law['model']}", "they are left out")
         return False
     part.keys["section"] = found
     if "rectangle" in found or "box" in found:

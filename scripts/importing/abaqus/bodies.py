@@ -35,7 +35,7 @@ def read_coupling(block: Block) -> BodyCard:
 def read_kinematic(scope: Scope, card: BodyCard | None, block: Block, ledger: Ledger) -> None:
     """Lines of the first and the last direction; none: all of them."""
     if card is None:
-        ledger.refuse(block.keyword, block.place, "a coupling without *COUPLING", "it is left out")
+        ledger.refuse(block.keyword, block.place, "a coupling type without *COUPLING", "it is left out")
         return
     held: set[int] = set()
     for line in block.lines:
@@ -169,7 +169,7 @@ def finish_bodies(deck: AbaqusDeck) -> None:
         elif not moved and not rest & set(WAYS):
             hold_whole(deck, group, number, rest, {})
         else:
-            deck.ledger.refuse("BOUNDARY.reference", group.place, "a reference node that is held or moved in part", "its body is free")
+            deck.ledger.refuse("BOUNDARY.reference", group.place, "a reference node with only some directions held or moved", "its body is free")
 
 
 def hold_whole(deck: AbaqusDeck, group: RigidGroup, number: int, rest: set[str], moved: dict[str, Deck]) -> None:

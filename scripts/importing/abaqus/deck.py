@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from ..curves import Curve
 from ..fields import clip, parse_integer
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
 from .lines import Block
 from .mesh import SIDES, SOLIDS, Instance, Scope
@@ -68,9 +68,9 @@ class AbaqusDeck:
         fits = [key for key in table if key.endswith("." + name)]
         if len(fits) == 1:
             return table[fits[0]]
-        raise BadInput(
-            place, f"there is no {what} '{clip(name)}'" if not fits else f"'{clip(name)}' may be one of {len(fits)} {what}s"
-        )
+        if not fits:
+            raise BadInput(place, missing(f"{what} '{clip(name)}'"))
+        raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): write INSTANCE.NAME")
 
     def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
         """Ids of a set, or one id, also as INSTANCE.ID."""
@@ -80,7 +80,7 @@ class AbaqusDeck:
             return self.resolve(table, name, place, what)
         shift = next((i.shift for i in self.instances if i.name == instance.upper()), 0)
         if id + shift not in known:
-            raise BadInput(place, f"there is no {what} or id {clip(name)}")
+            raise BadInput(place, missing(f"{what} or id {clip(name)}"))
         return [id + shift]
 
     def nodes_of(self, name: str, place: Place) -> list[int]:
@@ -93,7 +93,7 @@ class AbaqusDeck:
         if not name:
             return None
         if name not in self.amplitudes:
-            raise BadInput(place, f"there is no amplitude '{clip(name)}', or it is of a kind that is not read")
+            raise BadInput(place, missing(f"amplitude '{clip(name)}', or it is of a kind that is not read"))
         return self.amplitudes[name]
 
     # --- names in the deck of percuss

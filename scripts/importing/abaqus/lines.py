@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ..fields import MOST_ID, clip, parse_integer, parse_real
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 
@@ -31,20 +31,20 @@ class Block:
         text = line[1][index] if index < len(line[1]) else ""
         value = parse_real(text) if text else default
         if value is None:
-            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is no number")
+            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is not a number: correct it")
         return value
 
     def integer(self, line: tuple[int, list[str]], index: int, default: int = 0) -> int:
         text = line[1][index] if index < len(line[1]) else ""
         value = parse_integer(text) if text else default
         if value is None:
-            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is no whole number")
+            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is not an integer: correct it")
         return value
 
     def id(self, line: tuple[int, list[str]], index: int) -> int:
         value = self.integer(line, index)
         if not 1 <= value <= MOST_ID:
-            raise BadInput(self.at(line[0]), f"'{value}' in *{self.keyword} is no id from 1 to 10^15")
+            raise BadInput(self.at(line[0]), f"'{value}' in *{self.keyword} is not an id (1 to 10^15): correct it")
         return value
 
     def text(self, line: tuple[int, list[str]], index: int) -> str:
@@ -104,25 +104,25 @@ class BlockReader:
             elif block:
                 block.lines.append((number, [word.strip() for word in text.split(",")]))
             else:
-                raise BadInput(Place(shown, number), f"'{clip(text)}' stands before any keyword")
+                raise BadInput(Place(shown, number), f"'{clip(text)}' stands before any keyword (a deck begins with one): remove it")
         if block:
             yield block
 
     def _find(self, name: str, place: Place) -> str:
         path = os.path.realpath(os.path.join(self._folder, name.replace("\\", "/"))) if "\0" not in name else ""
         if not name or not os.path.isfile(path):
-            raise BadInput(place, f"there is no file '{clip(name, 100)}'")
+            raise BadInput(place, missing(f"file '{clip(name, 100)}'"))
         if os.path.commonpath([path, self._folder]) != self._folder and not self._ledger.allows("INCLUDE.outside"):
             raise BadInput(place, f"'{clip(name, 100)}' lies outside of the folder of the first file "
                                   "(--allow INCLUDE.outside reads it, if you trust the deck)")  # fmt: skip
         if path in self._included or len(self._included) >= MOST_INCLUDED:
-            raise BadInput(place, f"'{clip(name, 100)}' is included twice")
+            raise BadInput(place, f"'{clip(name, 100)}' is included twice: remove one *INCLUDE")
         self._included.add(path)
         return path
 
     def _include(self, block: Block, depth: int) -> Iterator[Block]:
         if depth >= MOST_OPEN:
-            raise BadInput(block.place, "files include each other too deeply")
+            raise BadInput(block.place, "files include each other too deeply: remove the loop")
         path = self._find(block.options.get("INPUT", ""), block.place)
         self._ledger.translated("INCLUDE", block.place, "the file is read")
         yield from self._read_file(path, os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder)), depth + 1)

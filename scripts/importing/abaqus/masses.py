@@ -10,7 +10,7 @@ def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:
     """Mass scaling of all parts that percuss can scale."""
     step = block.number((block.place.line, [block.options.get("DT", "")]), 0)
     if "ELSET" in block.options or step <= 0:
-        deck.ledger.refuse(block.keyword, block.place, "mass scaling of some elements, or without DT", "no mass is added")
+        deck.ledger.refuse(block.keyword, block.place, "mass scaling of a set of elements, or without DT", "no mass is added")
         return
     left = set()
     for part in deck.model.blocks:

@@ -3,7 +3,7 @@
 import math
 
 from ..curves import order_points, thin_rows
-from ..ledger import BadInput, Place
+from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import choose_rate, compare_curves
 from .deck import AbaqusDeck, MaterialBlocks
@@ -20,7 +20,7 @@ def find(material: MaterialBlocks, keyword: str) -> Block | None:
 
 def require_line(block: Block) -> tuple[int, list[str]]:
     if not block.lines:
-        raise BadInput(block.place, f"*{block.keyword} has no data")
+        raise BadInput(block.place, f"*{block.keyword} has no data line: add it")
     return block.lines[0]
 
 
@@ -28,16 +28,16 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     """None where it is left out or refused."""
     material = deck.materials.get(name.upper())
     if material is None:
-        raise BadInput(place, f"there is no material '{name}'")
+        raise BadInput(place, missing(f"material '{name}'"))
     density = find(material, "DENSITY")
     if density is None:
-        raise BadInput(material.place, f"material {name} has no *DENSITY")
+        raise BadInput(material.place, f"material {name} has no *DENSITY (a dynamic run needs mass): add it")
     law = translate_law(deck, name, material)
     if law is None:
         return None
     law = {"model": law.pop("model"), "density": density.number(require_line(density), 0), **law}
     if law["density"] <= 0:
-        raise BadInput(density.place, "the density must be positive")
+        raise BadInput(density.place, "the density is not positive: correct *DENSITY")
     for block in material.parts:
         if block.keyword not in READ:
             instead = "there is none" if block.keyword in HARMLESS else INSTEAD
@@ -59,7 +59,7 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     line = require_line(elastic)
     law: Deck = {"model": "elastic", "youngs_modulus": elastic.number(line, 0), "poissons_ratio": elastic.number(line, 1)}
     if len(elastic.lines) > 1:
-        deck.ledger.refuse("ELASTIC", elastic.place, "moduli that depend on the temperature", "the first are used")
+        deck.ledger.refuse("ELASTIC", elastic.place, "temperature-dependent moduli", "the first row is used")
     plastic = find(material, "PLASTIC")
     if plastic:
         add_plastic(deck, law, plastic)
@@ -97,7 +97,7 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
         }
         return
     if kind not in ("", "ISOTROPIC", "KINEMATIC"):
-        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of the kind {kind}", "isotropic hardening is used")
+        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {kind}", "isotropic hardening is used")
     ascending = order_points([p for i, p in enumerate(points) if i == 0 or p[0] > points[i - 1][0]])
     if len(ascending) == 1:
         law |= {"model": "j2_plasticity", "yield_stress": ascending[0][1]}
@@ -137,7 +137,7 @@ def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
         rate = block.number((block.place.line, [block.options.get("RATE", "")]), 0)
         tables.append((rate, order_points([(block.number(row, 1), block.number(row, 0)) for row in block.lines])))
     if any(not points for _, points in tables):
-        raise BadInput(blocks[0].place, "*PLASTIC without a line")
+        raise BadInput(blocks[0].place, "*PLASTIC has no data line: add it")
     keys = choose_rate(deck.ledger, blocks[1].place, compare_curves(tables), "PLASTIC.RATE", "tables for several rates")
     if keys and law["model"] == "j2_plasticity":
         law |= {"model": "combined_hardening", "kinematic_share": 0.0}
@@ -147,7 +147,7 @@ def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
 def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     line = require_line(block)
     if block.option("TYPE") != "USUP":
-        deck.ledger.refuse("EOS", block.place, f"an equation of state of the kind {block.option('TYPE')}", "the law alone is used")
+        deck.ledger.refuse("EOS", block.place, f"an equation of state of type {block.option('TYPE')}", "the law alone is used")
         return
     law["equation_of_state"] = {"kind": "mie_grueneisen", "sound_speed": block.number(line, 0), "slope": block.number(line, 1),
                                 "grueneisen": block.number(line, 2)}  # fmt: skip

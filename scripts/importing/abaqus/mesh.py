@@ -5,7 +5,7 @@ from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field, replace
 
 from ..fields import parse_integer
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from .lines import Block
 
@@ -164,7 +164,7 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], shift: int 
     """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step. The ids of the scope are above by a shift."""
     name = block.option("NSET" if block.keyword == "NSET" else "ELSET")
     if not name:
-        raise BadInput(block.place, f"*{block.keyword} has no name")
+        raise BadInput(block.place, f"*{block.keyword} has no name: add it as an option")
     members = sets.setdefault(name, [])
     ids = scope.sort(block.keyword) if "GENERATE" in block.options else []
     if block.keyword == "NSET" and "ELSET" in block.options:
@@ -187,14 +187,14 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], shift: int 
             elif text.upper() in sets:
                 members += sets[text.upper()]
             else:
-                raise BadInput(block.at(line[0]), f"there is no set '{text[:60]}'")
+                raise BadInput(block.at(line[0]), missing(f"set '{text[:60]}'"))
 
 
 def list_corners(scope: Scope, block: Block) -> list[int]:
     """Nodes of a set of elements."""
     elements = scope.element_sets.get(block.option("ELSET"))
     if elements is None:
-        raise BadInput(block.place, f"there is no element set '{block.option('ELSET')[:60]}' in this part")
+        raise BadInput(block.place, missing(f"element set '{block.option('ELSET')[:60]}' in this part"))
     return list(dict.fromkeys(corner for id in elements if id in scope.elements for corner in scope.elements[id][1]))
 
 

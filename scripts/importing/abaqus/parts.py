@@ -3,7 +3,7 @@
 from collections import Counter
 
 from ..fields import MOST_ID
-from ..ledger import BadInput
+from ..ledger import BadInput, missing
 from ..model import Block as Part
 from ..model import Deck
 from .bodies import add_reference_masses
@@ -38,7 +38,7 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
     for index, instance in enumerate(deck.instances):
         part = deck.parts.get(instance.part)
         if part is None:
-            raise BadInput(instance.place, f"there is no part '{instance.part}'")
+            raise BadInput(instance.place, missing(f"part '{instance.part}'"))
         if index > 0:
             highest = max([*deck.mesh.nodes, *deck.mesh.elements, 1])
             if highest > MOST_ID // 100:
@@ -48,7 +48,7 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
             instance.shift = 10 ** len(str(highest))
             deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
         if len(deck.mesh.nodes) + len(part.nodes) + len(instance.own.nodes) > MOST_NODES:
-            raise BadInput(instance.place, "the instances have more than 20 million nodes")
+            raise BadInput(instance.place, "the instances have more than 20 million nodes (the limit of the importer): import fewer instances")
         join(deck.mesh, part, instance)
         join(deck.mesh, instance.own, instance)
         deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
@@ -91,18 +91,18 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
     )
     for id in deck.elements_of(section.elements, section.place):
         if id not in deck.mesh.elements:
-            raise BadInput(section.place, f"there is no element {id}")
+            raise BadInput(section.place, missing(f"element {id}"))
         kind, corners = deck.mesh.elements[id]
         if id in deck.blocks_of_elements:
-            raise BadInput(section.place, f"element {id} has two sections")
+            raise BadInput(section.place, f"element {id} has two sections: remove it from one of the element sets")
         sort_element(deck, section, part, id, kind, corners)
         for corner in corners:
             if corner not in deck.mesh.nodes:
-                raise BadInput(section.place, f"there is no node {corner}, of element {id}")
+                raise BadInput(section.place, missing(f"node {corner}, of element {id}"))
     if part.shells:
         add_shell_keys(deck, section, part)
     if sum(1 for elements in (part.solids, part.shells, part.beams) if elements) > 1:
-        raise BadInput(section.place, "a section of elements of several kinds")
+        raise BadInput(section.place, "this section has solids, shells or beams together (a part has one kind): divide its element set")
     if part.beams and not add_beam_keys(deck, section, part, law):
         return
     if part.elements():
@@ -133,7 +133,7 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         deck.ledger.translated("ELEMENT.degenerate", section.place, f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
     else:
         deck.ledger.refuse(
-            f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out"
+            f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}", "they are left out"
         )
         return
     deck.blocks_of_elements[id] = len(deck.model.blocks)
@@ -141,7 +141,7 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
 
 def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if section.thickness <= 0:
-        raise BadInput(section.place, "the thickness of a shell must be positive")
+        raise BadInput(section.place, "the thickness of this shell section is not positive: correct it")
     part.thickness = section.thickness
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:

@@ -57,7 +57,7 @@ class Reader:
         elif keyword in IGNORED:
             self.deck.ledger.ignored(keyword, block.place, IGNORED[keyword])
         else:
-            self.deck.ledger.refuse(keyword or "(blank)", block.place, "a keyword that percuss has nothing for", "it is left out")
+            self.deck.ledger.refuse(keyword or "(blank)", block.place, "an unknown keyword", "it is left out")
 
     def heading(self, block: Block) -> None:
         self.deck.model.title = ", ".join(block.lines[0][1]) if block.lines else ""
@@ -78,7 +78,7 @@ class Reader:
 
     def nodes(self, block: Block) -> None:
         if block.option("SYSTEM") not in ("", "R"):
-            raise BadInput(block.place, "nodes in other than rectangular coordinates are not read")
+            raise BadInput(block.place, "nodes in cylindrical or spherical coordinates are not read: convert them to rectangular ones")
         read_nodes(self.scope, block)
         self.deck.ledger.translated("NODE", block.place, "nodes of the mesh")
 
@@ -149,7 +149,7 @@ class Reader:
         self.steps += 1
         if self.steps > 1:
             self.deck.ledger.refuse(
-                "STEP", block.place, "a second step", "its conditions and loads act from the start, its time counts on"
+                "STEP", block.place, "a second step", "its conditions and loads act from the start, and its time is added"
             )
 
     def dynamic(self, block: Block) -> None:
@@ -212,9 +212,9 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
         deck.mesh.place = next(iter(deck.parts.values())).place
     read_assembly_sets(reader)
     if not deck.mesh.elements:
-        raise BadInput(path, "the deck has no elements")
+        raise BadInput(path, "the deck has no elements (percuss needs a mesh): include the mesh file")
     if deck.end_time <= 0:
-        raise BadInput(path, "there is no step with a time (*DYNAMIC, EXPLICIT)")
+        raise BadInput(path, "there is no step with a time (the run would have no end): add *DYNAMIC, EXPLICIT")
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)

@@ -12,10 +12,10 @@ def read_spring(scope: Scope, block: Block, ledger: Ledger) -> None:
     lines = [line for line in block.lines if any(line[1])]
     nonlinear = "NONLINEAR" in block.options
     if nonlinear and block.keyword == "DASHPOT":
-        ledger.refuse("DASHPOT.NONLINEAR", block.place, "dampers whose force is no multiple of the rate", "they are left out")
+        ledger.refuse("DASHPOT.NONLINEAR", block.place, "nonlinear dampers", "they are left out")
         return
     if not lines:
-        raise BadInput(block.place, f"*{block.keyword} has no value")
+        raise BadInput(block.place, f"*{block.keyword} has no value: add its data line")
     if nonlinear:
         law = {"table": make_table(block, [(block.number(line, 1), block.number(line, 0)) for line in lines])}
     else:
@@ -48,7 +48,7 @@ def add_spring(deck: AbaqusDeck, spring: SpringSet, id: int) -> None:
     if kind not in SPRINGS or len(nodes) != 2:
         deck.ledger.refuse(f"ELEMENT.{kind}", spring.place, "springs other than SPRINGA and DASHPOTA", "they are left out")
     elif nodes[0] == nodes[1]:
-        raise BadInput(spring.place, f"both ends of element {id} are node {nodes[0]}")
+        raise BadInput(spring.place, f"both ends of element {id} are node {nodes[0]}: correct it")
     elif not deck.used_nodes().issuperset(nodes):
         deck.ledger.refuse(spring.keyword, spring.place, "springs to nodes without elements", "they are left out")
     else:

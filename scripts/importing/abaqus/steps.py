@@ -116,12 +116,12 @@ def hold_references(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]],
 def read_initial(deck: AbaqusDeck, block: Block) -> None:
     """set, dof, velocity."""
     if block.option("TYPE") != "VELOCITY":
-        deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"start values of {clip(block.option('TYPE'))}", INSTEAD)
+        deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"initial conditions of type {clip(block.option('TYPE'))}", INSTEAD)
         return
     for line in block.lines:
         dof, value = block.integer(line, 1), block.number(line, 2)
         if dof not in (1, 2, 3):
-            deck.ledger.refuse("INITIAL CONDITIONS.dof", block.at(line[0]), "a rotation of nodes at the start", INSTEAD)
+            deck.ledger.refuse("INITIAL CONDITIONS.dof", block.at(line[0]), "an initial rotational velocity of nodes", INSTEAD)
             continue
         nodes = deck.nodes_of(block.text(line, 0), block.at(line[0]))
         for node in {n for ref in nodes for n in (deck.group_of_ref[ref].nodes if ref in deck.group_of_ref else [ref])}:
@@ -158,7 +158,7 @@ def name_nodes(deck: AbaqusDeck, nodes: list[int], wish: str) -> str:
 def read_node_force(deck: AbaqusDeck, block: Block) -> None:
     """*CLOAD: node or set, dof, magnitude."""
     if "FOLLOWER" in block.options:
-        deck.ledger.refuse("CLOAD.FOLLOWER", block.place, "forces that turn with their nodes", INSTEAD)
+        deck.ledger.refuse("CLOAD.FOLLOWER", block.place, "follower forces", INSTEAD)
         return
     for line in block.lines:
         name, dof = deck.node_set_name(block.text(line, 0), block.at(line[0])), block.integer(line, 1)

@@ -1,6 +1,6 @@
 """*ELEMENT_BEAM and *SECTION_BEAM: beams and trusses."""
 
-from ..ledger import BadInput
+from ..ledger import BadInput, missing
 from ..model import Block, Deck, Vector
 from ..shapes import cross, dot, normalise, subtract
 from .cards import Card, Lines
@@ -15,7 +15,7 @@ LAWS = ("elastic", "j2_plasticity")
 def read_beams(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1 N2 N3 RT1 RR1 RT2 RR2 LOCAL."""
     if card.keyword not in ("ELEMENT_BEAM", "ELEMENT_BEAM_ORIENTATION"):
-        deck.ledger.refuse(card.keyword, card.place, "this form of beams is not read", "these elements are left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of beam elements", "these elements are left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -25,9 +25,9 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
         ends = (to_id(card, line[0], texts[2], "N1"), to_id(card, line[0], texts[3], "N2"))
         third = to_id(card, line[0], texts[4], "N3", True)
         if ends[0] == ends[1]:
-            raise BadInput(card.at(line[0]), f"beam {id} has one node at both ends")
+            raise BadInput(card.at(line[0]), f"beam {id} has the same node at both ends: correct it")
         if any(text not in ("", "0") for text in texts[5:9]):
-            deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "they are held")
+            deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "the ends stay connected")
         elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, read_toward(card, reader)))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
@@ -129,7 +129,7 @@ def find_direction(deck: KeywordDeck, part: PartCard, beam: BeamElement) -> tupl
     """From the first node to N3, across the beam, to six digits."""
     for node in beam.ends if beam.toward else (*beam.ends, beam.third):
         if node not in deck.nodes:
-            raise BadInput(part.place, f"there is no node {node}, of beam {beam.id} (N3 says how its section is turned)")
+            raise BadInput(part.place, missing(f"node {node}, of beam {beam.id} (N3 says how its section is turned)"))
     start = deck.nodes[beam.ends[0]]
     axis, to_third = normalise(subtract(deck.nodes[beam.ends[1]], start)), beam.toward or subtract(deck.nodes[beam.third], start)
     across = cross(cross(axis, to_third), axis)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from ..fields import Row, clip, parse_integer
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 from .parameters import Parameters
 from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
 
@@ -110,10 +110,10 @@ class CardReader:
 
     def _read_lines(self, path: str, place: "Place | str") -> list[str]:
         if not os.path.isfile(path):
-            raise BadInput(place, f"{clip(path, 200)} is no file")
+            raise BadInput(place, f"{clip(path, 200)} is not a file: check the name")
         self._bytes += os.path.getsize(path)
         if self._bytes > MOST_BYTES:
-            raise BadInput(place, "the files hold more than 4 GiB")
+            raise BadInput(place, "the files hold more than 4 GiB (the limit of the importer): divide the model")
         with open(path, "rb") as file:
             return file.read().decode("utf-8", "replace").split("\n")
 
@@ -155,7 +155,7 @@ class CardReader:
             elif card:
                 card.lines.append((number, line))
             elif line.strip():
-                raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword")
+                raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword (a deck begins with one): remove it")
         if card:
             yield card
 
@@ -186,9 +186,9 @@ class CardReader:
         """The cards of an included file."""
         path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
         if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
-            raise BadInput(card.place, "files include each other too deeply, or without end")
+            raise BadInput(card.place, "files include each other too deeply, or in a loop: remove the loop")
         if path in self._included:
-            raise BadInput(card.place, f"'{clip(name)}' is included twice")
+            raise BadInput(card.place, f"'{clip(name)}' is included twice: remove one *INCLUDE")
         self._included.add(path)
         self._ledger.translated(card.keyword, card.place, "the file is read")
         shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
@@ -209,7 +209,7 @@ class CardReader:
                     "(--allow INCLUDE.outside reads it, if you trust the deck)",
                 )
             return path
-        raise BadInput(place, f"there is no file '{clip(name, 100)}'")
+        raise BadInput(place, missing(f"file '{clip(name, 100)}'"))
 
 
 def join_names(card: Card) -> list[str]:
@@ -259,7 +259,7 @@ def read_ids(lines: Lines, per_line: int = 8) -> list[int]:
         for text in card.split(line, (10,) * per_line)[:per_line]:
             value = parse_integer(text) if text else 0
             if value is None:
-                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is no whole number")
+                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer: correct it")
             if value:
                 ids.append(value)
     return ids

@@ -76,7 +76,7 @@ def turn_direction(deck: KeywordDeck, row: Row, direction: str) -> tuple[str, fl
     for d in range(3):
         if abs(abs(axis[d]) - 1) < 1e-9:
             return direction[:-1] + AXES[d], 1.0 if axis[d] > 0 else -1.0
-    deck.ledger.refuse(f"{row.card}.CID", row.place, f"axes of system {id}, which do not lie along those of space", "the axes of space are used")
+    deck.ledger.refuse(f"{row.card}.CID", row.place, f"coordinate system {id}, whose axes are not the global ones", "the global axes are used")
     return direction, 1.0
 
 
@@ -84,7 +84,7 @@ def read_spc(deck: KeywordDeck, card: Card) -> None:
     """*BOUNDARY_SPC_NODE and _SET."""
     options = set(card.keyword.removeprefix("BOUNDARY_SPC").split("_")) - {""}
     if options - {"NODE", "SET", "BIRTH", "DEATH"} or not options & {"NODE", "SET"}:
-        deck.ledger.refuse(card.keyword, card.place, "this form is not read", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of the card", "it is left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -94,7 +94,7 @@ def read_spc(deck: KeywordDeck, card: Card) -> None:
         if "BIRTH" in options:
             window = reader.row("BIRTH DEATH=1e20")
             if window.number("BIRTH") > 0 or window.number("DEATH") < deck.end_time:
-                deck.ledger.refuse("BOUNDARY_SPC.BIRTH", window.place, "a condition for a part of the time", "it acts all the time")
+                deck.ledger.refuse("BOUNDARY_SPC.BIRTH", window.place, "a condition with a birth or death time", "it acts during the whole run")
         apply_spc(deck, card, row, "SET" in options)
 
 
@@ -110,7 +110,7 @@ def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
             axes = [0, 1, 2]  # all directions of any system
         else:
             deck.ledger.refuse(
-                "BOUNDARY_SPC.CID", row.place, f"fixed directions of the axes of system {system}", "the condition is left out"
+                "BOUNDARY_SPC.CID", row.place, f"fixed directions in coordinate system {system}", "the condition is left out"
             )
             return
     turned = [("r" if d.startswith("r") else "") + AXES[axes[AXES.index(d[-1])]] for d in directions]
@@ -148,7 +148,7 @@ def read_motion(deck: KeywordDeck, card: Card) -> None:
     """*BOUNDARY_PRESCRIBED_MOTION_NODE and _SET."""
     form = card.keyword.removeprefix("BOUNDARY_PRESCRIBED_MOTION_")
     if form not in ("NODE", "SET"):
-        deck.ledger.refuse(card.keyword, card.place, "this form is not read", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of the card", "it is left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -164,7 +164,7 @@ def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
     found = find_direction(deck, row)
     if found is None:
         deck.ledger.refuse(
-            "BOUNDARY_PRESCRIBED_MOTION.DOF", row.place, "motion along a direction that is no axis", "it is left out"
+            "BOUNDARY_PRESCRIBED_MOTION.DOF", row.place, "motion along a direction that is not a global axis", "it is left out"
         )
         return
     direction, sign = found
@@ -195,7 +195,7 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float) -> Dec
     """A condition of percuss without its nodes: velocity, displacement, or the integral of an acceleration."""
     birth, death = row.numbers("BIRTH", "DEATH")
     if birth > 0 or 0 < death < deck.end_time:
-        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.DEATH", row.place, "motion for a part of the time", "it acts all the time")
+        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.DEATH", row.place, "motion with a birth or death time", "it acts during the whole run")
     kind, scale = row.integer("VAD"), (row.number("SF") or 1.0) * sign
     curve = deck.curve(row.integer("LCID"), row.place)
     if kind == 1 and curve.points:

@@ -80,7 +80,7 @@ def translate_contact(deck: KeywordDeck, card: Card, contact: Contact) -> None:
         deck.model.deck.setdefault("elements", {})["resist_folding"] = True
         deck.ledger.approximated(name, contact.place, "elements.resist_folding, of all solids")
     elif any(word in name for word in ("2D", "DRAWBEAD", "ENTITY", "RIGID", "1D", "GUIDED", "SLIDING", "GEBOD", "COUPLING")):
-        deck.ledger.refuse(name, contact.place, "a kind of contact that percuss does not have", INSTEAD)
+        deck.ledger.refuse(name, contact.place, "this kind of contact", INSTEAD)
     elif "SINGLE_SURFACE" in name or "GENERAL" in name or "AIRBAG" in name:
         add_pairs(deck, contact, is_single=True)
     else:
@@ -136,7 +136,7 @@ def find_friction(deck: KeywordDeck, contact: Contact) -> float:
         static = 0.0
     elif static in (2, -2):
         static = 0.0
-        deck.ledger.refuse("CONTACT.FS", contact.place, "friction by a table", "there is none")
+        deck.ledger.refuse("CONTACT.FS", contact.place, "friction by a table", "there is no friction")
     elif static != dynamic and decay > 0:
         deck.ledger.approximated("CONTACT.FD", contact.place, "the static coefficient at all speeds")
     return static * factor
@@ -145,7 +145,7 @@ def find_friction(deck: KeywordDeck, contact: Contact) -> float:
 def check_fields(deck: KeywordDeck, contact: Contact) -> None:
     """What else the cards say."""
     if contact.law.number("BT") > 0 or 0 < contact.law.number("DT") < deck.end_time:
-        deck.ledger.refuse("CONTACT.BT", contact.place, "contact for a part of the time", "it acts all the time")
+        deck.ledger.refuse("CONTACT.BT", contact.place, "contact with a birth or death time", "it acts during the whole run")
     if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
         deck.ledger.refuse("CONTACT.SBOXID", contact.place, "contact in a box", "it acts everywhere")
     if any(v < 0 or v > 0 for v in contact.scale.numbers("SST", "MST")):
@@ -160,7 +160,7 @@ def check_fields(deck: KeywordDeck, contact: Contact) -> None:
             "CONTACT.SFST", contact.place, "a factor on the thickness of contact", "shells touch at half their own thickness"
         )
     if contact.law.number("VC"):
-        deck.ledger.refuse("CONTACT.VC", contact.place, "a limit of the shear stress of friction", "there is none")
+        deck.ledger.refuse("CONTACT.VC", contact.place, "a limit on the friction stress", "there is no limit")
     contact.law.finish(deck.ledger)
     for row in (contact.sides, contact.scale):
         row.finish(deck.ledger)
@@ -196,11 +196,11 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     thicknesses = contact.scale.numbers("SST", "MST")
     contact.law.skip("FS", "FD")
     if 0 < contact.law.number("DT") < deck.end_time:
-        deck.ledger.refuse("CONTACT.BT", contact.place, "a tie for a part of the time", "it acts all the time")
+        deck.ledger.refuse("CONTACT.BT", contact.place, "a tie with a birth or death time", "it acts during the whole run")
     for row in (contact.sides, contact.law, contact.scale):
         row.finish(deck.ledger)
     if not a or not b:
-        deck.ledger.refuse(contact.keyword, contact.place, "a tie with a side that is everything, or nothing", INSTEAD)
+        deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
         return
     entry: Deck = {"a": a, "b": b}
     reach = 0.6 * sum(abs(t) for t in thicknesses)

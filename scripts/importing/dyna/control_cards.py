@@ -92,4 +92,4 @@ def read_other_control(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.ignored(card.keyword, card.place, text)
             return
     instead = next((text for name, text in WITHOUT.items() if words.startswith(name)), "it is left out")
-    deck.ledger.refuse(card.keyword, card.place, "a control that percuss does not have", instead)
+    deck.ledger.refuse(card.keyword, card.place, "this control", instead)

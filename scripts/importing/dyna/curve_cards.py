@@ -21,9 +21,9 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
     if id < 1:
         row.fail("LCID", "an id is expected")
     if not points:
-        raise BadInput(row.place, f"curve {id} has no points")
+        raise BadInput(row.place, f"curve {id} has no points: add rows, or remove what refers to it")
     if id in deck.curves:
-        raise BadInput(row.place, f"there are two curves {id}")
+        raise BadInput(row.place, f"there are two curves {id} (ids must be unique): renumber one")
     if row.integer("SIDR") == 1:
         deck.ledger.ignored("DEFINE_CURVE.SIDR", row.place, "a curve of dynamic relaxation alone")
     deck.curves[id] = Curve(row.place, order_points(points))

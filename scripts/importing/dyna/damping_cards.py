@@ -13,7 +13,7 @@ FACTORS = ("STX", "STY", "STZ", "SRX", "SRY", "SRZ")
 def read_damping(deck: KeywordDeck, card: Card) -> None:
     """Entries of `damping`. Those of all come first, since the last one that names a node holds."""
     if card.keyword not in MASS_CARDS:
-        deck.ledger.refuse(card.keyword, card.place, "percuss has damping in proportion to mass alone", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass", "it is left out")
     elif card.keyword == "DAMPING_GLOBAL":
         row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
         if read_factors(deck, row):
@@ -63,4 +63,4 @@ def check_sign(value: object, place: Place) -> None:
     """Negative damping would add energy. An expression is judged by percuss itself."""
     rows = value.get("table", []) if isinstance(value, dict) else [[0.0, value]]
     if any(row[1] < 0 for row in rows):
-        raise BadInput(place, "the damping is negative, which would add energy")
+        raise BadInput(place, "the damping is negative (it would add energy): reverse its sign")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from ..curves import Curve, Points
 from ..fields import Row
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Model, Vector
 from ..shapes import FaceOwners
 from .cards import Card
@@ -184,24 +184,24 @@ class KeywordDeck:
 
     def curve(self, id: int, place: Place) -> Curve:
         if id not in self.curves:
-            raise BadInput(place, f"there is no curve {id}")
+            raise BadInput(place, missing(f"curve {id}"))
         self.used.add(("curve", id))
         return self.curves[id]
 
     def material_curve(self, id: int, place: Place) -> Points:
         curve = self.curve(id, place)
         if not curve.points:
-            raise BadInput(place, f"curve {id} is a function of time, not a table")
+            raise BadInput(place, f"curve {id} is a function of time (a table is needed here): give it rows")
         return curve.points
 
     def find_set(self, kind: str, id: int, place: Place) -> SetCard:
         if (kind, id) not in self.sets:
-            raise BadInput(place, f"there is no *SET_{kind} {id}")
+            raise BadInput(place, missing(f"*SET_{kind} {id}"))
         return self.sets[kind, id]
 
     def find_part(self, id: int, place: Place) -> PartCard:
         if id not in self.parts:
-            raise BadInput(place, f"there is no part {id}")
+            raise BadInput(place, missing(f"part {id}"))
         return self.parts[id]
 
     # --- members of sets
@@ -262,7 +262,7 @@ class KeywordDeck:
 
     def nodes_of_box(self, id: int, place: Place) -> list[int]:
         if id not in self.boxes:
-            raise BadInput(place, f"there is no *DEFINE_BOX {id}")
+            raise BadInput(place, missing(f"*DEFINE_BOX {id}"))
         low_high = self.boxes[id].numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX")
         return [n for n, x in self.nodes.items() if all(low_high[2 * d] <= x[d] <= low_high[2 * d + 1] for d in range(3))]
 
@@ -294,7 +294,7 @@ class KeywordDeck:
         nodes = list(nodes)
         for node in nodes:
             if node not in self.nodes:
-                raise BadInput(place, f"there is no node {node}")
+                raise BadInput(place, missing(f"node {node}"))
         used = self.used_nodes()
         kept = [node for node in nodes if node in used]
         return self.model.add_node_set(wish, kept) if kept else ""
@@ -323,7 +323,7 @@ class KeywordDeck:
             signs = [(face, owners.find_sign(face)) for face in card.segments]
             faces = [face for face, sign in signs if sign is not None]
             if len(faces) < len(signs):
-                self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are no face of an element", "they are left out")
+                self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are not a face of any element", "they are left out")
             faces += [face[::-1] for face in faces if all(node in self.shell_nodes() for node in face)]
             name = self.model.names.take(card.title or f"sides_{id}") if faces else ""
             if name:

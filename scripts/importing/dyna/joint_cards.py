@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from ..fields import Row
-from ..ledger import BadInput, Place
+from ..ledger import BadInput, Place, missing
 from ..model import Deck, Vector
 from .cards import Card
 from .deck import JointCard, KeywordDeck, NodalBody
@@ -39,7 +39,7 @@ def read_limits(deck: KeywordDeck, limits: Row) -> list[str]:
     if limits.number("CMO") == 1:
         return [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
     if limits.number("CMO"):
-        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body that is held along axes of its own", "it is free")
+        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body with constraints along local axes", "it is free")
     return []
 
 
@@ -121,7 +121,7 @@ def add_joints(deck: KeywordDeck) -> None:
 def make_pair(deck: KeywordDeck, joint: JointCard, nodes: list[int], bodies: dict[int, str]) -> Pair:
     for node in nodes:
         if node not in deck.nodes:
-            raise BadInput(joint.place, f"there is no node {node}")
+            raise BadInput(joint.place, missing(f"node {node}"))
     a, b = (deck.nodes[node] for node in nodes)
     middle = tuple((x + y) / 2 for x, y in zip(a, b, strict=True)) if math.dist(a, b) > 0 else a
     return Pair(middle, (bodies.get(nodes[0], ""), bodies.get(nodes[1], "")))  # type: ignore[arg-type]

@@ -16,7 +16,7 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
     form = card.keyword.removeprefix("LOAD_BODY_")
     if form not in ("X", "Y", "Z"):
         instead = "gravity acts on all parts" if form == "PARTS" else "it is left out"
-        deck.ledger.refuse(card.keyword, card.place, "this form of body loads is not in percuss", instead)
+        deck.ledger.refuse(card.keyword, card.place, "this form of body load", instead)
         return
     row = card.reader().row("LCID SF=1 LCIDDR~ XC~ YC~ ZC~ CID")
     direction, sign = turn_direction(deck, row, form.lower())
@@ -45,7 +45,7 @@ def read_node_load(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("ID DOF LCID SF=1 CID M1~ M2~ M3~")
         direction = DIRECTIONS.get(row.integer("DOF"))
         if direction is None:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a force that follows the nodes", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a follower force", "it is left out")
             continue
         name = nodes_of(deck, row.integer("ID"), is_set, row.place)
         direction, sign = turn_direction(deck, row, direction)
@@ -67,7 +67,7 @@ def add_pressure(deck: KeywordDeck, faces: str, value: "float | Deck") -> None:
 def read_segment_load(deck: KeywordDeck, card: Card) -> None:
     """*LOAD_SEGMENT and _SET, *LOAD_SHELL_SET and _ELEMENT: positive against the normal of the nodes."""
     if card.keyword not in ("LOAD_SEGMENT", "LOAD_SEGMENT_SET", "LOAD_SHELL_SET", "LOAD_SHELL_ELEMENT"):
-        deck.ledger.refuse(card.keyword, card.place, "this form of pressure is not in percuss", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of pressure", "it is left out")
         return
     groups: dict[tuple[int, float, float], list[Face]] = {}
     shells = {id: corners for block in deck.model.blocks for id, corners in block.shells} if "SHELL" in card.keyword else {}
@@ -115,4 +115,4 @@ def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float
             add_pressure(deck, name, make_time_value(curve, scale * sign, deck.end_time, shift))
             deck.ledger.translated(card.keyword, card.place, "loads.pressure")
     if is_lost:
-        deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are no face of an element", "they are left out")
+        deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are not a face of any element", "they are left out")

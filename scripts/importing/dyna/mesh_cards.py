@@ -42,7 +42,7 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
         if card.transform is not SAME:
             x = apply(card.transform, x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
-            raise BadInput(card.at(line[0]), f"node {id} stands at another place already")
+            raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places: renumber or remove one")
         deck.nodes[id] = x  # type: ignore[assignment]
         code = int(to_real(card, line[0], texts[4], "TC")), int(to_real(card, line[0], texts[5], "RC"))
         if code != (0, 0):
@@ -62,7 +62,7 @@ def elements_of(deck: KeywordDeck, part: int, place: Place) -> Elements:
 def read_solids(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1-N8 on one line, or EID PID and N1-N10 on two."""
     if card.keyword != "ELEMENT_SOLID":
-        deck.ledger.refuse(card.keyword, card.place, "this form of solids is not read", "these elements are left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of solid elements", "these elements are left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -100,7 +100,7 @@ def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, c
     deck.ledger.refuse(
         f"ELEMENT_SOLID.{shape}",
         place,
-        f"a {shape} solid ({different} nodes), an element that percuss does not have",
+        f"a {shape} solid ({different} nodes)",
         "these elements are left out, and the body has holes",
     )
 
@@ -109,7 +109,7 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1-N4, with more lines by the options THICKNESS, BETA, MCID and OFFSET."""
     options = set(card.keyword.removeprefix("ELEMENT_SHELL").split("_")) - {""}
     if options - {"THICKNESS", "BETA", "MCID", "OFFSET"}:
-        deck.ledger.refuse(card.keyword, card.place, "this form of shells is not read", "these elements are left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of shell elements", "these elements are left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -120,11 +120,11 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         thickness = read_shell_options(deck, card, reader, options, any(nodes[4:]))
         if any(nodes[4:]):
             deck.ledger.refuse(
-                "ELEMENT_SHELL.mid_nodes", card.at(line[0]), "shells with nodes on their edges", "the corners alone are used"
+                "ELEMENT_SHELL.mid_nodes", card.at(line[0]), "quadratic shells", "the corners alone are used"
             )
         corners = nodes[:3] if nodes[3] in (0, nodes[2]) else nodes[:4]
         if 0 in corners or len(set(corners)) < len(corners):
-            raise BadInput(card.at(line[0]), f"shell {id} has not three or four different corners")
+            raise BadInput(card.at(line[0]), f"shell {id} has fewer than three different corners: correct or remove it")
         elements_of(deck, part, card.at(line[0])).shells.append(Element(id, tuple(corners), thickness))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
@@ -169,4 +169,4 @@ def read_other_elements(deck: KeywordDeck, card: Card) -> None:
         part = parse_integer(texts[1]) if len(texts) > 1 and texts[1] else None
         if part and part > 0:
             elements_of(deck, part, card.at(line[0])).others.add(card.keyword)
-    deck.ledger.refuse(card.keyword, card.place, "elements that percuss does not have", "these elements are left out")
+    deck.ledger.refuse(card.keyword, card.place, "this kind of element", "these elements are left out")

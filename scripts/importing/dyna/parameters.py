@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ..fields import clip, parse_real
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, missing
 
 if TYPE_CHECKING:
     from .cards import Card
@@ -41,7 +41,7 @@ class Parameters:
             if name.upper() in scope._values:
                 return scope._values[name.upper()]
             scope = scope._outer
-        raise BadInput(place, f"there is no parameter &{clip(name)}")
+        raise BadInput(place, missing(f"parameter &{clip(name)}"))
 
     def replace(self, text: str, place: Place) -> str:
         """A field with the values of its parameters."""
@@ -60,7 +60,7 @@ class Parameters:
             ledger.ignored(card.keyword, card.place, "a second value of a parameter is an error here")
             return
         if any(word not in ("EXPRESSION", "LOCAL", "MUTABLE", "GLOBAL") for word in words):
-            ledger.refuse(card.keyword, card.place, "this form of parameters is not read")
+            ledger.refuse(card.keyword, card.place, "this form of parameters")
             return
         scope = self if "LOCAL" in words else self._root()
         pairs = self._read_expressions(card) if "EXPRESSION" in words else self._read_values(card)
@@ -76,7 +76,7 @@ class Parameters:
         if kind not in ("R", "I", "C") or not name:
             raise BadInput(place, f"'{clip(word)}' is no parameter (R, I or C and its name are expected)")
         if name in self._values and not is_mutable and self._values[name] != value:
-            raise BadInput(place, f"parameter {clip(name)} has a value already")
+            raise BadInput(place, f"parameter {clip(name)} has a value already: remove one definition")
         if kind == "C" or isinstance(value, str):
             self._values[name] = str(value)
         else:

@@ -4,7 +4,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from ..fields import Row
-from ..ledger import BadInput
+from ..ledger import BadInput, missing
 from ..model import Block, Deck
 from .beam_cards import divide_beams
 from .cards import Card
@@ -24,7 +24,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
     """A title, then PID SECID MID EOSID HGID GRAV ADPOPT TMID, for each part."""
     options = [word for word in PART_LINES if f"_{word}" in card.keyword]
     if "".join(sorted(card.keyword.removeprefix("PART"))) != "".join(sorted("".join(f"_{word}" for word in options))):
-        deck.ledger.refuse(card.keyword, card.place, "this form of parts is not read", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "this form of parts", "it is left out")
         return
     reader = card.reader()
     while reader.holds_more():
@@ -34,7 +34,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
         if id < 1:
             row.fail("PID", "an id is expected")
         if id in deck.parts:
-            raise BadInput(row.place, f"there are two parts {id}")
+            raise BadInput(row.place, f"there are two parts {id} (ids must be unique): renumber one")
         part = PartCard(id, title, row.place, *(row.integer(n) for n in ("SECID", "MID", "EOSID", "HGID")))
         row.finish(deck.ledger)
         deck.parts[id] = part
@@ -109,7 +109,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     more = reader.row("T1 T2 T3 T4 NLOC MAREA~ IDOF~ EDGSET~")
     form = row.integer("ELFORM") or 2
     if form not in SHELL_FORMS and not deck.ledger.refuse(
-        "SECTION_SHELL.ELFORM", row.place, f"formulation {form} (membranes, plane and axisymmetric elements are not in percuss)",
+        "SECTION_SHELL.ELFORM", row.place, f"formulation {form} (percuss has no membranes, plane or axisymmetric elements)",
         "the shell of percuss is used"):  # fmt: skip
         return None
     thicknesses = [value for value in more.numbers("T1", "T2", "T3", "T4") if value > 0] or [0.0]
@@ -119,7 +119,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     if row.integer("QR") not in (0, 1):
         deck.ledger.approximated("SECTION_SHELL.QR", row.place, "Gauss points in place of a rule of the user's")
     if row.integer("ICOMP"):
-        deck.ledger.refuse("SECTION_SHELL.ICOMP", row.place, "angles of layers", "they are left out")
+        deck.ledger.refuse("SECTION_SHELL.ICOMP", row.place, "material angles of the layers", "they are left out")
     row.skip("SECID", "SHRF")
     row.finish(deck.ledger)
     reference = more.number("NLOC")
@@ -141,7 +141,7 @@ def build_blocks(deck: KeywordDeck) -> None:
     for id, elements in deck.elements.items():
         part = deck.parts.get(id)
         if part is None:
-            raise BadInput(elements.place, f"there is no part {id}")
+            raise BadInput(elements.place, missing(f"part {id}"))
         if not elements.solids and not elements.shells and not elements.beams:
             continue
         for block in divide_part(deck, part, elements, next_id):
@@ -188,17 +188,17 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
     """The blocks of a part, without its material."""
     section = deck.sections.get(part.section)
     if section is None:
-        raise BadInput(part.place, f"there is no section {part.section}, of part {part.id}")
+        raise BadInput(part.place, missing(f"section {part.section}, of part {part.id}"))
     name = deck.model.names.take(part.title or f"part_{part.id}", "part")
     is_beam = section.keyword.startswith("SECTION_BEAM")
     if elements.beams:
         if elements.solids or elements.shells or not is_beam:
-            raise BadInput(part.place, f"part {part.id} has beams, but its section or other elements are of another kind")
+            raise BadInput(part.place, f"part {part.id} has beams, but its section or other elements are of another kind: correct its SECID, or divide the part")
         return divide_beams(deck, part, elements.beams, name, next_id)
     if not elements.shells:
         return [Block(part.id, part.id, name, part.place, solids=elements.solids)]
     if elements.solids or not section.keyword.startswith("SECTION_SHELL"):
-        raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids")
+        raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids: correct its SECID, or divide the part")
     found = translate_shell_section(deck, section)
     if found is None:
         return []
@@ -217,7 +217,7 @@ def divide_shells(
     blocks = []
     for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
         if thickness <= 0:
-            raise BadInput(part.place, f"part {part.id} has shells without thickness")
+            raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
         keys: Deck = {"points": section.points}
         if section.reference:
             named = {1.0: "top", -1.0: "bottom"}.get(section.reference)
@@ -320,7 +320,7 @@ def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row 
     if not id:
         return general
     if id not in deck.hourglass:
-        raise BadInput(deck.parts[block.part].place, f"there is no *HOURGLASS {id}")
+        raise BadInput(deck.parts[block.part].place, missing(f"*HOURGLASS {id}"))
     row = deck.hourglass[id]
     quadratic, linear = row.number("Q1") or 1.5, row.number("Q2") or 0.06
     if (quadratic, linear) != (1.5, 0.06):

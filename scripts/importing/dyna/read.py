@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from ..ledger import BadInput, Ledger
+from ..ledger import BadInput, Ledger, missing
 from ..model import Model
 from . import condition_cards as conditions
 from . import rigid_cards as rigid
@@ -90,13 +90,13 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
     elif deck.other_case:
         deck.ledger.ignored(f"CASE.{keyword}", card.place, "of a case that does not act")
     elif "PGP" in keyword or keyword.startswith("--"):
-        raise BadInput(card.place, "an encrypted block cannot be read")
+        raise BadInput(card.place, "an encrypted block cannot be read: ask its author for the plain text")
     elif definition and len(definition) >= len(action or ""):
         apply(deck, card, DEFINITIONS[definition])
     elif action:
         waiting.append((list(ACTIONS).index(action), card, ACTIONS[action]))
     else:
-        deck.ledger.refuse(keyword or "(blank)", card.place, "a card that percuss has nothing for", "it is left out")
+        deck.ledger.refuse(keyword or "(blank)", card.place, "an unknown card", "it is left out")
 
 
 def read_case(deck: KeywordDeck, card: Card) -> None:
@@ -125,9 +125,9 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for card in CardReader(path, ledger).read():
         sort_card(deck, card, waiting)
     if not deck.elements:
-        raise BadInput(path, "the deck has no elements that are read")
+        raise BadInput(path, "the deck has no elements that percuss reads: include the mesh file")
     if deck.end_time <= 0:
-        raise BadInput(path, "there is no *CONTROL_TERMINATION with a time")
+        raise BadInput(path, "there is no *CONTROL_TERMINATION with a time (the run would have no end): add one")
     build(deck)
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
@@ -154,7 +154,7 @@ def check_corners(deck: KeywordDeck) -> None:
         for id, corners in [*elements.solids, *shells, *((beam.id, beam.ends) for beam in elements.beams)]:
             for node in corners:
                 if node not in deck.nodes:
-                    raise BadInput(elements.place, f"there is no node {node}, of element {id}")
+                    raise BadInput(elements.place, missing(f"node {node}, of element {id}"))
 
 
 def finish(deck: KeywordDeck) -> None:

@@ -17,7 +17,7 @@ def read_inertia(deck: KeywordDeck, reader: Lines, part: PartCard) -> None:
     motion = reader.row("VTX VTY VTZ VRX VRY VRZ")
     if mass.integer("IRCS"):
         reader.take()
-        deck.ledger.refuse("PART_INERTIA.IRCS", mass.place, "inertia about axes of its own", "those of space are used")
+        deck.ledger.refuse("PART_INERTIA.IRCS", mass.place, "inertia in a local coordinate system", "the global axes are used")
     xx, xy, xz, yy, yz, zz = inertia.numbers("IXX", "IXY", "IXZ", "IYY", "IYZ", "IZZ")
     node = mass.integer("NODEID")
     if node and node not in deck.nodes:
@@ -43,7 +43,7 @@ def find_lead(deck: KeywordDeck, id: int) -> int:
         for part in (id, lead):
             deck.find_part(part, place)
         if lead in seen:
-            raise BadInput(place, f"part {lead} is merged with itself")
+            raise BadInput(place, f"part {lead} is merged with itself: correct the ids")
         seen.add(lead)
         id = lead
     return id

@@ -24,7 +24,7 @@ def read_set(deck: KeywordDeck, card: Card) -> None:
     if ("COLLECT" in options) and (kind, found.id) in deck.sets:
         found = deck.sets[kind, found.id]
     elif (kind, found.id) in deck.sets:
-        raise BadInput(row.place, f"there are two *SET_{kind} {found.id}")
+        raise BadInput(row.place, f"there are two *SET_{kind} {found.id} (ids must be unique): renumber one")
     deck.sets[kind, found.id] = found
     read_members(deck, card, reader, found, form)
     deck.ledger.translated(card.keyword, card.place, "a set of the mesh, where something uses it")
@@ -39,7 +39,7 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
     elif form == ["GENERATE"]:
         pairs = read_ids(reader)
         if len(pairs) % 2:
-            raise BadInput(card.place, f"*{card.keyword} has a beginning without an end")
+            raise BadInput(card.place, f"*{card.keyword} has a first id without a last: add it")
         found.ranges += list(zip(pairs[::2], pairs[1::2]))
     elif form == ["ADD"]:
         found.sets += read_ids(reader)
@@ -77,7 +77,7 @@ def read_general(card: Card, reader: Lines, found: SetCard) -> None:
             found.segments.append(tuple(dict.fromkeys(v for v in values[:4] if v)))
             continue
         if None in values or found.kind not in ("NODE", "PART"):
-            raise BadInput(card.at(line[0]), f"this line of *{card.keyword} is not read")
+            raise BadInput(card.at(line[0]), f"this line of *{card.keyword} is not read: write it in the form that docs/import.md lists")
         found.options.append((texts[0].upper(), [v for v in values if v]))
 
 

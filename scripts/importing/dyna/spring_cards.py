@@ -1,6 +1,6 @@
 """*ELEMENT_DISCRETE with its sections and materials: springs and dampers between two nodes."""
 
-from ..ledger import BadInput, Place
+from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from .cards import Card
 from .deck import KeywordDeck, PartCard, SpringElement
@@ -12,7 +12,7 @@ LEFT_OUT = "these springs are left out"
 def read_springs(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1 N2 VID S PF OFFSET."""
     if card.keyword != "ELEMENT_DISCRETE":
-        deck.ledger.refuse(card.keyword, card.place, "this form of springs is not read", LEFT_OUT)
+        deck.ledger.refuse(card.keyword, card.place, "this form of springs", LEFT_OUT)
         return
     for line in card.lines:
         if not line[1].strip():
@@ -37,10 +37,10 @@ def is_translated_section(deck: KeywordDeck, part: PartCard) -> bool:
     """Whether the section of springs says nothing that percuss does not have."""
     card = deck.sections.get(part.section)
     if card is None:
-        raise BadInput(part.place, f"there is no section {part.section}, of part {part.id}")
+        raise BadInput(part.place, missing(f"section {part.section}, of part {part.id}"))
     reader = card.reader()
     row = reader.row("SECID DRO KD V0~ CL FD")
-    if row.integer("DRO") and not deck.ledger.refuse("SECTION_DISCRETE.DRO", row.place, "springs of rotation", LEFT_OUT):
+    if row.integer("DRO") and not deck.ledger.refuse("SECTION_DISCRETE.DRO", row.place, "torsional springs", LEFT_OUT):
         return False
     row.skip("SECID", "DRO")
     row.finish(deck.ledger, "it is left out")
@@ -55,7 +55,7 @@ def make_law(deck: KeywordDeck, part: PartCard) -> Deck | None:
     """Keys of a spring of this part; None where its law is refused."""
     card = deck.materials.get(part.material)
     if card is None:
-        raise BadInput(part.place, f"there is no material {part.material}, of part {part.id}")
+        raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     name = card.keyword.removeprefix("MAT_")
     reader = card.reader()
     if name == "SPRING_ELASTIC":
@@ -71,7 +71,7 @@ def make_law(deck: KeywordDeck, part: PartCard) -> Deck | None:
             row.fail("LCD", "a curve of two points or more is expected")
         law = {"table": [list(point) for point in points]}
     else:
-        deck.ledger.refuse(card.keyword, card.place, "a law of springs that percuss does not have", LEFT_OUT)
+        deck.ledger.refuse(card.keyword, card.place, "this law of springs", LEFT_OUT)
         return None
     row.skip("MID")
     row.finish(deck.ledger, "the force does not depend on the rate")
@@ -112,9 +112,9 @@ def has_ends(deck: KeywordDeck, nodes: tuple[int, int], used: set[int], place: P
     """Whether both ends are nodes of elements that are written."""
     for node in nodes:
         if node and node not in deck.nodes:
-            raise BadInput(place, f"there is no node {node}")
+            raise BadInput(place, missing(f"node {node}"))
     if nodes[0] and nodes[0] == nodes[1]:
-        raise BadInput(place, f"both ends of a spring are node {nodes[0]}")
+        raise BadInput(place, f"both ends of a spring are node {nodes[0]}: correct it")
     if 0 in nodes:
         deck.ledger.refuse("ELEMENT_DISCRETE.ground", place, "springs to the ground", LEFT_OUT)
     elif not used.issuperset(nodes):

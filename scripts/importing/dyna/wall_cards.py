@@ -22,7 +22,7 @@ def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
     """*RIGIDWALL_PLANAR with _ID, _FINITE, _MOVING, _FORCES, and others that are refused."""
     words = card.keyword.removeprefix("RIGIDWALL_PLANAR").split("_")[1:]
     if not card.keyword.startswith("RIGIDWALL_PLANAR") or set(words) - set(OPTIONS):
-        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is no plane", "it is left out")
+        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is not a plane", "it is left out")
         return
     reader = card.reader()
     while reader.skip_blank():
@@ -117,7 +117,7 @@ def make_wall(deck: KeywordDeck, plane: Row, name: str, shape: str = "FLAT") -> 
     wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
     if friction >= 2:
         deck.ledger.refuse(
-            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that are welded to the wall", "they stick, and may part from it"
+            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that stick to the wall", "friction holds them, and they may separate"
         )
     if friction >= 1:
         deck.ledger.approximated("RIGIDWALL_PLANAR.FRIC", plane.place, f"sticking is a friction of {STICK:g}")
@@ -159,7 +159,7 @@ def end_wall(deck: KeywordDeck, row: Row, wall: Deck, name: str = "RIGIDWALL_PLA
     if not any(sizes):
         deck.ledger.approximated(name, row.place, "without lengths the plane goes on without end")
     elif min(sizes) <= 0 or along == (0.0, 0.0, 0.0):
-        deck.ledger.refuse(name, row.place, "a wall of one length", "the plane goes on without end")
+        deck.ledger.refuse(name, row.place, "a wall of one length", "the plane is infinite")
     else:
         wall["rectangle"] = {"along": list(along), "size": sizes}
 
@@ -184,7 +184,7 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
     birth, death = row.numbers("BIRTH", "DEATH")
     if birth > 0 or 0 < death < deck.end_time:
-        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall for a part of the time", "it acts all the time")
+        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall with a birth or death time", "it acts during the whole run")
     row.finish(deck.ledger)
     if not (id or exempt or box or offset):
         return True

@@ -50,16 +50,16 @@ bool fails(const BookedPart& part) { return part.can_fail; }
 
 constexpr PartQuantity part_quantities[] = {
     {"kinetic", dimensions::energy, "kinetic energy", always},
-    {"internal", dimensions::energy, "work of the stresses", always},
-    {"hourglass", dimensions::energy, "work of the hourglass control", always},
-    {"viscous", dimensions::energy, "work of the bulk viscosity", always},
-    {"folding", dimensions::energy, "work of the resistance to folding", resists_folding},
-    {"momentum_x", dimensions::momentum, "linear momentum, x,", always},
-    {"momentum_y", dimensions::momentum, "linear momentum, y,", always},
-    {"momentum_z", dimensions::momentum, "linear momentum, z,", always},
-    {"mass", dimensions::mass, "mass of the nodes", always},
-    {"eroded_mass", dimensions::mass, "mass of the eroded elements", fails},
-    {"eroded_energy", dimensions::energy, "work that the eroded elements absorbed,", fails},
+    {"internal", dimensions::energy, "internal energy", always},
+    {"hourglass", dimensions::energy, "hourglass energy", always},
+    {"viscous", dimensions::energy, "viscous energy", always},
+    {"folding", dimensions::energy, "folding energy", resists_folding},
+    {"momentum_x", dimensions::momentum, "linear momentum in x", always},
+    {"momentum_y", dimensions::momentum, "linear momentum in y", always},
+    {"momentum_z", dimensions::momentum, "linear momentum in z", always},
+    {"mass", dimensions::mass, "mass", always},
+    {"eroded_mass", dimensions::mass, "eroded mass", fails},
+    {"eroded_energy", dimensions::energy, "eroded energy", fails},
 };
 
 /// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere.

@@ -47,18 +47,18 @@ std::vector<HistoryColumn> list_force_columns(const Deck& deck) {
     const std::string which = describe(force);
     const auto add = [&](const std::string& name, const Dimension& dimension, const std::string& meaning) {
       const bool is_moment = dimension == dimensions::energy;
-      columns.push_back({name + ":" + force.name, dimension, fmt::format("{} {}", meaning, which),
+      columns.push_back({name + ":" + force.name, dimension, fmt::format("{} of '{}', {}", meaning, force.name, which),
                          is_moment ? HistoryColumn::Kind::moment : HistoryColumn::Kind::by_dimension});
     };
     for (const char* axis : {"x", "y", "z"})
       add(fmt::format("f{}", axis), dimensions::force, fmt::format("force in {}", axis));
     for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("m{}", axis), dimensions::energy, fmt::format("moment about {} of the force", axis));
+      add(fmt::format("m{}", axis), dimensions::energy, fmt::format("moment about {}", axis));
     if (!force.is_of_contact()) continue;
-    add("normal", dimensions::force, "sum of the magnitudes of the normal forces");
-    add("tangential", dimensions::force, "sum of the magnitudes of the friction forces");
-    add("area", dimensions::area, "area of contact of the nodes");
-    add("pressure", dimensions::stress, "largest normal force over area of a node");
+    add("normal", dimensions::force, "normal force");
+    add("tangential", dimensions::force, "friction force");
+    add("area", dimensions::area, "area of contact");
+    add("pressure", dimensions::stress, "largest contact pressure");
   }
   return columns;
 }

@@ -17,7 +17,7 @@ struct Source {
 struct BodyColumn {
   const char* name;
   Dimension dimension;
-  const char* meaning;
+  const char* meaning;  // {}: the body
   double (*value)(const Source&);
 };
 
@@ -25,23 +25,26 @@ constexpr Dimension rate{0, 0, -1};
 namespace dim = dimensions;
 
 constexpr BodyColumn body_columns[] = {
-    {"x", dim::length, "centre, x,", [](const Source& s) { return s.state.center.x; }},
-    {"y", dim::length, "centre, y,", [](const Source& s) { return s.state.center.y; }},
-    {"z", dim::length, "centre, z,", [](const Source& s) { return s.state.center.z; }},
-    {"vx", dim::velocity, "velocity of the centre, x,", [](const Source& s) { return s.state.velocity.x; }},
-    {"vy", dim::velocity, "velocity of the centre, y,", [](const Source& s) { return s.state.velocity.y; }},
-    {"vz", dim::velocity, "velocity of the centre, z,", [](const Source& s) { return s.state.velocity.z; }},
+    {"x", dim::length, "mass centre in x of {}", [](const Source& s) { return s.state.center.x; }},
+    {"y", dim::length, "mass centre in y of {}", [](const Source& s) { return s.state.center.y; }},
+    {"z", dim::length, "mass centre in z of {}", [](const Source& s) { return s.state.center.z; }},
+    {"vx", dim::velocity, "velocity in x of {}, at its mass centre half a step earlier",
+     [](const Source& s) { return s.state.velocity.x; }},
+    {"vy", dim::velocity, "velocity in y of {}, at its mass centre half a step earlier",
+     [](const Source& s) { return s.state.velocity.y; }},
+    {"vz", dim::velocity, "velocity in z of {}, at its mass centre half a step earlier",
+     [](const Source& s) { return s.state.velocity.z; }},
     {"q0",
      {},
-     "orientation since the start, scalar of the quaternion,",
+     "orientation q0 of {}, scalar of the unit quaternion",
      [](const Source& s) { return s.state.orientation.w; }},
-    {"q1", {}, "orientation, x of the quaternion,", [](const Source& s) { return s.state.orientation.x; }},
-    {"q2", {}, "orientation, y of the quaternion,", [](const Source& s) { return s.state.orientation.y; }},
-    {"q3", {}, "orientation, z of the quaternion,", [](const Source& s) { return s.state.orientation.z; }},
-    {"wx", rate, "angular velocity, x,", [](const Source& s) { return s.state.spin.x; }},
-    {"wy", rate, "angular velocity, y,", [](const Source& s) { return s.state.spin.y; }},
-    {"wz", rate, "angular velocity, z,", [](const Source& s) { return s.state.spin.z; }},
-    {"kinetic", dim::energy, "kinetic energy", [](const Source& s) { return s.sums.kinetic; }},
+    {"q1", {}, "orientation q1 of {}, x of the unit quaternion", [](const Source& s) { return s.state.orientation.x; }},
+    {"q2", {}, "orientation q2 of {}, y of the unit quaternion", [](const Source& s) { return s.state.orientation.y; }},
+    {"q3", {}, "orientation q3 of {}, z of the unit quaternion", [](const Source& s) { return s.state.orientation.z; }},
+    {"wx", rate, "angular velocity about x of {}, half a step earlier", [](const Source& s) { return s.state.spin.x; }},
+    {"wy", rate, "angular velocity about y of {}, half a step earlier", [](const Source& s) { return s.state.spin.y; }},
+    {"wz", rate, "angular velocity about z of {}, half a step earlier", [](const Source& s) { return s.state.spin.z; }},
+    {"kinetic", dim::energy, "kinetic energy of {}", [](const Source& s) { return s.sums.kinetic; }},
 };
 
 }  // namespace
@@ -51,7 +54,7 @@ std::vector<HistoryColumn> list_body_columns(const Deck& deck) {
   for (const std::string& name : name_rigid_bodies(deck).bodies)
     for (const BodyColumn& column : body_columns)
       columns.push_back({fmt::format("body_{}:{}", column.name, name), column.dimension,
-                         fmt::format("{} of rigid body '{}'", column.meaning, name)});
+                         fmt::format(fmt::runtime(column.meaning), "rigid body '" + name + "'")});
   return columns;
 }
 
@@ -60,11 +63,11 @@ std::vector<HistoryColumn> list_joint_columns(const Deck& deck) {
   for (const JointDeck& joint : deck.joints) {
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_f{}:{}", axis, joint.name), dim::force,
-                         fmt::format("force of joint '{}' on its first body, {}", joint.name, axis)});
+                         fmt::format("force in {} of joint '{}', on its first body", axis, joint.name)});
     if (joint.kind != JointDeck::Kind::revolute) continue;
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_m{}:{}", axis, joint.name), dim::energy,
-                         fmt::format("moment of joint '{}' on its first body, {}", joint.name, axis),
+                         fmt::format("moment about {} of joint '{}', on its first body", axis, joint.name),
                          HistoryColumn::Kind::moment});
   }
   return columns;

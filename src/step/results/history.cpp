@@ -25,31 +25,31 @@ namespace {
 struct PointColumn {
   const char* suffix;
   Dimension dimension;
-  const char* meaning;
+  const char* meaning;  // {}: the name of the point
 };
 
 constexpr PointColumn node_columns[] = {
-    {"x", dimensions::length, "position, x"},    {"y", dimensions::length, "position, y"},
-    {"z", dimensions::length, "position, z"},    {"vx", dimensions::velocity, "velocity, x"},
-    {"vy", dimensions::velocity, "velocity, y"}, {"vz", dimensions::velocity, "velocity, z"}};
-constexpr PointColumn element_columns[] = {{"stress_xx", dimensions::stress, "stress, xx"},
-                                           {"stress_yy", dimensions::stress, "stress, yy"},
-                                           {"stress_zz", dimensions::stress, "stress, zz"},
-                                           {"stress_xy", dimensions::stress, "stress, xy"},
-                                           {"stress_yz", dimensions::stress, "stress, yz"},
-                                           {"stress_zx", dimensions::stress, "stress, zx"},
-                                           {"pressure", dimensions::stress, "pressure, positive in compression"},
-                                           {"von_mises", dimensions::stress, "equivalent stress of von Mises"},
-                                           {"eps", {}, "equivalent plastic strain"}};
+    {"x", dimensions::length, "position in x of {}"},    {"y", dimensions::length, "position in y of {}"},
+    {"z", dimensions::length, "position in z of {}"},    {"vx", dimensions::velocity, "velocity in x of {}"},
+    {"vy", dimensions::velocity, "velocity in y of {}"}, {"vz", dimensions::velocity, "velocity in z of {}"}};
+constexpr PointColumn element_columns[] = {{"stress_xx", dimensions::stress, "stress xx of {}"},
+                                           {"stress_yy", dimensions::stress, "stress yy of {}"},
+                                           {"stress_zz", dimensions::stress, "stress zz of {}"},
+                                           {"stress_xy", dimensions::stress, "stress xy of {}"},
+                                           {"stress_yz", dimensions::stress, "stress yz of {}"},
+                                           {"stress_zx", dimensions::stress, "stress zx of {}"},
+                                           {"pressure", dimensions::stress, "pressure of {}, positive in compression"},
+                                           {"von_mises", dimensions::stress, "von Mises stress of {}"},
+                                           {"eps", {}, "equivalent plastic strain of {}"}};
 
 /// Columns of a followed element in a scene with beams.
 constexpr PointColumn beam_columns[] = {
-    {"axial_force", dimensions::force, "force along the beam, positive where it pulls"},
-    {"shear_y", dimensions::force, "shear force along y of the section"},
-    {"shear_z", dimensions::force, "shear force along z of the section"},
-    {"torque", dimensions::energy, "torque"},
-    {"moment_y", dimensions::energy, "bending moment about y of the section"},
-    {"moment_z", dimensions::energy, "bending moment about z of the section"}};
+    {"axial_force", dimensions::force, "axial force of {}, positive in tension"},
+    {"shear_y", dimensions::force, "shear force along y of {}, in the axes of the section"},
+    {"shear_z", dimensions::force, "shear force along z of {}, in the axes of the section"},
+    {"torque", dimensions::energy, "torque of {}"},
+    {"moment_y", dimensions::energy, "bending moment about y of {}, in the axes of the section"},
+    {"moment_z", dimensions::energy, "bending moment about z of {}, in the axes of the section"}};
 
 /// Whether some part may have beams.
 bool has_sections(const Deck& deck) {
@@ -82,18 +82,26 @@ std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
   return names;
 }
 
+std::string describe_point(const char* meaning, const FollowedPoint& point) {
+  return fmt::format(fmt::runtime(meaning), "'" + point.name + "'");
+}
+
 void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector<HistoryColumn>& columns) {
   const auto add = [&](std::span<const PointColumn> of_point) {
-    for (const PointColumn& c : of_point) columns.push_back({point.name + "_" + c.suffix, c.dimension, c.meaning});
+    for (const PointColumn& c : of_point)
+      columns.push_back(
+          {point.name + "_" + c.suffix, c.dimension, describe_point(c.meaning, point),
+           c.dimension == dimensions::energy ? HistoryColumn::Kind::moment : HistoryColumn::Kind::by_dimension});
   };
   if (!point.is_element) return add(node_columns);
   add(element_columns);
   if (has_sections(deck)) add(beam_columns);
   for (const ThermalColumn& c : find_thermal_columns(deck)) {
     const bool is_temperature = c.name == HistoryScalar::temperature;
-    columns.push_back({point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
-                       is_temperature ? "temperature" : "internal energy per volume",
-                       is_temperature ? HistoryColumn::Kind::temperature : HistoryColumn::Kind::by_dimension});
+    columns.push_back(
+        {point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
+         describe_point(is_temperature ? "temperature of {}" : "internal energy of {}, per initial volume", point),
+         is_temperature ? HistoryColumn::Kind::temperature : HistoryColumn::Kind::by_dimension});
   }
 }
 
@@ -110,9 +118,9 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
-                       fmt::format("displacement of wall '{}' along its normal or direction", name)});
+                       fmt::format("displacement of wall '{}', along its normal or direction", name)});
     columns.push_back({"wall_speed:" + name, dimensions::velocity,
-                       fmt::format("speed of wall '{}' along its normal or direction", name)});
+                       fmt::format("speed of wall '{}', along its normal or direction", name)});
   }
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());

@@ -1,5 +1,7 @@
 #include "src/step/results/history_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "src/deck/asked_for.hpp"
@@ -36,70 +38,71 @@ constexpr HistoryEntry before_pairs[] = {
     {"time", dim::time, "time", always, [](const From& s) { return s.state.time; }},
     {"step", no_dimension, "time steps so far", always,
      [](const From& s) { return static_cast<double>(s.state.step); }},
-    {"dt", dim::time, "step that led here", always, [](const From& s) { return s.state.dt; }},
+    {"dt", dim::time, "time step, the one that ended at this row", always, [](const From& s) { return s.state.dt; }},
     {"dt_element", no_dimension, "id of the element that limits the next step", always,
      [](const From& s) { return static_cast<double>(s.state.bound.element_id); }},
     {"kinetic", dim::energy, "kinetic energy", always, [](const From& s) { return s.audit.energy.kinetic; }},
-    {"internal", dim::energy, "work of the stresses", always, [](const From& s) { return s.audit.energy.internal; }},
-    {"hourglass", dim::energy, "work of the hourglass control", always,
+    {"internal", dim::energy, "internal energy, the work of the stresses", always,
+     [](const From& s) { return s.audit.energy.internal; }},
+    {"hourglass", dim::energy, "hourglass energy, the work of hourglass control and of drilling stiffness", always,
      [](const From& s) { return s.audit.energy.hourglass; }},
-    {"viscous", dim::energy, "work of the bulk viscosity", always,
+    {"viscous", dim::energy, "viscous energy, the work of bulk viscosity and of dampers", always,
      [](const From& s) { return s.audit.energy.viscous; }},
-    {"folding", dim::energy, "work of the resistance to folding", resists_folding,
+    {"folding", dim::energy, "folding energy, the work of the resistance to folding", resists_folding,
      [](const From& s) { return s.audit.energy.folding; }},
-    {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
+    {"contact", dim::energy, "work of normal contact, rigid walls included", always,
      [](const From& s) { return s.audit.energy.contact; }},
-    {"friction", dim::energy, "work of friction", always, [](const From& s) { return s.audit.energy.friction; }},
+    {"friction", dim::energy, "work of friction, negative where it dissipates", always,
+     [](const From& s) { return s.audit.energy.friction; }},
     {"damping", dim::energy, "work of damping in proportion to mass", is_damped,
      [](const From& s) { return s.audit.energy.damping; }},
-    {"external", dim::energy, "work of loads, gravity, prescribed motion and walls that move", always,
+    {"external", dim::energy, "external work, by loads, gravity, prescribed motion and moving walls", always,
      [](const From& s) { return s.audit.energy.external; }},
-    {"energy_error", no_dimension, "error of the energy balance, over the largest energy so far", always,
+    {"energy_error", no_dimension, "energy error, over the largest energy so far", always,
      [](const From& s) { return s.audit.energy.error; }},
-    {"momentum_x", dim::momentum, "linear momentum, x", always,
+    {"momentum_x", dim::momentum, "linear momentum in x", always,
      [](const From& s) { return s.audit.momentum.linear[0]; }},
-    {"momentum_y", dim::momentum, "linear momentum, y", always,
+    {"momentum_y", dim::momentum, "linear momentum in y", always,
      [](const From& s) { return s.audit.momentum.linear[1]; }},
-    {"momentum_z", dim::momentum, "linear momentum, z", always,
+    {"momentum_z", dim::momentum, "linear momentum in z", always,
      [](const From& s) { return s.audit.momentum.linear[2]; }},
-    {"angular_x", angular_momentum, "angular momentum about the mass centre at time 0, x", always,
+    {"angular_x", angular_momentum, "angular momentum about x, at the mass centre of time 0", always,
      [](const From& s) { return s.audit.momentum.angular[0]; }},
-    {"angular_y", angular_momentum, "angular momentum about the mass centre at time 0, y", always,
+    {"angular_y", angular_momentum, "angular momentum about y, at the mass centre of time 0", always,
      [](const From& s) { return s.audit.momentum.angular[1]; }},
-    {"angular_z", angular_momentum, "angular momentum about the mass centre at time 0, z", always,
+    {"angular_z", angular_momentum, "angular momentum about z, at the mass centre of time 0", always,
      [](const From& s) { return s.audit.momentum.angular[2]; }},
     {"contacts", no_dimension, "active contacts, tied nodes included", always,
      [](const From& s) { return static_cast<double>(s.contact.interactions); }},
     {"candidates", no_dimension, "candidate pairs of the contact search", always,
      [](const From& s) { return static_cast<double>(s.contact.candidates); }},
-    {"iterations", no_dimension, "iterations of contact enforcement in the step", always,
+    {"iterations", no_dimension, "contact iterations, in this step", always,
      [](const From& s) { return static_cast<double>(s.contact.iterations); }},
-    {"residual", no_dimension, "largest penetration that enforcement left, over the edge of the face", always,
+    {"residual", no_dimension, "penetration left, over the edge of the face", always,
      [](const From& s) { return s.contact.residual; }},
-    {"complementarity", no_dimension, "largest violation of the contact conditions, over the largest closing velocity",
+    {"complementarity", no_dimension, "violation of the contact conditions, over the largest closing velocity",
      is_lagrange, [](const From& s) { return s.contact.complementarity; }},
-    {"contact_stored", dim::energy, "energy in the springs of contact", is_penalty,
+    {"contact_stored", dim::energy, "energy in contact springs", is_penalty,
      [](const From& s) { return s.contact.stored; }},
     {"eroded_elements", no_dimension, "eroded elements", can_fail,
      [](const From& s) { return static_cast<double>(s.audit.eroded.elements); }},
-    {"eroded_mass", dim::mass, "mass of the eroded elements", can_fail,
-     [](const From& s) { return s.audit.eroded.mass; }},
-    {"eroded_energy", dim::energy, "energy of the eroded elements and removed nodes", can_fail,
+    {"eroded_mass", dim::mass, "eroded mass", can_fail, [](const From& s) { return s.audit.eroded.mass; }},
+    {"eroded_energy", dim::energy, "eroded energy, of elements and removed nodes", can_fail,
      [](const From& s) { return s.audit.eroded.energy; }},
-    {"vanished_mass", dim::mass, "mass of removed nodes, within eroded_mass", removes_nodes,
+    {"vanished_mass", dim::mass, "mass of removed nodes, part of eroded_mass", removes_nodes,
      [](const From& s) { return s.audit.eroded.vanished_mass; }},
-    {"added_mass", dim::mass, "mass that mass scaling has added during the run", scales_in_run,
+    {"added_mass", dim::mass, "mass added by mass scaling, during the run", scales_in_run,
      [](const From& s) { return s.state.books.added_mass; }},
-    {"added_energy", dim::energy, "kinetic energy that came with the added mass, within external", scales_in_run,
+    {"added_energy", dim::energy, "kinetic energy of the added mass, part of external", scales_in_run,
      [](const From& s) { return s.state.books.added_energy; }},
 };
 
 constexpr HistoryEntry after_pairs[] = {
-    {"wall_force_x", dim::force, "force of the rigid walls on the bodies, x", has_walls,
+    {"wall_force_x", dim::force, "force of the rigid walls in x, on the bodies over the last step", has_walls,
      [](const From& s) { return s.wall_force[0]; }},
-    {"wall_force_y", dim::force, "force of the rigid walls on the bodies, y", has_walls,
+    {"wall_force_y", dim::force, "force of the rigid walls in y, on the bodies over the last step", has_walls,
      [](const From& s) { return s.wall_force[1]; }},
-    {"wall_force_z", dim::force, "force of the rigid walls on the bodies, z", has_walls,
+    {"wall_force_z", dim::force, "force of the rigid walls in z, on the bodies over the last step", has_walls,
      [](const From& s) { return s.wall_force[2]; }},
 };
 
@@ -113,8 +116,8 @@ HistoryTable::HistoryTable(const Deck& deck) {
   };
   for (const HistoryEntry& entry : before_pairs) take(entry, before_pairs_);
   for (const std::string& pair : name_contact_pairs(deck)) {
-    columns_.push_back({"contact:" + pair, dim::energy, "work of normal contact forces of the pair since the start"});
-    columns_.push_back({"friction:" + pair, dim::energy, "work of friction of the pair since the start"});
+    columns_.push_back({"contact:" + pair, dim::energy, fmt::format("work of normal contact of pair '{}'", pair)});
+    columns_.push_back({"friction:" + pair, dim::energy, fmt::format("work of friction of pair '{}'", pair)});
   }
   for (const HistoryEntry& entry : after_pairs) take(entry, after_pairs_);
 }

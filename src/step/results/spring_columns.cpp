@@ -20,14 +20,13 @@ double number_limiting_spring(const SpringModel& springs, std::int64_t limiting)
 
 std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs) {
   if (!springs.any()) return {};
-  std::vector<HistoryColumn> columns = {
-      {"spring_work", dimensions::energy, "energy of springs, within the internal energy"},
-      {"damper_work", dimensions::energy, "energy dissipated by dampers, included in the viscous energy"},
-      {"dt_spring", {}, "spring that limits the next step, 0: an element does"}};
+  std::vector<HistoryColumn> columns = {{"spring_work", dimensions::energy, "energy of springs, part of internal"},
+                                        {"damper_work", dimensions::energy, "energy taken by dampers, part of viscous"},
+                                        {"dt_spring", {}, "spring that limits the next step, 0 where an element does"}};
   for (const Spring& spring : springs.springs) {
     if (!spring.has_columns) continue;
     columns.push_back({"spring_force:" + spring.name, dimensions::force,
-                       fmt::format("force of spring '{}', its damper included, positive in tension", spring.name)});
+                       fmt::format("force of spring '{}', positive in tension, its damper included", spring.name)});
     columns.push_back({"spring_elongation:" + spring.name, dimensions::length,
                        fmt::format("elongation of spring '{}'", spring.name)});
   }

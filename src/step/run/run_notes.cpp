@@ -39,7 +39,7 @@ Warning describe_hourglass(const PartHourglass& part, double time) {
   return {"hourglass_energy",
           fmt::format("the hourglass energy is {:.0f} % of the internal energy, most of it near {} (the mesh is too "
                       "coarse for the bending there, or single nodes carry the load): refine the mesh there, spread "
-                      "the load, or use elements: {{integration: full}}",
+                      "the load, or with hexahedra use elements: {{integration: full}}",
                       100 * part.hourglass / part.internal, part.element),
           "part '" + part.part + "'", time, 1};
 }

@@ -19,7 +19,7 @@ class Percuss(CMakePackage):
     depends_on("cmake@3.25:", type="build")
     depends_on("ninja", type="build")
     depends_on("pkgconfig", type="build")
-    depends_on("python@3.9:", type=("build", "run"))
+    depends_on("python@3.10:", type=("build", "run"))
 
     depends_on("mpi@3.1:")
     depends_on("kokkos@3.4.1:5 +openmp")

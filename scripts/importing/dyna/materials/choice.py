@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from ...ledger import BadInput
+from ...ledger import BadInput, missing
 from ...model import Block, Deck
 from ..cards import Card
 from .crushable import CRUSHABLE
@@ -40,7 +40,7 @@ def name_law(keyword: str) -> str:
 def read_material(deck: KeywordDeck, card: Card) -> None:
     """Materials by id; a keyword may be followed by several of fixed length."""
     if card.keyword.startswith("MAT_THERMAL"):
-        deck.ledger.refuse(card.keyword, card.place, "heat conduction", "there is none")
+        deck.ledger.refuse(card.keyword, card.place, "heat conduction", "it is left out")
         return
     card.keyword = "MAT_" + name_law(card.keyword)
     if card.keyword.startswith("MAT_ADD_EROSION"):
@@ -57,7 +57,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
             lines.append(reader.take())
         id = card.row(lines[0], "MID RO").integer("MID")
         if id in deck.materials:
-            raise BadInput(card.at(lines[0][0]), f"there are two materials {id}")
+            raise BadInput(card.at(lines[0][0]), f"there are two materials {id} (ids must be unique): renumber one")
         deck.material_titles[id] = title
         deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
 
@@ -103,7 +103,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     """Name and keys of a material for a part; None where it is left out or refused."""
     card = deck.materials.get(part.material)
     if card is None:
-        raise BadInput(part.place, f"there is no material {part.material}, of part {part.id}")
+        raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
     use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1), bool(block.beams))
     law_name = name_law(card.keyword)
@@ -112,7 +112,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     elif law_name in LAWS:
         law = translate(deck, card, use, LAWS[law_name])
     else:
-        deck.ledger.refuse(card.keyword, card.place, "a law that percuss does not have", "the parts made of it are left out")
+        deck.ledger.refuse(card.keyword, card.place, "this material law", "the parts made of it are left out")
         return None
     if law is None or not may_be_used(deck, card, law, use):
         return None
@@ -144,7 +144,7 @@ def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     deck.ledger.refuse(
         f"{card.keyword}.shells",
         use.place,
-        f"shells of the law {law['model']}, which percuss has for solids",
+        f"shells of the material model {law['model']} (percuss has it for solids)",
         "the parts made of it are left out",
     )
     return False
@@ -154,7 +154,7 @@ def may_be_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     """Whether beams take the law; without what they do not have, where that is allowed."""
     if law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law:
         deck.ledger.refuse(
-            f"{card.keyword}.beams", use.place, f"beams of the law {law['model']}", "the parts made of it are left out"
+            f"{card.keyword}.beams", use.place, f"beams of the material model {law['model']}", "the parts made of it are left out"
         )
         return False
     return True
@@ -164,7 +164,7 @@ def find_state(deck: KeywordDeck, part: PartCard) -> Card | None:
     if not part.state:
         return None
     if part.state not in deck.states:
-        raise BadInput(part.place, f"there is no equation of state {part.state}, of part {part.id}")
+        raise BadInput(part.place, missing(f"equation of state {part.state}, of part {part.id}"))
     return deck.states[part.state]
 
 

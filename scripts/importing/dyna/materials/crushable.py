@@ -127,7 +127,7 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     is_along = axes.numbers("A1", "A2", "A3") == [1, 0, 0] and plane.numbers("D1", "D2", "D3") == [0, 1, 0]
     if moduli.number("AOPT") != 2 or not is_along:
         deck.ledger.refuse(
-            f"{card.keyword}.AOPT", moduli.place, "axes of the material that are not those of space", "they are those of space"
+            f"{card.keyword}.AOPT", moduli.place, "material axes other than the global axes", "the global axes are used"
         )
     law: Deck = {
         "model": "honeycomb",
@@ -151,7 +151,7 @@ def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int) -> list[list[fl
         points = order_points([(1 - x, y) for x, y in points])
     points = [(x, y) for x, y in points if y > 0]
     if not points:
-        raise BadInput(row.place, f"curve {id} has no strength above 0")
+        raise BadInput(row.place, f"curve {id} has no strength above 0: correct its rows")
     rows, error = thin_rows(points)
     if error > 1e-12:
         deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")

@@ -44,7 +44,7 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         deck.ledger.refuse(
             f"{card.keyword}.skin",
             card.place,
-            "a material without stress or equation of state",
+            "a material without strength and without an equation of state",
             "the parts made of it are left out",
         )
         return None
@@ -57,7 +57,7 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 def cut_off(deck: KeywordDeck, card: Card, pressure: float, law: Deck) -> None:
     """A tensile cut-off, which percuss has as failure."""
-    if pressure < 0 and deck.ledger.refuse(f"{card.keyword}.PC", card.place, "a limit of tension that does not fail the element",
+    if pressure < 0 and deck.ledger.refuse(f"{card.keyword}.PC", card.place, "a tension cutoff without failure",
                                            "the element fails at it"):  # fmt: skip
         set_failure(law, pressure=-pressure)
 
@@ -103,7 +103,7 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         deck.ledger.refuse(
             f"{card.keyword}.LCID",
             card.place,
-            "rubber fitted to a curve, or with constants below 0",
+            "rubber fitted to a curve, or with negative constants",
             "the parts made of it are left out",
         )
         return None
@@ -127,7 +127,7 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         deck.ledger.refuse(
             "INITIAL_DETONATION",
             card.place,
-            f"{len(deck.detonations)} points of detonation, percuss takes one at time 0",
+            f"{len(deck.detonations)} points of detonation (percuss takes one at time 0)",
             "the parts made of it are left out",
         )
         return None

@@ -21,7 +21,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         for name in names.split():
             if found.number(name) not in (0.0, excluded):
                 deck.ledger.refuse(
-                    f"MAT_ADD_EROSION.{name}", found.place, "a criterion that percuss does not have", "it is left out"
+                    f"MAT_ADD_EROSION.{name}", found.place, "this failure criterion", "it is left out"
                 )
     values = {key: more.number(name) for key, name in (("principal_stress", "SIGP1"), ("principal_strain", "MXEPS"))}
     values["pressure"] = -more.number("MNPRES")

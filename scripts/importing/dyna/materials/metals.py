@@ -129,7 +129,7 @@ def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use)
     if use.is_shell and layers > 0 and "failure" in law:
         law["failure"]["layers"] = min(layers / use.points, 1.0)
     elif layers < 0:
-        deck.ledger.refuse(f"{card.keyword}.NUMINT", more.place, "failure by a share of the layers", "all layers must fail")
+        deck.ledger.refuse(f"{card.keyword}.NUMINT", more.place, "failure at a share of the layers", "all layers must fail")
 
 
 def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
@@ -148,7 +148,7 @@ def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         set_failure(law, plastic_strain=more.number("EPF"), pressure=-more.number("PRF"), step=more.number("TREM"))
         if "failure" in law and more.integer("REM"):
             deck.ledger.refuse(
-                f"{card.keyword}.REM", more.place, "failed elements that stay as a fluid", "failed elements are eroded"
+                f"{card.keyword}.REM", more.place, "failed elements that continue as a fluid", "failed elements are eroded"
             )
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -189,7 +189,7 @@ def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | Non
 def limit_tension(deck: KeywordDeck, card: Card, law: Deck, row: Row) -> None:
     """PC: a limit of tension that does not fail the element; percuss has failure by pressure."""
     limit = row.number("PC")
-    if limit < 0 and deck.ledger.refuse(f"{card.keyword}.PC", row.place, "a limit of tension that does not fail the element",
+    if limit < 0 and deck.ledger.refuse(f"{card.keyword}.PC", row.place, "a tension cutoff without failure",
                                         "there is no limit"):  # fmt: skip
         return
 
@@ -286,7 +286,7 @@ def simplified_johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         if flow.number(name) >= 1e20:
             flow.skip(name)
         elif flow.number(name) > 0:
-            deck.ledger.refuse(f"{card.keyword}.{name}", flow.place, "a limit of the stress", "there is none")
+            deck.ledger.refuse(f"{card.keyword}.{name}", flow.place, "a stress limit", "there is no limit")
     row.finish(deck.ledger)
     flow.finish(deck.ledger)
     finish_lines(deck, card, reader)

@@ -28,7 +28,7 @@ def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
     if limits.number("CMO") == 1:
         held = [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
     elif limits.number("CMO") == -1:
-        deck.ledger.refuse("MAT_RIGID.CMO", limits.place, "a rigid body that is held along axes of its own", "it is free")
+        deck.ledger.refuse("MAT_RIGID.CMO", limits.place, "a rigid body with constraints along local axes", "it is free")
     for part in deck.parts.values():
         if part.material == id and deck.names_of_parts.get(part.id):
             deck.rigid[part.id] = RigidPart(held)

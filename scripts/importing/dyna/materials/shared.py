@@ -76,7 +76,7 @@ def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     while reader.skip_blank():
         line = reader.take()
         if any(text.strip("0.+-eE") for text in card.split(line, (10,) * 8)):
-            deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a line that is not read", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a data line that is not read", "it is left out")
 
 
 def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: float, row: Row) -> None:

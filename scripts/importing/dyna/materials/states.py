@@ -9,7 +9,7 @@ from .shared import Use
 def check_volume(deck: KeywordDeck, row: Row, name: str) -> None:
     """The relative volume at the start."""
     if row.number(name) not in (0, 1):
-        deck.ledger.refuse(f"{row.card}.V0", row.place, "a start volume other than 1", "1 is used")
+        deck.ledger.refuse(f"{row.card}.V0", row.place, "an initial relative volume other than 1", "1 is used")
 
 
 def linear_polynomial(deck: KeywordDeck, use: Use) -> Deck:
@@ -66,7 +66,7 @@ def translate_state(deck: KeywordDeck, use: Use) -> Deck | None:
         deck.ledger.refuse(
             use.state.keyword,
             use.state.place,
-            "an equation of state that percuss does not have",
+            "this equation of state",
             "the law is used without it, or the part is left out",
         )
         return None
