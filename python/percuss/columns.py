@@ -49,6 +49,8 @@ SCENE.update({f"joint_f{axis}": ("force", f"joint force {axis}") for axis in "xy
 SCENE.update({f"joint_m{axis}": ("moment", f"joint moment {axis}") for axis in "xyz"})
 SCENE.update({"spring_work": ("energy", "energy of springs"), "damper_work": ("energy", "energy that dampers took")})
 SCENE.update({"dt_spring": ("-", "spring that limits the next step")})
+SCENE.update({"weld_work": ("energy", "work of welds"), "welds_failed": ("-", "welds that have failed")})
+SCENE.update({"weld_normal": ("force", "normal force of the weld"), "weld_shear": ("force", "shear force of the weld")})
 SCENE.update({"spring_force": ("force", "force of the spring"), "spring_elongation": ("length", "elongation")})
 SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force"),
               "area": ("area", "area of contact"), "pressure": ("pressure", "largest contact pressure of a node")})
