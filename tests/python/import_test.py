@@ -614,7 +614,7 @@ class Scene(InFolder):
 
 class Strictness(InFolder):
     def test_nothing_is_dropped_silently(self):
-        for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
+        for card, key in (("*CONSTRAINED_INTERPOLATION\n1,2\n", "CONSTRAINED_INTERPOLATION"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
                           ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_PART_STIFFNESS\n3,0.1\n", "DAMPING_PART_STIFFNESS"),
                           ("*DAMPING_GLOBAL\n0,1.0,1,0,0\n", "DAMPING_GLOBAL.STX"),
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
@@ -625,10 +625,10 @@ class Strictness(InFolder):
                 self.assertIn(key, self.refusals(decks.SMALL.replace("*END", card + "*END")))
 
     def test_a_refusal_ends_with_its_place_and_code_2_and_writes_no_deck(self):
-        path = self.write(decks.SMALL.replace("*END", "*CONSTRAINED_SPOTWELD\n1,2\n*END"))
+        path = self.write(decks.SMALL.replace("*END", "*CONSTRAINED_INTERPOLATION\n1,2\n*END"))
         done = self.percuss("import", path, "--out", "out")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("deck.k:34: error: *CONSTRAINED_SPOTWELD", done.stderr)
+        self.assertIn("deck.k:34: error: *CONSTRAINED_INTERPOLATION", done.stderr)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "out/deck.yaml")))
         self.assertTrue(os.path.exists(os.path.join(self.folder, "out/import_report.md")))
         done = self.percuss("import", path, "--out", "out", "--allow", "constrained_*,nothing")
