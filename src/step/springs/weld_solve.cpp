@@ -1,5 +1,6 @@
 #include "src/step/springs/weld_solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
