@@ -15,6 +15,7 @@ ORDER = (
     "added_mass",
     "rigid_sets",
     "springs",
+    "welds",
     "joints",
     "initial",
     "conditions",
@@ -103,7 +104,7 @@ def make_parts(model: Model, mesh_file: str) -> Deck:
     for block in model.blocks:
         entry: Deck = {"mesh": {"file": mesh_file, "blocks": [block.name]}}
         if block.thickness is not None:
-            entry["thickness"] = block.thickness
+            entry["thickness"] = {"file": True} if block.thicknesses else block.thickness
         parts[block.name] = {**entry, **block.keys}
     return parts
 

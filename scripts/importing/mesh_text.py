@@ -30,7 +30,8 @@ def list_nodes(model: Model) -> Iterator[str]:
 def list_blocks(model: Model) -> Iterator[str]:
     for block in model.blocks:
         yield from ("*PART", block.name, f"{block.id},")
-        kinds = (("*ELEMENT_SOLID", block.solids, 8), ("*ELEMENT_SHELL", block.shells, 4), ("*ELEMENT_BEAM", block.beams, 2))
+        shells = "*ELEMENT_SHELL_THICKNESS" if block.thicknesses else "*ELEMENT_SHELL"
+        kinds = (("*ELEMENT_SOLID", block.solids, 8), (shells, block.shells, 4), ("*ELEMENT_BEAM", block.beams, 2))
         for keyword, elements, count in kinds:
             if elements:
                 yield keyword
@@ -40,6 +41,8 @@ def list_blocks(model: Model) -> Iterator[str]:
                     continue
                 nodes = tuple(corners[i] for i in OF_EIGHT[len(corners)]) if count == 8 else corners + corners[-1:] * (count - len(corners))
                 yield f"{id},{block.id},{','.join(map(str, nodes))}"
+                if keyword == "*ELEMENT_SHELL_THICKNESS":
+                    yield ",".join([format_number(block.thicknesses[id])] * 4)
 
 
 def list_sets(model: Model) -> Iterator[str]:

@@ -15,7 +15,7 @@ RESERVED = {"all", "top", "bottom"}
 
 @dataclass
 class Block:
-    """Elements of one part with one thickness: a part of the deck.
+    """Elements of one part: a part of the deck.
 
     solids, shells and beams: (id, corners). A shell has 3 or 4 corners, a solid as many as solids.py says.
     """
@@ -28,6 +28,7 @@ class Block:
     shells: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     beams: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     thickness: float | None = None
+    thicknesses: dict[int, float] = field(default_factory=dict)  # of shells, by id, where they differ
     keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
     density: float = 0.0
 

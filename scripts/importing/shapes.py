@@ -67,10 +67,10 @@ def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
     """Mass, and mass times centre."""
     mass, moment = 0.0, [0.0, 0.0, 0.0]
     for is_shell, elements in ((False, block.solids), (True, block.shells)):
-        for _, corners in elements:
+        for id, corners in elements:
             x = [model.nodes[node] for node in corners]
             if is_shell:
-                volume = shell_area(x) * (block.thickness or 0.0)
+                volume = shell_area(x) * block.thicknesses.get(id, block.thickness or 0.0)
             else:
                 volume = solid_volume(x)
             center = mean(x)

@@ -44,7 +44,7 @@ double find_first(double end, const Touches& touches) {
 Flight::Flight(const CheckedScene& scene, std::size_t part) {
   const PartMeasures& measures = scene.measures->parts[part];
   const Deck& deck = scene.deck;
-  const double half = 0.5 * deck.parts[part].thickness.value_or(0);
+  const double half = 0.5 * measures.shell_thickness;
   start_ = {measures.low, measures.high};
   for (std::size_t k = 0; k < 3; ++k) {
     start_.low[k] -= half;

@@ -266,6 +266,10 @@ SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const 
   SceneMeasures scene{
       std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high, find_assemblies(mesh)};
   measure_elements(mesh, scene.parts);
+  for (const ElementBlock& block : mesh.elements.blocks) {  // the same on all ranks
+    double& thickest = scene.parts[at(block.part)].shell_thickness;
+    thickest = std::max(thickest, block.section.thickness);
+  }
   measure_nodes(mesh, velocities, scene.parts);
   const std::vector<bool> owned = find_owned(chunked);
   measure_places(mesh, owned, scene.parts);

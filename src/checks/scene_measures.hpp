@@ -29,6 +29,7 @@ struct PartMeasures {
   std::int64_t solids = 0, shells = 0, beams = 0;  // elements
   std::int64_t single_layer = 0;                   // solids with just two opposite faces on the surface, as a sheet has
   double layer_thickness = 0;                      // largest distance of these faces [length]
+  double shell_thickness = 0;                      // of the thickest of its shells [length]
 
   std::int64_t elements() const { return solids + shells + beams; }
   double extent() const;  // longest edge of its box [length]

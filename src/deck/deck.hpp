@@ -15,6 +15,7 @@
 #include "src/deck/beam_deck.hpp"
 #include "src/deck/element_deck.hpp"
 #include "src/deck/functions/curve.hpp"
+#include "src/deck/functions/place_function.hpp"
 #include "src/deck/functions/selector.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
@@ -177,14 +178,20 @@ struct PartDeck {
   Vec3 at{};
   std::optional<MassScalingDeck> mass_scaling;  // instead of TimeDeck::mass_scaling
   std::string material;
-  std::optional<double> thickness;         // of its shells [length]; they need one
-  std::optional<int> points;               // across the thickness of its shells; default: by the material
+  std::optional<double> thickness;                  // of its shells, of those that nothing else gives one [length]
+  std::optional<PlaceFunction> thickness_by_place;  // of each at the mean of its corners, instead
+  bool thickness_of_file = false;                   // of those that the file gives one, instead
+  std::optional<int> points;                        // across the thickness of its shells; default: by the material
   double offset = 0;                       // of the middle of its shells from the mesh, along their normal [length]
   std::optional<BeamSectionDeck> section;  // of its beams; they need one
   std::optional<Vec3> toward;      // to which y of the section of its beams points as far as it can, a unit vector
   std::optional<RigidDeck> rigid;  // none: it deforms
   PartElementDeck own_elements;    // instead of Deck::elements
   Place place;
+
+  /// Shells need it.
+  bool has_thickness() const { return thickness || thickness_by_place || thickness_of_file; }
+  bool varies_in_thickness() const { return thickness_by_place || thickness_of_file; }
 };
 
 // --- materials
@@ -407,6 +414,7 @@ struct Deck {
   std::vector<AddedMassDeck> added_masses;
   std::vector<RigidSetDeck> rigid_sets;
   std::vector<SpringDeck> springs;
+  std::vector<WeldDeck> welds;
   std::vector<JointDeck> joints;
   ElementDeck elements;
   ErosionDeck erosion;

@@ -1,5 +1,5 @@
 #pragma once
-// Springs and dampers between nodes, and joints between rigid bodies, as a deck gives them.
+// Springs, dampers and welds between nodes, and joints between rigid bodies, as a deck gives them.
 
 #include <array>
 #include <optional>
@@ -28,6 +28,19 @@ struct SpringDeck {
   std::optional<double> rest_length;         // none: the distance at time 0 [length]
   std::optional<double> largest_force;       // amount beyond which it breaks
   std::optional<double> largest_elongation;  // likewise, of elongation or shortening
+  Place place;
+};
+
+/// Rigid connections of pairs of nodes that may fail: one for each node of the first end, with the nearest node of the
+/// second.
+struct WeldDeck {
+  std::string name;
+  std::array<SpringEndDeck, 2> between;
+  std::optional<Vec3> normal;             // at time 0, a unit vector; none: from the first node to the second
+  std::optional<double> normal_strength;  // force along the normal at which it fails alone
+  std::optional<double> shear_strength;   // likewise across
+  double normal_exponent = 2, shear_exponent = 2;
+  std::optional<double> time;  // at which it fails
   Place place;
 };
 

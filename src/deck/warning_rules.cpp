@@ -90,6 +90,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"unconverged_contact", "contact enforcement that does not converge"},
       {"deep_penetration", "contact nodes deep in a face during the run"},
       {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
+      {"weld_failure", "weld that has failed"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact adds"},
       {"element_energy", "elements that give more energy than they took"},

@@ -75,7 +75,7 @@ inline double find_solid_volume(const Topology& topology, const HexCorners& x) {
 /// of its cross section.
 inline double find_element_volume(const Mesh& mesh, std::size_t element) {
   const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
-  if (mesh.topology_of(element).is_surface()) return mesh.block_of(element).section.thickness * find_shell_area_size(x);
+  if (mesh.topology_of(element).is_surface()) return mesh.thickness_of(element) * find_shell_area_size(x);
   if (mesh.topology_of(element).is_line()) return mesh.block_of(element).section.area * find_distance(x[0], x[1]);
   return find_solid_volume(mesh.topology_of(element), x);
 }

@@ -65,6 +65,7 @@ struct Mesh {
   const ElementBlock& block_of(std::size_t element) const { return elements.block_of(element); }
   const Topology& topology_of(std::size_t element) const { return elements.topology_of(element); }
   int part_of(std::size_t element) const { return block_of(element).part; }
+  double thickness_of(std::size_t element) const { return elements.thickness_of(element); }
 };
 
 /// Whether some block of the mesh is of tetrahedra; the same on all ranks.

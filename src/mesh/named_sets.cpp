@@ -33,6 +33,9 @@ void add_surfaces(const Deck& deck, Names& names) {
   for (const SpringDeck& spring : deck.springs) {
     for (const SpringEndDeck& end : spring.between) names.insert(end.where.name);
   }
+  for (const WeldDeck& weld : deck.welds) {
+    for (const SpringEndDeck& end : weld.between) names.insert(end.where.name);
+  }
 }
 
 /// Parts whose mesh is that of a file.

@@ -27,6 +27,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
   if (model.springs.any()) springs_ = std::make_unique<SpringStage>(model);
+  if (model.welds.any()) welds_ = std::make_unique<WeldStage>(model);
   if (!model.dampings.empty()) damping_ = std::make_unique<DampingStage>(model);
   if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
@@ -46,6 +47,7 @@ void Stepper::start(State& state, StepWishes wishes) {
 
 void Stepper::renew_loads(State& state) {
   if (springs_) springs_->drop_vanished(state);
+  if (welds_) welds_->drop_vanished(state);
   apply_loads(state, state.time);
   halo_.begin(space_, state.slot_force);
   halo_.end();
@@ -101,6 +103,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
     predict_motion(state, dt, dt_mean);  // (1.2) equations of motion, (1.6) prediction without contact
   resolve_contact(state, dt);            // (1.7) search, (1.8) detailed check, (1.9) enforcement
   integrate_spins(state, dt, dt_mean);
+  join_welds(state, dt, dt_mean);
   book_motion(state, dt, dt_mean);
   if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
   compute_forces(state, dt);               // (1.3) strain rate, (1.4) stress, (1.5) internal forces
@@ -118,7 +121,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
 /// motion, and nothing asks for their forces, or for their places before they move.
 bool Stepper::are_nodes_free() const {
   return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
-         model_.nodal_loads.count == 0 && !damping_ && !forces_.has_sections();
+         model_.nodal_loads.count == 0 && !damping_ && !welds_ && !forces_.has_sections();
 }
 
 /// Velocities at n+1/2 as they are without contact, conditions included.
@@ -223,6 +226,21 @@ void Stepper::resolve_contact(State& state, double dt) {
   clocks_.contact_search = spent.search;
   clocks_.contact_check = spent.check;
   clocks_.contact_enforce = spent.enforce;
+}
+
+/// Welded nodes move as one, whatever else acts on them.
+void Stepper::join_welds(State& state, double dt, double dt_mean) {
+  if (!welds_) return;
+  const Phase phase("percuss::welds", clocks_.integrate);
+  welds_->join(state, dt, dt_mean);
+}
+
+std::vector<Warning> Stepper::take_warnings() {
+  std::vector<Warning> taken = scaler_ ? scaler_->take_warnings() : std::vector<Warning>();
+  if (!welds_) return taken;
+  const std::vector<Warning> of_welds = welds_->take_warnings();
+  taken.insert(taken.end(), of_welds.begin(), of_welds.end());
+  return taken;
 }
 
 /// The next step keeps to the bounds of the lighter elements.

@@ -19,6 +19,7 @@
 #include "src/step/phases.hpp"
 #include "src/step/rigid/rigid_stage.hpp"
 #include "src/step/springs/spring_stage.hpp"
+#include "src/step/springs/weld_stage.hpp"
 #include "src/step/stable_step/global_step.hpp"
 #include "src/step/tets/tet_stage.hpp"
 
@@ -86,8 +87,8 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
-  /// Of mass scaling, since the last call; the same on all ranks.
-  std::vector<Warning> take_warnings() { return scaler_ ? scaler_->take_warnings() : std::vector<Warning>(); }
+  /// Of mass scaling and of welds that failed, since the last call; the same on all ranks.
+  std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
@@ -112,6 +113,7 @@ class Stepper {
   void hold_spins(State& state, double dt);
   void evaluate_motions(const State& state, double dt);
   void resolve_contact(State& state, double dt);
+  void join_welds(State& state, double dt, double dt_mean);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
   ElementMotion find_motion(const State& state, double dt) const;
@@ -141,6 +143,7 @@ class Stepper {
   RigidStage rigid_;
   std::unique_ptr<TetStage> tets_;         // only with tetrahedra
   std::unique_ptr<SpringStage> springs_;   // only with springs
+  std::unique_ptr<WeldStage> welds_;       // only with welds
   std::unique_ptr<DampingStage> damping_;  // only with damping
   Bookkeeper bookkeeper_;
   ForceBooks forces_;

@@ -251,6 +251,20 @@ class Mesh(InFolder):
         model, _ = self.read(decks._HEAD + start + shells + rest[rest.index("*PART") :])
         self.assertEqual([(b.name, b.thickness, len(b.shells)) for b in model.blocks], [("plate", 0.1, 1), ("plate_t2", 0.2, 1)])
 
+    def test_thickness_of_elements_is_that_of_the_mesh_file_where_the_mesh_is_the_middle(self):
+        shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
+        start, _, rest = decks.PLATE.partition("*ELEMENT_SHELL")
+        text = decks._HEAD + start + shells + rest[rest.index("*PART") :].replace("0.1       1.0", "0.1       0.0")
+        model, ledger = self.read(text)
+        self.assertEqual([(b.name, b.thicknesses) for b in model.blocks], [("plate", {500: 0.1, 501: 0.2})])
+        self.assertIn("ELEMENT_SHELL_THICKNESS", [entry.card for entry in ledger.list_rows() if entry.status == Status.TRANSLATED])
+        lines = list(list_blocks(model))
+        self.assertEqual(lines[lines.index("500,8,21,22,23,24") + 1], "0.1,0.1,0.1,0.1")
+        done = self.percuss("import", self.write(text), "--out", "thick", "--units", "m, kg, s", "--allow", "all")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with open(os.path.join(self.folder, "thick", "deck.yaml"), encoding="utf-8") as file:
+            self.assertIn("thickness: {file: true}", file.read())
+
     def test_what_does_not_fit_together_is_an_error_with_its_place(self):
         self.fails(
             decks.SMALL.replace("*SECTION_SOLID\n         3", "*SECTION_SOLID\n         4"), "deck.k:27", "there is no section 3"
@@ -455,6 +469,34 @@ class Scene(InFolder):
         self.assertEqual(list(self.refusals(turning)), ["SECTION_DISCRETE.DRO"])
         self.fails(decks.SPRINGS.replace("       4      24", "       4    8888"), "deck.k:", "there is no node 8888")
 
+    def test_spot_welds(self):
+        cards = (
+            "*CONSTRAINED_SPOTWELD\n11,21,5.0e3,2.0e3,2.0,1.5,1e20,1e20\n*CONSTRAINED_SPOTWELD_ID\n7\n12,22,5.0e3,0,1,1,2e-5\n"
+            "*CONSTRAINED_RIVET\n13,23\n*SET_NODE_LIST\n70\n14,24\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n70\n1e20,1e20,4.0e3,3.0e3,2,2\n*END"
+        )
+        text = decks.SMALL.replace("*END", decks.PLATE + cards)
+        model, ledger = self.read(text)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual(
+            model.deck["welds"],
+            {
+                "weld_1": {"between": [{"id": 11}, {"id": 21}], "failure": {"normal": 5e3, "shear": 2e3, "shear_exponent": 1.5}},
+                "weld_7": {"between": [{"id": 12}, {"id": 22}], "failure": {"normal": 5e3, "normal_exponent": 1, "time": 2e-5}},
+                "weld_3": {"between": [{"id": 13}, {"id": 23}]},
+                "weld_4": {"between": [{"id": 14}, {"id": 24}], "failure": {"normal": 4e3, "shear": 3e3}},
+            },
+        )
+        done = self.percuss("import", self.write(text), "--out", "welded", "--units", "m, kg, s")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_spot_welds_that_are_refused(self):
+        text = decks.SMALL.replace("*END", decks.PLATE + "*CONSTRAINED_SPOTWELD\n11,21,5.0e3,2.0e3,2,2,0,0.3\n*END")
+        self.assertEqual(list(self.refusals(text)), ["CONSTRAINED_SPOTWELD.EP"])
+        self.fails(text.replace("11,21", "11,8888"), "deck.k:", "there is no node 8888")
+        self.fails(text.replace("11,21", "11,11"), "both nodes of a weld are 11")
+        butt = text.replace("*CONSTRAINED_SPOTWELD\n11,21,5.0e3,2.0e3,2,2,0,0.3", "*CONSTRAINED_GENERALIZED_WELD_BUTT\n70")
+        self.assertEqual(list(self.refusals(butt)), ["CONSTRAINED_GENERALIZED_WELD_BUTT"])
+
     def test_a_smooth_curve_covers_its_distance(self):
         curve = "*DEFINE_CURVE_SMOOTH\n5,0,1.0,0.0,0,1e-5,2e4\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n11,3,0,5,1.0\n*END"
         value = self.read(decks.SMALL.replace("*END", curve))[0].deck["conditions"][-1]["velocity"]["z"]["expression"]
@@ -611,7 +653,7 @@ class Scene(InFolder):
 
 class Strictness(InFolder):
     def test_nothing_is_dropped_silently(self):
-        for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
+        for card, key in (("*CONSTRAINED_INTERPOLATION\n1,2\n", "CONSTRAINED_INTERPOLATION"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
                           ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_PART_STIFFNESS\n3,0.1\n", "DAMPING_PART_STIFFNESS"),
                           ("*DAMPING_GLOBAL\n0,1.0,1,0,0\n", "DAMPING_GLOBAL.STX"),
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
@@ -622,10 +664,10 @@ class Strictness(InFolder):
                 self.assertIn(key, self.refusals(decks.SMALL.replace("*END", card + "*END")))
 
     def test_a_refusal_ends_with_its_place_and_code_2_and_writes_no_deck(self):
-        path = self.write(decks.SMALL.replace("*END", "*CONSTRAINED_SPOTWELD\n1,2\n*END"))
+        path = self.write(decks.SMALL.replace("*END", "*CONSTRAINED_INTERPOLATION\n1,2\n*END"))
         done = self.percuss("import", path, "--out", "out")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("deck.k:34: error: *CONSTRAINED_SPOTWELD", done.stderr)
+        self.assertIn("deck.k:34: error: *CONSTRAINED_INTERPOLATION", done.stderr)
         for line in filter(lambda line: "error: *" in line, done.stderr.splitlines()):  # problem (reason): what to do; then what follows
             self.assertRegex(line, r"error: \*[A-Z_.]+: .+ \(.+\): change or remove it, or use --allow [A-Z_.]+; then .+")
         self.assertFalse(os.path.exists(os.path.join(self.folder, "out/deck.yaml")))
@@ -725,6 +767,19 @@ class Abaqus(InFolder):
         friction = self.read_abaqus(text)[0].deck["contact"]["friction"]
         self.assertEqual(friction["default"], 0.25)
         self.assertEqual([r["friction"] for r in friction["pairs"]], [0.05])
+        self.accept(text, "deck.inp")
+
+    def test_thickness_of_nodes_is_averaged(self):
+        text = decks.ABAQUS.replace(
+            "MATERIAL=soft, OFFSET=SNEG\n0.1, 5\n",
+            "MATERIAL=soft, NODAL THICKNESS\n0.1, 5\n*NODAL THICKNESS\n1, 0.1\n2, 0.3\n3, 0.3\n4, 0.1\n5, 0.3\n", 1)  # fmt: skip
+        model, ledger = self.read_abaqus(text)
+        block = next(block for block in model.blocks if block.shells)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual([round(block.thicknesses[id], 12) for id, _ in block.shells], [0.2, 0.3])
+        missing = text.replace("4, 0.1\n5, 0.3\n", "", 1)
+        with self.assertRaisesRegex(BadInput, "has a node without a thickness"):
+            self.read_abaqus(missing)
         self.accept(text, "deck.inp")
 
     def test_a_deck_with_instances_is_accepted(self):

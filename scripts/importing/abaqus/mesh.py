@@ -38,6 +38,7 @@ class Section:
     thickness: float = 0.0
     points: int = 5
     offset: float = 0.0
+    is_nodal: bool = False  # shells have the thicknesses of their nodes
     area: float = 0.0  # of trusses
     shape: str = ""  # of beams, with dimensions and the direction n1
     sizes: list[float] = field(default_factory=list)
@@ -92,6 +93,7 @@ class Scope:
     springs: list[SpringSet] = field(default_factory=list)
     bodies: list[BodyCard] = field(default_factory=list)
     profiles: dict[str, Profile] = field(default_factory=dict)
+    thicknesses: list[tuple[str, float, Place]] = field(default_factory=list)  # of a node or a set of nodes
     place: Place | None = None
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
@@ -247,6 +249,7 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
                 profile=qualify(body.profile, instance))
         for body in part.bodies
     ]  # fmt: skip
+    into.thicknesses += [(qualify(where, instance), thickness, place) for where, thickness, place in part.thicknesses]
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
 
 

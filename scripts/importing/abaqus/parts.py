@@ -22,6 +22,7 @@ def read_section(scope: Scope, block: Block) -> None:
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     if section.kind == "SHELL" and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
+        section.is_nodal = "NODAL THICKNESS" in block.options
         offset = block.option("OFFSET")
         section.offset = {"SPOS": 0.5, "SNEG": -0.5}.get(offset, 0.0)
         if offset and offset not in ("SPOS", "SNEG"):
@@ -139,13 +140,34 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
     deck.blocks_of_elements[id] = len(deck.model.blocks)
 
 
+def average_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
+    """Each shell has the mean of its corners; a node that *NODAL THICKNESS does not name has none."""
+    of_nodes: dict[int, float] = {}
+    for name, thickness, place in deck.mesh.thicknesses:
+        of_nodes.update(dict.fromkeys(deck.nodes_of(name, place), thickness))
+    for id, corners in part.shells:
+        values = [of_nodes.get(node, 0.0) for node in corners]
+        if min(values) <= 0:
+            raise BadInput(section.place, f"shell {id} has a node without a thickness, which its section asks for")
+        part.thicknesses[id] = values[0] if len(set(values)) == 1 else sum(values) / len(values)
+    part.thickness = max(part.thicknesses.values())
+    deck.ledger.approximated("NODAL THICKNESS", section.place, "each shell has the mean thickness of its corners")
+    if len(set(part.thicknesses.values())) == 1:
+        part.thicknesses = {}
+    elif section.offset:
+        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of shells that differ in thickness", "it is left out")
+        section.offset = 0.0
+
+
 def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    if section.thickness <= 0:
+    if section.thickness <= 0 and not section.is_nodal:
         raise BadInput(section.place, "the thickness of this shell section is not positive: correct it")
     part.thickness = section.thickness
+    if section.is_nodal:
+        average_thicknesses(deck, section, part)
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:
-        part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * section.thickness)
+        part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
     deck.ledger.approximated("SHELL SECTION", section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
 
 

@@ -107,6 +107,11 @@ class Reader:
     def section(self, block: Block) -> None:
         read_section(self.scope, block)
 
+    def nodal_thickness(self, block: Block) -> None:
+        for line in block.lines:
+            self.scope.thicknesses.append((block.text(line, 0).upper(), block.number(line, 1), block.place))
+        self.deck.ledger.translated("NODAL THICKNESS", block.place, "thickness of shells, where a section asks for it")
+
     def mass(self, block: Block) -> None:
         for line in block.lines[:1]:
             self.scope.masses.append((block.option("ELSET"), block.number(line, 0), block.place))
@@ -186,6 +191,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
+    "NODAL THICKNESS": Reader.nodal_thickness,
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints,
     "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,

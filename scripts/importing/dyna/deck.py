@@ -155,6 +155,8 @@ class KeywordDeck:
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.springs: list[SpringElement] = []
         self.part_of_spring: set[int] = set()
+        self.welds: list[Card] = []
+        self.rigid_ends: set[int] = set()  # nodes that no weld can have
         self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0
         self.general_hourglass: Row | None = None

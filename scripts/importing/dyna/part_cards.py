@@ -208,16 +208,18 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
 def divide_shells(
     deck: KeywordDeck, part: PartCard, shells: list[Element], section: ShellSection, name: str, next_id: int
 ) -> list[Block]:
-    """Blocks of equal thickness."""
+    """A block, or blocks of equal thickness where the mesh is not the middle surface."""
     groups: dict[float, list[tuple[int, tuple[int, ...]]]] = {}
     for shell in shells:
         groups.setdefault(shell.thickness or section.thickness, []).append((shell.id, shell.corners))
+    if min(groups) <= 0:
+        raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
+    if len(groups) > 1 and not section.reference:
+        return [make_block_of_thicknesses(deck, part, groups, section, name)]
     if len(groups) > MOST_THICKNESSES:
         groups = round_thicknesses(deck, part, groups)
     blocks = []
     for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
-        if thickness <= 0:
-            raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
         keys: Deck = {"points": section.points}
         if section.reference:
             named = {1.0: "top", -1.0: "bottom"}.get(section.reference)
@@ -228,6 +230,18 @@ def divide_shells(
     if len(blocks) > 1:
         deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place, "a part for each thickness")
     return blocks
+
+
+def make_block_of_thicknesses(
+    deck: KeywordDeck, part: PartCard, groups: dict[float, list], section: ShellSection, name: str
+) -> Block:
+    """All shells of a part, each with its thickness in the mesh file."""
+    members = sorted(member for group in groups.values() for member in group)
+    thicknesses = {id: thickness for thickness, group in groups.items() for id, _ in group}
+    deck.ledger.translated("ELEMENT_SHELL_THICKNESS", part.place, "thickness of each shell, from the mesh file")
+    block = Block(part.id, part.id, name, part.place, shells=members, thickness=max(groups), keys={"points": section.points})
+    block.thicknesses = thicknesses
+    return block
 
 
 def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:

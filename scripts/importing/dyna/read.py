@@ -23,6 +23,7 @@ from .part_cards import build_blocks, read_hourglass, read_parts, read_section, 
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .wall_cards import read_wall
+from .weld_cards import add_welds, read_welds
 
 Handler = Callable[[KeywordDeck, Card], None]
 
@@ -50,7 +51,8 @@ DEFINITIONS: dict[str, Handler] = {
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
-    "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "INITIAL_DETONATION": read_detonation,
+    "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,
+    "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
     "SENSOR_": read_sensor,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
@@ -165,6 +167,7 @@ def finish(deck: KeywordDeck) -> None:
     add_joints(deck)
     start.add_masses(deck)
     add_springs(deck)
+    add_welds(deck)
     finish_contacts(deck)
     finish_output(deck)
     finish_sensors(deck)

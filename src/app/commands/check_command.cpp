@@ -89,6 +89,7 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
   scene.mesh_notes = chunked.mesh.notes;
   for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
   scene.spring_notes = model.springs.notes;
+  scene.spring_notes.insert(scene.spring_notes.end(), model.welds.notes.begin(), model.welds.notes.end());
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Spread find_spread(int ranks, const std::function<double(std::size_t)>& find) {
 
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
   const bool has_rotations = std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) {
-    return part.thickness || (part.section && bends(*part.section));
+    return part.has_thickness() || (part.section && bends(*part.section));
   });
   return {deck.gravity.any(), contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_rotations};
 }

@@ -46,7 +46,7 @@ std::vector<PartOverlap> list_pairs(const StartOverlap& found) {
 std::string find_overlap_path(const Deck& deck, const PartOverlap& pair) {
   const PartDeck& a = deck.parts[static_cast<std::size_t>(pair.part)];
   const PartDeck& b = deck.parts[static_cast<std::size_t>(pair.other)];
-  if (!a.thickness && !b.thickness) return "parts." + a.name;
+  if (!a.has_thickness() && !b.has_thickness()) return "parts." + a.name;
   return "parts." + (a.thickness.value_or(0) < b.thickness.value_or(0) ? b : a).name + ".thickness";
 }
 

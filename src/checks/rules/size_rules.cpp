@@ -123,18 +123,18 @@ std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
-    if (!part.thickness) continue;
+    const double thickness = scene.measures->parts[p].shell_thickness;
+    if (!part.has_thickness() || !(thickness > 0)) continue;
     const Vec3 edges = sort_edges(scene.measures->parts[p]);
-    const bool is_thick = *part.thickness > most * edges[1];
-    if (!is_thick && *part.thickness >= least * edges[2]) continue;
-    const std::string fault = is_thick
-                                  ? fmt::format("is more than half of its width {:.3g}", edges[1])
-                                  : fmt::format("is {:.1g} of its length {:.3g}", *part.thickness / edges[2], edges[2]);
+    const bool is_thick = thickness > most * edges[1];
+    if (!is_thick && thickness >= least * edges[2]) continue;
+    const std::string fault = is_thick ? fmt::format("is more than half of its width {:.3g}", edges[1])
+                                       : fmt::format("is {:.1g} of its length {:.3g}", thickness / edges[2], edges[2]);
     warnings.push_back(
         warn_at(scene.deck, "shell_thickness", "parts." + part.name + ".thickness",
                 fmt::format("the thickness {:g} of part '{}' {} (shells are thin, and sheets thicker than "
                             "foil): check its unit",
-                            *part.thickness, part.name, fault)));
+                            thickness, part.name, fault)));
   }
   return warnings;
 }

@@ -53,7 +53,7 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
     face.number = find_face_number(numbers[at(f.element)], f.face);
     face.body = mesh.bodies[at(f.element)];
     face.part = mesh.part_of(at(f.element));
-    face.offset = 0.5 * mesh.block_of(at(f.element)).section.thickness;
+    face.offset = 0.5 * mesh.thickness_of(at(f.element));
     const std::array<int, 4> corners = mesh.elements.face_nodes(f), backs = find_nodes_behind(mesh, f);
     for (std::size_t i = 0; i < 4; ++i) {
       face.corners[i] = mesh.node_numbers[at(corners[i])];

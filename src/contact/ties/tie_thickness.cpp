@@ -56,7 +56,7 @@ void share_largest(const ChunkedMesh& chunked, const std::vector<int>& nodes, It
 }  // namespace
 
 double find_half_thickness(const Mesh& mesh, const ElementFace& face) {
-  return 0.5 * mesh.block_of(at(face.element)).section.thickness;
+  return 0.5 * mesh.thickness_of(at(face.element));
 }
 
 double find_largest_half_thickness(const Mesh& mesh) {

@@ -156,6 +156,13 @@ struct CurveValue {
   Form form() const;
 };
 
+/// An expression of the place.
+struct PlaceFunctionValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, PlaceFunction& out) const;
+  std::string takes() const { return "a text, an expression of x, y and z"; }
+  Form form() const { return any_form({TextValue{}.form(), number_form()}); }
+};
+
 /// A part by name; all (or an empty result) for the whole mesh.
 struct PartNameValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const;

@@ -86,7 +86,7 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
 /// Rotations are held of nodes of shells, of beams and of rigid bodies only.
 void check_rotations(const Deck& deck, Reading& reading) {
   const auto may_turn = [](const PartDeck& part) {
-    return part.thickness || part.rigid || (part.section && bends(*part.section)) ||
+    return part.has_thickness() || part.rigid || (part.section && bends(*part.section)) ||
            std::holds_alternative<FileMesh>(part.shape);
   };
   if (!deck.rigid_sets.empty() || std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
@@ -103,13 +103,13 @@ void check_rotations(const Deck& deck, Reading& reading) {
 void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
   if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
   const auto other = std::find_if(deck.parts.begin(), deck.parts.end(),
-                                  [](const auto& part) { return part.thickness || part.section; });
+                                  [](const auto& part) { return part.has_thickness() || part.section; });
   if (other == deck.parts.end()) return;
   reading.errors.add(
       root.find("time")->find("step_estimate")->spot,
       fmt::format(
           "time.step_estimate is global (part '{}' has {}, which the global estimate does not support): leave it out",
-          other->name, other->thickness ? "shells" : "beams"));
+          other->name, other->has_thickness() ? "shells" : "beams"));
 }
 
 /// The eigenvalue of the mesh is that of its first masses.
@@ -183,8 +183,8 @@ int find_usual_points(const Deck& deck, const PartDeck& part) {
 int find_most_points(const Deck& deck) {
   int most = 0;
   for (const PartDeck& part : deck.parts) {
-    if (part.thickness) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
-    if (is_shell_shape(part.shape) && !part.thickness) return most_thickness_points;  // which is told already
+    if (part.has_thickness()) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
+    if (is_shell_shape(part.shape) && !part.has_thickness()) return most_thickness_points;  // which is told already
   }
   return most;
 }

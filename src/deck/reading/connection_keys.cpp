@@ -1,4 +1,4 @@
-// Keys of `contact`, `springs` and `joints`: what acts between bodies.
+// Keys of `contact`, `springs`, `welds` and `joints`: what acts between bodies.
 
 #include <fmt/format.h>
 
@@ -266,6 +266,42 @@ bool check_spring(const Reader& reader, const Node& node, SpringDeck& spring) {
   return false;
 }
 
+// --- welds
+
+const Keys<WeldDeck>& weld_failure_keys() {
+  static const Keys<WeldDeck> keys = {
+      may("normal", &WeldDeck::normal_strength, NumberValue{positive}),
+      may("shear", &WeldDeck::shear_strength, NumberValue{positive}),
+      may("normal_exponent", &WeldDeck::normal_exponent, NumberValue{positive}),
+      may("shear_exponent", &WeldDeck::shear_exponent, NumberValue{positive}),
+      may("time", &WeldDeck::time, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+/// Exponents belong to a strength.
+bool check_weld_failure(const Reader& reader, const Node& node, WeldDeck& weld) {
+  bool good = true;
+  for (const auto& [key, strength] :
+       {std::pair("normal_exponent", weld.normal_strength), std::pair("shear_exponent", weld.shear_strength)}) {
+    const Node* exponent = node.find(key);
+    if (exponent == nullptr || strength) continue;
+    reader.error(exponent->key, fmt::format("{} has no effect{} (the strength that it belongs to is not given)",
+                                            reader.name_of(key), reader.in()));
+    good = false;
+  }
+  return good;
+}
+
+const Keys<WeldDeck>& weld_keys() {
+  static const Keys<WeldDeck> keys = {
+      need("between", &WeldDeck::between, TupleValue<SpringEndValue, 2>{}),
+      may("normal", &WeldDeck::normal, DirectionValue{}),
+      group<WeldDeck>("failure", MapValue<WeldDeck>{weld_failure_keys, check_weld_failure}),
+  };
+  return keys;
+}
+
 // --- joints
 
 const Keys<JointDeck>& joint_keys() {
@@ -342,6 +378,7 @@ void check_joints(const Deck& deck, const Node& root, Reading& reading) {
 }
 
 NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value() { return {"joint", {joint_keys, check_joint}}; }
+NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value() { return {"weld", {weld_keys}}; }
 NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value() { return {"spring", {spring_keys, check_spring}}; }
 
 }  // namespace percuss

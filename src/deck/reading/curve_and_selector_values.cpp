@@ -94,6 +94,18 @@ Form CurveValue::form() const {
                    one_key("expression", "a text, an expression of t", TextValue{}.form())});
 }
 
+bool PlaceFunctionValue::read(const Reader& reader, const std::string& name, const Node& node,
+                              PlaceFunction& out) const {
+  if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+  try {
+    out = PlaceFunction::expression(node.text);
+    return true;
+  } catch (const std::invalid_argument& reason) {
+    reader.error(node.spot, fmt::format("{} is {}{} ({})", name, quote(node.text), reader.in(), reason.what()));
+    return false;
+  }
+}
+
 bool CurveValue::read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const {
   if (node.kind == Node::Kind::map) {
     if (!read_curve_map(reader, name, node, out)) return false;

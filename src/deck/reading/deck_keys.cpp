@@ -286,6 +286,7 @@ const Keys<Deck>& deck_keys() {
       may("added_mass", &Deck::added_masses, ListValue<MapValue<AddedMassDeck>>{added_mass_value()}),
       may("rigid_sets", &Deck::rigid_sets, rigid_sets_value()),
       may("springs", &Deck::springs, springs_value()),
+      may("welds", &Deck::welds, welds_value()),
       may("joints", &Deck::joints, joints_value()),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),

@@ -1,7 +1,6 @@
 // Keys of `join`, `imperfections`, `added_mass`, `rigid` and `rigid_sets`.
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/rigid_bodies.hpp"
@@ -9,22 +8,6 @@
 
 namespace percuss {
 namespace {
-
-/// A function of the place.
-struct PlaceFunctionValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, PlaceFunction& out) const {
-    if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
-    try {
-      out = PlaceFunction::expression(node.text);
-      return true;
-    } catch (const std::invalid_argument& reason) {
-      reader.error(node.spot, fmt::format("{} is {}{} ({})", name, quote(node.text), reader.in(), reason.what()));
-      return false;
-    }
-  }
-  std::string takes() const { return "a text, an expression of x, y and z"; }
-  Form form() const { return any_form({TextValue{}.form(), number_form()}); }
-};
 
 const Keys<NoiseDeck>& noise_keys() {
   static const Keys<NoiseDeck> keys = {

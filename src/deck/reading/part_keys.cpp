@@ -71,6 +71,42 @@ struct ThicknessPointsValue {
   Form form() const { return IntegerValue{1, most}.form(); }
 };
 
+/// A number, or where the thickness of each shell comes from.
+struct ThicknessValue {
+  static const Keys<PartDeck>& keys() {
+    static const Keys<PartDeck> keys = {
+        may("expression", &PartDeck::thickness_by_place, PlaceFunctionValue{}),
+        may("file", &PartDeck::thickness_of_file, BooleanValue{}),
+        may("otherwise", &PartDeck::thickness, NumberValue{positive}),
+    };
+    return keys;
+  }
+  static bool check(const Reader& reader, const Node& node, PartDeck& part) {
+    const Node* otherwise = node.find("otherwise");
+    if (part.thickness_of_file == part.thickness_by_place.has_value()) {
+      reader.error(node.spot, fmt::format("{} has {} (must have one of expression and file: true)", reader.self(),
+                                          part.thickness_of_file ? "both expression and file"
+                                                                 : "neither expression nor file: true"));
+      return false;
+    }
+    if (part.thickness_of_file || otherwise == nullptr) return true;
+    reader.error(otherwise->key, fmt::format("{} has no effect{} (the expression gives every shell a thickness)",
+                                             reader.name_of("otherwise"), reader.in()));
+    return false;
+  }
+  static MapValue<PartDeck> map() { return {keys, check}; }
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, PartDeck& part) const {
+    if (node.kind == Node::Kind::map) return map().read(reader, name, node, part);
+    double number = 0;
+    if (!NumberValue{positive}.read(reader, name, node, number)) return false;
+    part.thickness = number;
+    return true;
+  }
+  std::string takes() const { return NumberValue{positive}.takes() + ", or a map"; }
+  Form form() const { return any_form({NumberValue{positive}.form(), map().form()}); }
+};
+
 /// Which surface of the shells the mesh is. What it is of the thickness is known when that is read.
 struct ReferenceValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
@@ -274,7 +310,7 @@ const Keys<PartDeck>& part_keys() {
                                                        {"tetrahedra", PartDeck::Elements::tetrahedra},
                                                        {"wedges", PartDeck::Elements::wedges},
                                                        {"pyramids", PartDeck::Elements::pyramids}}}));
-    all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
+    all.push_back(group<PartDeck>("thickness", ThicknessValue{}));
     all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
     all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
     all.push_back(may("section", &PartDeck::section, BeamSectionValue{}));
@@ -305,11 +341,29 @@ bool check_one_shape(const Reader& reader, const Node& node) {
   return false;
 }
 
+/// The offset of a surface would follow the thickness of each shell, and a part has one offset.
+bool check_reference(const Reader& reader, const Node& node, const PartDeck& part) {
+  const Node* reference = node.find("reference");
+  if (reference == nullptr || !part.varies_in_thickness()) return true;
+  if (reference->text != "bottom" && reference->text != "top") return true;
+  reader.error(reference->spot, fmt::format("{} is {}{} (it needs one thickness of all shells): give a number, or make "
+                                            "parts of one thickness",
+                                            reader.name_of("reference"), reference->text, reader.in()));
+  return false;
+}
+
 /// Shells need a thickness; of solids it has no effect. What a file holds is seen when it is read.
 bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
+  if (!check_reference(reader, node, part)) return false;
   if (std::holds_alternative<FileMesh>(part.shape)) return true;
   const bool is_shell = is_shell_shape(part.shape);
-  if (is_shell && !part.thickness) {
+  if (is_shell && part.thickness_of_file) {
+    reader.error(node.find("thickness")->spot, fmt::format("{} is that of a file{} (its shape is generated): give a "
+                                                           "number or an expression",
+                                                           reader.name_of("thickness"), reader.in()));
+    return false;
+  }
+  if (is_shell && !part.has_thickness()) {
     if (node.find("thickness") != nullptr) return false;  // reported already
     reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
     return false;

@@ -12,6 +12,7 @@
 #include "src/mesh/imperfections.hpp"
 #include "src/mesh/pieces/check_pieces.hpp"
 #include "src/mesh/pieces/join_pieces.hpp"
+#include "src/mesh/thicknesses.hpp"
 
 namespace percuss {
 namespace {
@@ -60,6 +61,7 @@ ChunkedMesh load_mesh(const Deck& deck, const Communicator& ranks) {
   numbered.numbering.ranks = partition_for_ranks(ranks, numbered.graph).parts;
   ChunkedMesh share = migrate_chunks(ranks, scene, std::move(numbered.numbering), pieces, numbered.numbers);
   share.mesh.ranks = ranks;
+  set_thicknesses(deck, ranks, share.mesh);
   apply_imperfections(deck, ranks, share.mesh);
   find_box(ranks, share.mesh);
   tell_warnings(scene, share.mesh);

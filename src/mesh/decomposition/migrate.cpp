@@ -15,6 +15,7 @@ struct ElementItem {
   std::array<std::int64_t, most_corners> corners{};  // as many as its topology has
   int block = 0, body = 0;
   std::uint8_t exterior = 0;
+  double thickness = 0;  // of its own
 };
 
 struct NodeItem {
@@ -57,8 +58,8 @@ class Packer {
     Parcels<ElementItem> parcels;
     for (std::size_t e = 0; e < element_chunk_.size(); ++e) {
       const std::size_t c = element_chunk_[e];
-      ElementItem item{find_number(e),    pieces_.element_ids[e], {},
-                       pieces_.blocks[e], pieces_.bodies[e],      pieces_.exterior[e]};
+      ElementItem item{find_number(e),      pieces_.element_ids[e], {}, pieces_.blocks[e], pieces_.bodies[e],
+                       pieces_.exterior[e], pieces_.thicknesses[e]};
       for (std::size_t i = 0; i < pieces_.count_corners(e); ++i) item.corners[i] = numbers_[pieces_.find_node(c, e, i)];
       parcels.add(find_rank(c), item);
     }
@@ -147,6 +148,7 @@ void fill_elements(Mesh& mesh, std::vector<ElementItem> items) {
     corners.resize(static_cast<std::size_t>(find_topology(block.topology).corner_count));
     for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = find_place(mesh.node_numbers, item.corners[i]);
     mesh.elements.add(item.block, corners);
+    mesh.elements.own_thickness.push_back(item.thickness);
     mesh.element_ids.push_back(item.id);
     mesh.bodies.push_back(item.body);
     mesh.exterior.push_back(item.exterior);

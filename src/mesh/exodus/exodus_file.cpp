@@ -171,7 +171,7 @@ void ExodusFile::read_blocks() {
                  "elements in a block");
     blocks_.push_back({ids[i], names[i].empty() ? fmt::format("block_{}", ids[i]) : names[i], block.topology,
                        block.num_entry, block.num_nodes_per_entry, next,
-                       find_kind(block.topology, block.num_nodes_per_entry)});
+                       find_kind(block.topology, block.num_nodes_per_entry), block.num_attribute});
     next += block.num_entry;
   }
   if (next - 1 == elements_) return;
@@ -188,6 +188,17 @@ std::vector<std::int64_t> ExodusFile::read_connectivity(const FileBlock& block) 
   check(ex_get_conn(file_, EX_ELEM_BLOCK, block.id, corners.data(), nullptr, nullptr),
         fmt::format("the connectivity of block '{}'", block.name));
   return corners;
+}
+
+std::vector<double> ExodusFile::read_thicknesses(const FileBlock& block) const {
+  const bool has_them = block.topology && find_topology(*block.topology).is_surface() && block.attributes > 0;
+  if (!has_them) return {};
+  require_room(block.elements, least_bytes, "attributes of a block");
+  std::vector<double> thicknesses(size_of(block.elements));
+  if (thicknesses.empty()) return thicknesses;
+  check(ex_get_one_attr(file_, EX_ELEM_BLOCK, block.id, 1, thicknesses.data()),
+        fmt::format("the attributes of block '{}'", block.name));
+  return thicknesses;
 }
 
 std::vector<std::int64_t> ExodusFile::read_node_ids() const {

@@ -29,6 +29,8 @@ class ExodusFile : public MeshFile {
 
   std::vector<Vec3> read_coordinates() const override;
   std::vector<std::int64_t> read_connectivity(const FileBlock& block) const override;
+  /// The first attribute of blocks of shells.
+  std::vector<double> read_thicknesses(const FileBlock& block) const override;
   /// The number maps; 1, 2, 3, ... if the file has none.
   std::vector<std::int64_t> read_node_ids() const override;
   std::vector<std::int64_t> read_element_ids() const override;

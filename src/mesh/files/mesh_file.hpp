@@ -24,6 +24,7 @@ struct FileBlock {
   std::int64_t nodes_per_element = 0;    // more than corners of the topology: cut (src/mesh/reading/cut_elements.hpp)
   std::int64_t first_element = 1;        // its place in the file
   std::optional<TopologyKind> topology;  // none: elements of this kind cannot be run
+  std::int64_t attributes = 0;           // numbers that the file has of each element besides
 };
 
 struct FileSet {
@@ -52,6 +53,8 @@ class MeshFile {
   virtual std::vector<Vec3> read_coordinates() const = 0;
   /// Nodes of the elements of a block, nodes_per_element for each. They may be out of range.
   virtual std::vector<std::int64_t> read_connectivity(const FileBlock& block) const = 0;
+  /// Thickness of each shell of a block, 0 where the file gives none [length]; empty: it gives none at all.
+  virtual std::vector<double> read_thicknesses(const FileBlock& /*block*/) const { return {}; }
   virtual std::vector<std::int64_t> read_node_ids() const = 0;
   virtual std::vector<std::int64_t> read_element_ids() const = 0;
   /// Members of sets of this file. They may be out of range.

@@ -41,6 +41,24 @@ void TextBuilder::add_element(int block, std::int64_t id, std::span<const std::i
   to.places.push_back(place);
 }
 
+void TextBuilder::set_thickness(int block, double thickness) {
+  Block& of = blocks_[static_cast<std::size_t>(block)];
+  of.thicknesses.resize(of.ids.size(), 0);
+  of.thicknesses.back() = thickness;
+}
+
+void TextBuilder::add_node_thickness(std::int64_t node, double thickness, TextPlace place) {
+  node_thicknesses_.push_back({{{Member::What::one, node, 0, 1, {}, {}, place}}, thickness});
+}
+
+void TextBuilder::add_node_thickness_of(const std::string& set, double thickness, TextPlace place) {
+  node_thicknesses_.push_back({{{Member::What::set, 0, 0, 1, {}, set, place}}, thickness});
+}
+
+void TextBuilder::average_thickness_of(const std::string& set, TextPlace place) {
+  averaged_.push_back({Member::What::set, 0, 0, 1, {}, set, place});
+}
+
 void TextBuilder::add_surface_element(const std::string& surface, const TextKind& kind, ElementId id,
                                       std::span<const std::int64_t> nodes, TextPlace place) {
   SurfaceElement element{kind, id, {}, nodes.size(), place};

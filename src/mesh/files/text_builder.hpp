@@ -68,6 +68,14 @@ class TextBuilder {
   /// nodes: ids, as many as the kind of the block has; none if it cannot be run.
   void add_element(int block, std::int64_t id, std::span<const std::int64_t> nodes, TextPlace place);
 
+  /// Of the last element of a block [length].
+  void set_thickness(int block, double thickness);
+  /// Of a node, or of all nodes of a set; a later one counts.
+  void add_node_thickness(std::int64_t node, double thickness, TextPlace place);
+  void add_node_thickness_of(const std::string& set, double thickness, TextPlace place);
+  /// The elements of a set, or of the blocks of that name, have the mean thickness of their nodes.
+  void average_thickness_of(const std::string& set, TextPlace place);
+
   /// An element of a named surface, of three or four nodes. Where all of a surface lie on faces of solids they are a
   /// side set, else a block of shells.
   void add_surface_element(const std::string& surface, const TextKind& kind, ElementId id,
@@ -104,6 +112,7 @@ class TextBuilder {
     FileBlock head;
     TextKind kind;
     std::vector<std::int64_t> nodes, ids;
+    std::vector<double> thicknesses;  // [elements] 0: none; empty, or shorter: none of the rest
     std::vector<TextPlace> places;
   };
   struct SurfaceElement {
@@ -136,7 +145,14 @@ class TextBuilder {
     TextPlace place;
   };
 
+  struct NodeThickness {
+    std::vector<Member> nodes;
+    double thickness = 0;
+  };
+
   std::vector<Vec3> nodes_;
+  std::vector<NodeThickness> node_thicknesses_;
+  std::vector<Member> averaged_;  // elements that have those of their nodes
   std::vector<std::int64_t> node_ids_;
   std::vector<TextPlace> node_places_;
   std::vector<Block> blocks_;

@@ -77,6 +77,8 @@ void TextLookup::fill_blocks() {
     to_.element_ids.insert(to_.element_ids.end(), block.ids.begin(), block.ids.end());
     to_.blocks.push_back(block.head);
     to_.corners.push_back(std::move(block.nodes));
+    to_.thicknesses.push_back(block.thicknesses);
+    if (!block.thicknesses.empty()) to_.thicknesses.back().resize(block.ids.size(), 0);
   }
 }
 
@@ -306,6 +308,33 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
   }
 }
 
+/// From nodes to the shells around them: the mean of the corners, where each has a thickness.
+void TextLookup::average_thicknesses() {
+  if (from_.averaged_.empty()) return;
+  std::vector<double> of_node(to_.nodes.size() + 1, 0);
+  std::vector<std::int64_t> members;
+  for (const TextBuilder::NodeThickness& given : from_.node_thicknesses_) {
+    members.clear();
+    add_members("", given.nodes, true, 0, members);
+    for (const std::int64_t node : members) of_node[at(node)] = given.thickness;
+  }
+  members.clear();
+  add_members("", from_.averaged_, false, 0, members);
+  for (const std::int64_t element : members) {
+    const Topology* topology = topology_of(element);
+    if (topology == nullptr || !topology->is_surface()) continue;
+    double sum = 0;
+    bool are_given = true;
+    for (const std::int64_t node : corners_of(element)) {
+      sum += of_node[at(node)];
+      are_given = are_given && of_node[at(node)] > 0;
+    }
+    const std::size_t block = find_block(element);
+    to_.thicknesses[block].resize(static_cast<std::size_t>(to_.blocks[block].elements), 0);
+    if (are_given) to_.thicknesses[block][at(element - to_.blocks[block].first_element)] = sum / topology->corner_count;
+  }
+}
+
 bool TextLookup::has_other_kinds() const {
   return std::any_of(to_.blocks.begin(), to_.blocks.end(), [](const FileBlock& block) { return !block.topology; });
 }
@@ -324,6 +353,7 @@ TextContents TextLookup::look_up() {
   const auto fill = [&] {
     to_.blocks.clear();
     to_.corners.clear();
+    to_.thicknesses.clear();
     to_.element_ids.clear();
     fill_blocks();
     stop_at_problems();
@@ -340,6 +370,7 @@ TextContents TextLookup::look_up() {
   fill_node_sets();
   fill_element_sets();
   fill_side_sets();
+  average_thicknesses();
   stop_at_problems();
   to_.notes = from_.notes_;
   if (lost_faces_ > 0)

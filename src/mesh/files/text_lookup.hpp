@@ -55,6 +55,7 @@ class TextLookup {
       const std::array<std::int64_t, 4>& nodes) const;  // numbers, of a triangle the last is 0; {0, 0}: none
   static std::array<std::int64_t, 4> make_key(std::array<std::int64_t, 4> nodes);
 
+  void average_thicknesses();
   bool has_other_kinds() const;
   void fill_node_sets();
   void fill_element_sets();

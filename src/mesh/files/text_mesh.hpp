@@ -17,6 +17,7 @@ struct TextContents {
   std::vector<std::int64_t> node_ids, element_ids;
   std::vector<FileBlock> blocks;
   std::vector<std::vector<std::int64_t>> corners;  // [blocks]
+  std::vector<std::vector<double>> thicknesses;    // [blocks][elements] 0: none; a block without any is empty
   std::vector<FileSet> node_sets, side_sets, element_sets;
   std::map<std::string, std::vector<std::int64_t>> nodes_of_sets, elements_of_sets;
   std::map<std::string, std::vector<FileSide>> sides_of_sets;  // sides are faces of the topology, from 1
@@ -39,6 +40,13 @@ class TextMesh : public MeshFile {
     for (std::size_t b = 0; b < of_.blocks.size(); ++b) {
       if (of_.blocks[b].first_element == block.first_element && of_.blocks[b].elements == block.elements)
         return of_.corners[b];
+    }
+    return {};
+  }
+  std::vector<double> read_thicknesses(const FileBlock& block) const override {
+    for (std::size_t b = 0; b < of_.blocks.size(); ++b) {
+      if (of_.blocks[b].first_element == block.first_element && of_.blocks[b].elements == block.elements)
+        return of_.thicknesses[b];
     }
     return {};
   }

@@ -73,6 +73,8 @@ class AbaqusReader {
     if (keyword == "ELSET") return read_set(false);
     if (keyword == "SURFACE") return read_surface();
     if (keyword == "INSTANCE") return read_instance();
+    if (keyword == "NODAL THICKNESS") return read_nodal_thickness();
+    if (keyword == "SHELL SECTION") read_shell_section();
     for (const char* word : {"INCLUDE", "SYSTEM", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "PARAMETER",
                              "MODEL CHANGE", "IMPORT"}) {
       if (keyword == word) lines_.refuse(fmt::format("*{} is not read (it changes the mesh)", keyword));
@@ -155,6 +157,23 @@ class AbaqusReader {
       const std::span nodes(items.data() + 1, kind.topology ? items.size() - 1 : 0);
       builder_.add_element(block, items[0], nodes, place);
     }
+  }
+
+  /// A node or a node set, and a thickness, which may stand below *SHELL SECTION or above it.
+  void read_nodal_thickness() {
+    if (lines_.has_parameter("GENERATE")) lines_.refuse("*NODAL THICKNESS with GENERATE is not read (list the nodes)");
+    while (lines_.next_data()) {
+      const auto id = parse_integer(lines_.field(0));
+      const double thickness = lines_.real(1);
+      id ? builder_.add_node_thickness(*id, thickness, lines_.place())
+         : builder_.add_node_thickness_of(find_name(lines_.field(0)), thickness, lines_.place());
+    }
+  }
+
+  /// Only whether thicknesses are those of nodes.
+  void read_shell_section() {
+    if (lines_.has_parameter("NODAL THICKNESS"))
+      builder_.average_thickness_of(find_name(lines_.parameter("ELSET")), lines_.place());
   }
 
   void read_set(bool of_nodes) {

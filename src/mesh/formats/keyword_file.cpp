@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::array<int, 6> node_widths = {8, 16, 16, 16, 8, 8};
 constexpr std::array<int, 10> element_widths = {8, 8, 8, 8, 8, 8, 8, 8, 8, 8};
+constexpr std::array<int, 5> thickness_widths = {16, 16, 16, 16, 16};  // of the corners, and an angle
 constexpr std::array<int, 8> card_widths = {10, 10, 10, 10, 10, 10, 10, 10};
 
 /// Takes a word off the end of a keyword, with the underscore before it.
@@ -60,7 +61,8 @@ class KeywordReader {
   void read_keyword(const std::string& keyword) {
     if (keyword == "NODE") return read_nodes();
     if (keyword == "ELEMENT_SOLID") return read_solids();
-    if (keyword == "ELEMENT_SHELL") return read_shells();
+    if (keyword == "ELEMENT_SHELL") return read_shells(false);
+    if (keyword == "ELEMENT_SHELL_THICKNESS") return read_shells(true);
     if (keyword == "ELEMENT_BEAM") return read_beams();
     if (keyword == "PART") return read_parts();
     if (keyword == "INCLUDE") return read_includes();
@@ -153,7 +155,24 @@ class KeywordReader {
                          place);
   }
 
-  void read_shells() {
+  /// Thicknesses of the corners stand on a second line; the shell has their mean.
+  double read_thickness(std::int64_t id, std::size_t corners) {
+    if (!cards_.next_line()) cards_.refuse(fmt::format("shell {} has no line of thicknesses", id));
+    cards_.cut(thickness_widths);
+    double sum = 0, first = 0;
+    int given = 0;
+    bool are_equal = true;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double thickness = cards_.real(i);
+      if (thickness == 0) continue;
+      if (given++ == 0) first = thickness;
+      are_equal = are_equal && thickness == first;
+      sum += thickness;
+    }
+    return are_equal ? first : sum / given;
+  }
+
+  void read_shells(bool with_thickness) {
     while (cards_.next_line()) {
       if (strip_blanks(cards_.line()).empty()) continue;
       cards_.cut(element_widths);
@@ -161,6 +180,7 @@ class KeywordReader {
       std::array<std::int64_t, 4> nodes{};
       for (std::size_t i = 0; i < 4; ++i) nodes[i] = cards_.integer(i + 2);
       if (cards_.integer(6) != 0) {
+        if (with_thickness) cards_.refuse(fmt::format("shell {} has nodes on its edges and thicknesses", id));
         add_other("ELEMENT_SHELL", "with nodes on its edges", id, part, cards_.place());
         continue;
       }
@@ -169,8 +189,10 @@ class KeywordReader {
                           IdSpace::shells};
       TextKind named = kind;
       if (is_triangle) named.name += ", triangle";
-      builder_.add_element(builder_.find_block(name_part(part), part, named), id,
-                           std::span(nodes.data(), is_triangle ? 3U : 4U), cards_.place());
+      const std::size_t corners = is_triangle ? 3 : 4;
+      const int block = builder_.find_block(name_part(part), part, named);
+      builder_.add_element(block, id, std::span(nodes.data(), corners), cards_.place());
+      if (with_thickness) builder_.set_thickness(block, read_thickness(id, corners));
     }
   }
 

@@ -55,6 +55,8 @@ void copy_part(PartMesh& mesh, std::size_t copies, std::size_t node_count) {
     corners.assign(first.begin(), first.end());
     for (int& node : corners) node += static_cast<int>(i / element_count * node_count);
     mesh.elements.add(mesh.elements.block_index(i % element_count), corners);
+    std::vector<double>& thickness = mesh.elements.own_thickness;
+    if (!thickness.empty()) thickness.push_back(thickness[i % element_count]);
   }
   copy_ids(mesh.node_ids, copies);
   copy_ids(mesh.element_ids, copies);

@@ -80,10 +80,25 @@ bool is_of_beams(const ElementBlock& block) { return find_topology(block.topolog
 /// Shells need a thickness, and only they.
 void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
   const bool has_shells = std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), is_of_shells);
-  if (has_shells && !deck.thickness) throw InputError("thickness is missing (the shells of the file need one)");
-  if (!has_shells && (deck.thickness || deck.points)) {
+  if (has_shells && !deck.has_thickness()) throw InputError("thickness is missing (the shells of the file need one)");
+  if (!has_shells && (deck.has_thickness() || deck.points)) {
     throw InputError("it has a thickness or points (the file has no shells, which alone have them)");
   }
+}
+
+/// Thicknesses of the file that the part does not use, or that it wants and the file has not.
+void check_own_thickness(const PartDeck& deck, PartMesh& mesh) {
+  const std::vector<double>& own = mesh.elements.own_thickness;
+  if (deck.thickness_of_file && own.empty())
+    throw InputError("thickness.file is true (the file gives its shells no thickness): give a number");
+  if (deck.thickness_of_file || own.empty()) return;
+  const auto count = std::count_if(own.begin(), own.end(), [](double t) { return t != 0; });
+  mesh.warnings.push_back({"unread_content",
+                           fmt::format("the thicknesses that the file gives {} of its shells are not used: write "
+                                       "thickness: {{file: true}} for them",
+                                       count),
+                           "", 0, 1});
+  mesh.elements.own_thickness.clear();
 }
 
 /// Beams need a section, and only they.
@@ -98,6 +113,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files
   PartMesh& mesh = file->mesh;
   mesh = files.read(std::get<FileMesh>(deck.shape));
   check_thickness(deck, mesh);
+  check_own_thickness(deck, mesh);
   check_section(deck, mesh);
   const double copies = count_copies(deck);
   check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));

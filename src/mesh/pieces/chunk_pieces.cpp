@@ -25,6 +25,7 @@ class PieceMaker {
     pieces_.element_ids.push_back(id);
     pieces_.bodies.push_back(body);
     pieces_.exterior.push_back(0);
+    pieces_.thicknesses.push_back(0);
     return static_cast<int>(pieces_.element_ids.size()) - 1;
   }
 
@@ -141,6 +142,8 @@ void make_file_chunks(const ScenePart& part, int part_index, PieceMaker& maker) 
           maker.add_element(part.first_block + mesh.elements.block_index(element), mesh.elements.corners(element),
                             part.first_key, mesh.element_ids[element], part.first_body + file.bodies[element]);
       maker.pieces().exterior.back() = file.exterior[element];
+      if (!mesh.elements.own_thickness.empty())
+        maker.pieces().thicknesses.back() = mesh.elements.own_thickness[element];
       for (const SetMember& m : face_sets.of(element)) maker.add_face(added, m.set, m.face);
     }
     maker.end([&](std::int64_t key, int node) {

@@ -29,6 +29,7 @@ struct ChunkPieces {
   std::vector<std::int64_t> element_ids;     // [elements] the user's
   std::vector<int> bodies;                   // [elements] as Mesh::bodies
   std::vector<std::uint8_t> exterior;        // [elements] as Mesh::exterior
+  std::vector<double> thicknesses;           // [elements] that the file gives; 0: none [length]
   std::vector<std::int64_t> keys;            // [nodes] in the order of their first use in the chunk
   std::vector<std::int64_t> node_ids;        // [nodes] the user's
   std::vector<Vec3> places;                  // [nodes] at time 0 [length]

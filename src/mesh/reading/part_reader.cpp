@@ -128,6 +128,7 @@ class PartReader {
     file_element_ids_ = accept_ids(file_.read_element_ids(), "element", mesh_);
     if (std::any_of(choice_.blocks.begin(), choice_.blocks.end(), is_cut)) prepare_cuts();
     read_elements();
+    forget_missing_thicknesses();
     throw_problems();  // what follows relies on indexes in range
     drop_unused_nodes();
     check_connectivity(mesh_, problems_);
@@ -174,6 +175,7 @@ class PartReader {
     file_to_part_element_.assign(static_cast<std::size_t>(file_.element_count()), not_chosen);
     for (const FileBlock& block : choice_.blocks) {
       const std::vector<std::int64_t> corners = file_.read_connectivity(block);
+      const std::vector<double> thicknesses = file_.read_thicknesses(block);
       for (std::size_t e = 0; e < static_cast<std::size_t>(block.elements); ++e) {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
         if (!choice_.elements.empty() && choice_.elements[in_file] == 0) continue;
@@ -182,8 +184,14 @@ class PartReader {
         mesh_.element_ids.push_back(file_element_ids_[in_file]);
         std::vector<int> nodes = read_corners(corners, e, block);
         is_cut(block) ? add_pieces(nodes, block) : add_element(std::move(nodes), block);
+        mesh_.elements.own_thickness.resize(mesh_.elements.size(), thicknesses.empty() ? 0 : thicknesses[e]);
       }
     }
+  }
+
+  void forget_missing_thicknesses() {
+    std::vector<double>& thicknesses = mesh_.elements.own_thickness;
+    if (std::all_of(thicknesses.begin(), thicknesses.end(), [](double t) { return t == 0; })) thicknesses.clear();
   }
 
   std::vector<int> read_corners(const std::vector<std::int64_t>& corners, std::size_t element, const FileBlock& block) {
@@ -431,6 +439,7 @@ PartMesh MeshFiles::read(const FileMesh& source) {
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;
   }
+  for (double& thickness : mesh.elements.own_thickness) thickness *= source.scale;
   return mesh;
 }
 

@@ -19,7 +19,7 @@ namespace percuss {
 
 /// What a surface element is across, and a beam.
 struct Section {
-  double thickness = 0;  // of surfaces [length]; else 0
+  double thickness = 0;  // of surfaces, the largest where elements have their own [length]; else 0
   int points = 0;        // across the thickness; 0: by the material
   double area = 0;       // of the cross section of beams [length^2]; else 0
 };
@@ -64,6 +64,7 @@ class Corners {
 class Elements {
  public:
   std::vector<ElementBlock> blocks;
+  std::vector<double> own_thickness;  // [elements] of surfaces [length]; empty: all have that of their block
 
   std::size_t size() const { return blocks_.size(); }
   bool empty() const { return blocks_.empty(); }
@@ -79,6 +80,10 @@ class Elements {
   int block_index(std::size_t element) const { return blocks_[element]; }
   const ElementBlock& block_of(std::size_t element) const { return blocks[static_cast<std::size_t>(blocks_[element])]; }
   const Topology& topology_of(std::size_t element) const { return find_topology(block_of(element).topology); }
+  /// Of a surface [length]; 0 of others.
+  double thickness_of(std::size_t element) const {
+    return own_thickness.empty() ? block_of(element).section.thickness : own_thickness[element];
+  }
 
   /// Nodes of a face as contact and loads take them: four, of a triangle one twice.
   std::array<int, 4> face_nodes(const ElementFace& face) const {
@@ -124,8 +129,11 @@ class Elements {
   Elements select(std::span<const int> elements) const {
     Elements selected;
     selected.blocks = blocks;
-    for (const int e : elements)
-      selected.add(block_index(static_cast<std::size_t>(e)), corners(static_cast<std::size_t>(e)));
+    for (const int e : elements) {
+      const auto element = static_cast<std::size_t>(e);
+      selected.add(block_index(element), corners(element));
+      if (!own_thickness.empty()) selected.own_thickness.push_back(own_thickness[element]);
+    }
     return selected;
   }
 

@@ -168,6 +168,7 @@ Audit::Totals Audit::sum_all(const State& state) {
   if (model_.ranks.rank() == 0) {  // what all ranks know
     sums[S::internal].add(state.books.spring_work);
     sums[S::viscous].add(state.books.damper_work);
+    sums[S::viscous].add(-state.books.weld_work);
   }
   sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;

@@ -21,7 +21,8 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   const auto mass = state.mass;
   const Gravity gravity = state.gravity;
   const double share = model.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
-  const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse;
+  const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse,
+             welded = state.weld_impulse;
   const MomentCenter center(model.mass_center);
   const HeldReactions reactions = find_reactions(model, state, dt_mean);
   const auto sums = held_sums(
@@ -31,7 +32,7 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
         const double m = mass(n), v_mean = 0.5 * (v(n, k) + v_before(n, k));
         double j[3] = {0, 0, 0};
         j[k] = reactions(owned(i));
-        add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k)) * v_mean -
+        add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k) - find_welded(welded, n, k)) * v_mean -
                    dt * v(n, k) * (0.5 * force(n, k) + share * m * gravity.g[k]));
         const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
         add_impulse(r, j, 1, add);
@@ -46,12 +47,12 @@ void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& st
   const auto held = model.held_spins;
   const auto owned = model.owned_held_spins;
   const auto inertia = state.inertia;
-  const auto w = state.w, w_before = state.w_before, moment = state.moment;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment;
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
-        const double change = inertia(n) * (w(n, k) - w_before(n, k));
+        const double change = inertia(n) * (w(n, k) - w_before(n, k)) - find_welded(welded, n, k);
         add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
         add(4 + k, change - dt_mean * moment(n, k));
       });

@@ -26,6 +26,7 @@
 #include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
+#include "src/step/springs/build_welds.hpp"
 #include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
@@ -386,6 +387,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
   build_rigid_bodies(deck, chunked, rigid, {mass, find_masses_of_others(deck, chunked, model)}, model);
   build_joints(deck, model);
+  build_welds(deck, chunked, model);
   build_held_directions(deck, chunked, rigid, mass, model);
   build_initial_velocities(deck, chunked, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);

@@ -147,10 +147,8 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
   std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
   std::vector<int> kinds;
   std::vector<double> thickness;
-  for (const Chunk& chunk : chunked.chunks) {
-    kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
-    thickness.push_back(find_block(chunked, chunk).section.thickness);
-  }
+  for (const Chunk& chunk : chunked.chunks) kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
+  for (std::size_t e = 0; e < chunked.mesh.elements.size(); ++e) thickness.push_back(chunked.mesh.thickness_of(e));
   model.chunks.is_shell = to_view("percuss::is_shell", kinds);
   model.start_thickness = to_view("percuss::start_thickness", thickness);
   model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
@@ -161,7 +159,7 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
     const ElementBlock& block = mesh.block_of(e);
-    const double t = block.section.thickness, offset = deck.parts[static_cast<std::size_t>(block.part)].offset;
+    const double t = mesh.thickness_of(e), offset = deck.parts[static_cast<std::size_t>(block.part)].offset;
     squares[e] = t * t / 12 + find_shell_area_size(gather_corners(mesh.elements, e, mesh.nodes)) / 8 + offset * offset;
   }
   return squares;
@@ -177,7 +175,7 @@ std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const 
     for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
     const MixedShapes<bool> shapes{mesh.topology_of(e).corner_count == 3};
     const ElementBlock& block = mesh.block_of(e);
-    const ShellSection<double> section{block.section.thickness, element_mass[e], gyration_square[e],
+    const ShellSection<double> section{mesh.thickness_of(e), element_mass[e], gyration_square[e],
                                        deck.parts[static_cast<std::size_t>(block.part)].offset};
     visit_layer(deck.materials[static_cast<std::size_t>(block.material)], [&](const auto&, const auto& layer) {
       const auto geometry = find_shell_geometry(find_differences(corners), shapes);

@@ -44,12 +44,17 @@ void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books&
   add_to_books(&sums[first], &sums[first + 3], books);
 }
 
+/// What welds give a node in a direction, of rows that are empty without welds.
+KOKKOS_INLINE_FUNCTION double find_welded(const Rows3<const double>& rows, int n, int k) {
+  return rows.extent(0) > 0 ? rows(n, k) : 0;
+}
+
 /// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P, with the forces f at n, the velocities
-/// before and after the step and the contact impulse P.
+/// before and after the step and the impulse P of contact and welds.
 struct HeldReactions {
   HeldDirections held;
   Gravity gravity;
-  Rows3<const double> v, v_before, force, impulse;
+  Rows3<const double> v, v_before, force, impulse, welded;
   Array<const double> mass;
   double dt_mean = 0;
 
@@ -57,12 +62,14 @@ struct HeldReactions {
   KOKKOS_INLINE_FUNCTION double operator()(int i) const {
     const int n = held.node(i), k = held.direction(i);
     const double m = mass(n);
-    return m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k);
+    return m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k) -
+           find_welded(welded, n, k);
   }
 };
 
 inline HeldReactions find_reactions(const Model& model, const State& state, double dt_mean) {
-  return {model.held, state.gravity, state.v, state.v_before, state.force, state.impulse, state.mass, dt_mean};
+  return {model.held,    state.gravity,      state.v,    state.v_before, state.force,
+          state.impulse, state.weld_impulse, state.mass, dt_mean};
 }
 
 }  // namespace percuss

@@ -84,7 +84,7 @@ struct Model {
   bool has_rotations = false;
   ShellBlocks sending_shell_blocks;  // as sending_blocks
   ShellBlocks shell_blocks;
-  Array<double> start_thickness;                             // [chunks] of shells [length]
+  Array<double> start_thickness;                             // [elements] of shells [length]
   Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
   Array<double> gyration_square;                             // [elements] rotary inertia over mass [length^2]
   Array<double> inertia;          // [nodes] rotary, about any axis; 0 without such an element
@@ -145,6 +145,7 @@ struct Model {
   bool is_driven = false;       // whether a prescribed motion other than rest exists
   RigidModel rigid;
   SpringModel springs;
+  WeldModel welds;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

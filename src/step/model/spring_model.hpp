@@ -1,8 +1,9 @@
 #pragma once
-// Springs and dampers between two nodes, and their state. Every rank has all of them, and the same bits.
+// Springs, dampers and welds between two nodes, and their state. Every rank has all of them, and the same bits.
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,47 @@ struct SpringState {
   std::int64_t is_broken = 0;
 
   double force() const { return elastic + damping; }
+};
+
+/// What the welds of an entry of the deck have in common.
+struct WeldLaw {
+  static constexpr double unbreakable = std::numeric_limits<double>::infinity();
+
+  std::string name, place;  // of the entry in the deck
+  double normal_strength = unbreakable, shear_strength = unbreakable;
+  double normal_exponent = 2, shear_exponent = 2;
+  double time = unbreakable;  // at which it fails
+};
+
+/// Two nodes that move as one until it fails; const after set-up.
+struct Weld {
+  std::string name;
+  int law = 0;
+  std::array<int, 2> end{};         // places in WeldModel::nodes
+  double length = 0;                // at time 0
+  Vector3<double> normal{};         // unit vector at time 0
+  bool is_normal_its_line = false;  // whether the normal stays the line between the nodes
+  bool has_columns = true;          // of its own in the history
+};
+
+struct WeldModel {
+  std::vector<WeldLaw> laws;
+  std::vector<Weld> welds;
+  std::vector<std::int64_t> nodes;     // that are welded, by number in the whole mesh, ascending
+  std::vector<std::string> notes;      // what is to be told of them
+  bool shares_nodes = false;           // whether some node has several welds
+  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
+  Array<int> local_node, local_place;  // of all that this rank holds
+
+  bool any() const { return !welds.empty(); }
+};
+
+/// A weld in the loop.
+struct WeldState {
+  Vector3<double> normal{};  // unit vector at n, from the first node to the second
+  double pull = 0;           // force along it in the last step, positive in tension
+  double shear = 0;          // amount of the force across it
+  std::int64_t is_broken = 0;
 };
 
 }  // namespace percuss

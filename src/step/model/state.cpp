@@ -94,11 +94,18 @@ void start_shells(const Model& model, const Array<Real>& elements) {
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
         for (int i = 0; i < packs * pack_width; ++i) {
           Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          record[ShellRecord::gyration_square * pack_width] =
-              static_cast<Real>(gyration_square(first + (i < count ? i : count - 1)));
-          record[ShellRecord::thickness * pack_width] = static_cast<Real>(thickness(c));
+          const int e = first + (i < count ? i : count - 1);
+          record[ShellRecord::gyration_square * pack_width] = static_cast<Real>(gyration_square(e));
+          record[ShellRecord::thickness * pack_width] = static_cast<Real>(thickness(e));
         }
       });
+}
+
+void start_welds(const Model& model, State& s) {
+  if (!model.welds.any()) return;
+  for (const Weld& weld : model.welds.welds) s.welds.push_back({weld.normal});
+  s.weld_impulse = Rows3<double>("percuss::weld_impulse", static_cast<std::size_t>(model.node_count));
+  s.weld_moment = Rows3<double>("percuss::weld_moment", static_cast<std::size_t>(model.node_count));
 }
 
 /// Rotary inertia and axes of beams into the records.
@@ -264,6 +271,7 @@ State make_initial_state(const Model& model) {
   s.bodies = make_rigid_states(model);
   s.joints.resize(model.rigid.joints.size());
   s.springs.resize(model.springs.springs.size());
+  start_welds(model, s);
   s.gravity = find_gravity(model, s.time);
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);

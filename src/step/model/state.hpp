@@ -25,6 +25,7 @@ struct Books {
   ExactSum damping_work;       // of damping in proportion to mass; negative: dissipated
   double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
   double damper_work = 0;      // of all ranks: what their dampers have taken
+  double weld_work = 0;        // of all ranks: what welds have given; nearly nothing while they hold
   double added_mass = 0;       // of all ranks: by mass scaling during the run
   double added_energy = 0;     // kinetic energy that came with it, within external_work
 };
@@ -88,6 +89,8 @@ struct State {
   std::vector<RigidState> bodies;  // rigid ones
   std::vector<JointState> joints;  // between them
   std::vector<SpringState> springs;
+  std::vector<WeldState> welds;
+  Rows3<double> weld_impulse, weld_moment;  // of the last step on its nodes; empty without welds; scratch of the step
   Books books;
 
   /// What an evaluation of the elements reads and writes.

@@ -164,6 +164,17 @@ void archive_springs(CheckpointArchive& archive, State& state) {
   archive.number("books/damper_work", state.books.damper_work);
 }
 
+void archive_welds(CheckpointArchive& archive, State& state) {
+  for (std::size_t w = 0; w < state.welds.size(); ++w) {
+    WeldState& weld = state.welds[w];
+    double values[] = {weld.normal.x, weld.normal.y, weld.normal.z, weld.pull, weld.shear};
+    archive.numbers(fmt::format("welds/{}", w), values);
+    archive.number(fmt::format("welds/{}/is_broken", w), weld.is_broken);
+    weld = {{values[0], values[1], values[2]}, values[3], values[4], weld.is_broken};
+  }
+  if (!state.welds.empty()) archive.number("books/weld_work", state.books.weld_work);
+}
+
 void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/external_work", books.external_work);
   archive.sums("books/impulse", books.impulse);
@@ -235,6 +246,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_bodies(archive, state.bodies);
   archive_joints(archive, state.joints);
   archive_springs(archive, state);
+  archive_welds(archive, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);

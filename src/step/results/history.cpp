@@ -106,7 +106,7 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
 }
 
 std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
-                                        const SpringModel& springs, const Deck& deck) {
+                                        const Model& model, const Deck& deck) {
   std::vector<HistoryColumn> columns = table.columns();
   const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
@@ -114,8 +114,10 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
   const std::vector<HistoryColumn> of_joints = list_joint_columns(deck);
   columns.insert(columns.end(), of_joints.begin(), of_joints.end());
-  const std::vector<HistoryColumn> of_springs = list_spring_columns(springs);
+  const std::vector<HistoryColumn> of_springs = list_spring_columns(model.springs);
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
+  const std::vector<HistoryColumn> of_welds = list_weld_columns(model.welds);
+  columns.insert(columns.end(), of_welds.begin(), of_welds.end());
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
                        fmt::format("displacement of wall '{}', along its normal or direction", name)});
@@ -130,7 +132,7 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
 
 }  // namespace
 
-History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const SpringModel& springs,
+History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                  std::optional<std::int64_t> bytes)
     : ranks_(find_ranks(chunked.mesh)),
       table_(deck),
@@ -140,7 +142,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0) return;
-    const std::vector<HistoryColumn> columns = list_columns(table_, points_, springs, deck);
+    const std::vector<HistoryColumn> columns = list_columns(table_, points_, model, deck);
     const std::string path = directory + "/history.csv";
     if (bytes)
       file_.emplace(path, name_columns(columns), *bytes);
@@ -150,14 +152,14 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
   });
 }
 
-void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
-                    const SpringModel& springs, std::int64_t bytes) {
+void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                    std::int64_t bytes) {
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
   const Communicator ranks = find_ranks(chunked.mesh);
   fail_together(ranks, [&] {
     if (ranks.rank() == 0)
       check_history_file(directory + "/history.csv",
-                         name_columns(list_columns(HistoryTable(deck), points, springs, deck)), bytes);
+                         name_columns(list_columns(HistoryTable(deck), points, model, deck)), bytes);
   });
 }
 
@@ -211,6 +213,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   bodies_.append(model, state, row);
   append_joints(model, state, row);
   append_springs(model.springs, state, row);
+  append_welds(model.welds, state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);

@@ -19,12 +19,12 @@ class History {
  public:
   /// Creates history.csv and columns.json in the directory, or goes on with the history.csv of an earlier run behind
   /// its first `bytes`: rank 0 writes. Collective. Throws SystemError, InputError, the same on all ranks.
-  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const SpringModel& springs,
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
           std::optional<std::int64_t> bytes = std::nullopt);
 
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
-  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
-                    const SpringModel& springs, std::int64_t bytes);
+  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                    std::int64_t bytes);
 
   /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
   void write(const Model& model, const HistorySources& sources);

@@ -47,13 +47,12 @@ RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& 
       rows_(deck.output.history_every) {}
 
 void RunOutput::create() {
-  if (wants_rows()) history_.emplace(directory_, deck_, chunked_, model_.springs);
+  if (wants_rows()) history_.emplace(directory_, deck_, chunked_, model_);
   if (wants_frames()) frames_.emplace(directory_, deck_, chunked_, model_, contact_);
 }
 
 void RunOutput::check_earlier() const {
-  if (wants_rows() && history_bytes_ != no_file)
-    History::check(directory_, deck_, chunked_, model_.springs, history_bytes_);
+  if (wants_rows() && history_bytes_ != no_file) History::check(directory_, deck_, chunked_, model_, history_bytes_);
   if (wants_frames() && frame_count_ != no_file) Frames::check(directory_, deck_, chunked_, model_, frame_count_);
 }
 
@@ -73,9 +72,9 @@ CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& e
 
 void RunOutput::go_on() {
   if (wants_rows() && history_bytes_ != no_file) {
-    history_.emplace(directory_, deck_, chunked_, model_.springs, history_bytes_);
+    history_.emplace(directory_, deck_, chunked_, model_, history_bytes_);
   } else if (wants_rows()) {
-    history_.emplace(directory_, deck_, chunked_, model_.springs);
+    history_.emplace(directory_, deck_, chunked_, model_);
   }
   if (wants_frames() && frame_count_ != no_file) {
     frames_.emplace(directory_, deck_, chunked_, model_, contact_, frame_count_);

@@ -1,5 +1,5 @@
 #pragma once
-// The columns of history.csv of springs.
+// The columns of history.csv of springs and of welds.
 
 #include <vector>
 
@@ -14,5 +14,12 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 
 /// Appends the values of those columns to a row.
 void append_springs(const SpringModel& springs, const State& state, std::vector<double>& row);
+
+/// Work of all welds, how many have failed, then "weld_normal:NAME" and "weld_shear:NAME", weld after weld, of those
+/// with Weld::has_columns; none without welds.
+std::vector<HistoryColumn> list_weld_columns(const WeldModel& welds);
+
+/// The values of these columns.
+void append_welds(const WeldModel& welds, const State& state, std::vector<double>& row);
 
 }  // namespace percuss

@@ -214,7 +214,8 @@ void Run::erode() {
   {
     const Phase phase("percuss::erosion", clock);
     erosion_.redefine(state_, stepper_.bookkeeper());
-    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty() || !deck_.springs.empty()) stepper_.renew_loads(state_);
+    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty() || !deck_.springs.empty() || !deck_.welds.empty())
+      stepper_.renew_loads(state_);
   }
   clock += before;  // contact has phases of its own
   clock -= contact_.clocks().sum();

@@ -7,13 +7,11 @@
 #include <set>
 
 #include "comm/all_reduce.hpp"
-#include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/followed_points.hpp"
-#include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/springs/end_pairs.hpp"
 #include "src/step/springs/spring_law.hpp"
 
 namespace percuss {
@@ -37,87 +35,9 @@ SpringLaw make_law(const SpringDeck& deck) {
   return law;
 }
 
-/// Nodes of ends. Those that are single nodes are found together, since each search looks at the whole mesh.
-class EndFinder {
- public:
-  EndFinder(const Deck& deck, const ChunkedMesh& chunked) : deck_(deck), chunked_(chunked) {
-    std::vector<HistoryPoint> points;
-    for (const SpringDeck& spring : deck.springs) {
-      for (const SpringEndDeck& end : spring.between) {
-        if (!end.point) continue;
-        points.push_back(*end.point);
-        points.back().name = spring.name;
-      }
-    }
-    found_ = find_points(deck, chunked, points, "end of spring");
-  }
-
-  /// The nodes of an end on all ranks, ascending. To be asked for in the order of the deck. Collective.
-  std::vector<Item> find(const SpringEndDeck& end) {
-    std::vector<Item> items;
-    for (const int node : find_own(end)) {
-      const auto n = static_cast<std::size_t>(node);
-      items.push_back({chunked_.mesh.nodes[n], chunked_.mesh.node_numbers[n]});
-    }
-    items = gather_items(find_ranks(chunked_.mesh), items);
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.number < b.number; });
-    return items;
-  }
-
- private:
-  /// Those that this rank owns, in its share.
-  std::vector<int> find_own(const SpringEndDeck& end) {
-    std::vector<int> own;
-    if (end.point) {
-      const int index = found_[next_++].index;
-      if (index >= 0) own.push_back(index);
-      return own;
-    }
-    for (const int n : select_nodes(chunked_.mesh, deck_, end.where))
-      if (owns_node(chunked_, n)) own.push_back(n);
-    return own;
-  }
-
-  const Deck& deck_;
-  const ChunkedMesh& chunked_;
-  std::vector<FollowedPoint> found_;
-  std::size_t next_ = 0;
-};
-
-/// A spring by the nodes of its ends.
-struct Pair {
-  Item first, second;
-};
-
-void check_nearest(const Deck& deck, const SpringDeck& spring, const Item& item, const Nearest& found) {
-  if (found.score == std::numeric_limits<double>::infinity())
-    throw InputError(
-        fmt::format("{}: error: spring '{}' has no node at its second end whose distance from node {} of the mesh is a "
-                    "number (squares of coordinates this large overflow): move the parts together",
-                    deck.where(spring.place), spring.name, item.number));
-  if (found.number == item.number)
-    throw InputError(
-        fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring connects two different "
-                    "nodes): let its ends share no node",
-                    deck.where(spring.place), spring.name, found.number));
-}
-
-std::vector<Pair> find_pairs(const Deck& deck, EndFinder& ends, const SpringDeck& spring) {
-  const std::vector<Item> first = ends.find(spring.between[0]), second = ends.find(spring.between[1]);
-  const NearestItems nearest(second);
-  std::vector<Pair> pairs;
-  for (const Item& item : first) {
-    const Nearest found = nearest.find(item.place);
-    check_nearest(deck, spring, item, found);
-    pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
-                                             [](const Item& i, std::int64_t number) { return i.number < number; })});
-  }
-  return pairs;
-}
-
-std::string describe(const SpringDeck& spring, const std::vector<Pair>& pairs) {
+std::string describe(const SpringDeck& spring, const std::vector<NodePair>& pairs) {
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-  for (const Pair& pair : pairs) {
+  for (const NodePair& pair : pairs) {
     const double length = find_distance(pair.first.place, pair.second.place);
     shortest = std::min(shortest, length);
     longest = std::max(longest, length);
@@ -127,7 +47,7 @@ std::string describe(const SpringDeck& spring, const std::vector<Pair>& pairs) {
 }
 
 /// Adds the springs of an entry; their ends are numbers in the whole mesh until all are known.
-void add_springs(const SpringDeck& deck, const std::vector<Pair>& pairs, SpringModel& model,
+void add_springs(const SpringDeck& deck, const std::vector<NodePair>& pairs, SpringModel& model,
                  std::vector<std::array<std::int64_t, 2>>& ends) {
   const auto law = static_cast<int>(model.laws.size());
   model.laws.push_back(make_law(deck));
@@ -179,11 +99,14 @@ void check_count(const Deck& deck, const SpringDeck& spring, const SpringModel& 
 SpringModel find_springs(const Deck& deck, const ChunkedMesh& chunked) {
   SpringModel model;
   if (deck.springs.empty()) return model;
-  EndFinder finder(deck, chunked);
+  std::vector<PairOfEnds> entries;
+  for (const SpringDeck& spring : deck.springs) entries.push_back({spring.name, spring.between, spring.place});
+  const std::vector<std::vector<NodePair>> pairs = find_node_pairs(deck, chunked, entries, "spring");
   std::vector<std::array<std::int64_t, 2>> ends;
   std::set<std::string> names;
-  for (const SpringDeck& spring : deck.springs) {
-    add_springs(spring, find_pairs(deck, finder, spring), model, ends);
+  for (std::size_t i = 0; i < deck.springs.size(); ++i) {
+    const SpringDeck& spring = deck.springs[i];
+    add_springs(spring, pairs[i], model, ends);
     check_count(deck, spring, model);
     check_names(deck, spring, model, names);
   }

@@ -52,6 +52,8 @@ std::vector<WrongDeck> wrong_numbers() {
        "spring 's' does nothing (must have stiffness, table or damping)"},
       {"SpringOfBothKinds", append("springs: {s: {between: [rod, rod], stiffness: 1, table: [[0, 0], [1, 1]]}}"),
        "6:50", "spring 's' has both stiffness and table"},
+      {"WeldOfExponentAlone", append("welds: {w: {between: [rod, rod], failure: {shear_exponent: 2}}}"), "6:44",
+       "shear_exponent has no effect"},
       {"SpringWithOneEnd", append("springs: {s: {between: [rod], stiffness: 1}}"), "6:24",
        "between is ['rod'] in spring 's' (must be a list of 2, each a node as"},
       {"SpringEndTwice", append("springs: {s: {between: [rod, {near: [0, 0, 0], id: 3}], stiffness: 1}}"), "6:30",

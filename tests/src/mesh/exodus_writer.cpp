@@ -37,8 +37,10 @@ std::string make_path(const std::string& name) {
 void write_blocks(int file, const WrittenMesh& mesh) {
   for (const WrittenBlock& block : mesh.blocks) {
     const auto count = static_cast<std::int64_t>(block.corners.size()) / block.nodes_per_element;
-    check(ex_put_block(file, EX_ELEM_BLOCK, block.id, block.topology.c_str(), count, block.nodes_per_element, 0, 0, 0));
+    check(ex_put_block(file, EX_ELEM_BLOCK, block.id, block.topology.c_str(), count, block.nodes_per_element, 0, 0,
+                       block.attribute.empty() ? 0 : 1));
     if (count > 0) check(ex_put_conn(file, EX_ELEM_BLOCK, block.id, block.corners.data(), nullptr, nullptr));
+    if (!block.attribute.empty()) check(ex_put_one_attr(file, EX_ELEM_BLOCK, block.id, 1, block.attribute.data()));
     if (!block.name.empty()) check(ex_put_name(file, EX_ELEM_BLOCK, block.id, block.name.c_str()));
   }
 }

@@ -17,6 +17,7 @@ struct WrittenBlock {
   std::string topology = "HEX8";
   int nodes_per_element = 8;
   std::vector<std::int64_t> corners;  // 1-based
+  std::vector<double> attribute{};    // of each element; empty: none
 };
 
 struct WrittenSet {

@@ -211,8 +211,6 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFile{"Degenerate", &keyword_deck, "10      50      60      20      40      80      70      30",
                   "10      50      60      20      40      40      70      30", "a.k",
                   "*ELEMENT_SOLID, degenerate, of 7 nodes (first "},
-        WrongFile{"Thickness", &keyword_deck, "*ELEMENT_SHELL", "*ELEMENT_SHELL_THICKNESS", "a.k",
-                  "a.k:30: *ELEMENT_SHELL_THICKNESS is not read (it changes the mesh)"},
         WrongFile{"Belt", &keyword_deck, "*SET_NODE_LIST_TITLE",
                   "*ELEMENT_SEATBELT\n20, 4, 10, 20, 30\n*SET_NODE_LIST_TITLE", "a.k",
                   "kind *ELEMENT_SEATBELT (first "},

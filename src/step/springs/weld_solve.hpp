@@ -1,0 +1,32 @@
+#pragma once
+// One weld in a step: the impulse and moment after which its two nodes move as one.
+//
+// The impulse p acts at one point c on both nodes, p on the second and -p on the first, each with the moment of its
+// lever from the node; nodes that turn also get the moments q and -q. Both momenta are conserved whatever p and q are.
+
+#include <array>
+
+#include "kernels/core/tensor.hpp"
+
+namespace percuss {
+
+/// A node as welds see it. Velocities are those at n+1/2, and change.
+struct WeldNode {
+  Vector3<double> place{};                            // at n
+  Vector3<double> velocity{}, spin{};                 // at n+1/2
+  Vector3<double> inverse_mass{}, inverse_inertia{};  // by direction; 0 where it is held
+  bool turns = false;                                 // whether it has rotary inertia
+  bool is_gone = false;
+};
+
+/// What the second node gets; the first gets the opposite impulse.
+struct WeldImpulse {
+  Vector3<double> impulse{};
+  std::array<Vector3<double>, 2> moment{};  // of each node, about itself
+};
+
+/// Makes both nodes move as one from n to n+1 and returns what that took. length: of the weld at time 0, to which the
+/// distance of the nodes returns.
+WeldImpulse join_nodes(std::array<WeldNode, 2>& nodes, double length, double dt);
+
+}  // namespace percuss

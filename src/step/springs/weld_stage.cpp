@@ -1,0 +1,215 @@
+#include "src/step/springs/weld_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
+
+namespace percuss {
+namespace {
+
+/// Welds that share nodes are solved in turn, again and again, until impulses change by no more than this share.
+constexpr double settled_share = 1e-13;
+constexpr int most_turns = 500;
+
+Vector3<double> turn_normal(const Vector3<double>& a, const Vector3<double>& w, double dt) {
+  const Vector3<double> turned = a + dt * cross(w, a);
+  return (1 / norm(turned)) * turned;
+}
+
+double find_share(double force, double strength, double exponent) {
+  return std::isinf(strength) ? 0 : std::pow(std::abs(force) / strength, exponent);
+}
+
+}  // namespace
+
+WeldStage::WeldStage(const Model& model)
+    : model_(model),
+      rows_(model.welds.nodes.size() * NodeRow::count),
+      nodes_(model.welds.nodes.size()),
+      on_nodes_(model.welds.nodes.size()),
+      pulls_(model.welds.welds.size()),
+      own_rows_("percuss::weld_rows", model.welds.owned_node.extent(0), NodeRow::count) {}
+
+/// Each value is known to one rank; the others give zeros, and bits are added up.
+void WeldStage::gather(const State& state) {
+  const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
+  const auto inverse_mass = state.inverse_mass, w = state.w, w_before = state.w_before,
+             inverse_inertia = state.inverse_inertia;
+  const auto mass = state.mass, inertia = state.inertia;
+  const auto node = model_.welds.owned_node;
+  const auto own = own_rows_;
+  const bool turns = model_.has_rotations;
+  Kokkos::parallel_for(
+      "percuss::gather_welded_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = node(i);
+        for (int k = 0; k < 3; ++k) {
+          own(i, NodeRow::place + k) = x(n, k);
+          own(i, NodeRow::velocity + k) = v(n, k);
+          own(i, NodeRow::velocity_before + k) = v_before(n, k);
+          own(i, NodeRow::contact + k) = contact(n, k);
+          own(i, NodeRow::inverse_mass + k) = inverse_mass(n, k);
+          own(i, NodeRow::spin + k) = turns ? w(n, k) : 0;
+          own(i, NodeRow::spin_before + k) = turns ? w_before(n, k) : 0;
+          own(i, NodeRow::inverse_inertia + k) = turns ? inverse_inertia(n, k) : 0;
+        }
+        own(i, NodeRow::inertia) = turns ? inertia(n) : 0;
+        own(i, NodeRow::mass) = mass(n);
+      });
+  const auto host = to_host(own_rows_);
+  const auto places = to_host(model_.welds.owned_place);
+  std::vector<std::uint64_t> bits(rows_.size(), 0);
+  for (std::size_t i = 0; i < places.extent(0); ++i)
+    for (std::size_t k = 0; k < NodeRow::count; ++k)
+      bits[at(places(i)) * NodeRow::count + k] = std::bit_cast<std::uint64_t>(host(i, k));
+  all_reduce(model_.ranks, Reduce::sum, bits);
+  for (std::size_t i = 0; i < bits.size(); ++i) rows_[i] = std::bit_cast<double>(bits[i]);
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const double* row = &rows_[n * NodeRow::count];
+    nodes_[n] = {vector(n, NodeRow::place),        vector(n, NodeRow::velocity),        vector(n, NodeRow::spin),
+                 vector(n, NodeRow::inverse_mass), vector(n, NodeRow::inverse_inertia), row[NodeRow::inertia] > 0,
+                 !(row[NodeRow::mass] > 0)};
+  }
+}
+
+/// Every weld once. Returns the largest change of an impulse as a share of the largest impulse.
+double WeldStage::solve_once(const State& state, double dt) {
+  double largest = 0, change = 0;
+  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+    if (state.welds[i].is_broken != 0) continue;
+    const Weld& weld = model_.welds.welds[i];
+    std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
+    const WeldImpulse impulse = join_nodes(ends, weld.length, dt);
+    for (std::size_t e = 0; e < 2; ++e) {
+      nodes_[at(weld.end[e])] = ends[e];
+      NodeImpulse& sum = on_nodes_[at(weld.end[e])];
+      sum.impulse = sum.impulse + (e == 0 ? -1.0 : 1.0) * impulse.impulse;
+      sum.moment = sum.moment + impulse.moment[e];
+    }
+    pulls_[i] = pulls_[i] + impulse.impulse;
+    largest = std::max(largest, norm(pulls_[i]));
+    change = std::max(change, norm(impulse.impulse));
+  }
+  return largest > 0 ? change / largest : 0;
+}
+
+void WeldStage::solve(const State& state, double dt) {
+  std::fill(pulls_.begin(), pulls_.end(), Vector3<double>{0, 0, 0});
+  std::fill(on_nodes_.begin(), on_nodes_.end(), NodeImpulse{});
+  const int turns = model_.welds.shares_nodes ? most_turns : 1;
+  for (int i = 0; i < turns; ++i)
+    if (solve_once(state, dt) <= settled_share) break;
+}
+
+/// Forces, new normals, and which welds have reached their strength or their time.
+void WeldStage::judge(State& state, double dt, double dt_mean) {
+  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+    WeldState& now = state.welds[i];
+    if (now.is_broken != 0) {
+      now.pull = now.shear = 0;
+      continue;
+    }
+    const Weld& weld = model_.welds.welds[i];
+    const WeldLaw& law = model_.welds.laws[at(weld.law)];
+    const WeldNode &a = nodes_[at(weld.end[0])], &b = nodes_[at(weld.end[1])];
+    const Vector3<double> force = (-1 / dt_mean) * pulls_[i];
+    now.pull = dot(force, now.normal);
+    now.shear = norm(force - now.pull * now.normal);
+    const double reached = find_share(now.pull, law.normal_strength, law.normal_exponent) +
+                           find_share(now.shear, law.shear_strength, law.shear_exponent);
+    const Vector3<double> across = b.place - a.place + dt * (b.velocity - a.velocity);
+    if (weld.is_normal_its_line)
+      now.normal = (1 / norm(across)) * across;
+    else if (a.turns || b.turns)
+      now.normal = turn_normal(now.normal, a.turns ? a.spin : b.spin, dt);
+    if (reached < 1 && state.time + dt < law.time) continue;
+    now.is_broken = 1;
+    warnings_.push_back({"weld_failure",
+                         fmt::format("welds of '{}' fail (their forces or their time have come to what failure says): "
+                                     "history.csv has the forces of each",
+                                     law.name),
+                         law.place, state.time + dt, 1});
+  }
+}
+
+/// Of impulses with the mean of the velocities before and after the step.
+double WeldStage::find_work() const {
+  double work = 0;
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const NodeImpulse& on = on_nodes_[n];
+    work += 0.5 * dot(on.impulse, vector(n, NodeRow::velocity_before) + nodes_[n].velocity);
+    if (nodes_[n].turns) work += 0.5 * dot(on.moment, vector(n, NodeRow::spin_before) + nodes_[n].spin);
+  }
+  return work;
+}
+
+/// Contact has counted its work with the velocities that welds then changed.
+double WeldStage::find_work_of_contact() const {
+  double work = 0;
+  for (std::size_t n = 0; n < nodes_.size(); ++n)
+    work += 0.5 * dot(vector(n, NodeRow::contact), nodes_[n].velocity - vector(n, NodeRow::velocity));
+  return work;
+}
+
+void WeldStage::give_back(const State& state) const {
+  const std::size_t count = model_.welds.local_node.extent(0);
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> rows("percuss::welded_rows", count, 12);
+  const auto host = Kokkos::create_mirror_view(rows);
+  const auto places = to_host(model_.welds.local_place);
+  for (std::size_t i = 0; i < count; ++i) {
+    const WeldNode& node = nodes_[at(places(i))];
+    const NodeImpulse& on = on_nodes_[at(places(i))];
+    const Vector3<double> values[] = {node.velocity, node.spin, on.impulse, on.moment};
+    for (std::size_t k = 0; k < 4; ++k) {
+      host(i, 3 * k) = values[k].x;
+      host(i, 3 * k + 1) = values[k].y;
+      host(i, 3 * k + 2) = values[k].z;
+    }
+  }
+  Kokkos::deep_copy(rows, host);
+  const auto v = state.v, w = state.w, impulse = state.weld_impulse, moment = state.weld_moment;
+  const auto nodes = model_.welds.local_node;
+  const bool turns = model_.has_rotations;
+  Kokkos::parallel_for(
+      "percuss::set_welded_nodes", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+        const int n = nodes(i);
+        for (int k = 0; k < 3; ++k) {
+          v(n, k) = rows(i, k);
+          if (turns) w(n, k) = rows(i, 3 + k);
+          impulse(n, k) = rows(i, 6 + k);
+          moment(n, k) = rows(i, 9 + k);
+        }
+      });
+}
+
+void WeldStage::join(State& state, double dt, double dt_mean) {
+  gather(state);
+  solve(state, dt);
+  state.books.weld_work += find_work();
+  state.books.contact_work += find_work_of_contact();
+  judge(state, dt, dt_mean);
+  give_back(state);
+}
+
+void WeldStage::drop_vanished(State& state) {
+  gather(state);
+  for (std::size_t i = 0; i < state.welds.size(); ++i) {
+    const Weld& weld = model_.welds.welds[i];
+    if (nodes_[at(weld.end[0])].is_gone || nodes_[at(weld.end[1])].is_gone) state.welds[i].is_broken = 1;
+    if (state.welds[i].is_broken != 0) state.welds[i].pull = state.welds[i].shear = 0;
+  }
+}
+
+std::vector<Warning> WeldStage::take_warnings() {
+  std::vector<Warning> taken;
+  taken.swap(warnings_);
+  return taken;
+}
+
+}  // namespace percuss

@@ -1,0 +1,72 @@
+#pragma once
+// The welds of a step: what makes pairs of nodes move as one, what that takes, and which fail.
+//
+// Every rank computes all welds, from what the owners of their nodes send to all.
+
+#include <vector>
+
+#include "src/step/model/state.hpp"
+#include "src/step/springs/weld_solve.hpp"
+#include "src/warning.hpp"
+
+namespace percuss {
+
+class WeldStage {
+ public:
+  /// The model outlives this.
+  explicit WeldStage(const Model& model);
+
+  /// Velocities and spins at n+1/2 of welded nodes, their forces and work, and which welds fail at the end of the
+  /// step. Call when contact and conditions have acted, before the nodes move. Collective.
+  void join(State& state, double dt, double dt_mean);
+
+  /// Welds whose nodes have vanished are no more. Collective.
+  void drop_vanished(State& state);
+
+  /// Of welds that have failed since the last call; the same on all ranks.
+  std::vector<Warning> take_warnings();
+
+ private:
+  /// What the owner of a node tells.
+  struct NodeRow {
+    enum : std::size_t {
+      place,
+      velocity = place + 3,
+      velocity_before = velocity + 3,
+      contact = velocity_before + 3,
+      inverse_mass = contact + 3,
+      spin = inverse_mass + 3,
+      spin_before = spin + 3,
+      inverse_inertia = spin_before + 3,
+      inertia = inverse_inertia + 3,
+      mass,
+      count
+    };
+  };
+  /// Sums over the welds of a node.
+  struct NodeImpulse {
+    Vector3<double> impulse{}, moment{};
+  };
+
+  Vector3<double> vector(std::size_t node, std::size_t first) const {
+    const double* row = &rows_[node * NodeRow::count + first];
+    return {row[0], row[1], row[2]};
+  }
+  void gather(const State& state);
+  void solve(const State& state, double dt);
+  double solve_once(const State& state, double dt);
+  void judge(State& state, double dt, double dt_mean);
+  double find_work() const;
+  double find_work_of_contact() const;
+  void give_back(const State& state) const;
+
+  const Model& model_;
+  std::vector<double> rows_;            // [WeldModel::nodes][NodeRow::count] of the last gather()
+  std::vector<WeldNode> nodes_;         // [WeldModel::nodes]
+  std::vector<NodeImpulse> on_nodes_;   // [WeldModel::nodes] of the step
+  std::vector<Vector3<double>> pulls_;  // [welds] impulses on second nodes in the step
+  std::vector<Warning> warnings_;
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+};
+
+}  // namespace percuss

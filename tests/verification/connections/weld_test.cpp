@@ -1,0 +1,162 @@
+// Welds: their force against what pulls, when they fail, and what they leave as it was.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/error.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// Two elements one above the other. The lower one's top is held, and the upper one's bottom is welded to it and
+/// pulled: it cannot move, so that each weld has the force of its load at n, to round-off. A third one moves, so that
+/// errors of momentum are compared with something.
+std::string pull_block(const std::string& welds, const std::string& load) {
+  return fmt::format(R"yaml(
+time: {{end: 1e-4, max_step: 1e-6}}
+parts:
+  low: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, material: steel}}
+  high: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 0, 0.01], material: steel}}
+  flyer: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 1, 0], material: steel}}
+materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
+welds: {{spot: {{between: [low/z_max, high/z_min], normal: z{}}}}}
+conditions: [{{nodes: low, fixed: [x, y, z]}}]
+initial: [{{part: flyer, velocity: [0, 0, 1]}}]
+loads: {{nodal: [{{nodes: high/z_min, force: {}}}]}}
+output: {{history: {{every: 0, forces: [{{name: held, support: low}}]}}}}
+)yaml",
+                     welds, load);
+}
+
+/// Row in which welds have failed first; as many as there are rows: none.
+std::size_t find_failure(const HistoryTable& history) {
+  std::size_t row = 0;
+  while (row < history.rows() && history["welds_failed"][row] == 0) ++row;
+  return row;
+}
+
+}  // namespace
+
+// Pulled along the normal, across it, and both: (N / 5e3)^2 + (S / 2e3)^1.5 reaches 1. Row n has the force at n - 1.
+TEST(Weld, FailsWhereItsCriterionReachesOne) {
+  const struct {
+    const char* load;
+    double normal, shear;  // per time
+  } cases[] = {{"{z: {expression: 1e8 * t}}", 1e8, 0},
+               {"{x: {expression: 6e7 * t}}", 0, 6e7},
+               {"{x: {expression: -3e7 * t}, y: {expression: 4e7 * t}, z: {expression: -8e7 * t}}", -8e7, 5e7}};
+  for (const auto& pulled : cases) {
+    const Outcome run = run_deck(pull_block(", failure: {normal: 5e3, shear: 2e3, shear_exponent: 1.5}", pulled.load));
+    const HistoryTable& history = run.history;
+    const std::size_t failed = find_failure(history);
+    ASSERT_LT(failed, history.rows());
+    for (std::size_t row = 1; row <= failed; ++row) {
+      const double t = history["time"][row - 1], n = pulled.normal * t, s = pulled.shear * t;
+      EXPECT_NEAR(history["weld_normal:spot_2"][row], n, 1e-10 * 5e3);
+      EXPECT_NEAR(history["weld_shear:spot_2"][row], s, 1e-10 * 5e3);
+      EXPECT_NEAR(history["fz:held"][row], -4 * n, 1e-9 * 5e3);
+      const double reached = std::pow(std::abs(n) / 5e3, 2) + std::pow(s / 2e3, 1.5);
+      EXPECT_EQ(reached >= 1, row == failed) << row;
+    }
+    EXPECT_EQ(history["welds_failed"][failed], 4);
+    EXPECT_EQ(history.last("weld_normal:spot_2"), 0);
+    EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);  // of the block that swings when it is free
+    EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+    const auto& warnings = run.summary.warnings;
+    const auto told = std::find_if(warnings.begin(), warnings.end(),
+                                   [](const Warning& warning) { return warning.rule == "weld_failure"; });
+    ASSERT_NE(told, warnings.end());
+    EXPECT_EQ(told->count, 4);
+  }
+}
+
+TEST(Weld, FailsAtItsTimeAndNotBefore) {
+  const Outcome run = run_deck(pull_block(", failure: {time: 5e-5}", "{z: 1e3}"));
+  const std::size_t failed = find_failure(run.history);
+  ASSERT_LT(failed, run.history.rows());
+  EXPECT_GE(run.history["time"][failed], 5e-5);
+  EXPECT_LT(run.history["time"][failed - 1], 5e-5);
+}
+
+// Two free plates, one above the other, that turn, fly apart and bend: what holds them together keeps momentum, and
+// does no work once they move as one.
+TEST(Weld, OfFreeSheetsKeepsMomentumAndDistance) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-3}
+parts:
+  low: {shell_plate: {size: [0.1, 0.06], cells: [10, 6]}, thickness: 0.001, material: steel}
+  high: {shell_plate: {size: [0.1, 0.06], cells: [10, 6]}, thickness: 0.001, at: [0, 0, 0.002], material: steel}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+welds:
+  a: {between: [{near: [0.02, 0.03, 0], part: low}, {near: [0.02, 0.03, 0.002], part: high}]}
+  b: {between: [{near: [0.08, 0.03, 0], part: low}, {near: [0.08, 0.03, 0.002], part: high}]}
+  c: {between: [{near: [0.05, 0.01, 0], part: low}, {near: [0.05, 0.01, 0.002], part: high}]}
+initial:
+  - {part: low, velocity: [3, 1, 5], angular_velocity: [0, 60, 20]}
+  - {part: high, velocity: [3, 1, 5], angular_velocity: [0, 60, 20], center: [0.05, 0.03, 0]}
+output:
+  history:
+    every: 1e-4
+    nodes: [{name: p, near: [0.02, 0.03, 0]}, {name: q, near: [0.02, 0.03, 0.002]}]
+)yaml");
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-11);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
+  EXPECT_LT(std::abs(run.history.last("weld_work")), 1e-5 * run.summary.energy.initial);
+  for (std::size_t row = 0; row < run.history.rows(); ++row) {
+    const auto apart = [&](const char* k) {
+      return run.history[std::string("q_") + k][row] - run.history[std::string("p_") + k][row];
+    };
+    EXPECT_NEAR(std::hypot(apart("x"), apart("y"), apart("z")), 0.002, 1e-5 * 0.002);
+  }
+  EXPECT_GT(std::abs(run.history.last("q_x") - run.history.last("p_x")), 1e-5);  // they have turned
+}
+
+// Two masses that fly apart share their momentum at once; the weld takes the energy that is lost.
+TEST(Weld, OfBodiesThatPartTakesTheirEnergy) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 1e-5, max_step: 1e-7}
+parts:
+  low: {box: {size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}, material: steel}
+  high: {box: {size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}, at: [0, 0, 0.01], material: steel}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+welds: {spot: {between: [low, high]}}
+initial: [{part: high, velocity: [0, 0, 4]}]
+output: {history: {every: 0}}
+)yaml");
+  // All eight nodes of one with the nearest four of the other: both bodies move as one from the first step on.
+  const double mass = 7850 * 1e-6;
+  EXPECT_NEAR(run.history.last("kinetic") + run.history.last("internal") + run.history.last("hourglass") +
+                  run.history.last("viscous"),
+              0.5 * mass * 16, 1e-6 * mass * 16);
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+}
+
+TEST(Weld, IsRefusedWhereItCannotBe) {
+  const auto refuse = [](const std::string& deck) -> std::string {
+    try {
+      run_deck(deck);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no refusal";
+  };
+  const std::string good = pull_block(", failure: {normal: 5e3}", "{z: 1}");
+  const auto change = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_NE(refuse(change(", normal: z", "")).find("connects nodes at one place"), std::string::npos);
+  EXPECT_NE(refuse(change("normal: 5e3", "time: 1, shear_exponent: 3")).find("shear_exponent has no effect"),
+            std::string::npos);
+  EXPECT_NE(refuse(change("[1, 1, 1]}, material", "[1, 1, 1]}, rigid: true, material")).find("rigid body"),
+            std::string::npos);
+  EXPECT_NE(refuse(change("high/z_min], normal", "low/z_max], normal")).find("a weld connects two different"),
+            std::string::npos);
+}
+
+}  // namespace percuss::test
