@@ -46,7 +46,7 @@ std::optional<TopologyKind> find_kind(const std::string& type) {
   return is_tet10(type) ? std::optional(TopologyKind::tet4) : std::nullopt;
 }
 
-std::string list_kinds() {
+std::string list_abaqus_kinds() {
   std::string list;
   for (const Topology& topology : topologies) {
     for (const std::string_view name : topology.abaqus_names)
@@ -62,7 +62,7 @@ class AbaqusReader {
   std::unique_ptr<MeshFile> read() {
     while (lines_.next_keyword()) read_keyword(lines_.keyword());
     if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
-    return std::make_unique<TextMesh>(builder_.finish(list_kinds()));
+    return std::make_unique<TextMesh>(builder_.finish(list_abaqus_kinds()));
   }
 
  private:

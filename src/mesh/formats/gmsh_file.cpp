@@ -48,7 +48,7 @@ const GmshType* find_type(std::int64_t number) {
 }
 
 /// Those that can be run.
-std::string list_kinds() {
+std::string list_gmsh_kinds() {
   return "3-node triangles, 4-node quadrangles, 4-node and 10-node tetrahedra, 5-node pyramids, 6-node prisms and "
          "8-node hexahedra";
 }
@@ -70,7 +70,7 @@ class GmshReader {
       read_section(section);
     }
     if (version_ == 0) scan_.refuse("the file has no $MeshFormat");
-    return std::make_unique<TextMesh>(builder_.finish(list_kinds()));
+    return std::make_unique<TextMesh>(builder_.finish(list_gmsh_kinds()));
   }
 
  private:
