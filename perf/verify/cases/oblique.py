@@ -4,7 +4,7 @@ import numpy as np
 import meshes
 import plots
 from bench import case
-from cases.balls import DENSITY, NU, RADIUS, STEEL, YOUNG, find_hertz
+from cases.balls import NU, RADIUS, STEEL, YOUNG, find_hertz
 
 SHEAR = YOUNG / (2 * (1 + NU))
 
@@ -166,74 +166,3 @@ def maw_impact(bench):
         axes.legend()
 
     bench.figure("Speed of the points of contact across each other, before and after; dashed: Maw, Barber and Fawcett with the masses of the mesh.", draw)
-
-
-SHEARED = """
-title: Two balls pressed and sheared
-time: {end: $end}
-parts:
-  low: {exodus: {file: $ball}, rotate: [{axis: x, angle: 180}, {axis: z, angle: 180}], at: [0, 0, -0.01], material: steel}
-  high: {exodus: {file: $ball}, at: [0, 0, 0.01], material: steel}
-conditions:
-  - {nodes: {inside: [[-1, -1e-9, -1], [1, 1e-9, 1]]}, symmetry: y}
-  - {nodes: {name: low, inside: [[-1, -1, -1], [1, 1, -0.012]]}, fixed: [x, y, z]}
-  - {nodes: {name: high, inside: [[-1, -1, 0.012], [1, 1, 1]]}, displacement: {z: {expression: "t < 6e-5 ? -$depth / 2 * (1 - cos(pi * t / 6e-5)) : -$depth"}, x: {table: [[0, 0], [1e-4, 0], [2.2e-4, $way], [3.4e-4, $back], [4.6e-4, $way]]}}}
-damping: [{coefficient: 5e4}]
-contact: {surfaces: [[low, high]], friction: $friction}
-output: {history: {every: 4e-7, nodes: [{name: cap, part: high, near: [0, 0, 0.02]}], forces: [{name: joint, contact: [high, low]}]}}
-""" + STEEL
-
-
-def follow_mindlin(ways, soft, reach, limit):
-    """Tangential force over the way there, back and there again (Mindlin and Deresiewicz 1953). soft: way over force of the bodies besides the circle; reach:
-    3 (2 - nu) mu N / (16 G a), summed over the bodies; limit: mu N; ways: of the two turns."""
-    first = np.linspace(0, 0.9999, 4000) * limit
-    way = reach * (1 - (1 - first / limit)**(2 / 3)) + soft * first
-    turn = float(np.interp(ways[0], way, first))
-    fall = np.linspace(turn, -turn, 4000)
-    there = reach * (1 - (1 - turn / limit)**(2 / 3)) + soft * turn
-    back = there - 2 * reach * (1 - (1 - (turn - fall) / (2 * limit))**(2 / 3)) - soft * (turn - fall)
-    keep = first <= turn
-    return (way[keep], first[keep]), (back, fall), (-back, -fall), turn
-
-
-@case("mindlin_loop", "friction", "Two balls pressed and sheared")
-def mindlin_loop(bench):
-    """Two like steel balls are pressed together and moved across each other, there, back and there again. The rim of the
-    circle of contact slips, and the force draws a loop: Cattaneo (1938), Mindlin (*J. Appl. Mech.* 16, 1949), Mindlin and
-    Deresiewicz (ibid. 20, 1953). On the first way delta = 3 (2 - nu) mu N / (8 G a) (1 - (1 - T / (mu N))^(2/3)), a the
-    radius of contact; ways after a turn have twice the scale.
-
-    The caps of the balls are moved, and the balls between yield besides. A run without slip (friction 10) gives this
-    compliance: what it has more than (2 - nu) / (4 G a), that of the circle. N is measured, and the radius follows from
-    Hertz. 5 elements lie across the radius of 0.7 mm. Judged are the force where the loop turns, that in the middle of
-    the way back, and the work that a loop takes. A node sticks or slips as a whole, which makes the radius uncertain by
-    a tenth and the force, in partial slip, by some per cent: 3 % of mu N for forces, 10 % for the work."""
-    friction, depth, way = 0.2, 1.0e-4, 4e-6
-    ball = half_ball(bench, 12, 0.85)
-    held = bench.run(SHEARED, end=2.2e-4, ball=ball, depth=depth, way=0.25 * way, back=-0.25 * way, friction=10.0).history
-    h = bench.run(SHEARED, end=4.6e-4, ball=ball, depth=depth, way=way, back=-way, friction=friction).history
-    normal = 2 * h.mean(8e-5, 1e-4, "fz:joint")
-    radius = (3 * normal * RADIUS / 2 / (4 * 0.5 * YOUNG / (1 - NU**2)))**(1 / 3)
-    stiff = 2 * abs(held.mean(2.1e-4, 2.2e-4, "fx:joint") / (1 - 0.5 / 12)) / (0.25 * way)
-    soft = 1 / stiff - (2 - NU) / (4 * SHEAR * radius)
-    reach, limit = 3 * (2 - NU) * friction * normal / (8 * SHEAR * radius), friction * normal
-    there, back, again, turn = follow_mindlin((way, -way), soft, reach, limit)
-    moved, force = h["cap_x"] - h["cap_x"][0], -2 * h["fx:joint"]
-    late = h["time"] >= 2.2e-4
-    work = float(np.trapz(force[late], moved[late]))
-    exact_work = float(np.trapz(back[1], back[0]) + np.trapz(again[1], again[0]))
-    bench.note(f"N = {normal:.0f} N, radius {1e3 * radius:.3f} mm; compliance of the balls over that of the circle {soft / ((2 - NU) / (4 * SHEAR * radius)):.3f}.")
-    for name, time, exact in (("first turn", 2.2e-4, turn), ("second turn", 3.4e-4, -turn), ("end", 4.6e-4, turn),
-                              ("half of the first way", 1.6e-4, float(np.interp(way / 2, *there))), ("middle of the way back", 2.8e-4, float(np.interp(0, back[0][::-1], back[1][::-1])))):
-        bench.near(f"force over mu N, {name}", -2 * h.at(time, "fx:joint") / limit, exact / limit, absolute=0.03)
-    bench.near("work of a loop", 1e6 * work, 1e6 * exact_work, relative=0.1, unit="uJ")
-
-    def draw(axes):
-        for curve in (there, back, again):
-            axes.plot(1e6 * curve[0], curve[1], **plots.EXACT)
-        axes.plot(1e6 * moved[h["time"] > 1e-4], force[h["time"] > 1e-4], label="percuss")
-        axes.set(xlabel="way across [um]", ylabel="force across [N]")
-        axes.legend()
-
-    bench.figure("Force over the way; dashed: Mindlin and Deresiewicz.", draw)
