@@ -60,7 +60,7 @@ std::string read_file(const std::string& path) {
 std::string write_history(Scene& scene) {
   const TemporaryFolder folder;
   {
-    History history(folder.path(), scene.deck, scene.chunked, scene.model.springs);
+    History history(folder.path(), scene.deck, scene.chunked, scene.model);
     Audit audit(scene.model);
     scene.stepper.start(scene.state);
     for (int i = 0; i < 10; ++i) {

@@ -183,7 +183,7 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
     for (std::size_t i = 0; i < 2; ++i) {
       ErodingScene& eroding = *scenes[i];
       Scene& scene = eroding.scene;
-      History history(folders[i].path(), scene.deck, scene.chunked, scene.model.springs);
+      History history(folders[i].path(), scene.deck, scene.chunked, scene.model);
       erode(eroding, [&] {
         history.write(scene.model, {scene.state,
                                     eroding.audit(scene.state),
