@@ -52,6 +52,7 @@ conditions: [{nodes: b/z_max, fixed: [x, y, z]}]
 contact: {surfaces: [[a, b], [b, b]], enforcement: lagrange}
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
+welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
 output:
   history:
     nodes: [{name: tip, near: [0, 0, 0]}]
@@ -97,7 +98,7 @@ def generalise(name):
 
 def shorten(words):
     """'force' of "force in x of 'hit'": without its owner and its axis."""
-    words = re.sub(r" of (part |pair |wall |spring |joint |rigid body )?'[^']*'", "", words)
+    words = re.sub(r" of (part |pair |wall |spring |weld |joint |rigid body )?'[^']*'", "", words)
     return re.sub(r" (in [xyz]|about [xyz]|along [yz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
 
 

@@ -55,7 +55,7 @@ std::vector<HistoryColumn> list_weld_columns(const WeldModel& welds) {
     columns.push_back({"weld_normal:" + weld.name, dimensions::force,
                        fmt::format("force of weld '{}' along its normal, positive in tension", weld.name)});
     columns.push_back({"weld_shear:" + weld.name, dimensions::force,
-                       fmt::format("amount of the force of weld '{}' across its normal", weld.name)});
+                       fmt::format("magnitude of the force of weld '{}' across its normal", weld.name)});
   }
   return columns;
 }
