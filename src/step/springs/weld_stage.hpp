@@ -54,17 +54,17 @@ class WeldStage {
   }
   void gather(const State& state);
   void solve(const State& state, double dt);
-  double solve_once(const State& state, double dt);
+  bool solve_once(const State& state, double dt);
   void judge(State& state, double dt, double dt_mean);
   double find_work() const;
   double find_work_of_contact() const;
   void give_back(const State& state) const;
 
   const Model& model_;
-  std::vector<double> rows_;            // [WeldModel::nodes][NodeRow::count] of the last gather()
-  std::vector<WeldNode> nodes_;         // [WeldModel::nodes]
-  std::vector<NodeImpulse> on_nodes_;   // [WeldModel::nodes] of the step
-  std::vector<Vector3<double>> pulls_;  // [welds] impulses on second nodes in the step
+  std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()
+  std::vector<WeldNode> nodes_;        // [WeldModel::nodes]
+  std::vector<NodeImpulse> on_nodes_;  // [WeldModel::nodes] of the step
+  std::vector<WeldImpulse> sums_;      // [welds] of the step
   std::vector<Warning> warnings_;
   Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
 };
