@@ -328,7 +328,7 @@ materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, pois
 initial: [{{part: sheet, velocity: [0, 0, 1]}}]
 output: {{checkpoint: {{every: 1}}}}
 )yaml",
-                                                                           path);
+                                                                          path);
   const auto write_sheet = [&](double thickness) {
     std::ofstream(path) << "*KEYWORD\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n*PART\nsheet\n1,\n"
                         << "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3,4\n"
