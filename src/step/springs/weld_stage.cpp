@@ -18,6 +18,9 @@ namespace {
 constexpr double settled_share = 1e-13, velocity_round_off = 1e-14;
 constexpr int most_turns = 500;
 
+/// The share that may be left after so many turns without a warning.
+constexpr double tolerated_share = 1e-6;
+
 Vector3<double> turn_normal(const Vector3<double>& a, const Vector3<double>& w, double dt) {
   const Vector3<double> turned = a + dt * cross(w, a);
   return (1 / norm(turned)) * turned;
@@ -84,8 +87,8 @@ void WeldStage::gather(const State& state) {
   }
 }
 
-/// Every weld once. Returns whether that has changed nothing to speak of.
-bool WeldStage::solve_once(const State& state, double dt) {
+/// Every weld once. Returns the largest change as a share of the largest impulse.
+double WeldStage::solve_once(const State& state, double dt) {
   double largest = 0, change = 0;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     if (state.welds[i].is_broken != 0) continue;
@@ -101,17 +104,31 @@ bool WeldStage::solve_once(const State& state, double dt) {
     add(impulse, sums_[i]);
     largest = std::max(largest, find_impulse_size(sums_[i], ends));
     const double size = find_impulse_size(impulse, ends);
-    if (size > velocity_round_off * find_motion_size(ends)) change = std::max(change, size);
+    if (size <= change || size <= velocity_round_off * find_motion_size(ends)) continue;
+    change = size;
+    slowest_ = i;
   }
-  return change <= settled_share * largest;
+  return change > 0 ? change / largest : 0;
 }
 
-void WeldStage::solve(const State& state, double dt) {
+/// Returns the share of the last turn; 0 of welds that need but one.
+double WeldStage::solve(const State& state, double dt) {
   std::fill(sums_.begin(), sums_.end(), WeldImpulse{});
   std::fill(on_nodes_.begin(), on_nodes_.end(), NodeImpulse{});
-  const int turns = model_.welds.shares_nodes ? most_turns : 1;
-  for (int i = 0; i < turns; ++i)
-    if (solve_once(state, dt)) break;
+  double share = solve_once(state, dt);
+  if (!model_.welds.shares_nodes) return 0;
+  for (int turn = 1; turn < most_turns && share > settled_share; ++turn) share = solve_once(state, dt);
+  return share;
+}
+
+void WeldStage::warn_of_unsettled(double time) {
+  const WeldLaw& law = model_.welds.laws[at(model_.welds.welds[slowest_].law)];
+  warnings_.push_back(
+      {"unsettled_welds",
+       fmt::format("welds of '{}' leave a part of the motion of their nodes to later steps (each node of "
+                   "a long chain is welded to the next): weld all of them to one node",
+                   law.name),
+       law.place, time, 1});
 }
 
 /// Forces, new normals, and which welds have reached their strength or their time.
@@ -198,7 +215,7 @@ void WeldStage::give_back(const State& state) const {
 
 void WeldStage::join(State& state, double dt, double dt_mean) {
   gather(state);
-  solve(state, dt);
+  if (solve(state, dt) > tolerated_share) warn_of_unsettled(state.time + dt);
   state.books.weld_work += find_work();
   state.books.contact_work += find_work_of_contact();
   judge(state, dt, dt_mean);
