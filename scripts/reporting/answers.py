@@ -79,6 +79,9 @@ def find_peaks_of_forces(run):
         found.append((name, "joint", *_find_peak(history, size), False))
     for name in (column[len("spring_force:") :] for column in history if column.startswith("spring_force:")):
         found.append((name, "spring", *_find_peak(history, np.abs(history[f"spring_force:{name}"])), False))
+    for name in (column[len("weld_normal:") :] for column in history if column.startswith("weld_normal:")):
+        size = np.hypot(history[f"weld_normal:{name}"], history[f"weld_shear:{name}"])
+        found.append((name, "weld", *_find_peak(history, size), False))
     return sorted((peak for peak in found if peak[2] > 0), key=lambda peak: -peak[2])
 
 

@@ -87,7 +87,7 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
-  /// Of mass scaling and of welds that failed, since the last call; the same on all ranks.
+  /// Of mass scaling and of welds, since the last call; the same on all ranks.
   std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.

@@ -171,7 +171,7 @@ KOKKOS_INLINE_FUNCTION void take_touch(const RowTouch& touch, ContactRow& row) {
   row.record = touch.record;
   row.is_caught = touch.is_caught;
   row.normal = touch.normal;
-  row.gap_gradient = touch.gap_gradient;
+  row.gap_gradient = touch.normal;
   row.friction = touch.friction;
   row.pair = touch.pair;
   row.size = touch.size;

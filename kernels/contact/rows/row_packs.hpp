@@ -43,9 +43,10 @@ struct PassQuery {
 template <class Space>
 PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory);
 
-/// Lets the gap of every row change along its push direction only. Where direction and triangle differ, what rows do to
-/// each other is not symmetric, and between elements crushed to slivers the iteration may diverge; with this it is
-/// symmetric and contracts. The price is the square of the angle, which the next steps recover like any penetration.
+/// Lets the gap of every row change along its push direction only. Where the gradient of a gap is another, as of a node
+/// that slides around a cylinder or a sphere, what rows do to each other is not symmetric and the iteration may
+/// diverge; with this it is symmetric and contracts. The price is the square of the angle, which the next steps recover
+/// like any penetration.
 template <class Space>
 void straighten_gaps(const Space& space, const RowSystem& system);
 

@@ -39,7 +39,7 @@ struct RowTouch {
   RowKind kind = RowKind::face;
   int count = row_nodes;  // slots in use, 5 or 4
   double weight[row_nodes] = {1, 0, 0, 0, 0};
-  Point3 normal{}, gap_gradient{};
+  Point3 normal{};
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
   double friction = 0;
@@ -65,7 +65,6 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   RowTouch row;
   for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
   row.normal = touch.normal;
-  row.gap_gradient = touch.normal;
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
@@ -84,7 +83,6 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.weight[2] = touch.t - 1;
   row.weight[3] = -touch.t;
   row.normal = touch.normal;
-  row.gap_gradient = touch.normal;
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;

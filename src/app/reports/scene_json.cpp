@@ -88,15 +88,24 @@ void add_each(const char* list, const Items& items, const Add& add) {
   for (std::size_t i = 0; i < items.size(); ++i) add(fmt::format("{}.{}", list, i), items[i]);
 }
 
-void list_springs(const Deck& deck, const ChunkedMesh& chunked, SelectionList& list) {
-  for (const SpringDeck& spring : deck.springs) {
+/// Ends of springs or welds. kind: "spring" or "weld".
+template <class Entries>
+void list_ends(const std::string& kind, const Entries& entries, const Deck& deck, const ChunkedMesh& chunked,
+               SelectionList& list) {
+  std::vector<HistoryPoint> points;  // found together, since each search looks at the whole mesh
+  for (const auto& entry : entries)
+    for (const SpringEndDeck& end : entry.between)
+      if (end.point) points.push_back(*end.point);
+  const std::vector<FollowedPoint> found = find_points(deck, chunked, points, "end of " + kind);
+  std::size_t next = 0;
+  for (const auto& entry : entries) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const SpringEndDeck& end = spring.between[i];
-      const std::string key = fmt::format("springs.{}.between.{}", spring.name, i);
+      const SpringEndDeck& end = entry.between[i];
+      const std::string key = fmt::format("{}s.{}.between.{}", kind, entry.name, i);
       if (end.point)
-        list.add_point(key, "spring", *end.point, find_points(deck, chunked, {*end.point}, "end of spring")[0].index);
+        list.add_point(key, kind, *end.point, found[next++].index);
       else
-        list.add_nodes(key, "spring", end.where);
+        list.add_nodes(key, kind, end.where);
     }
   }
 }
@@ -136,7 +145,8 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   add_each("added_mass", deck.added_masses,
            [&](const std::string& key, const AddedMassDeck& added) { list.add_nodes(key, "added mass", added.where); });
   for (const RigidSetDeck& set : deck.rigid_sets) list.add_nodes("rigid_sets." + set.name, "rigid set", set.where);
-  list_springs(deck, chunked, list);
+  list_ends("spring", deck.springs, deck, chunked, list);
+  list_ends("weld", deck.welds, deck, chunked, list);
   list_contact(deck.contact, list);
   return list.take();
 }

@@ -17,8 +17,9 @@ double find_contact_size(const CheckedScene& scene, const PartOverlap& overlap) 
   double size = scene.measures->parts[static_cast<std::size_t>(overlap.part)].shortest_edge;
   for (const int part : {overlap.part, overlap.other}) {
     const auto p = static_cast<std::size_t>(part);
-    size = std::min(size, scene.measures->parts[p].shortest_edge);
-    if (scene.deck.parts[p].thickness) size = std::min(size, *scene.deck.parts[p].thickness);
+    const PartMeasures& measures = scene.measures->parts[p];
+    size = std::min(size, measures.shortest_edge);
+    if (measures.shell_thickness > 0) size = std::min(size, measures.shell_thickness);
   }
   return size;
 }
@@ -43,11 +44,13 @@ std::vector<PartOverlap> list_pairs(const StartOverlap& found) {
 }
 
 /// The key to look at: the thickness of the thicker shell of the two, or the first part.
-std::string find_overlap_path(const Deck& deck, const PartOverlap& pair) {
-  const PartDeck& a = deck.parts[static_cast<std::size_t>(pair.part)];
-  const PartDeck& b = deck.parts[static_cast<std::size_t>(pair.other)];
-  if (!a.has_thickness() && !b.has_thickness()) return "parts." + a.name;
-  return "parts." + (a.thickness.value_or(0) < b.thickness.value_or(0) ? b : a).name + ".thickness";
+std::string find_overlap_path(const CheckedScene& scene, const PartOverlap& pair) {
+  const auto thickness_of = [&](int part) {
+    return scene.measures->parts[static_cast<std::size_t>(part)].shell_thickness;
+  };
+  const double a = thickness_of(pair.part), b = thickness_of(pair.other);
+  if (!(a > 0) && !(b > 0)) return "parts." + name_part(scene.deck, pair.part);
+  return "parts." + name_part(scene.deck, a < b ? pair.other : pair.part) + ".thickness";
 }
 
 }  // namespace
@@ -60,7 +63,7 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
     const double size = find_contact_size(scene, pair);
     if (pair.deepest <= most * size) continue;
     warnings.push_back(
-        warn_at(scene.deck, "deep_overlap", find_overlap_path(scene.deck, pair),
+        warn_at(scene.deck, "deep_overlap", find_overlap_path(scene, pair),
                 fmt::format("parts '{}' and '{}' overlap at the start by {:.3g}, {:.3g} times an element edge or "
                             "thickness, at {} node{} "
                             "({}): move them apart or check the thickness",

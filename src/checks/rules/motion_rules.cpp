@@ -63,6 +63,9 @@ bool is_driving(const ConditionDeck& condition) {
 /// Whether a wall moves though nothing pushes it.
 bool is_driven(const WallDeck& wall) { return wall.speed ? is_moving(*wall.speed) : wall.start_speed != 0; }
 
+/// By which one part may move another.
+bool has_connections(const Deck& deck) { return !deck.springs.empty() || !deck.welds.empty(); }
+
 /// Whether any wall can move, which no flight knows of.
 bool has_moving_wall(const Deck& deck) {
   return std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.moves(); });
@@ -133,7 +136,7 @@ class FirstMeetings {
   /// Where it goes then, and whom it sends where, is not known.
   bool may_change(const CheckedScene& scene) const {
     const Deck& deck = scene.deck;
-    if (!deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty()) return true;
+    if (!deck.pressures.empty() || !deck.nodal_loads.empty() || has_connections(deck)) return true;
     if (has_moving_wall(deck) || !deck.gravity.is_constant() || !deck.dampings.empty()) return true;
     for (std::size_t p = 0; p < flights_.size(); ++p) {
       if (is_energetic(find_material(deck, deck.parts[p]))) return true;
@@ -190,7 +193,7 @@ std::vector<Warning> check_still_scene(const CheckedScene& scene) {
 std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
-  if (!has_motion(scene) || deck.gravity.any() || !deck.springs.empty() || has_moving_wall(deck)) return warnings;
+  if (!has_motion(scene) || deck.gravity.any() || has_connections(deck) || has_moving_wall(deck)) return warnings;
   const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
               loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {

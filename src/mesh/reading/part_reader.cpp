@@ -179,6 +179,7 @@ class PartReader {
       for (std::size_t e = 0; e < static_cast<std::size_t>(block.elements); ++e) {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
         if (!choice_.elements.empty() && choice_.elements[in_file] == 0) continue;
+        check_count();
         file_to_part_element_[in_file] = static_cast<int>(mesh_.elements.size());
         ++taken_elements_;
         mesh_.element_ids.push_back(file_element_ids_[in_file]);
@@ -187,6 +188,15 @@ class PartReader {
         mesh_.elements.own_thickness.resize(mesh_.elements.size(), thicknesses.empty() ? 0 : thicknesses[e]);
       }
     }
+  }
+
+  /// Whether one more element of the file, cut or not, can be counted.
+  void check_count() const {
+    if (double(mesh_.elements.size() + tet10_pieces) <= largest_mesh) return;
+    throw InputError(
+        fmt::format("its tetrahedra of ten nodes, each cut into {}, make more elements than percuss counts ({:.0f}): "
+                    "choose fewer with blocks",
+                    tet10_pieces, largest_mesh));
   }
 
   void forget_missing_thicknesses() {
@@ -210,11 +220,11 @@ class PartReader {
     return nodes;
   }
 
-  /// The first piece has the id of the element.
+  /// The first piece has the id of the element. A file without nodes is refused later, for the corners of its elements.
   void add_pieces(const std::vector<int>& nodes, const FileBlock& block) {
     cut_.add(static_cast<int>(mesh_.elements.size()));
     const std::int64_t id = mesh_.element_ids.back();
-    const auto pieces = cut_tet10(find_shortest_diagonal(nodes, places_, file_node_ids_));
+    const auto pieces = cut_tet10(places_.empty() ? 0 : find_shortest_diagonal(nodes, places_, file_node_ids_));
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       if (p > 0) mesh_.element_ids.push_back(id + static_cast<std::int64_t>(p) * piece_stride_);
       std::vector<int> corners;

@@ -184,7 +184,7 @@ void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/damping_work", books.damping_work);
 }
 
-/// 16 hexadecimal digits of ids, places and corners of the whole mesh.
+/// 16 hexadecimal digits of ids, places, corners and own thicknesses of the whole mesh.
 std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
   const Mesh& mesh = chunked.mesh;
   std::uint64_t sum = 0;
@@ -203,6 +203,7 @@ std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
     for (const int n : mesh.corners(e)) {
       h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
     }
+    if (!mesh.elements.own_thickness.empty()) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(mesh.thickness_of(e)));
     sum += h;
   }
   all_reduce(ranks, Reduce::sum, sum);

@@ -96,7 +96,35 @@ WeldImpulse join_bodies(const std::array<WeldNode, 2>& nodes, const Vector3<doub
   return {p, {nodes[0].turns ? -1.0 * (q + cross(lever[0], p)) : zero, nodes[1].turns ? q + cross(lever[1], p) : zero}};
 }
 
+/// Twice the energy of a velocity in directions that are not held.
+double find_energy(const Vector3<double>& velocity, const Vector3<double>& inverse_mass) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double v = pick(velocity, k), inverse = pick(inverse_mass, k);
+    if (inverse > 0) sum += v * v / inverse;
+  }
+  return sum;
+}
+
 }  // namespace
+
+double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 2>& nodes) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    sum += dot(multiply_each(nodes[i].inverse_mass, impulse.impulse), impulse.impulse);
+    if (nodes[i].turns) sum += dot(multiply_each(nodes[i].inverse_inertia, impulse.moment[i]), impulse.moment[i]);
+  }
+  return std::sqrt(sum);
+}
+
+double find_motion_size(const std::array<WeldNode, 2>& nodes) {
+  double sum = 0;
+  for (const WeldNode& node : nodes) {
+    sum += find_energy(node.velocity, node.inverse_mass);
+    if (node.turns) sum += find_energy(node.spin, node.inverse_inertia);
+  }
+  return std::sqrt(sum);
+}
 
 WeldImpulse join_nodes(std::array<WeldNode, 2>& nodes, double length, double dt) {
   const Vector3<double> across = nodes[1].place - nodes[0].place;

@@ -25,6 +25,12 @@ struct WeldImpulse {
   std::array<Vector3<double>, 2> moment{};  // of each node, about itself
 };
 
+/// Square root of twice the energy that an impulse and moments give to these nodes at rest: both have one unit then.
+double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 2>& nodes);
+
+/// The same of the motion of the nodes in directions that are not held.
+double find_motion_size(const std::array<WeldNode, 2>& nodes);
+
 /// Makes both nodes move as one from n to n+1 and returns what that took. length: of the weld at time 0, to which the
 /// distance of the nodes returns.
 WeldImpulse join_nodes(std::array<WeldNode, 2>& nodes, double length, double dt);

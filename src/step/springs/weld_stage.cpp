@@ -13,13 +13,22 @@
 namespace percuss {
 namespace {
 
-/// Welds that share nodes are solved in turn, again and again, until impulses change by no more than this share.
-constexpr double settled_share = 1e-13;
+/// Welds that share nodes are solved in turn, again and again, until impulses and moments change by no more than this
+/// share of the largest, or of what moves at the weld: its velocities have this round-off.
+constexpr double settled_share = 1e-13, velocity_round_off = 1e-14;
 constexpr int most_turns = 500;
+
+/// The share that may be left after so many turns without a warning.
+constexpr double tolerated_share = 1e-6;
 
 Vector3<double> turn_normal(const Vector3<double>& a, const Vector3<double>& w, double dt) {
   const Vector3<double> turned = a + dt * cross(w, a);
   return (1 / norm(turned)) * turned;
+}
+
+void add(const WeldImpulse& more, WeldImpulse& sum) {
+  sum.impulse = sum.impulse + more.impulse;
+  for (std::size_t i = 0; i < 2; ++i) sum.moment[i] = sum.moment[i] + more.moment[i];
 }
 
 double find_share(double force, double strength, double exponent) {
@@ -33,7 +42,7 @@ WeldStage::WeldStage(const Model& model)
       rows_(model.welds.nodes.size() * NodeRow::count),
       nodes_(model.welds.nodes.size()),
       on_nodes_(model.welds.nodes.size()),
-      pulls_(model.welds.welds.size()),
+      sums_(model.welds.welds.size()),
       own_rows_("percuss::weld_rows", model.welds.owned_node.extent(0), NodeRow::count) {}
 
 /// Each value is known to one rank; the others give zeros, and bits are added up.
@@ -78,10 +87,10 @@ void WeldStage::gather(const State& state) {
   }
 }
 
-/// Every weld once. Returns the largest change of an impulse as a share of the largest impulse.
+/// Every weld once. Returns the largest change as a share of the largest impulse.
 double WeldStage::solve_once(const State& state, double dt) {
   double largest = 0, change = 0;
-  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
     if (state.welds[i].is_broken != 0) continue;
     const Weld& weld = model_.welds.welds[i];
     std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
@@ -92,24 +101,39 @@ double WeldStage::solve_once(const State& state, double dt) {
       sum.impulse = sum.impulse + (e == 0 ? -1.0 : 1.0) * impulse.impulse;
       sum.moment = sum.moment + impulse.moment[e];
     }
-    pulls_[i] = pulls_[i] + impulse.impulse;
-    largest = std::max(largest, norm(pulls_[i]));
-    change = std::max(change, norm(impulse.impulse));
+    add(impulse, sums_[i]);
+    largest = std::max(largest, find_impulse_size(sums_[i], ends));
+    const double size = find_impulse_size(impulse, ends);
+    if (size <= change || size <= velocity_round_off * find_motion_size(ends)) continue;
+    change = size;
+    slowest_ = i;
   }
-  return largest > 0 ? change / largest : 0;
+  return change > 0 ? change / largest : 0;
 }
 
-void WeldStage::solve(const State& state, double dt) {
-  std::fill(pulls_.begin(), pulls_.end(), Vector3<double>{0, 0, 0});
+/// Returns the share of the last turn; 0 of welds that need but one.
+double WeldStage::solve(const State& state, double dt) {
+  std::fill(sums_.begin(), sums_.end(), WeldImpulse{});
   std::fill(on_nodes_.begin(), on_nodes_.end(), NodeImpulse{});
-  const int turns = model_.welds.shares_nodes ? most_turns : 1;
-  for (int i = 0; i < turns; ++i)
-    if (solve_once(state, dt) <= settled_share) break;
+  double share = solve_once(state, dt);
+  if (!model_.welds.shares_nodes) return 0;
+  for (int turn = 1; turn < most_turns && share > settled_share; ++turn) share = solve_once(state, dt);
+  return share;
+}
+
+void WeldStage::warn_of_unsettled(double time) {
+  const WeldLaw& law = model_.welds.laws[at(model_.welds.welds[slowest_].law)];
+  warnings_.push_back(
+      {"unsettled_welds",
+       fmt::format("welds of '{}' leave a part of the motion of their nodes to later steps (each node of "
+                   "a long chain is welded to the next): weld all of them to one node",
+                   law.name),
+       law.place, time, 1});
 }
 
 /// Forces, new normals, and which welds have reached their strength or their time.
 void WeldStage::judge(State& state, double dt, double dt_mean) {
-  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
     WeldState& now = state.welds[i];
     if (now.is_broken != 0) {
       now.pull = now.shear = 0;
@@ -118,14 +142,15 @@ void WeldStage::judge(State& state, double dt, double dt_mean) {
     const Weld& weld = model_.welds.welds[i];
     const WeldLaw& law = model_.welds.laws[at(weld.law)];
     const WeldNode &a = nodes_[at(weld.end[0])], &b = nodes_[at(weld.end[1])];
-    const Vector3<double> force = (-1 / dt_mean) * pulls_[i];
+    const Vector3<double> force = (-1 / dt_mean) * sums_[i].impulse;
     now.pull = dot(force, now.normal);
     now.shear = norm(force - now.pull * now.normal);
     const double reached = find_share(now.pull, law.normal_strength, law.normal_exponent) +
                            find_share(now.shear, law.shear_strength, law.shear_exponent);
     const Vector3<double> across = b.place - a.place + dt * (b.velocity - a.velocity);
+    const double length = norm(across);
     if (weld.is_normal_its_line)
-      now.normal = (1 / norm(across)) * across;
+      now.normal = length > 0 ? (1 / length) * across : now.normal;  // held nodes may meet
     else if (a.turns || b.turns)
       now.normal = turn_normal(now.normal, a.turns ? a.spin : b.spin, dt);
     if (reached < 1 && state.time + dt < law.time) continue;
@@ -190,7 +215,7 @@ void WeldStage::give_back(const State& state) const {
 
 void WeldStage::join(State& state, double dt, double dt_mean) {
   gather(state);
-  solve(state, dt);
+  if (solve(state, dt) > tolerated_share) warn_of_unsettled(state.time + dt);
   state.books.weld_work += find_work();
   state.books.contact_work += find_work_of_contact();
   judge(state, dt, dt_mean);
@@ -200,9 +225,11 @@ void WeldStage::join(State& state, double dt, double dt_mean) {
 void WeldStage::drop_vanished(State& state) {
   gather(state);
   for (std::size_t i = 0; i < state.welds.size(); ++i) {
-    const Weld& weld = model_.welds.welds[i];
-    if (nodes_[at(weld.end[0])].is_gone || nodes_[at(weld.end[1])].is_gone) state.welds[i].is_broken = 1;
-    if (state.welds[i].is_broken != 0) state.welds[i].pull = state.welds[i].shear = 0;
+    WeldState& now = state.welds[i];
+    const auto& [first, second] = model_.welds.welds[i].end;
+    if (now.is_broken != 0 || !(nodes_[at(first)].is_gone || nodes_[at(second)].is_gone)) continue;
+    now.is_broken = 1;
+    now.pull = now.shear = 0;
   }
 }
 

@@ -23,7 +23,7 @@ class WeldStage {
   /// Welds whose nodes have vanished are no more. Collective.
   void drop_vanished(State& state);
 
-  /// Of welds that have failed since the last call; the same on all ranks.
+  /// Of welds that have failed, or have not settled, since the last call; the same on all ranks.
   std::vector<Warning> take_warnings();
 
  private:
@@ -53,18 +53,20 @@ class WeldStage {
     return {row[0], row[1], row[2]};
   }
   void gather(const State& state);
-  void solve(const State& state, double dt);
+  double solve(const State& state, double dt);
   double solve_once(const State& state, double dt);
+  void warn_of_unsettled(double time);
   void judge(State& state, double dt, double dt_mean);
   double find_work() const;
   double find_work_of_contact() const;
   void give_back(const State& state) const;
 
   const Model& model_;
-  std::vector<double> rows_;            // [WeldModel::nodes][NodeRow::count] of the last gather()
-  std::vector<WeldNode> nodes_;         // [WeldModel::nodes]
-  std::vector<NodeImpulse> on_nodes_;   // [WeldModel::nodes] of the step
-  std::vector<Vector3<double>> pulls_;  // [welds] impulses on second nodes in the step
+  std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()
+  std::vector<WeldNode> nodes_;        // [WeldModel::nodes]
+  std::vector<NodeImpulse> on_nodes_;  // [WeldModel::nodes] of the step
+  std::vector<WeldImpulse> sums_;      // [welds] of the step
+  std::size_t slowest_ = 0;            // weld that changed most in the last turn
   std::vector<Warning> warnings_;
   Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
 };

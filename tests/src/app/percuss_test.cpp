@@ -47,10 +47,11 @@ TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
   EXPECT_THAT(soft.out, HasSubstr("of part 'cube' controls it)")) << soft.err;
 }
 
-TEST(PercussCheck, TellsOfSpringsAndOfPairsWithFrictionOfTheirOwn) {
+TEST(PercussCheck, TellsOfSpringsWeldsAndPairsWithFrictionOfTheirOwn) {
   const TemporaryFolder folder;
   const std::string file = folder.write(
       "deck.yaml", std::string(cube) + "springs: {s: {between: [{near: [1, 1, 1]}, cube/z_min], stiffness: 1}}\n" +
+                       "welds: {w: {between: [cube/z_max, {near: [0, 0, 0]}]}}\n" +
                        "contact: {friction: {default: 0.1, pairs: [{a: cube/x_min, friction: 0.3}]}}\n");
   EXPECT_THAT(run_percuss({"check", file}).out, HasSubstr("all surfaces, friction 0.1, 1 pair with its own; "));
   const auto json = nlohmann::json::parse(run_percuss({"check", file, "--json"}).out);
@@ -58,6 +59,8 @@ TEST(PercussCheck, TellsOfSpringsAndOfPairsWithFrictionOfTheirOwn) {
   for (const auto& selection : json["selections"]) counts[selection["key"]] = selection["count"];
   EXPECT_EQ(counts["springs.s.between.0"], 1);
   EXPECT_EQ(counts["springs.s.between.1"], 9);
+  EXPECT_EQ(counts["welds.w.between.0"], 9);
+  EXPECT_EQ(counts["welds.w.between.1"], 1);
   EXPECT_EQ(counts["contact.friction.pairs.0.a"], 9);
 }
 

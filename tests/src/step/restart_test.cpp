@@ -319,6 +319,27 @@ TEST(Restart, OfAnotherDeckIsRefusedAndNamesWhatDiffers) {
   EXPECT_EQ(take_refusal(change(blocks, "200e9", "2.0e+11"), folder.path(), checkpoint), "no refusal");
 }
 
+TEST(Restart, OfAMeshFileWithOtherThicknessesIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/sheet.k", deck = fmt::format(R"yaml(
+time: {{end: 1, max_steps: 2}}
+parts: {{sheet: {{mesh: {{file: {}}}, thickness: {{file: true}}, material: steel}}}}
+materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
+initial: [{{part: sheet, velocity: [0, 0, 1]}}]
+output: {{checkpoint: {{every: 1}}}}
+)yaml",
+                                                                          path);
+  const auto write_sheet = [&](double thickness) {
+    std::ofstream(path) << "*KEYWORD\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n*PART\nsheet\n1,\n"
+                        << "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3,4\n"
+                        << fmt::format("{0},{0},{0},{0}\n*END\n", thickness);
+  };
+  write_sheet(0.1);
+  run(deck, folder.path());
+  write_sheet(0.2);
+  EXPECT_THAT(take_refusal(deck, folder.path(), folder.path() + checkpoint_name), HasSubstr("the mesh differs"));
+}
+
 TEST(Restart, WithFilesThatDoNotFitIsRefusedAndChangesNothing) {
   const TemporaryFolder folder;
   run(stopped(5), folder.path());

@@ -136,6 +136,32 @@ output: {history: {every: 0}}
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 
+// Plates at one place, each welded to the next: after 500 turns the end of 80 has hardly heard of the other, that of 4
+// moves as one.
+TEST(Weld, OfALongChainThatDoesNotSettleIsToldOf) {
+  for (const int count : {4, 80}) {
+    std::string parts, welds;
+    for (int i = 0; i < count; ++i)
+      parts += fmt::format(
+          "  p{}: {{shell_plate: {{size: [0.01, 0.01], cells: [1, 1]}}, thickness: 0.001, material: "
+          "steel}}\n",
+          i);
+    for (int i = 0; i + 1 < count; ++i)
+      welds += fmt::format("  w{}: {{between: [{{near: [0, 0, 0], part: p{}}}, {{near: [0, 0, 0], part: p{}}}]}}\n", i,
+                           i, i + 1);
+    const Outcome run =
+        run_deck("time: {end: 1, max_steps: 2}\nparts:\n" + parts +
+                 "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"
+                 "welds:\n" +
+                 welds + "initial: [{part: p0, velocity: [0, 0, 1]}]\noutput: {history: {every: 0}}\n");
+    const auto& warnings = run.summary.warnings;
+    const bool is_told = std::any_of(warnings.begin(), warnings.end(),
+                                     [](const Warning& warning) { return warning.rule == "unsettled_welds"; });
+    EXPECT_EQ(is_told, count == 80);
+    EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  }
+}
+
 TEST(Weld, IsRefusedWhereItCannotBe) {
   const auto refuse = [](const std::string& deck) -> std::string {
     try {

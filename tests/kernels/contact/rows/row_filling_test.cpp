@@ -62,7 +62,7 @@ struct DrawnRows {
     const double a = 0.5 + draw.value(0.5), b = 0.5 + draw.value(0.5);
     const double weight[4] = {(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b};
     for (int k = 0; k < 4; ++k) touch.weight[k + 1] = -weight[k];
-    touch.normal = touch.gap_gradient = normalize(Point3{0, 0, 1} + draw.point(draw.once_in(4) ? 2 : 0.1));
+    touch.normal = normalize(Point3{0, 0, 1} + draw.point(draw.once_in(4) ? 2 : 0.1));
     touch.gap_start = draw.once_in(5) ? 0 : draw.value(draw.once_in(2) ? 1e-2 : 1e-5);
     touch.gap_end = touch.gap_start + draw.value(draw.once_in(4) ? 0.3 : 1e-3);
     touch.size = 0.5;

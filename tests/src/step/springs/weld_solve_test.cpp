@@ -118,6 +118,21 @@ TEST(WeldSolve, LeavesHeldDirectionsAsTheyAre) {
 }
 
 // A weld that has grown longer comes back within a step.
+// Nodes of mass 2 and rotary inertia 4, and of mass 8 that does not turn.
+TEST(WeldSolve, ComparesImpulsesAndMomentsByTheEnergyThatTheyGive) {
+  Nodes nodes;
+  nodes[0].inverse_mass = {0.5, 0.5, 0.5};
+  nodes[0].inverse_inertia = {0.25, 0.25, 0};
+  nodes[0].turns = true;
+  nodes[1].inverse_mass = {0.125, 0.125, 0.125};
+  EXPECT_DOUBLE_EQ(find_impulse_size({{0, 4, 0}, {}}, nodes), std::sqrt(10));
+  EXPECT_DOUBLE_EQ(find_impulse_size({{0, 0, 0}, {Vector{6, 0, 9}, Vector{0, 0, 0}}}, nodes), 3);
+  nodes[0].velocity = {3, 0, 0};
+  nodes[0].spin = {0, 1, 7};
+  nodes[1].velocity = {0, 1, 0};
+  EXPECT_DOUBLE_EQ(find_motion_size(nodes), std::sqrt(18 + 4 + 8));
+}
+
 TEST(WeldSolve, BringsItsLengthBack) {
   RandomNodes random;
   Nodes nodes = random.make(true, true, true);
