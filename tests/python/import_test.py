@@ -782,6 +782,26 @@ class Abaqus(InFolder):
             self.read_abaqus(missing)
         self.accept(text, "deck.inp")
 
+    def test_plastic_work_heats_where_the_step_is_adiabatic(self):
+        law = "*PLASTIC, HARDENING=JOHNSON COOK\n1.e8, 6.e7, 0.3, 1.1, 900., 25.\n*SPECIFIC HEAT\n875.,\n*INELASTIC HEAT FRACTION\n0.8,\n*CONDUCTIVITY\n200.,\n"
+        cold = decks.ABAQUS.replace("*PLASTIC\n1.e8, 0.\n1.5e8, 0.2\n*RATE DEPENDENT, TYPE=POWER LAW\n6500., 4.\n", law)
+        start = "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nblock-1.whole, 40.\nplate-1.every, 40.\n*STEP\n"
+        warm = cold.replace("*STEP\n", start).replace("*NSET, NSET=foot", "*NSET, NSET=whole, ELSET=all\n*NSET, NSET=foot")
+        adiabatic = warm.replace("*DYNAMIC, EXPLICIT", "*DYNAMIC, EXPLICIT, ADIABATIC")
+        coupled = warm.replace("*DYNAMIC, EXPLICIT", "*DYNAMIC TEMPERATURE-DISPLACEMENT, EXPLICIT").replace("C3D8R", "C3D8RT")
+        for text, found, refused in (
+            (cold, (1e15, None, 25), set()),
+            (cold.replace("*DYNAMIC, EXPLICIT", "*DYNAMIC, EXPLICIT, ADIABATIC"), (875, 0.8, 0), set()),
+            (adiabatic, (875, 0.8, 40), set()),
+            (coupled, (875, 0.8, 40), {"DYNAMIC TEMPERATURE-DISPLACEMENT"}),
+            (adiabatic.replace("plate-1.every, 40.", "plate-1.every, 50."), (875, 0.8, 0), {"INITIAL CONDITIONS"}),
+        ):
+            model, ledger = self.read_abaqus(text)
+            self.assertEqual({entry.card for entry in ledger.list_refused()}, refused)
+            (law,) = (law for law in model.materials.values() if law["model"] == "johnson_cook")
+            self.assertEqual(tuple(law.get(key) for key in ("specific_heat", "heating_share", "start_temperature")), found)
+        self.accept(adiabatic, "deck.inp")
+
     def test_a_deck_with_instances_is_accepted(self):
         done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -860,7 +880,8 @@ class Abaqus(InFolder):
     def test_other_content_is_refused(self):
         for old, new, key in (("*DYNAMIC, EXPLICIT", "*STATIC", "STATIC"), ("C3D8R", "C3D8I", "ELEMENT.C3D8I"),
                               ("*BULK VISCOSITY", "*CONNECTOR BEHAVIOR", "CONNECTOR BEHAVIOR"), ("TYPE=POWER LAW", "TYPE=YIELD RATIO", "RATE DEPENDENT"),
-                              ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE")):  # fmt: skip
+                              ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE"), ("1.5e8, 0.2\n", "1.5e8, 0.2\n5.e7, 0., 300.\n9.e7, 0.2, 300.\n", "PLASTIC.TEMPERATURE"),
+                              ("foot, ENCASTRE\n", "foot, 11, 11, 20.\n", "BOUNDARY.dof")):  # fmt: skip
             with self.subTest(key):
                 refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS.replace(old, new))[1].list_refused()}
                 self.assertIn(key, refused)

@@ -50,6 +50,7 @@ class AbaqusDeck:
         self.whole: Deck | None = None  # contact of everything
         self.end_time = 0.0
         self.step_scale = 0.0  # 0: percuss' own
+        self.heats = False  # plastic work changes temperatures
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
         self.pair_frictions: list[Deck] = []  # rows of contact.friction.pairs
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block

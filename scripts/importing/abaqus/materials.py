@@ -7,11 +7,12 @@ from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import choose_rate, compare_curves
 from .deck import AbaqusDeck, MaterialBlocks
+from .heat import take_heat
 from .lines import Block
 
 INSTEAD = "it is left out"
 NEVER = 1e15
-HARMLESS = {"DEPVAR", "EXPANSION", "CONDUCTIVITY"}
+HARMLESS = {"DEPVAR"}
 
 
 def find(material: MaterialBlocks, keyword: str) -> Block | None:
@@ -38,8 +39,9 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     law = {"model": law.pop("model"), "density": density.number(require_line(density), 0), **law}
     if law["density"] <= 0:
         raise BadInput(density.place, "the density is not positive: correct *DENSITY")
+    heat = take_heat(deck, law, material.parts)
     for block in material.parts:
-        if block.keyword not in READ:
+        if block.keyword not in READ and block.keyword not in heat:
             instead = "there is none" if block.keyword in HARMLESS else INSTEAD
             deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", instead)
     deck.ledger.translated("MATERIAL", material.place, law["model"])
@@ -80,13 +82,9 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
         law |= {"model": "johnson_cook", "a": a, "b": b, "n": n or 1.0, "m": m or 1.0,
                 "melt_temperature": melt if melt > room else room + NEVER, "room_temperature": room, "start_temperature": room,
                 "specific_heat": NEVER}  # fmt: skip
-        deck.ledger.approximated(
-            "PLASTIC",
-            block.place,
-            "Johnson and Cook's law without heating: no temperature field, as without *INELASTIC HEAT FRACTION",
-        )
+        deck.ledger.translated("PLASTIC", block.place, "johnson_cook; heat needs an ADIABATIC step and *INELASTIC HEAT FRACTION")
         return
-    points = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
+    points = [(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)]
     if kind == "KINEMATIC" and len(points) > 1:
         (x0, y0), (x1, y1) = points[:2]
         law |= {
@@ -108,6 +106,14 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
             "PLASTIC", block.place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
         )
     law |= {"model": "tabulated_plasticity", "hardening": [list(row) for row in rows]}
+
+
+def take_rows(deck: AbaqusDeck, block: Block) -> list[tuple[int, list[str]]]:
+    """Rows of the first temperature."""
+    rows = [row for row in block.lines if block.number(row, 2) == block.number(block.lines[0], 2)]
+    if len(rows) < len(block.lines):
+        deck.ledger.refuse("PLASTIC.TEMPERATURE", block.place, "a table for several temperatures", "that of the first one is used")
+    return rows
 
 
 def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
@@ -135,7 +141,7 @@ def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
     tables = []
     for block in blocks:
         rate = block.number((block.place.line, [block.options.get("RATE", "")]), 0)
-        tables.append((rate, order_points([(block.number(row, 1), block.number(row, 0)) for row in block.lines])))
+        tables.append((rate, order_points([(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)])))
     if any(not points for _, points in tables):
         raise BadInput(blocks[0].place, "*PLASTIC has no data line: add it")
     keys = choose_rate(deck.ledger, blocks[1].place, compare_curves(tables), "PLASTIC.RATE", "tables for several rates")

@@ -14,6 +14,8 @@ SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
 BEAMS = {"B31": 2, "T3D2": 2}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
+# Coupled elements: the temperatures of their nodes are left out with the conduction of heat.
+WITH_TEMPERATURE = {f"{kind}T": kind for kind in (*SOLIDS, *SHELLS)}
 NODES_OF_OTHERS = {"C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 # Faces S1, S2, ... by the number of corners.
 SIDES = {
@@ -145,7 +147,7 @@ def read_nodes(scope: Scope, block: Block) -> None:
 
 def read_elements(scope: Scope, block: Block) -> None:
     """An element may go over several lines."""
-    kind = block.option("TYPE")
+    kind = WITH_TEMPERATURE.get(block.option("TYPE"), block.option("TYPE"))
     count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **BEAMS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:

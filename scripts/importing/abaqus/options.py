@@ -40,7 +40,8 @@ KNOWN = {
     "CONTACT PAIR": "INTERACTION MECHANICAL_CONSTRAINT CPSET WEIGHT TYPE",
     "CONTACT INCLUSIONS": "ALL_EXTERIOR",
     "CONTACT PROPERTY ASSIGNMENT": "",
-    "DYNAMIC": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
+    "DYNAMIC": f"EXPLICIT ADIABATIC SCALE_FACTOR {OF_NUMERICS}",
+    "DYNAMIC TEMPERATURE-DISPLACEMENT": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
     "FIXED MASS SCALING": "DT TYPE",
     "VARIABLE MASS SCALING": "DT TYPE FREQUENCY",
     "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE",
@@ -68,7 +69,7 @@ def check_options(block: Block, ledger: Ledger) -> None:
     complete_names(block, words)
     numerics = {word.replace("_", " ") for word in OF_NUMERICS.split()}
     for name in block.options:
-        if block.keyword == "DYNAMIC" and name in numerics:
+        if block.keyword.startswith("DYNAMIC") and name in numerics:
             ledger.ignored(f"DYNAMIC.{name}", block.place, "numerics: percuss chooses a stable step")
         values = DEFAULTS.get((block.keyword, name))
         if name not in words or (values and block.option(name) not in values):

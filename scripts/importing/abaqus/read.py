@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ..ledger import BadInput, Ledger
 from ..model import Model
-from . import bodies, steps, surfaces
+from . import bodies, heat, steps, surfaces
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
@@ -162,6 +162,7 @@ class Reader:
             self.deck.ledger.refuse("DYNAMIC", block.place, "an implicit step", "the run is explicit")
         if "SCALE FACTOR" in block.options:
             self.deck.step_scale = block.number((block.place.line, [block.options["SCALE FACTOR"]]), 0, 1.0)
+        heat.read_procedure(self.deck, block)
         self.deck.end_time += max((block.number(line, 1) for line in block.lines[:1]), default=0.0)
         self.deck.ledger.translated("DYNAMIC", block.place, "time.end")
 
@@ -195,7 +196,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints,
     "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
-    "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
+    "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {

@@ -6,6 +6,7 @@ from ..ledger import Place
 from ..model import Deck
 from .bodies import hold_reference
 from .deck import AbaqusDeck
+from .heat import read_temperature
 from .lines import Block
 from .surfaces import is_profile
 
@@ -60,6 +61,8 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
         else:
             first = block.integer(line, 1, 1)
             last = block.integer(line, 2, first) or first
+            if not 1 <= first <= last <= 6:
+                deck.ledger.refuse("BOUNDARY.dof", block.at(line[0]), f"directions {first} to {last}, beyond 1 to 6", "these are left out")
             directions, value = [AXES[i - 1] for i in range(max(first, 1), min(last, 6) + 1)], block.number(line, 3)
         if hold_references(deck, block, line, directions, value):
             continue
@@ -115,6 +118,9 @@ def hold_references(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]],
 
 def read_initial(deck: AbaqusDeck, block: Block) -> None:
     """set, dof, velocity."""
+    if block.option("TYPE") == "TEMPERATURE":
+        read_temperature(deck, block)
+        return
     if block.option("TYPE") != "VELOCITY":
         deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"initial conditions of type {clip(block.option('TYPE'))}", INSTEAD)
         return
