@@ -439,6 +439,13 @@ class Scene(InFolder):
             model.deck["initial"][0],
             {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]},
         )
+        turned = "*DEFINE_COORDINATE_VECTOR\n5,0.6,0.8,0.0,0.0,1.0,0.0\n*INITIAL_VELOCITY_GENERATION\n8,2,{spin},10.0,5.0,2.0,0,5\n"
+        text = decks.FORMS.replace("*INITIAL_VELOCITY_GENERATION\n8,2,100.0,1.0,0.0,0.0\n", turned.format(spin=0))
+        for found, exact in zip(self.read(text)[0].deck["initial"][0]["velocity"], (6 - 4, 8 + 3, 2)):
+            self.assertAlmostEqual(found, exact, 12)
+        card = "INITIAL_VELOCITY_GENERATION.ICID"
+        for other in (turned.format(spin=100), turned.format(spin=0).replace("2.0,0,5", "2.0,0,6")):
+            self.assertIn(card, self.refusals(decks.FORMS.replace("*INITIAL_VELOCITY_GENERATION\n8,2,100.0,1.0,0.0,0.0\n", other)))
         self.assertEqual(model.deck["added_mass"], [{"nodes": "mass_1", "mass": 5.0, "spread": "evenly"}])
         push = next(c for c in model.deck["conditions"] if "displacement" in c)
         self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down

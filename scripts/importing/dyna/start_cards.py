@@ -13,6 +13,18 @@ def add_velocity(deck: KeywordDeck, name: str, motion: Deck) -> None:
     deck.model.add("initial", {"nodes": name, **motion} if name else motion)
 
 
+def turn_vector(deck: KeywordDeck, row: Row, vector: list[float]) -> list[float]:
+    """A vector of the system ICID in the axes of space."""
+    id = row.integer("ICID")
+    if not id or not any(vector):
+        return vector
+    if id not in deck.systems:
+        deck.ledger.refuse(f"{row.card}.ICID", row.place, f"the coordinate system {id}, which is not read", "the axes of space are used")
+        return vector
+    axes = deck.systems[id]
+    return [sum(vector[i] * axes[i][d] for i in range(3)) for d in range(3)]
+
+
 def read_initial_velocity(deck: KeywordDeck, card: Card) -> None:
     """*INITIAL_VELOCITY: a node set, or all nodes, but those exempted."""
     reader = card.reader()
@@ -24,7 +36,7 @@ def read_initial_velocity(deck: KeywordDeck, card: Card) -> None:
 
 
 def apply_initial_velocity(deck: KeywordDeck, card: Card, row: Row, motion: Row, exempt: Row | None) -> None:
-    velocity = motion.numbers("VX", "VY", "VZ")
+    velocity = turn_vector(deck, row, motion.numbers("VX", "VY", "VZ"))
     id, box = row.integer("NSID"), row.integer("BOXID")
     name: str | None = deck.node_set_name(id, row.place) if id else ""
     if box:
@@ -32,7 +44,7 @@ def apply_initial_velocity(deck: KeywordDeck, card: Card, row: Row, motion: Row,
         members = deck.list_members("NODE", id, row.place) if id else list(deck.nodes)
         name = deck.make_node_set(f"box_{box}", [node for node in members if node in inside], row.place) or None
     motion.finish(deck.ledger, "nodes do not turn at the start")
-    row.finish(deck.ledger, "the axes of space are used")
+    row.finish(deck.ledger)
     if name is None:
         deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
         return
@@ -40,7 +52,7 @@ def apply_initial_velocity(deck: KeywordDeck, card: Card, row: Row, motion: Row,
     if exempt:
         other = deck.node_set_name(row.integer("NSIDEX"), row.place)
         if other:
-            add_velocity(deck, other, {"velocity": exempt.numbers("VXE", "VYE", "VZE")})
+            add_velocity(deck, other, {"velocity": turn_vector(deck, row, exempt.numbers("VXE", "VYE", "VZE"))})
         exempt.finish(deck.ledger, "nodes do not turn at the start")
     deck.ledger.translated(card.keyword, row.place, "initial: velocity")
 
@@ -52,7 +64,7 @@ def read_node_velocities(deck: KeywordDeck, card: Card) -> None:
         if not line[1].strip():
             continue
         row = card.row(line, "NID VX VY VZ VXR VYR VZR ICID")
-        groups.setdefault(tuple(row.numbers("VX", "VY", "VZ")), []).append(row.integer("NID"))
+        groups.setdefault(tuple(turn_vector(deck, row, row.numbers("VX", "VY", "VZ"))), []).append(row.integer("NID"))
         row.finish(deck.ledger, "it is left out")
     for index, (velocity, nodes) in enumerate(groups.items(), 1):
         name = deck.make_node_set(f"moving_{index}", nodes, card.place)
@@ -69,7 +81,7 @@ def read_generation(deck: KeywordDeck, card: Card) -> None:
         axis = reader.row("XC YC ZC NX NY NZ PHASE IRIGID~")
         names = find_generated(deck, row)
         motion = make_spin(deck, row, axis)
-        row.finish(deck.ledger, "the axes of space are used")
+        row.finish(deck.ledger)
         axis.finish(deck.ledger, "the velocity acts at time 0")
         for name in names:
             add_velocity(deck, name, motion)
@@ -98,9 +110,11 @@ def find_generated(deck: KeywordDeck, row: Row) -> list[str]:
 
 def make_spin(deck: KeywordDeck, row: Row, axis: Row) -> Deck:
     """Velocity, and the spin about an axis through a point."""
-    motion: Deck = {"velocity": row.numbers("VX", "VY", "VZ")}
+    motion: Deck = {"velocity": turn_vector(deck, row, row.numbers("VX", "VY", "VZ"))}
     omega, center = row.number("OMEGA"), axis.numbers("XC", "YC", "ZC")
     direction = tuple(axis.numbers("NX", "NY", "NZ"))
+    if omega and row.integer("ICID"):
+        deck.ledger.refuse(f"{row.card}.ICID", row.place, "a spin in a coordinate system", "its axis is one of space")
     if omega:
         if direction[0] == -999:
             direction = direction_of_nodes(deck, axis)
@@ -128,11 +142,11 @@ def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
         row = card.row(line, "PID VX VY VZ VXR VYR VZR ICID")
         id = row.integer("PID")
         deck.find_part(id, row.place)
-        motion: Deck = {"velocity": row.numbers("VX", "VY", "VZ")}
-        spin = row.numbers("VXR", "VYR", "VZR")
+        motion: Deck = {"velocity": turn_vector(deck, row, row.numbers("VX", "VY", "VZ"))}
+        spin = turn_vector(deck, row, row.numbers("VXR", "VYR", "VZR"))
         if any(spin):
             motion["angular_velocity"] = spin
-        row.finish(deck.ledger, "the axes of space are used")
+        row.finish(deck.ledger)
         for name in deck.part_names([id]):
             add_velocity(deck, name, motion)
         deck.ledger.translated(card.keyword, row.place, "initial: velocity and angular_velocity")
