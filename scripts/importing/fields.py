@@ -109,7 +109,7 @@ class Row:
             return float(self._defaults[name])
         value = parse(text)
         if value is None:
-            self.fail(name, f"{wanted} is expected")
+            self.fail(name, f"{wanted} is expected" + ("; are the columns of its line shifted?" if " " in text.strip() else ""))
         return value  # type: ignore[return-value]
 
 

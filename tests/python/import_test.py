@@ -439,6 +439,20 @@ class Scene(InFolder):
             model.deck["initial"][0],
             {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]},
         )
+        self.assertEqual(model.deck["added_mass"], [{"nodes": "mass_1", "mass": 5.0, "spread": "evenly"}])
+        push = next(c for c in model.deck["conditions"] if "displacement" in c)
+        self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down
+        self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
+        self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
+
+    def test_sets_by_steps(self):
+        card = "*INITIAL_VELOCITY_NODE\n1,"
+        stepped = decks.FORMS.replace(card, "*SET_NODE_LIST_GENERATE_INCREMENT\n77\n21,24,3\n1,3,1\n*INITIAL_VELOCITY\n77\n0,0,3.0\n*INITIAL_VELOCITY_NODE\n1,")
+        self.assertEqual(self.read(stepped)[0].node_sets["nodes_77"], [1, 2, 3, 21, 24])
+        self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,", "*SET_NODE_LIST_GENERATE_INCREMENT\n77\n1,3,-1\n*INITIAL_VELOCITY_NODE\n1,"), "INCR", "a positive step")
+        self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,0.0", "*INITIAL_VELOCITY_NODE\n1,0 0.0"), "columns of its line shifted")
+
+    def test_velocities_of_a_system_are_turned(self):
         turned = "*DEFINE_COORDINATE_VECTOR\n5,0.6,0.8,0.0,0.0,1.0,0.0\n*INITIAL_VELOCITY_GENERATION\n8,2,{spin},10.0,5.0,2.0,0,5\n"
         text = decks.FORMS.replace("*INITIAL_VELOCITY_GENERATION\n8,2,100.0,1.0,0.0,0.0\n", turned.format(spin=0))
         for found, exact in zip(self.read(text)[0].deck["initial"][0]["velocity"], (6 - 4, 8 + 3, 2)):
@@ -446,11 +460,6 @@ class Scene(InFolder):
         card = "INITIAL_VELOCITY_GENERATION.ICID"
         for other in (turned.format(spin=100), turned.format(spin=0).replace("2.0,0,5", "2.0,0,6")):
             self.assertIn(card, self.refusals(decks.FORMS.replace("*INITIAL_VELOCITY_GENERATION\n8,2,100.0,1.0,0.0,0.0\n", other)))
-        self.assertEqual(model.deck["added_mass"], [{"nodes": "mass_1", "mass": 5.0, "spread": "evenly"}])
-        push = next(c for c in model.deck["conditions"] if "displacement" in c)
-        self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down
-        self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
-        self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
 
     def test_springs_and_dampers(self):
         model, ledger = self.read(decks.SPRINGS)

@@ -9,6 +9,8 @@ from .deck import KeywordDeck, SetCard
 
 KINDS = ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")
 
+MOST_STEPS = 1_000_000  # ids of a line
+
 
 def read_set(deck: KeywordDeck, card: Card) -> None:
     """SET_KIND with _LIST, _GENERATE, _GENERAL, _ADD, _COLUMN, _COLLECT and a title."""
@@ -41,6 +43,8 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
         if len(pairs) % 2:
             raise BadInput(card.place, f"*{card.keyword} has a first id without a last: add it")
         found.ranges += list(zip(pairs[::2], pairs[1::2]))
+    elif form == ["GENERATE", "INCREMENT"]:
+        read_steps(card, reader, found)
     elif form == ["ADD"]:
         found.sets += read_ids(reader)
     elif form == ["COLUMN"]:
@@ -48,7 +52,17 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
     elif form == ["GENERAL"]:
         read_general(card, reader, found)
     else:
-        raise BadInput(card.place, f"*{card.keyword} is not read (LIST, GENERATE, GENERAL, ADD and COLUMN are)")
+        raise BadInput(card.place, f"*{card.keyword} is not read (LIST, GENERATE, GENERATE_INCREMENT, GENERAL, ADD and COLUMN are)")
+
+
+def read_steps(card: Card, reader: Lines, found: SetCard) -> None:
+    """First id, last id and the step from one to the next."""
+    while reader.skip_blank():
+        row = reader.row("BBEG BEND INCR=1")
+        first, last, step = row.integer("BBEG"), row.integer("BEND"), row.integer("INCR") or 1
+        if step < 1 or (last - first) // step >= MOST_STEPS:
+            row.fail("INCR", f"a positive step, and at most {MOST_STEPS} ids, are expected")
+        found.ids += range(first, last + 1, step)
 
 
 def line_of(reader: Lines) -> Lines:
