@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "src/index.hpp"
 #include "src/step/joints/least_norm.hpp"
 
 namespace percuss {
@@ -11,6 +12,8 @@ namespace {
 
 /// Below this share of the coordinates two places are one.
 constexpr double same_place = 1e-12;
+/// Below this share of what a node answers across, two nodes without rotations cannot follow along the weld.
+constexpr double stiff_axis = 1e-6;
 
 /// Levers of the impulse from each node: from the middle where both turn, else from the node that does not.
 std::array<Vector3<double>, 2> find_levers(const std::array<WeldNode, 2>& nodes, const Vector3<double>& across) {
@@ -41,17 +44,23 @@ Vector3<double> unit_vector(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 
 
 double pick(const Vector3<double>& a, int k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
 
-/// Answers of the common point, and of the relative spin where both nodes turn, to unit impulses and moments.
+/// Answers of the common point, and of the relative spin where both nodes turn, to unit impulses and moments. An axis
+/// along which neither node moves is left to what holds them: a spin could only bring the points together there by an
+/// impulse as large as the lever is short.
 std::vector<double> fill_matrix(const std::array<WeldNode, 2>& nodes, const std::array<Vector3<double>, 2>& lever,
                                 int size) {
-  std::vector<double> matrix(static_cast<std::size_t>(size * size));
+  std::vector<double> matrix(at(size * size));
+  const Vector3<double> inverse = nodes[0].inverse_mass + nodes[1].inverse_mass;
+  const auto is_left_out = [&](int k) { return k < 3 && pick(inverse, k) == 0; };
   for (int column = 0; column < size; ++column) {
+    if (is_left_out(column)) continue;
     const Vector3<double> p = column < 3 ? unit_vector(column) : Vector3<double>{0, 0, 0},
                           q = column < 3 ? Vector3<double>{0, 0, 0} : unit_vector(column - 3);
     const Change a = respond(nodes[0], lever[0], p, q), b = respond(nodes[1], lever[1], p, q);
     const Vector3<double> velocity = a.velocity + b.velocity, spin = a.spin + b.spin;
-    for (int row = 0; row < size; ++row)
-      matrix[static_cast<std::size_t>(row * size + column)] = row < 3 ? pick(velocity, row) : pick(spin, row - 3);
+    for (int row = 0; row < size; ++row) {
+      if (!is_left_out(row)) matrix[at(row * size + column)] = row < 3 ? pick(velocity, row) : pick(spin, row - 3);
+    }
   }
   return matrix;
 }
@@ -61,7 +70,7 @@ WeldImpulse keep_distance(const std::array<WeldNode, 2>& nodes, const Vector3<do
   const Vector3<double> axis = (1 / norm(across)) * across;
   const Vector3<double> inverse = nodes[0].inverse_mass + nodes[1].inverse_mass;
   const double response = dot(multiply_each(inverse, axis), axis);
-  if (!(response > 0)) return {};
+  if (!(response > stiff_axis * std::max({inverse.x, inverse.y, inverse.z}))) return {};
   const double parting = dot(nodes[1].velocity - nodes[0].velocity, axis);
   return {((approach - parting) / response) * axis, {}};
 }

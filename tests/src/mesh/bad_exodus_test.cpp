@@ -94,9 +94,9 @@ std::vector<BadMesh> list_bad_meshes() {
        },
        {"HEX20",
         "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4, BEAM2, BAR2, TRUSS2, ROD2, WEDGE6, PYR5, TETRA10 can be run"}},
-      {"ten_nodes_of_none",
+      {"ten_nodes_of_one",
        [](auto& m) {
-         m.nodes.clear();
+         m.nodes.resize(1);
          m.node_ids.clear();
          m.node_sets.clear();
          m.side_sets.clear();
@@ -104,7 +104,7 @@ std::vector<BadMesh> list_bad_meshes() {
          m.element_ids.pop_back();
          m.blocks[0] = {10, "ten", "TETRA10", 10, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}};
        },
-       {"element 101 of block 'ten' has node number 1 as its corner 1", "1 to 0"}},
+       {"element 101 of block 'ten' has node number 2 as its corner 2", "1 to 1"}},
       {"quadratic_triangles",
        [](auto& m) {
          m.blocks[0] = {10, "t", "TRI6", 6, {1, 2, 3, 4, 5, 6}};

@@ -66,6 +66,20 @@ double find_length(const Nodes& nodes) { return norm(nodes[1].place - nodes[0].p
 
 }  // namespace
 
+// A node that is held wholly beside one that is held along the weld: only its spin could bring the length back.
+TEST(WeldSolve, LeavesAnAxisAlongWhichNeitherNodeMovesToWhatHoldsThem) {
+  Nodes nodes;
+  for (WeldNode& node : nodes) node.turns = true;
+  nodes[1].place = {1e-7, 0, 1};
+  nodes[1].inverse_mass = {1, 1, 0};
+  nodes[1].inverse_inertia = {1, 1, 1};
+  nodes[1].velocity = {0.1, 0, 0};
+  const WeldImpulse impulse = join_nodes(nodes, 0.99, 1e-3);
+  EXPECT_EQ(impulse.impulse.z, 0);
+  EXPECT_LT(norm(impulse.impulse), 0.2);
+  EXPECT_LT(norm(nodes[1].spin), 0.2);
+}
+
 TEST(WeldSolve, MakesOneBodyOfTwoNodesAndKeepsTheirMomenta) {
   RandomNodes random;
   for (int i = 0; i < 400; ++i) {
