@@ -54,13 +54,18 @@ void set_normal(const WeldDeck& deck, const NodePair& pair, const WeldLaw& law, 
 
 std::string describe_welds(const WeldDeck& deck, const std::vector<NodePair>& pairs) {
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  std::set<std::int64_t> ends;
   for (const NodePair& pair : pairs) {
+    ends.insert(pair.second.number);
     const double length = find_distance(pair.first.place, pair.second.place);
     shortest = std::min(shortest, length);
     longest = std::max(longest, length);
   }
   if (pairs.size() == 1) return fmt::format("weld '{}': {:.4g} long", deck.name, longest);
-  return fmt::format("weld '{}': {} of them, {:.4g} to {:.4g} long", deck.name, pairs.size(), shortest, longest);
+  const std::size_t shared = pairs.size() - ends.size();
+  return fmt::format(
+      "weld '{}': {} of them, {:.4g} to {:.4g} long{}", deck.name, pairs.size(), shortest, longest,
+      shared == 0 ? "" : fmt::format(", {} end on a node of another (do the sets face each other?)", shared));
 }
 
 void check_weld_name(const WeldLaw& law, const std::string& name, std::set<std::string>& names) {
