@@ -1,11 +1,11 @@
 #include "src/step/springs/spring_stage.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 namespace {
@@ -55,14 +55,7 @@ void SpringStage::gather(const State& state) {
         }
         own(i, NodeRow::mobility) = mass(n) > 0 ? mobility : NodeRow::gone;
       });
-  const auto host = to_host(own_rows_);
-  const auto places = to_host(model_.springs.owned_place);
-  std::vector<std::uint64_t> bits(rows_.size(), 0);
-  for (std::size_t i = 0; i < places.extent(0); ++i)
-    for (std::size_t k = 0; k < NodeRow::count; ++k)
-      bits[at(places(i)) * NodeRow::count + k] = std::bit_cast<std::uint64_t>(host(i, k));
-  all_reduce(model_.ranks, Reduce::sum, bits);
-  for (std::size_t i = 0; i < bits.size(); ++i) rows_[i] = std::bit_cast<double>(bits[i]);
+  gather_rows(model_.ranks, own_rows_, model_.springs.owned_place, NodeRow::count, rows_);
 }
 
 SpringEnds SpringStage::find_ends(const Spring& spring) const {

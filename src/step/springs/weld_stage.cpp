@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
-#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 namespace {
@@ -71,14 +70,7 @@ void WeldStage::gather(const State& state) {
         own(i, NodeRow::inertia) = turns ? inertia(n) : 0;
         own(i, NodeRow::mass) = mass(n);
       });
-  const auto host = to_host(own_rows_);
-  const auto places = to_host(model_.welds.owned_place);
-  std::vector<std::uint64_t> bits(rows_.size(), 0);
-  for (std::size_t i = 0; i < places.extent(0); ++i)
-    for (std::size_t k = 0; k < NodeRow::count; ++k)
-      bits[at(places(i)) * NodeRow::count + k] = std::bit_cast<std::uint64_t>(host(i, k));
-  all_reduce(model_.ranks, Reduce::sum, bits);
-  for (std::size_t i = 0; i < bits.size(); ++i) rows_[i] = std::bit_cast<double>(bits[i]);
+  gather_rows(model_.ranks, own_rows_, model_.welds.owned_place, NodeRow::count, rows_);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const double* row = &rows_[n * NodeRow::count];
     nodes_[n] = {vector(n, NodeRow::place),        vector(n, NodeRow::velocity),        vector(n, NodeRow::spin),
