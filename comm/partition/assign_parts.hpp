@@ -34,8 +34,8 @@ class AssignedParts {
   /// rank_of_part: as assign_parts() gives it; empty: part p is that of rank p. Collective. Throws MpiError.
   explicit AssignedParts(const Communicator& ranks, std::vector<int> rank_of_part = {});
 
-  Rcb& cuts() { return rcb_; }
-  const Rcb& cuts() const { return rcb_; }
+  Rcb& bisection() { return rcb_; }
+  const Rcb& bisection() const { return rcb_; }
   const std::vector<int>& rank_of_part() const { return rank_of_part_; }
   int find_rank(int part) const { return rank_of_part_[static_cast<std::size_t>(part)]; }
 

@@ -15,7 +15,7 @@ struct Group {
   int first = 0, last = 0;
 };
 
-/// (4.1) The longest extent; the first of equal ones.
+/// The longest extent; the first of equal ones.
 std::size_t choose_axis(Place begin, Place end) {
   std::array<double, 3> extents{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -39,7 +39,7 @@ void bisect(const Group& group, std::vector<Cut>& cuts) {
   const Place first_upper = group.begin + count * (middle - group.first) / (group.last - group.first);
   std::nth_element(group.begin, first_upper, group.end, [axis](const PlacedPoint& a, const PlacedPoint& b) {
     return find_key(a, axis) < find_key(b, axis);
-  });  // (4.2)
+  });
   Cut& cut = cuts[static_cast<std::size_t>(middle)];
   cut.key = find_key(*first_upper, axis);
   cut.axis = static_cast<int>(axis);

@@ -100,7 +100,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   if (is_free)
     integrate_free_motion(state, dt, dt_mean);  // (1.2) with the positions at n+1
   else
-    predict_motion(state, dt, dt_mean);  // (1.2) equations of motion, (1.6) prediction without contact
+    predict_motion(state, dt, dt_mean);  // (1.2), (1.6) velocities without contact; contact forms x + dt v
   resolve_contact(state, dt);            // (1.7) search, (1.8) detailed check, (1.9) enforcement
   integrate_spins(state, dt, dt_mean);
   join_welds(state, dt, dt_mean);

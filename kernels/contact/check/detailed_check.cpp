@@ -17,7 +17,8 @@ struct MeasuredFaces : ListedFaces {
                                        const Array<const int>& boxed, int pack, int num_faces)
       : ListedFaces(surface, list, boxed, pack, num_faces) {
     for (int lane = 0; lane < lanes; ++lane) {
-      for (int k = 0; k < 4; ++k) back[k][lane] = is_boxed[lane] ? surface.face_backs(face[lane], k) : corner[k][lane];
+      for (int k = 0; k < 4; ++k)
+        back[k][lane] = is_candidate[lane] ? surface.face_backs(face[lane], k) : corner[k][lane];
       offset[lane] = find_face_offset(surface.offsets, face[lane]);
       box_offset[lane] = find_offset_reach(offset[lane], surface.offsets.largest);
     }
@@ -53,7 +54,7 @@ PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const Sur
   const LaneValues sizes(size);
   const LanePoints lows(box.low), highs(box.high);
   for (int lane = 0; lane < faces.count; ++lane) {
-    if (!faces.is_boxed[lane]) continue;
+    if (!faces.is_candidate[lane]) continue;
     out.size(faces.face[lane]) = sizes[lane];
     store_box(out.box, faces.face[lane], lows[lane], highs[lane]);
   }
@@ -63,7 +64,7 @@ PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const Sur
   const LaneValues low_start(slab.low_start), high_start(slab.high_start), low_end(slab.low_end),
       high_end(slab.high_end), turn(slab.turn);
   for (int lane = 0; lane < faces.count; ++lane) {
-    if (!faces.is_boxed[lane]) continue;
+    if (!faces.is_candidate[lane]) continue;
     out.slab(faces.face[lane]) = {origin[lane],  move[lane],     low_start[lane],       high_start[lane],
                                   low_end[lane], high_end[lane], normal_at_start[lane], turn[lane]};
   }
@@ -79,11 +80,11 @@ PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const Sur
   const LanePoints normals(normal);
   for (int lane = 0; lane < faces.count; ++lane) {
     store_row(out.normal, faces.face[lane], normals[lane]);
-    if (faces.is_boxed[lane]) continue;
+    if (faces.is_candidate[lane]) continue;
     constexpr double beyond = 1e300;  // a box that meets nothing
     store_box(out.box, faces.face[lane], {beyond, beyond, beyond}, {-beyond, -beyond, -beyond});
   }
-  if (faces.any_boxed) measure_boxed(offsets, motion, faces, {at, velocity, relative, normal}, out);
+  if (faces.any_candidate) measure_boxed(offsets, motion, faces, {at, velocity, relative, normal}, out);
 }
 
 /// The candidate faces of a node: of the list those from first to last - 1.
@@ -123,13 +124,13 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node
 template <class Space>
 int mark_read_faces(const Space& space, const FaceState& state, const CandidateList& candidates) {
   const FaceState faces = state;
-  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   int count = 0;
   Kokkos::parallel_reduce(
       "contact::mark_read_faces", RangeOf<Space>(space, 0, candidates.num_faces),
       KOKKOS_LAMBDA(int i, int& marked) {
         const int face = list(i);
-        const bool is_worth_it = is_boxed(i) != 0 && faces.reads(face) >= faces.worth_preparing();
+        const bool is_worth_it = is_candidate(i) != 0 && faces.reads(face) >= faces.worth_preparing();
         faces.is_prepared(face) = is_worth_it ? 1 : 0;
         faces.reads(face) = 0;
         marked += is_worth_it ? 1 : 0;
@@ -180,15 +181,15 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
   const FaceState out = faces;
   const StillFaces seen = still;
   const bool is_watched = still.is_watched();
-  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   const int num_faces = candidates.num_faces;
   Kokkos::parallel_for(
       "contact::update_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
-        const MeasuredFaces measured(s, list, is_boxed, pack, num_faces);
+        const MeasuredFaces measured(s, list, is_candidate, pack, num_faces);
         bool has_moved = !is_watched;
         for (int lane = 0; is_watched && lane < measured.count; ++lane) {
           const auto row = [&](int k) { return k < 4 ? measured.corner[k][lane] : measured.back[k - 4][lane]; };
-          const bool is_still = seen.look(m, measured.face[lane], measured.is_boxed[lane] ? 8 : 4, row);
+          const bool is_still = seen.look(m, measured.face[lane], measured.is_candidate[lane] ? 8 : 4, row);
           has_moved = has_moved || !is_still;
         }
         if (has_moved) measure_faces(s.offsets, m, measured, out);
@@ -217,12 +218,12 @@ StillCount mark_near_moved(const Space& space, const ContactSurface& surface, co
                            const StillFaces& still, const Array<int>& near_moved) {
   const ContactSurface s = surface;
   const StillFaces seen = still;
-  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   StillCount count;
   Kokkos::parallel_reduce(
       "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
       KOKKOS_LAMBDA(int i, int& still_faces, int& faces) {
-        if (is_boxed(i) == 0) return;
+        if (is_candidate(i) == 0) return;
         bool has_moved = seen.has_moved(list(i));
         for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, seen, s.face_corners(list(i), k));
         near_moved(list(i)) = has_moved ? 1 : 0;

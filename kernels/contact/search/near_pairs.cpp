@@ -155,16 +155,16 @@ void store_seen_faces(const Space& space, const CheckInputs& inputs, const Candi
   const ContactSurface s = inputs.surface;
   const Rows3<const double> places = inputs.motion.x;
   const Array<const double> size = inputs.faces.size;
-  const Array<const int> list = all.faces, is_candidate = all.is_boxed;
+  const Array<const int> list = all.faces, is_candidate = all.is_candidate;
   const int num_faces = all.num_faces;
   Kokkos::parallel_for(
       "contact::see_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
         const ListedFaces listed(s, list, is_candidate, pack, num_faces);
-        if (!listed.any_boxed) return;
+        if (!listed.any_candidate) return;
         int stored[ListedFaces::lanes];
         alignas(64) double h[ListedFaces::lanes];
         for (int lane = 0; lane < ListedFaces::lanes; ++lane) {
-          const bool is_seen = lane < listed.count && listed.is_boxed[lane];
+          const bool is_seen = lane < listed.count && listed.is_candidate[lane];
           stored[lane] = is_seen ? listed.face[lane] : -1;
           h[lane] = is_seen ? size(listed.face[lane]) : 0;
         }

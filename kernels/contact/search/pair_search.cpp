@@ -34,7 +34,7 @@ void list_concerned(const Space& space, const ContactSurface& surface, Concerned
   reserve(scratch.read_nodes, surface.num_nodes);
   reserve(list.nodes, surface.num_nodes);
   reserve(list.faces, surface.num_faces);
-  reserve(list.is_boxed, surface.num_faces);
+  reserve(list.is_candidate, surface.num_faces);
   const ContactSurface s = surface;
   const Array<int> mark = scratch.mark, offset = list.offset, face = list.face;
   const Array<int> read = scratch.read_nodes;
@@ -60,10 +60,10 @@ void list_concerned(const Space& space, const ContactSurface& surface, Concerned
       });
   list.num_faces = list_where<Space>(
       space, surface.num_faces, [mark] KOKKOS_FUNCTION(int f) { return mark(f) != 0; }, list.faces);
-  const Array<int> faces = list.faces, is_boxed = list.is_boxed;
+  const Array<int> faces = list.faces, is_candidate = list.is_candidate;
   Kokkos::parallel_for(
       "contact::mark_boxed", RangeOf<Space>(space, 0, list.num_faces),
-      KOKKOS_LAMBDA(int i) { is_boxed(i) = mark(faces(i)) & 1; });
+      KOKKOS_LAMBDA(int i) { is_candidate(i) = mark(faces(i)) & 1; });
   list.num_nodes = list_where<Space>(
       space, surface.num_nodes, [offset] KOKKOS_FUNCTION(int n) { return offset(n) < offset(n + 1); }, list.nodes);
 }

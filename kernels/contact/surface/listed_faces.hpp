@@ -11,22 +11,22 @@ struct ListedFaces {
   static constexpr int lanes = packed_lanes;
   int count = 0;  // faces
   int face[lanes];
-  bool is_boxed[lanes];  // others are no candidates: only their normals are read
-  bool any_boxed = false;
+  bool is_candidate[lanes];  // others are no candidates: only their normals are read
+  bool any_candidate = false;
   int corner[4][lanes];  // mesh nodes
 
   static int count_packs(int faces) { return (faces + lanes - 1) / lanes; }
 
   /// The faces of this pack of the first `num_faces` of a list.
   KOKKOS_INLINE_FUNCTION ListedFaces(const ContactSurface& surface, const Array<const int>& list,
-                                     const Array<const int>& boxed, int pack, int num_faces) {
+                                     const Array<const int>& candidates, int pack, int num_faces) {
     const int first = pack * lanes;
     count = num_faces - first < lanes ? num_faces - first : lanes;
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = lane < count ? first + lane : first;
       face[lane] = list(i);
-      is_boxed[lane] = boxed(i) != 0;
-      any_boxed = any_boxed || is_boxed[lane];
+      is_candidate[lane] = candidates(i) != 0;
+      any_candidate = any_candidate || is_candidate[lane];
       for (int k = 0; k < 4; ++k) corner[k][lane] = surface.nodes(surface.face_corners(face[lane], k));
     }
   }

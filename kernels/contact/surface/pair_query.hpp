@@ -17,7 +17,8 @@ struct CandidateList {
   Array<int> face = Array<int>("contact::candidate_face", 0);      // [pairs]
   Array<int> nodes = Array<int>("contact::candidate_nodes", 0);    // [num_nodes] contact nodes, ascending
   Array<int> faces = Array<int>("contact::candidate_faces", 0);    // [num_faces] ascending
-  Array<int> is_boxed = Array<int>("contact::boxed_faces", 0);     // [num_faces] 0: no candidate, its normal is read
+  Array<int> is_candidate =
+      Array<int>("contact::candidate_faces", 0);  // [num_faces] 0: no candidate, its normal is read
   // [pairs] 1: checked if the node remembers some contact; none: all are checked
   Array<int> with_history = Array<int>("contact::with_history", 0);
 };

@@ -57,7 +57,7 @@ bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, do
   return has_changed;
 }
 
-EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const EdgeSurface& surface,
+EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Rows2<const int>& ends,
                                 const std::vector<char>& points_of) {
   std::vector<int> pieces, first{0}, edge_of_point;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -76,7 +76,7 @@ EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Ed
   lists.names.edge_of_point = to_view("contact::edge_of_point", edge_of_point);
   lists.names.points = to_view("contact::edge_points", count_up(edge_of_point.size()));
   lists.names.edges = to_view("contact::searched_edges", count_up(edges.size()));
-  lists.points = {first.back(), surface.ends, to_view("contact::edge_pieces", pieces), lists.names.first_point};
+  lists.points = {first.back(), ends, to_view("contact::edge_pieces", pieces), lists.names.first_point};
   return lists;
 }
 

@@ -38,8 +38,8 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
 bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, double piece,
                   std::vector<EdgeTopology>& edges);
 
-/// points_of: [edges] whether the points of an edge are searched here; empty: all.
-EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const EdgeSurface& surface,
+/// ends: [edges] rows of some motion. points_of: [edges] whether the points of an edge are searched here; empty: all.
+EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Rows2<const int>& ends,
                                 const std::vector<char>& points_of);
 
 /// Edges with their pairs and the memory of checking them.

@@ -73,7 +73,7 @@ template <class Space>
 void mark_read_nodes(const Space& space, const ContactSurface& surface, const CandidateList& pairs,
                      const Array<int>& is_wanted) {
   const ContactSurface s = surface;
-  const Array<const int> faces = pairs.faces, is_boxed = pairs.is_boxed, nodes = pairs.nodes;
+  const Array<const int> faces = pairs.faces, is_candidate = pairs.is_candidate, nodes = pairs.nodes;
   Kokkos::parallel_for(
       "contact::clear_wanted", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
   Kokkos::parallel_for(
@@ -84,7 +84,7 @@ void mark_read_nodes(const Space& space, const ContactSurface& surface, const Ca
         const int f = faces(i);
         for (int c = 0; c < 4; ++c) {
           Kokkos::atomic_fetch_or(&is_wanted(s.face_corners(f, c)), 1);
-          if (is_boxed(i) != 0) Kokkos::atomic_fetch_or(&is_wanted(s.face_backs(f, c)), 1);
+          if (is_candidate(i) != 0) Kokkos::atomic_fetch_or(&is_wanted(s.face_backs(f, c)), 1);
         }
       });
   space.fence();
@@ -157,16 +157,15 @@ void RankedCheck::narrow(const NearWay& way) {
 
 /// After a check that made lists: from now on what is read for these. All ranks come here in the same step, also those
 /// that have not found theirs worth it.
-void RankedCheck::select_near() {
+void RankedCheck::request_near_pairs() {
+  if (total_pairs_ == 0 || asked_.near <= 0) return;
   if (asked_.search > 0) {
     of_reachable_ = select(space_.reachable_pairs());
     base_ = &of_reachable_;
   }
   read_ = base_;
-  if (asked_.near > 0) {
-    of_near_ = select(space_.checked_pairs());
-    read_ = &of_near_;
-  }
+  of_near_ = select(space_.checked_pairs());
+  read_ = &of_near_;
   asked_ = {};
 }
 
@@ -250,12 +249,10 @@ void RankedCheck::check(const SurfaceMotion& motion, const ContactHistory& histo
     check_candidates(receive(motion, history), space_);
 }
 
-// (5.7) Touches to the FE owners of their nodes. Requests for what near pairs read follow, for the next check.
+// (5.7) Touches to the FE owners of their nodes.
 std::vector<RowTouch> RankedCheck::send_results_to_fe_owners() {
   if (total_pairs_ == 0) return {};
-  std::vector<TouchRecord> records = send_to_fe_owners(*read_, list_touches());
-  if (asked_.near > 0) select_near();
-  return make_row_touches(std::move(records));
+  return make_row_touches(send_to_fe_owners(*read_, list_touches()));
 }
 
 /// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered

@@ -45,6 +45,9 @@ class RankedCheck {
   /// there, by (node, face). Corners that other ranks own are numbered as foreign nodes.
   std::vector<RowTouch> send_results_to_fe_owners();
 
+  /// ContactFinder::request_near_pairs().
+  void request_near_pairs();
+
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion);
   std::vector<PartGap> find_gaps(const SurfaceMotion& motion);
 
@@ -71,7 +74,6 @@ class RankedCheck {
   };
 
   CheckPart select(const CandidateList& pairs);
-  void select_near();
   SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   std::vector<TouchRecord> list_touches() const;
   template <class Record>

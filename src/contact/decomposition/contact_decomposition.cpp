@@ -121,30 +121,41 @@ void ContactDecomposition::send_contact_data_to_previous_owners(const SurfaceMot
 // (5.2) Recursive coordinate bisection, where it is due.
 void ContactDecomposition::rebalance() {
   if (!is_due_) return;
-  divided_ = parts_->cuts().divide(ExecSpace(), arrived_);
+  divided_ = parts_->bisection().divide(ExecSpace(), arrived_);
   just_rebalanced_ = true;
 }
 
-// (5.3) Every FE owner then knows who owns its nodes, and sends them there.
+// (5.3) Every FE owner then knows who owns its nodes.
 void ContactDecomposition::share_cuts() {
-  if (just_rebalanced_) {
-    parts_->cuts().share_cuts(divided_);
-    arrived_ = {};
-    take_report(divided_);
-    are_nodes_others_ = find_new_owners() || are_nodes_others_;
-  }
+  if (!just_rebalanced_) return;
+  parts_->bisection().share_cuts(divided_);
+  arrived_ = {};
+  take_report(divided_);
+  are_nodes_others_ = find_new_owners() || are_nodes_others_;
+}
+
+// Nodes where they have another owner, places in every search. Cuts that are kept follow the places.
+void ContactDecomposition::send_points_to_owners() {
   if (are_nodes_others_) send_nodes_to_owners();
   send_places_to_owners();
 }
 
-// (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
+// (5.4) For all my faces: which ranks does the capture box reach, and do these know the face? If not, faces go to the
+// ranks that need them and to those that soon may.
 void ContactDecomposition::find_reached_ranks(const SurfaceMotion& motion, double margin) {
   are_reached_told_ = are_faces_told_ && are_reached_parts_told(motion, margin);
+  if (are_reached_told_) return;
+  const double wide = are_faces_told_ ? (1 + told_margins) * margin : margin;
+  bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
+  known_ = list_reached_parts(exchange_.ranks(), parts_->bisection().tree(), boxes_,
+                              static_cast<int>(share_.searched_faces.size()), wide);
+  are_faces_told_ = true;
+  are_reached_parts_told(motion, margin);  // boxes and counts of this search
 }
 
 // (5.5) Faces to ranks that do not know them, boxes of this search to all.
-void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
-  if (!are_reached_told_) send_faces(motion, margin);
+void ContactDecomposition::send_overlapping_faces() {
+  if (!are_reached_told_) send_faces();
   has_changed_ = are_nodes_others_ || !are_reached_told_;
   send_boxes();  // in every search
 }
@@ -215,7 +226,7 @@ void ContactDecomposition::take_report(const RcbReport& done) {
 /// With the cuts every FE owner knows who owns its points. Returns whether a node of any rank has another owner now.
 bool ContactDecomposition::find_new_owners() {
   const Array<int> owners("contact::owners", points_.ids.extent(0));
-  find_owners(ExecSpace(), parts_->cuts().tree(), points_.positions, points_.ids, owners);
+  find_owners(ExecSpace(), parts_->bisection().tree(), points_.positions, points_.ids, owners);
   ExecSpace().fence();
   const auto host = to_host(owners);
   const std::vector<int> before = node_owners();
@@ -234,7 +245,7 @@ void ContactDecomposition::assign_parts_once(const std::vector<int>& parts) {
   std::vector<int> rank_of_part = assign_parts(gather_items(ranks, find_overlaps(ranks.rank(), parts)), ranks.size());
   if (rank_of_part == parts_->rank_of_part()) return;
   const auto assigned = std::make_shared<AssignedParts>(ranks, std::move(rank_of_part));
-  assigned->cuts().restore(parts_->cuts().cuts());
+  assigned->bisection().restore(parts_->bisection().cuts());
   parts_ = assigned;
 }
 
@@ -264,25 +275,20 @@ void ContactDecomposition::send_nodes_to_owners() {
 /// Between rebalances the nodes may cross cuts: what boxes reach follows them.
 void ContactDecomposition::send_places_to_owners() {
   send_rows<PlaceItem>(data_, node_plan_, points_.positions, sent_nodes_, places_, received_nodes_);
-  if (!just_rebalanced_) parts_->cuts().refit(ExecSpace(), places_);
+  if (!just_rebalanced_) parts_->bisection().refit(ExecSpace(), places_);
 }
 
 /// Whether all ranks that the boxes of this search reach know the faces.
 bool ContactDecomposition::are_reached_parts_told(const SurfaceMotion& motion, double margin) {
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
-  const ReachCount count = count_reached_parts(exchange_.ranks(), parts_->cuts().tree(), boxes_,
+  const ReachCount count = count_reached_parts(exchange_.ranks(), parts_->bisection().tree(), boxes_,
                                                static_cast<int>(share_.searched_faces.size()), margin, known_);
   reaching_faces_ = count.copies;
   return !count.any_unlisted;
 }
 
-/// Sends faces to the ranks that need them, and to those that soon may.
-void ContactDecomposition::send_faces(const SurfaceMotion& motion, double margin) {
-  const double wide = are_faces_told_ ? (1 + told_margins) * margin : margin;
-  bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
-  are_faces_told_ = true;
-  known_ = list_reached_parts(exchange_.ranks(), parts_->cuts().tree(), boxes_,
-                              static_cast<int>(share_.searched_faces.size()), wide);
+/// Sends faces to the ranks of the parts that were listed for them.
+void ContactDecomposition::send_faces() {
   const auto box = to_host(known_.box), part = to_host(known_.part);
   std::vector<int> to;
   to.reserve(part.extent(0));
@@ -301,7 +307,6 @@ void ContactDecomposition::send_faces(const SurfaceMotion& motion, double margin
   sent_faces_ = to_view("contact::sent_faces", sent);
   received_faces_ = to_view("contact::received_faces", sort_by_number(faces_));
   received_boxes_ = Boxes("contact::received_boxes", faces_.size());
-  are_reached_parts_told(motion, margin);  // boxes and counts of this search
 }
 
 void ContactDecomposition::send_boxes() {
@@ -313,10 +318,10 @@ std::int64_t ContactDecomposition::count_reaching_here() const {
   const std::vector<int>& ranks = parts_->rank_of_part();
   const int rank = exchange_.ranks().rank();
   const int own = static_cast<int>(std::find(ranks.begin(), ranks.end(), rank) - ranks.begin());
-  return count_boxes_that_reach(parts_->cuts().tree(), received_boxes_, static_cast<int>(faces_.size()), own);
+  return count_boxes_that_reach(parts_->bisection().tree(), received_boxes_, static_cast<int>(faces_.size()), own);
 }
 
-void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {
+void ContactDecomposition::decide_rebalance(std::int64_t ghosts) {
   report_.ghost_faces = ghosts;
   // The search for overlap at the start has narrower boxes than those of the run: the second search counts.
   const bool is_second_of_all = report_.rebalances == 1 && searches_ == 2;

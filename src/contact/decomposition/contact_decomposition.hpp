@@ -52,11 +52,12 @@ class ContactDecomposition {
   /// Together, in this order, these bring searched contact nodes to their owners and searched faces to the ranks that
   /// their boxes, widened by `margin`, reach, and maybe to more. (5.1) to (5.3) rebalance, where that is due. Each is
   /// collective. Throw MpiError.
-  void send_contact_data_to_previous_owners(const SurfaceMotion& motion);   // (5.1)
-  void rebalance();                                                         // (5.2)
-  void share_cuts();                                                        // (5.3)
-  void find_reached_ranks(const SurfaceMotion& motion, double margin);      // (5.4)
-  void send_overlapping_faces(const SurfaceMotion& motion, double margin);  // (5.5)
+  void send_contact_data_to_previous_owners(const SurfaceMotion& motion);
+  void rebalance();
+  void share_cuts();
+  void send_points_to_owners();
+  void find_reached_ranks(const SurfaceMotion& motion, double margin);
+  void send_overlapping_faces();
 
   /// What this rank has after a search, ascending in number, and whether that are others than before it, on any rank.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
@@ -78,7 +79,7 @@ class ContactDecomposition {
   bool was_rebalanced() const { return just_rebalanced_; }
 
   /// Takes the number of ghost faces on all ranks; decides whether the next search rebalances.
-  void note_ghost_faces(std::int64_t ghosts);
+  void decide_rebalance(std::int64_t ghosts);
 
   /// The owner of each searched contact node of this rank's FE share, ascending; -1 before the first search.
   std::vector<int> node_owners() const;
@@ -102,7 +103,7 @@ class ContactDecomposition {
   void send_nodes_to_owners();
   void send_places_to_owners();
   bool are_reached_parts_told(const SurfaceMotion& motion, double margin);
-  void send_faces(const SurfaceMotion& motion, double margin);
+  void send_faces();
   void send_boxes();
 
   const SurfaceShare& share_;

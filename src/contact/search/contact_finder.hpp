@@ -73,13 +73,16 @@ class ContactFinder {
   virtual void send_contact_data_to_previous_owners(const SurfaceMotion& /*motion*/) {}
   virtual void rebalance() {}
   virtual void share_cuts() {}
+  virtual void send_points_to_owners(const SurfaceMotion& /*motion*/) {}
   virtual void find_reached_ranks(const SurfaceMotion& /*motion*/, double /*margin*/) {}
-  virtual void send_overlapping_faces(const SurfaceMotion& /*motion*/, double /*margin*/) {}
+  virtual void send_overlapping_faces(const SurfaceMotion& /*motion*/) {}
   /// Points in boxes; returns how many pairs there are on all ranks.
   virtual std::int64_t find_candidates(const SurfaceMotion& motion, double margin) = 0;
-  virtual void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) = 0;
+  virtual void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) = 0;
   /// Returns the number of touches of this rank's contact nodes and edges.
   virtual int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) = 0;
+  /// After narrow(): what the pairs that are left read is requested from other ranks.
+  virtual void request_near_pairs() {}
 };
 
 /// The finder that suits the number of ranks.

@@ -6,7 +6,6 @@
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/search/local_finder.hpp"
 #include "src/contact/search/pair_limit.hpp"
-#include "src/contact/surface/number_map.hpp"
 
 namespace percuss {
 namespace {
@@ -41,20 +40,12 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
   return make_contact_surface(lists, share);
 }
 
-LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : share_(share) {
-  scratch_.method = edge_scratch_.points.method = find_method(deck.search);
-  check_.keeps_still = edges_.keeps_still = deck.reuse_search;
+LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : share_(share), edges_(share, deck) {
+  scratch_.method = find_method(deck.search);
+  check_.keeps_still = deck.reuse_search;
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
-  if (share.edges.empty()) return;
-  const auto find_row = [&](std::int64_t number) {
-    return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
-  };
-  set_edge_surface(make_edge_surface(share.edges, find_row, share), edges_);
-  divided_edges_ = share.edges;
-  edge_points_ = list_edge_points(divided_edges_, edges_.surface, {});
-  edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
 /// A surface that has changed once may do so again: from now on the tree of its search is kept.
@@ -73,26 +64,7 @@ void LocalFinder::take_over(const ContactFinder& before) {
 
 std::int64_t LocalFinder::find_candidates(const SurfaceMotion& motion, double margin) {
   found_ = -1;  // by now the touches of the last check may have been written over
-  return search_faces(motion, margin) + search_edges(motion, margin);
-}
-
-std::int64_t LocalFinder::search_edges(const SurfaceMotion& motion, double margin) {
-  if (share_.edges.empty()) return 0;
-  const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
-  if (divide_again(edges_.surface.ends, motion.x, share_.edge_piece, divided_edges_))
-    edge_points_ = list_edge_points(divided_edges_, edges_.surface, {});
-  reserve(edge_places_, edge_points_.points.num_points);
-  std::int64_t hits = 0;
-  run_where_it_pays(static_cast<int>(share_.edges.size()) / 2, [&](const auto& space) {
-    const EdgePoints& points = edge_points_.points;
-    place_edge_points(space, points, motion.x, edge_places_);
-    const Point3 half = find_half_piece(space, points, motion.x);
-    bound_edges(space, points.ends, motion, find_edge_margin(half, margin, 2 * share_.largest_offset), edge_boxes_);
-    const EdgeQuery query{edge_points_.names, edge_places_, motion.x, edge_boxes_, find_edge_slack(half, margin)};
-    hits = find_edge_pairs(space, edges_.surface, query, limit, edge_scratch_, edges_.pairs);
-  });
-  refuse_too_many_pairs(hits, limit, margin);
-  return edges_.pairs.num_pairs;
+  return search_faces(motion, margin) + edges_.find_candidates(motion, margin);
 }
 
 std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margin) {
@@ -111,10 +83,10 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   return pairs;
 }
 
-void LocalFinder::check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) {
+void LocalFinder::check_pairs(const SurfaceMotion& motion, const ContactHistory& history) {
   found_before_ = found_;
   of_faces_ = check_faces(motion, history);
-  found_ = of_faces_ + check_edge_pairs(motion, history.edges, edges_);
+  found_ = of_faces_ + edges_.check(motion, history.edges);
 }
 
 /// This rank is the FE owner of all; touches that have not changed stay where they are.
@@ -126,7 +98,7 @@ int LocalFinder::send_results_to_fe_owners(const ContactHistory& /*history*/, Ar
                       {check_.face_numbers, node_numbers_}, touches);
     });
   }
-  append_edge_touches(edges_, of_faces_, touches);
+  edges_.append_touches(of_faces_, touches);
   return found_;
 }
 
@@ -168,7 +140,7 @@ std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& mot
 }
 
 std::vector<EdgePenetration> LocalFinder::find_edge_penetrations(const SurfaceMotion& motion) {
-  return measure_edge_pairs(motion, edges_);
+  return edges_.find_penetrations(motion);
 }
 
 std::vector<PartGap> LocalFinder::find_gaps(const SurfaceMotion& motion) {

@@ -3,8 +3,8 @@
 // ContactFinder::search() and check() that send do nothing.
 
 #include "src/contact/check/check_space.hpp"
-#include "src/contact/check/edge_space.hpp"
 #include "src/contact/search/contact_finder.hpp"
+#include "src/contact/search/local_edges.hpp"
 
 namespace percuss {
 
@@ -32,11 +32,10 @@ class LocalFinder : public ContactFinder {
 
  private:
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
-  void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
+  void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) override;
   int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
 
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
-  std::int64_t search_edges(const SurfaceMotion& motion, double margin);
   int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
 
   const SurfaceShare& share_;
@@ -46,14 +45,7 @@ class LocalFinder : public ContactFinder {
   int found_before_ = 0;                    // by the check before it; -1: its touches may have been written over
   Boxes boxes_;
   SearchScratch scratch_;
-
-  // Edges, if the scene has any that may touch.
-  EdgeSpace edges_;
-  std::vector<EdgeTopology> divided_edges_;  // SurfaceShare::edges, in pieces of now
-  EdgePointLists edge_points_;
-  Rows3<double> edge_places_ = Rows3<double>("contact::edge_places", 0);
-  Boxes edge_boxes_ = Boxes("contact::edge_boxes", 0);
-  EdgeSearchScratch edge_scratch_;
+  LocalEdges edges_;
 };
 
 }  // namespace percuss

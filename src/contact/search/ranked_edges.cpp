@@ -25,20 +25,8 @@ RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, c
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);
   divided_edges_ = share.edges;
-  points_.ends = to_rows("contact::edge_ends", share.edge_ends);
-  list_points();
+  points_ = list_edge_points(divided_edges_, to_rows("contact::edge_ends", share.edge_ends), {}).points;
   boxes_ = Boxes("contact::edge_boxes", share.edges.size());
-}
-
-void RankedEdges::list_points() {
-  std::vector<int> pieces, first{0};
-  for (const EdgeTopology& edge : divided_edges_) {
-    pieces.push_back(edge.pieces);
-    first.push_back(first.back() + edge.pieces);
-  }
-  points_.num_points = first.back();
-  points_.pieces = to_view("contact::edge_pieces", pieces);
-  points_.first_point = to_view("contact::first_edge_point", first);
 }
 
 /// The rank in whose part the middle of each edge lies.
@@ -52,7 +40,7 @@ void RankedEdges::find_owners(const SurfaceMotion& motion) {
   Kokkos::parallel_for(
       "contact::edge_middles", Range(ExecSpace(), 0, static_cast<int>(ids.size())),
       KOKKOS_LAMBDA(int e) { store_row(middles, e, 0.5 * (load_row(m.x, ends(e, 0)) + load_row(m.x, ends(e, 1)))); });
-  percuss::find_owners(ExecSpace(), parts_->cuts().tree(), middles, to_view("contact::edge_ids", ids), owners);
+  percuss::find_owners(ExecSpace(), parts_->bisection().tree(), middles, to_view("contact::edge_ids", ids), owners);
   ExecSpace().fence();
   const auto host = to_host(owners);
   owners_.clear();
@@ -61,10 +49,14 @@ void RankedEdges::find_owners(const SurfaceMotion& motion) {
 
 /// Sends owners the points of their edges, so that they know which boxes must reach them.
 void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition) {
+  if (!data_) return;
+  if (divide_again(points_.ends, motion.x, share_.edge_piece, divided_edges_))
+    points_ = list_edge_points(divided_edges_, points_.ends, {}).points;
+  half_piece_ = find_half_piece_of_all(motion);
   const AssignedParts& parts = decomposition.parts();
   if (!parts_ || parts_->rank_of_part() != parts.rank_of_part()) parts_.emplace(ranks_.ranks, parts.rank_of_part());
   if (decomposition.was_rebalanced() || !knows_owners_) {
-    parts_->cuts().restore(parts.cuts().cuts());
+    parts_->bisection().restore(parts.bisection().cuts());
     find_owners(motion);
     knows_owners_ = true;
   }
@@ -84,7 +76,7 @@ void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const Conta
   const SendOrder order = order_by_destination(to);
   const std::vector<std::array<double, 3>> own =
       data_->exchange(exchange_->plan(order.to), ItemExchange::arrange(order, points));
-  parts_->cuts().refit(ExecSpace(), to_rows("contact::owned_edge_points", own));
+  parts_->bisection().refit(ExecSpace(), to_rows("contact::owned_edge_points", own));
 }
 
 Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
@@ -94,15 +86,21 @@ Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
   return {half[0], half[1], half[2]};
 }
 
-/// Edges to the ranks whose points their boxes may hold.
-void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin) {
-  bound_edges(ExecSpace(), points_.ends, motion, margin, boxes_);
+/// The ranks whose points the boxes of edges may hold.
+void RankedEdges::find_reached_ranks(const SurfaceMotion& motion, double margin) {
+  if (!data_) return;
+  const Point3 widened = find_edge_margin(half_piece_, margin, 2 * share_.largest_offset);
+  bound_edges(ExecSpace(), points_.ends, motion, widened, boxes_);
   ExecSpace().fence();
-  const ReachedParts reached =
-      list_reached_parts(ranks_.ranks, parts_->cuts().tree(), boxes_, static_cast<int>(share_.edges.size()), margin.x);
+  reached_ = list_reached_parts(ranks_.ranks, parts_->bisection().tree(), boxes_, static_cast<int>(share_.edges.size()),
+                                widened.x);
+}
+
+void RankedEdges::send_overlapping_edges(const SurfaceMotion& motion) {
+  if (!data_) return;
   const auto boxes = to_host(boxes_);
   const auto x = to_host(motion.x);
-  const auto box = to_host(reached.box), part = to_host(reached.part);
+  const auto box = to_host(reached_.box), part = to_host(reached_.part);
   std::vector<int> to;
   std::vector<EdgeRecord> records;
   for (std::size_t i = 0; i < box.extent(0); ++i) {
@@ -154,7 +152,7 @@ std::int64_t RankedEdges::find_pairs_here(const Point3& slack, std::int64_t limi
   set_edge_surface(make_edge_surface(
                        edges_, [&](std::int64_t number) { return rows.find(number); }, share_),
                    space);
-  const EdgePointLists lists = list_edge_points(edges_, space.surface, is_owned_);
+  const EdgePointLists lists = list_edge_points(edges_, space.surface.ends, is_owned_);
   const Rows3<double> places("contact::edge_places", at(lists.points.num_points));
   const Rows3<const double> ends = to_rows("contact::edge_end_places", x);
   std::int64_t hits = 0;
@@ -166,15 +164,10 @@ std::int64_t RankedEdges::find_pairs_here(const Point3& slack, std::int64_t limi
   return hits;
 }
 
-std::int64_t RankedEdges::search(const SurfaceMotion& motion, double margin,
-                                 const ContactDecomposition& decomposition) {
-  if (share_.total_edges == 0) return 0;
-  if (divide_again(points_.ends, motion.x, share_.edge_piece, divided_edges_)) list_points();
-  const Point3 half = find_half_piece_of_all(motion);
-  send_points_to_owners(motion, decomposition);
-  send_edges_to_reached(motion, find_edge_margin(half, margin, 2 * share_.largest_offset));
+std::int64_t RankedEdges::find_candidates(double margin) {
+  if (!data_) return 0;
   const std::int64_t limit = find_edge_pair_limit(share_);
-  const std::int64_t hits = find_pairs_here(find_edge_slack(half, margin), std::min(limit, most_indexed_pairs));
+  const std::int64_t hits = find_pairs_here(find_edge_slack(half_piece_, margin), std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {hits, check_.space().pairs.num_pairs, hits > most_indexed_pairs ? 1 : 0};
   all_reduce(ranks_.ranks, Reduce::sum, sums);
   refuse_too_many_pairs(sums[0], limit, margin);

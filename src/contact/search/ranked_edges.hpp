@@ -18,9 +18,13 @@ class RankedEdges {
   /// Collective, as are all calls; a scene without edges sends nothing. The share outlives this.
   RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 
-  /// Finds the pairs for boxes widened by `margin`, by the cuts of the decomposition. Returns how many there are on all
-  /// ranks. Throws RunError, on all ranks, if they are absurdly many.
-  std::int64_t search(const SurfaceMotion& motion, double margin, const ContactDecomposition& decomposition);
+  /// Together, in this order, these find the pairs for boxes widened by `margin`: what the steps of
+  /// ContactFinder::search() from (5.3) on do for nodes and faces, by the same cuts.
+  void send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition);
+  void find_reached_ranks(const SurfaceMotion& motion, double margin);
+  void send_overlapping_edges(const SurfaceMotion& motion);
+  /// Returns how many pairs there are on all ranks. Throws RunError, on all ranks, if they are absurdly many.
+  std::int64_t find_candidates(double margin);
 
   void check(const SurfaceMotion& motion, const EdgeHistory& history) {
     if (data_) check_.check(motion, history, *data_);
@@ -41,11 +45,8 @@ class RankedEdges {
   Traffic traffic() const { return data_ ? data_->traffic() : Traffic{}; }
 
  private:
-  void list_points();
-  void send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition);
   void find_owners(const SurfaceMotion& motion);
   Point3 find_half_piece_of_all(const SurfaceMotion& motion) const;
-  void send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin);
   std::int64_t find_pairs_here(const Point3& slack, std::int64_t limit);
 
   const ContactRanks ranks_;
@@ -60,6 +61,8 @@ class RankedEdges {
   std::vector<int> owners_;                   // [edges] ranks in the contact decomposition
   bool knows_owners_ = false;                 // the same on all ranks, unlike whether a rank has edges
   Boxes boxes_ = Boxes("contact::boxes", 0);  // [edges]
+  Point3 half_piece_{};                       // of all ranks' edges, in this search
+  ReachedParts reached_;                      // likewise, by the boxes
 
   // Edges that reached this rank, ascending in number.
   struct EdgeRecord;

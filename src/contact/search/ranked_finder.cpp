@@ -116,23 +116,37 @@ void RankedFinder::share_cuts() {
   decomposition_.share_cuts();
 }
 
+void RankedFinder::send_points_to_owners(const SurfaceMotion& motion) {
+  {
+    const Phase phase = decompose();
+    decomposition_.send_points_to_owners();
+  }
+  edges_.send_points_to_owners(motion, decomposition_);
+}
+
 void RankedFinder::find_reached_ranks(const SurfaceMotion& motion, double margin) {
-  const Phase phase = decompose();
-  decomposition_.find_reached_ranks(motion, margin);
+  {
+    const Phase phase = decompose();
+    decomposition_.find_reached_ranks(motion, margin);
+  }
+  edges_.find_reached_ranks(motion, margin);
 }
 
-void RankedFinder::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
-  const Phase phase = decompose();
-  decomposition_.send_overlapping_faces(motion, margin);
-}
-
-std::int64_t RankedFinder::find_candidates(const SurfaceMotion& motion, double margin) {
+void RankedFinder::send_overlapping_faces(const SurfaceMotion& motion) {
+  {
+    const Phase phase = decompose();
+    decomposition_.send_overlapping_faces();
+  }
   if (decomposition_.has_changed()) redefine_surface();
-  const std::int64_t of_faces = search_faces(margin);
-  return of_faces + edges_.search(motion, margin, decomposition_);
+  edges_.send_overlapping_edges(motion);
 }
 
-void RankedFinder::check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) {
+std::int64_t RankedFinder::find_candidates(const SurfaceMotion& /*motion*/, double margin) {
+  const std::int64_t of_faces = search_faces(margin);
+  return of_faces + edges_.find_candidates(margin);
+}
+
+void RankedFinder::check_pairs(const SurfaceMotion& motion, const ContactHistory& history) {
   check_.check(motion, history);
   edges_.check(motion, history.edges);
 }
@@ -253,7 +267,7 @@ std::int64_t RankedFinder::search_faces(double margin) {
   all_reduce(ranks_.ranks, Reduce::sum, sums);
   refuse_too_many_pairs(sums[0], limit, margin);
   refuse_crowded_ranks(sums[2]);
-  decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
+  decomposition_.decide_rebalance(sums[1] - share_.total_searched_faces);
   check_.begin_pairs(sums[0]);
   return sums[0];
 }

@@ -40,11 +40,13 @@ class RankedFinder : public ContactFinder {
   void send_contact_data_to_previous_owners(const SurfaceMotion& motion) override;
   void rebalance() override;
   void share_cuts() override;
+  void send_points_to_owners(const SurfaceMotion& motion) override;
   void find_reached_ranks(const SurfaceMotion& motion, double margin) override;
-  void send_overlapping_faces(const SurfaceMotion& motion, double margin) override;
+  void send_overlapping_faces(const SurfaceMotion& motion) override;
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
-  void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
+  void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) override;
   int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
+  void request_near_pairs() override { check_.request_near_pairs(); }
 
   Phase decompose() { return {"percuss::contact_rcb", decomposition_clock_}; }
   void redefine_surface();

@@ -94,10 +94,11 @@ struct Surface {
     decomposition.send_contact_data_to_previous_owners(still);
     decomposition.rebalance();
     decomposition.share_cuts();
+    decomposition.send_points_to_owners();
     decomposition.find_reached_ranks(still, margin);
-    decomposition.send_overlapping_faces(still, margin);
+    decomposition.send_overlapping_faces();
     const std::int64_t faces = add_up(decomposition.reaching_faces());
-    decomposition.note_ghost_faces(faces - share.total_searched_faces);
+    decomposition.decide_rebalance(faces - share.total_searched_faces);
     const std::int64_t here = decomposition.count_reaching_here();
     EXPECT_LE(here, static_cast<std::int64_t>(decomposition.faces().size()));
     EXPECT_EQ(add_up(here), faces);

@@ -42,7 +42,7 @@ struct CrookedPatch {
     set_surface(make_contact_surface(lists, share), numbers, check);
     check.candidates.num_faces = static_cast<int>(faces.size());
     check.candidates.faces = to_view("test::faces", faces);
-    check.candidates.is_boxed = to_view("test::boxed", std::vector<int>(faces.size(), 1));
+    check.candidates.is_candidate = to_view("test::boxed", std::vector<int>(faces.size(), 1));
   }
 
   /// Draws places and velocities; of some draws the faces turn by a good part of a right angle in the step.
@@ -214,7 +214,7 @@ double find_size(const CrookedPatch& patch, int face, double half, const Relativ
 void expect_measured(double half) {
   CrookedPatch patch(half);
   const int apart = 5, faces = patch.check.candidates.num_faces -= 1;  // the last pack of faces is not full
-  patch.check.candidates.is_boxed(apart) = 0;
+  patch.check.candidates.is_candidate(apart) = 0;
   if (half == 0) {  // behind a face some nodes elsewhere in the patch
     std::vector<std::array<int, 4>> backs;
     for (int face = 0; face <= faces; ++face)

@@ -1,0 +1,44 @@
+#pragma once
+// Search and check of edge pairs on one rank, which has the whole surface: what RankedEdges is on several.
+
+#include <cstdint>
+#include <vector>
+
+#include "src/contact/check/edge_space.hpp"
+
+namespace percuss {
+
+class LocalEdges {
+ public:
+  /// The share outlives this. A scene without edges does nothing in any call.
+  LocalEdges(const SurfaceShare& share, const ContactDeck& deck);
+
+  /// Finds the pairs for boxes widened by `margin` and returns how many there are. Throws RunError if they are absurdly
+  /// many.
+  std::int64_t find_candidates(const SurfaceMotion& motion, double margin);
+
+  /// The detailed check of these pairs; returns the number of touches.
+  int check(const SurfaceMotion& motion, const EdgeHistory& history) {
+    return check_edge_pairs(motion, history, space_);
+  }
+
+  /// Appends the touches of the last check, by (A, B), after the first `count` of `touches`.
+  void append_touches(int count, Array<RowTouch>& touches) const { append_edge_touches(space_, count, touches); }
+
+  bool has_found_nothing_new() const { return space_.has_found_nothing_new(); }
+
+  std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion) {
+    return measure_edge_pairs(motion, space_);
+  }
+
+ private:
+  const SurfaceShare& share_;
+  EdgeSpace space_;
+  std::vector<EdgeTopology> divided_edges_;  // SurfaceShare::edges, in pieces of now
+  EdgePointLists points_;
+  Rows3<double> places_ = Rows3<double>("contact::edge_places", 0);
+  Boxes boxes_ = Boxes("contact::edge_boxes", 0);
+  EdgeSearchScratch scratch_;
+};
+
+}  // namespace percuss
