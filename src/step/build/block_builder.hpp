@@ -7,11 +7,13 @@
 #include <map>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/internal_force.hpp"
 #include "kernels/material/call_material.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/deck.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_shells.hpp"
 #include "src/step/model/model.hpp"
@@ -32,43 +34,25 @@ inline HexKind find_kind(const ElementDeck& deck) {
   return HexKind::assumed_strain;
 }
 
-/// Calls f with the material of an element's kernel: the law itself, or one that calls it.
-template <class F>
-void visit_kernel_material(const MaterialDeck& material, const F& f) {
-  visit_law(material, [&]<class Law>(const Law& law) {
-    if (material.equation_of_state) {
-      if constexpr (takes_equation_of_state<Law>) {
-        visit_state(*material.equation_of_state,
-                    [&](const auto& state) { f(law, make_called_material(law, material.density, state)); });
-      }
-    } else if constexpr (is_compiled_in<Law>) {
-      f(law, law);
-    } else {
-      f(law, make_called_material(law, material.density));
-    }
-  });
-}
+template <class List>
+struct VariantOf;
+template <class... Material>
+struct VariantOf<TypeList<Material...>> {
+  using type = std::variant<Material...>;
+};
 
-/// Where the named scalars of a history are, counted from its first; -1: it has none of that name.
-template <class Law, class Material>
-std::array<int, history_scalars> find_named_history(const Law&, const Material& material) {
-  std::array<int, history_scalars> places;
-  places.fill(-1);
-  int place = 0;
-  if constexpr (is_called<Material>) {
-    place = CalledMaterial::law_place;
-    places[static_cast<std::size_t>(HistoryScalar::internal_energy)] = material.find_state_place();
-  }
-  if constexpr (requires { Law::history_names; }) {
-    for (const HistoryScalar name : Law::history_names) places[static_cast<std::size_t>(name)] = place++;
-  }
-  return places;
-}
+/// A material of the deck as elements compute it: the law itself, or one that calls it.
+struct KernelMaterial {
+  VariantOf<CompiledMaterials>::type material;
+  std::array<int, history_scalars> named_history;  // places of named scalars, from the first; -1: it has none
+};
+KernelMaterial make_kernel_material(const MaterialDeck& material);
 
 /// Adds the chunks of one material to the variant that computes it, and says how long its records are.
 struct BlockBuilder {
   const Deck& deck;
   const ChunkedMesh& chunked;
+  std::vector<KernelMaterial> materials;  // of the deck
   std::vector<int> record_size, history, points, parameters, scalars;
   std::vector<std::size_t> first_start;  // by chunk, into start_values
   std::vector<int> start_count;
@@ -121,19 +105,17 @@ struct BlockBuilder {
       if (!is_ours(chunked.chunks[c])) continue;
       const int index = find_block(chunked, chunked.chunks[c]).material;
       const ElementDeck settings = find_elements(chunked.chunks[c]);
-      const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
-      visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
-          const std::pair key{index, std::array{settings.hourglass_coefficient, settings.linear_viscosity,
-                                                settings.quadratic_viscosity}};
-          const auto [row, is_new] = row_of_settings.emplace(key, static_cast<int>(rows.size()));
-          if (is_new) rows.push_back(make_parameters(material, settings));
-          if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
-          parameters[c] = row->second;
-          describe(c, material, find_named_history(law, material));
-          if constexpr (is_called<Material>) add_start_history(c, material);
-        }
-      });
+      const KernelMaterial& of_chunk = materials[static_cast<std::size_t>(index)];
+      const auto* material = std::get_if<Material>(&of_chunk.material);
+      if (material == nullptr) continue;
+      const std::pair key{
+          index, std::array{settings.hourglass_coefficient, settings.linear_viscosity, settings.quadratic_viscosity}};
+      const auto [row, is_new] = row_of_settings.emplace(key, static_cast<int>(rows.size()));
+      if (is_new) rows.push_back(make_parameters(*material, settings));
+      if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
+      parameters[c] = row->second;
+      describe(c, *material, of_chunk.named_history);
+      if constexpr (is_called<Material>) add_start_history(c, *material);
     }
     block.chunks = to_view("percuss::chunks_of_block", chunks);
     block.parameters = to_view("percuss::parameters", rows);

@@ -135,8 +135,11 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const ChunkTables tables = make_chunk_tables(chunked);
   const std::size_t count = chunked.chunks.size();
   const std::vector<int> empty(count);
+  std::vector<KernelMaterial> materials;
+  for (const MaterialDeck& material : deck.materials) materials.push_back(make_kernel_material(material));
   BlockBuilder builder{deck,
                        chunked,
+                       std::move(materials),
                        empty,
                        empty,
                        empty,

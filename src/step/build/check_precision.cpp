@@ -39,12 +39,12 @@ void refuse_thin_elements(const Deck& deck, const Mesh& mesh) {
 }
 
 double find_stiffness(const MaterialDeck& material) {
-  double stiffness = 0;
-  visit_kernel_material(material, [&](const auto&, const auto& kernel) {
-    const LameConstants c = kernel.moduli();
-    stiffness = std::max(c.lambda, 0.0) + 2 * c.mu;
-  });
-  return stiffness;
+  return std::visit(
+      [](const auto& kernel) {
+        const LameConstants c = kernel.moduli();
+        return std::max(c.lambda, 0.0) + 2 * c.mu;
+      },
+      make_kernel_material(material).material);
 }
 
 }  // namespace
