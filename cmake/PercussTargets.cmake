@@ -85,9 +85,10 @@ endfunction()
 
 set(PERCUSS_KERNEL_TESTS ${PROJECT_SOURCE_DIR}/tests/kernels)
 set(PERCUSS_FILE_TESTS "${PROJECT_SOURCE_DIR}/tests/src/(deck|hdf5|mesh|output)(/|$)")
-# Everything that tests of label unit run, to be built without the rest. Elsewhere: add_dependencies(unit_tests PROGRAM).
-add_custom_target(unit_tests)
-add_custom_target(kernel_tests)  # those of tests/kernels (label kernels)
+# Everything that tests of label unit run, to be built without the rest.
+add_custom_target(kernel_tests)      # those of tests/kernels (label kernels)
+add_custom_target(other_unit_tests)  # all others; elsewhere: add_dependencies(other_unit_tests PROGRAM)
+add_custom_target(unit_tests DEPENDS kernel_tests other_unit_tests)
 add_custom_target(file_tests)    # those of decks, meshes and results, which read what others have written (label files)
 
 # percuss_add_test_library(name SOURCES a.cpp ... LINK lib ...): what several tests share, compiled once.
@@ -117,10 +118,11 @@ function(percuss_add_test name)
   endif()
   set(labels ${arg_LABEL})
   if(arg_LABEL STREQUAL unit)
-    add_dependencies(unit_tests ${name})
     if(is_of_kernels)
       add_dependencies(kernel_tests ${name})
       list(APPEND labels kernels)
+    else()
+      add_dependencies(other_unit_tests ${name})
     endif()
     if(CMAKE_CURRENT_SOURCE_DIR MATCHES "${PERCUSS_FILE_TESTS}")
       add_dependencies(file_tests ${name})
