@@ -9,7 +9,7 @@
 #include "kernels/shell/layer_lives.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
-#include "src/step/build/build_shells.hpp"
+#include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/model/pack_width.hpp"
 
 namespace percuss {

@@ -9,7 +9,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/communicator.hpp"
 #include "src/error.hpp"
-#include "src/step/build/block_builder.hpp"
+#include "src/step/build/chunks/block_builder.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {

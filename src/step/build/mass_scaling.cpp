@@ -10,7 +10,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/step/beams/build_beams.hpp"
-#include "src/step/build/build_shells.hpp"
+#include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/model/pack_width.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"

@@ -1,4 +1,4 @@
-#include "src/step/build/build_shells.hpp"
+#include "src/step/build/chunks/build_shells.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/step/build/block_builder.hpp"
+#include "src/step/build/chunks/block_builder.hpp"
 
 #include "src/deck/make_material.hpp"
 

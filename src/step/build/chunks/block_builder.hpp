@@ -15,7 +15,7 @@
 #include "kernels/material/call_material.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/build/build_shells.hpp"
+#include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/tets/build_tets.hpp"
 
