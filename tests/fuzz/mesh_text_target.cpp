@@ -10,6 +10,7 @@
 #include "tests/fuzz/target.hpp"
 #include "tests/src/mesh/files/nastran_samples.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
+#include "tests/src/mesh/files/vtu_samples.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss::fuzz {
@@ -62,7 +63,11 @@ std::vector<std::string> make_seeds() {
           nastran_long,
           nastran_free,
           nastran_of_ten,
-          nastran_free + "INCLUDE 'mesh.k'\n"};
+          nastran_free + "INCLUDE 'mesh.k'\n",
+          make_vtu({}),
+          make_vtu({VtuForm::base64, true, false}),
+          make_vtu({VtuForm::appended_base64, false, true}),
+          make_vtu({VtuForm::appended_raw, true, true})};
 }
 
 std::vector<std::string> make_words() {
@@ -102,7 +107,15 @@ std::vector<std::string> make_words() {
           ",",
           "EXCEPT",
           "\nINCLUDE 'mesh.k'\n",
-          "$HMSET"};
+          "$HMSET",
+          "<VTKFile ",
+          "<DataArray ",
+          "</Piece>",
+          "format=\"appended\" ",
+          "offset=\"9\" ",
+          "<AppendedData encoding=\"raw\">_",
+          "<!--",
+          "&quot;"};
 }
 
 }  // namespace percuss::fuzz

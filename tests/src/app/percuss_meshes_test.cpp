@@ -7,6 +7,7 @@
 #include "tests/src/app/percuss_process.hpp"
 #include "tests/src/mesh/files/nastran_samples.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
+#include "tests/src/mesh/files/vtu_samples.hpp"
 
 namespace percuss {
 namespace {
@@ -34,6 +35,7 @@ TEST(PercussMeshes, GiveTheSameStateInEveryFormat) {
   EXPECT_EQ(run("short.bdf", nastran_short), expected);
   EXPECT_EQ(run("long.nas", nastran_long), expected);
   EXPECT_EQ(run("free.dat", nastran_free), expected);
+  EXPECT_EQ(run("two.vtu", make_vtu({VtuForm::appended_raw, true, true})), expected);
 }
 
 }  // namespace
