@@ -27,6 +27,12 @@ std::string_view strip_sign(std::string_view mark) {
   return strip_blanks(mark);
 }
 
+/// Whether the mark of a continuation, without its sign, is that at the end of the line before, of which the first
+/// character does not count.
+bool fits(std::string_view mark, std::string_view expected) {
+  return mark.empty() || strip_sign(expected).empty() || mark == strip_sign(expected) || mark == expected.substr(1);
+}
+
 std::string expand_tabs(std::string_view line) {
   std::string text;
   for (const char c : line) {
@@ -90,9 +96,12 @@ void NastranCards::cut_at_commas() {
   of_line_.erase(of_line_.begin());
   is_large_ = mark_.find('*') != std::string_view::npos;
   const std::size_t most = is_large_ ? fields_of_line / 2 : fields_of_line;
-  if (of_line_.size() > most + 1)
-    refuse_line(fmt::format("the line has {} fields (at most {} with commas, then the mark of a continuation)",
-                            of_line_.size() + 1, most + 1));
+  while (of_line_.size() > most + 1 && of_line_.back().empty()) of_line_.pop_back();
+  if (of_line_.size() > most + 1) {
+    note_fault(fmt::format("the line has {} fields (at most {} with commas, then the mark of a continuation)",
+                           of_line_.size() + 1, most + 1));
+    of_line_.resize(most + 1);
+  }
   if (of_line_.size() > most) {
     end_mark_ = of_line_.back();
     of_line_.pop_back();
@@ -121,7 +130,7 @@ void NastranCards::cut() {
 /// Takes the fields of the line that is cut, behind those of the lines before it: eight or, of long ones, four.
 void NastranCards::add_line() {
   if (!is_large_ && fields_.size() % fields_of_line != 0)
-    refuse_line("a line of short fields follows half a line of long ones");
+    note_fault("a line of short fields follows half a line of long ones");
   fields_.insert(fields_.end(), of_line_.begin(), of_line_.end());
   fields_.resize((fields_.size() + fields_of_line / 2 - 1) / (fields_of_line / 2) * (fields_of_line / 2));
   if (!is_large_) fields_.resize((fields_.size() + fields_of_line - 1) / fields_of_line * fields_of_line);
@@ -132,32 +141,34 @@ void NastranCards::read_continuations() {
   while (read_line(false)) {
     const char first = line_.front();
     const bool may_continue = first == '+' || first == '*' || first == ',' || first == ' ' || first == '\t';
-    const std::string_view expected = strip_sign(end_mark_);
+    const std::string_view expected = end_mark_;
     if (may_continue) cut();
     if (!may_continue || !continues(mark_)) {
       files_.back().step_back();
       return;
     }
     const std::string_view mark = strip_sign(mark_);
-    if (!mark.empty() && !expected.empty() && mark != expected)
-      refuse_line(
-          fmt::format("the continuation {} stands where {} is expected (they are read in the order of the file)",
-                      quote_field(mark), quote_field(expected)));
+    if (!fits(mark, expected))
+      note_fault(fmt::format("the continuation {} stands where {} is expected (they are read in the order of the file)",
+                             quote_field(mark), quote_field(strip_sign(expected))));
     add_line();
   }
 }
 
-/// INCLUDE 'name', also without quotes.
+/// INCLUDE 'name', also without quotes; in quotes it may go on in further lines.
 void NastranCards::read_include() {
-  std::string_view name = strip_blanks(strip_blanks(line_).substr(std::string_view("INCLUDE").size()));
+  const TextPlace place = place_;
+  std::string name(strip_blanks(strip_blanks(line_).substr(std::string_view("INCLUDE").size())));
   if (!name.empty() && (name.front() == '\'' || name.front() == '"')) {
-    const std::size_t end = name.find(name.front(), 1);
-    if (end == std::string_view::npos) refuse_line("the name of an included file goes on in the next line");
-    name = name.substr(1, end - 1);
+    while (name.find(name.front(), 1) == std::string::npos) {
+      if (!files_.back().next_line(line_)) names_.refuse(place, "the name of the included file has no end");
+      name += strip_blanks(line_);
+    }
+    name = name.substr(1, name.find(name.front(), 1) - 1);
   }
-  const std::string path = find_included_file(folder_, name, names_, place_);
+  const std::string path = find_included_file(folder_, name, names_, place);
   if (files_.size() >= most_open_files || ++included_ > most_included_files)
-    refuse_line("files include each other too deeply, or without end");
+    names_.refuse(place, "files include each other too deeply, or without end");
   open(path);
 }
 
@@ -166,6 +177,7 @@ bool NastranCards::next() {
   fields_.clear();
   places_.clear();
   expanded_.clear();
+  fault_.clear();
   while (read_line(true)) {
     const std::string word = find_first_word(line_);
     if (word == "ENDDATA") {

@@ -36,6 +36,10 @@ class NastranCards {
   TextPlace place() const { return places_.empty() ? place_ : places_.front(); }
   TextPlace place_of(std::size_t i) const { return i < places_.size() ? places_[i] : place(); }
   [[noreturn]] void refuse(const std::string& text) const { names_.refuse(place(), text); }
+  /// Throws InputError if the lines of the entry do not fit together. Those of entries that are passed over need not.
+  void check_lines() const {
+    if (!fault_.empty()) names_.refuse(fault_place_, fault_);
+  }
 
  private:
   void open(const std::string& path);
@@ -49,6 +53,10 @@ class NastranCards {
   void read_include();
   void begin_bulk();
   [[noreturn]] void refuse_line(const std::string& text) const { names_.refuse(place_, text); }
+  void note_fault(const std::string& text) {
+    if (fault_.empty()) fault_place_ = place_;
+    if (fault_.empty()) fault_ = text;
+  }
   std::string describe_field(std::size_t i) const;
 
   TextNames& names_;
@@ -68,6 +76,8 @@ class NastranCards {
 
   std::vector<std::string_view> fields_;
   std::vector<TextPlace> places_;  // [fields]
+  std::string fault_;              // the first of this entry; empty: none
+  TextPlace fault_place_;
 };
 
 }  // namespace percuss

@@ -67,7 +67,7 @@ class NastranReader {
     sets_.read_control(cards_.control());
     while (cards_.next()) {
       for (const std::string& comment : cards_.comments()) named_.take_comment(comment);
-      named_.take_entry(is_among(cards_.name(), property_names) ? cards_.integer(0) : 0);
+      named_.take_entry(is_among(cards_.name(), property_names) ? parse_integer(cards_.field(0)).value_or(0) : 0);
       read_card(cards_.name());
     }
     for (const std::string& comment : cards_.comments()) named_.take_comment(comment);
@@ -103,8 +103,20 @@ class NastranReader {
   };
 
   void read_card(const std::string& name) {
-    if (name == "GRID") return read_grid();
-    if (const auto kind = find_kind_of_entry(name)) return read_element(*kind);
+    if (name == "GRID") {
+      cards_.check_lines();
+      return read_grid();
+    }
+    if (const auto kind = find_kind_of_entry(name)) {
+      cards_.check_lines();
+      return read_element(*kind);
+    }
+    read_other_card(name);
+  }
+
+  void read_other_card(const std::string& name) {
+    const bool is_read = name.starts_with("CORD") || name.starts_with("SET") || name == "PSHELL" || name == "GRDSET";
+    if (is_read) cards_.check_lines();
     if (name.starts_with("CORD")) return systems_.add(cards_);
     if (name == "PSHELL") return read_shell_property();
     if (name == "GRDSET") return read_grid_defaults();

@@ -106,12 +106,22 @@ TEST(NastranFile, IncludesFilesBesideIt) {
   const std::string outer =
       nastran_short.substr(0, nodes) + "INCLUDE '" + name + "'\n" + nastran_short.substr(elements);
   EXPECT_THAT(read_part(outer, "outer.bdf").nodes, SizeIs(12));
+  EXPECT_THAT(read_part(change(outer, "percuss_", "percuss\n  _"), "outer.bdf").nodes, SizeIs(12));
   EXPECT_THAT([&] { read_part(change(outer, name, "../" + name), "outer.bdf"); },
               ThrowsMessage<InputError>(
                   testing::AllOf(HasSubstr("outer.bdf:12: "), HasSubstr("in the folder of the first file"))));
   EXPECT_THAT([&] { read_part(change(outer, name, change(name, "inner", "outer")), "outer.bdf"); },
               ThrowsMessage<InputError>(HasSubstr("too deeply, or without end")));
   std::remove(inner.c_str());
+}
+
+TEST(NastranFile, LeavesOtherEntriesAlone) {
+  const std::string others =
+      "DEQATN  301     Z(A,B,C,D,E,F,G,H,I,J,K)=SUM(A,B,C,D,E,F,G)\nFLFACT,2,1.,,,,,,,KFREQ\n+MACH,3.\n";
+  EXPECT_EQ(read_part(change(nastran_free, "GRDSET", others + "GRDSET"), "two.bdf").nodes,
+            read_part(nastran_free, "two.bdf").nodes);
+  const std::string marks = change(change(nastran_short, "80+A\n", "80CA1\n"), "+A            70", "+A1           70");
+  EXPECT_EQ(read_part(marks, "two.bdf").element_ids, read_part(nastran_short, "two.bdf").element_ids);
 }
 
 TEST(NastranFile, IsKnownByItsFirstLines) {
@@ -152,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "block 'block_2' has 1 elements of kind CHEXA of 10 nodes (first "},
         WrongFile{"FewMiddles", &nastran_of_ten, ",7,8,9,10", ",7,8,,10", "a.bdf", "kind CTETRA of 9 nodes (first "},
         WrongFile{"Shear", &nastran_free, "CTRIA3,5,", "CSHEAR,5,", "a.bdf", "kind CSHEAR (first "},
-        WrongFile{"ManyFields", &nastran_free, "CTRIA3,5,3,90,100,110", "CTRIA3,5,3,90,100,110,,,,,", "a.bdf",
+        WrongFile{"ManyFields", &nastran_free, "CTRIA3,5,3,90,100,110", "CTRIA3,5,3,90,100,110,,,,,1", "a.bdf",
                   "a.bdf:22: the line has 11 fields"},
         WrongFile{"System", &nastran_free, "GRID,20,,1.", "GRID,20,8,1.", "a.bdf",
                   "a.bdf:6: there is no coordinate system 8"},
