@@ -52,15 +52,24 @@ class Fields:
         self._wall_edges = own["wall_edges"][:] if "wall_edges" in own else np.zeros((len(self.walls), 6))
         self._moving = own["moving_walls"][:] if "moving_walls" in own else np.empty((0, 6))
         self._moving_edges = own["moving_wall_edges"][:] if "moving_wall_edges" in own else np.zeros((len(self._moving), 6))
-        self._wall_displacements = own["wall_displacements"][:count] if len(self._moving) else np.empty((count, 0))
+        self._round, self._moving_round = (own[name][:] if name in own else np.empty((0, 11))
+                                           for name in ("round_walls", "moving_round_walls"))
+        self._wall_displacements = own["wall_displacements"][:count] if "wall_displacements" in own else np.empty((count, 0))
 
     def walls_at(self, frame):
-        """[(point, normal, edges)] of all rigid walls at the time of a frame, those that move last. edges: two vectors from the
+        """[(point, normal, edges)] of all rigid planes at the time of a frame, those that move last. edges: two vectors from the
         point, which is a corner then; None of a wall that does not end."""
         planes, edges = np.concatenate([self.walls, self._moving]), np.concatenate([self._wall_edges, self._moving_edges])
-        moved = np.concatenate([np.zeros(len(self.walls)), self._wall_displacements[frame]])
+        moved = np.concatenate([np.zeros(len(self.walls)), self._wall_displacements[frame][: len(self._moving)]])
         return [(plane[:3] + by * plane[3:], plane[3:], vectors.reshape(2, 3) if vectors.any() else None)
                 for plane, vectors, by in zip(planes, edges, moved)]
+
+    def round_walls_at(self, frame):
+        """[(point, axis, radius, length)] of all rigid cylinders and spheres at the time of a frame, those that move last. The point
+        is an end of the axis, or the centre. axis: a unit vector; None of a sphere. length: None of a cylinder without ends."""
+        moved = np.concatenate([np.zeros(len(self._round)), self._wall_displacements[frame][len(self._moving) :]])
+        return [(wall[:3] + by * wall[8:], wall[3:6] if wall[3:6].any() else None, wall[6], wall[7] or None)
+                for wall, by in zip(np.concatenate([self._round, self._moving_round]), moved)]
 
     @property
     def element_ids(self):

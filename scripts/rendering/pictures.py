@@ -11,7 +11,7 @@ from PIL import Image
 from . import colors
 from .camera import place_camera, sample_positions
 from .coloring import Coloring
-from .plates import span_wall
+from .plates import span_walls
 from .scene import Scene, Surface
 from .selection import BadChoice, choose_elements
 from .skin import Skin
@@ -73,9 +73,9 @@ class Walls:
         self._fields, self._points, self._camera = fields, points, camera
 
     def span(self, frame):
-        """[(corners, whether it is seen from behind)] of each at the time of a frame."""
-        return [(span_wall(point, normal, edges, self._points), (self._camera - point) @ normal < 0)
-                for point, normal, edges in self._fields.walls_at(frame)]
+        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame."""
+        return [(plates, plane is not None and (self._camera - plane[0]) @ plane[1] < 0)
+                for plates, plane in span_walls(self._fields, frame, self._points)]
 
 
 class NoWalls:
@@ -96,7 +96,7 @@ def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 
     position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
     walls = NoWalls() if arguments.no_walls else Walls(fields, points, position)
     scene.place_walls(walls.span(frames[0]))
-    ends = [corners for frame in {frames[0], frames[-1]} for corners, _ in walls.span(frame)]
+    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame)]
     scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
     if not arguments.fast:
         start = fields.positions(0)

@@ -1,24 +1,59 @@
-"""Where rigid walls are drawn: each a plate in the plane of the wall, as large as it is, or under and a little around the bodies."""
+"""Where rigid walls are drawn, as plates of four corners: a plane as one, as large as it is, or under and a little around the
+bodies; a cylinder or a sphere as many."""
 
 import numpy as np
 
 MARGIN = 0.08  # of the plate around the bodies, as a share of the size of the scene
 GAP = 5e-4     # by which the plate lies behind the wall, likewise: faces that lie on the wall are seen
+AROUND = 96    # plates around a cylinder or a sphere
+
+
+def span_walls(fields, frame, points):
+    """[(plates [k][4][3], plane)] of all walls at the time of a frame. plane: its point and normal; None of a round wall."""
+    return [(span_wall(*wall, points)[np.newaxis], wall[:2]) for wall in fields.walls_at(frame)] + [
+        (span_round_wall(*wall, points), None) for wall in fields.round_walls_at(frame)]
 
 
 def span_wall(point, normal, edges, points):
     """Four corners of a plate in the wall's plane: of its rectangle, or under all points [n][3], as seen along the normal."""
-    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    size = find_size(points)
     if edges is not None:
         corner = point - GAP * size * normal
         return np.array([corner, corner + edges[0], corner + edges[0] + edges[1], corner + edges[1]])
-    first = np.eye(3)[np.argmin(np.abs(normal))]
-    first = first - (first @ normal) * normal
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
+    first, second = find_axes(normal)
     along, across = points @ first, points @ second
     a = along.min() - MARGIN * size, along.max() + MARGIN * size
     b = across.min() - MARGIN * size, across.max() + MARGIN * size
     height = point @ normal - GAP * size
     return np.array([height * normal + u * first + v * second for u, v in
                      ((a[0], b[0]), (a[1], b[0]), (a[1], b[1]), (a[0], b[1]))])
+
+
+def span_round_wall(point, axis, radius, length, points):
+    """Plates [k][4][3] around a cylinder, which are as long as it is or as the bodies beside it, or on a sphere (axis: None)."""
+    size = find_size(points)
+    pole = np.array([0.0, 0.0, 1.0]) if axis is None else axis
+    first, second = find_axes(pole)
+    turns = np.linspace(0, 2 * np.pi, AROUND + 1)
+    circle = np.cos(turns)[:, np.newaxis] * first + np.sin(turns)[:, np.newaxis] * second
+    drawn = max(radius - GAP * size, 0.5 * radius)
+    if axis is None:
+        angles = np.linspace(0, np.pi, AROUND // 2 + 1)
+        rings = [point + drawn * (np.sin(angle) * circle + np.cos(angle) * pole) for angle in angles]
+    else:
+        along = (points - point) @ axis
+        ends = (0, length) if length else (along.min() - MARGIN * size, along.max() + MARGIN * size)
+        rings = [point + end * axis + drawn * circle for end in ends]
+    return np.concatenate([np.stack([low[:-1], low[1:], high[1:], high[:-1]], axis=1) for low, high in zip(rings, rings[1:])])
+
+
+def find_size(points):
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def find_axes(normal):
+    """Two unit vectors that are perpendicular to a unit vector and to each other."""
+    first = np.eye(3)[np.argmin(np.abs(normal))]
+    first = first - (first @ normal) * normal
+    first /= np.linalg.norm(first)
+    return first, np.cross(normal, first)

@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from .camera import narrow_view
 from .colors import rgb
-from .walls import WallPlate
+from .walls import WallPlates
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
@@ -125,13 +125,14 @@ class Scene:
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
 
-    def place_walls(self, plates):
-        """plates: [(corners, whether it is seen from behind)], as many at every call; where they are from now on."""
-        while len(self._walls) < len(plates):
-            self._walls.append(WallPlate(0.6 * self.scale))
+    def place_walls(self, walls):
+        """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now on. The
+        edges of a wall of one plate are drawn."""
+        for plates, _ in walls[len(self._walls) :]:
+            self._walls.append(WallPlates(0.6 * self.scale, len(plates) == 1))
             self.renderer.AddActor(self._walls[-1].actor)
-        for wall, plate in zip(self._walls, plates):
-            wall.place(*plate)
+        for wall, place in zip(self._walls, walls):
+            wall.place(*place)
 
     def look(self, position, target, up, zoom, sample):
         """sample: points [n][3] of all that is drawn."""

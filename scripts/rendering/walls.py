@@ -12,34 +12,36 @@ FRONT, EDGE = rgb("#dfe3e6"), rgb("#9aa1a8")
 SEEN_FROM_BEHIND = 0.25  # opacity then: what lives in front of the wall is seen through it
 
 
-class WallPlate:
-    """A plate that may move from frame to frame; `actor` draws it."""
+class WallPlates:
+    """The plates of a wall, which may move from frame to frame; `actor` draws them. has_edges: whether their edges are drawn."""
 
-    def __init__(self, line_width):
-        self._points, cells, self._mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
-        cells.InsertNextCell(4)
-        for corner in range(4):
-            cells.InsertCellPoint(corner)
+    def __init__(self, line_width, has_edges):
+        self._points, self._cells, self._mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
         self._mesh.SetPoints(self._points)
-        self._mesh.SetPolys(cells)
+        self._mesh.SetPolys(self._cells)
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(self._mesh)
         mapper.ScalarVisibilityOff()
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)
-        _color(self.actor.GetProperty(), line_width)
+        _color(self.actor.GetProperty(), line_width, has_edges)
 
-    def place(self, corners, seen_from_behind):
-        """corners: [4][3]."""
-        self._points.SetData(numpy_to_vtk(np.ascontiguousarray(corners), deep=1))
+    def place(self, plates, seen_from_behind):
+        """plates: [k][4][3], as many at every call."""
+        corners = np.ascontiguousarray(np.reshape(plates, (-1, 3)))
+        self._points.SetData(numpy_to_vtk(corners, deep=1))
+        for first in range(0, 0 if self._cells.GetNumberOfCells() else len(corners), 4):
+            self._cells.InsertNextCell(4)
+            for corner in range(first, first + 4):
+                self._cells.InsertCellPoint(corner)
         self._mesh.Modified()
         self.actor.GetProperty().SetOpacity(SEEN_FROM_BEHIND if seen_from_behind else 1)
 
 
-def _color(look, line_width):
+def _color(look, line_width, has_edges):
     look.SetColor(*FRONT)
     look.SetAmbient(0.45)
     look.SetDiffuse(0.6)
-    look.EdgeVisibilityOn()
+    look.SetEdgeVisibility(has_edges)
     look.SetEdgeColor(*EDGE)
     look.SetLineWidth(line_width)

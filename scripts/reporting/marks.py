@@ -33,7 +33,7 @@ class Layer:
 
 
 def make_layers(scene, fields, plates):
-    """All layers of a scene. scene: of `percuss check --json`; fields: its first frame; plates [walls][4][3]."""
+    """All layers of a scene. scene: of `percuss check --json`; fields: its first frame; plates [k][4][3] of walls."""
     places = fields.positions(0)
     layers = []
     if (arrows := find_arrows(fields, places)) is not None:

@@ -44,12 +44,9 @@ class Preview:
         return self.units.name_of(quantity) if self.units else ""
 
     def _span_walls(self):
-        if not self.fields.walls_at(0):
-            return []
-        from rendering.plates import span_wall
+        from rendering.plates import span_walls
 
-        points = self.fields.positions(0)
-        return [span_wall(*wall, points) for wall in self.fields.walls_at(0)]
+        return [plate for plates, _ in span_walls(self.fields, 0, self.fields.positions(0)) for plate in plates]
 
     def make_page(self):
         title = "Before the run: " + (self.scene["title"] or os.path.basename(self.trial.deck))
@@ -162,10 +159,10 @@ class Preview:
             swatch = Markup(f"<i class=swatch style='background:{color_of(item['what'])}'></i>{escape(item['key'])}")
             rows.append((swatch, item["what"], item["where"], f"{item['count']:,}", item["place"]))
         text = make_table(("key", "what", "set", "nodes", "place"), rows, (3,)) if rows else ""
-        walls = [(wall["name"] or f"walls.{number}", wall["shape"], format_number(wall["point"]), format_number(wall["normal"]),
+        walls = [(wall["name"] or f"walls.{number}", wall["shape"], format_number(wall["point"]), _describe_wall(wall),
                   format_number(wall["friction"]), wall["place"]) for number, wall in enumerate(self.scene["walls"])]
         if walls:
-            text += "<h3>Rigid walls</h3>" + make_table(("wall", "shape", "point", "normal", "friction", "place"), walls)
+            text += "<h3>Rigid walls</h3>" + make_table(("wall", "shape", "point", "form", "friction", "place"), walls)
         return text or "<p class=soft>The deck has no set, condition, load or wall.</p>"
 
     def _make_contact(self):
@@ -262,3 +259,13 @@ def draw_pictures(fields, layers):
                 image.convert("RGB").save(stream, "JPEG", quality=QUALITY, optimize=True)
             found.append(base64.b64encode(stream.getvalue()).decode("ascii"))
         return found
+
+
+def _describe_wall(wall):
+    if wall["shape"] == "plane":
+        return f"normal {format_number(wall['normal'])}"
+    text = f"radius {format_number(wall['radius'])}"
+    if wall["shape"] == "cylinder":
+        text += f", axis {format_number(wall['axis'])}"
+        text += ", without ends" if wall["length"] is None else f", length {format_number(wall['length'])}"
+    return text

@@ -81,6 +81,7 @@ std::vector<Warning> check_symmetry_planes(const CheckedScene& scene);
 std::vector<Warning> check_damping_size(const CheckedScene& scene);
 std::vector<Warning> check_idle_forces(const CheckedScene& scene);
 std::vector<Warning> check_wall_place(const CheckedScene& scene);
+std::vector<Warning> check_wall_radius(const CheckedScene& scene);
 std::vector<Warning> check_spring_length(const CheckedScene& scene);
 
 // Who moves and who meets whom (motion_rules.cpp)
@@ -94,6 +95,7 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene);
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene);
 std::vector<Warning> check_penalty_speed(const CheckedScene& scene);
 std::vector<Warning> check_behind_wall(const CheckedScene& scene);
+std::vector<Warning> check_inside_wall(const CheckedScene& scene);
 std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);

@@ -8,7 +8,9 @@
 
 #include "src/error.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/src/mesh/files/nastran_samples.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
+#include "tests/src/mesh/files/vtu_samples.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss::fuzz {
@@ -56,15 +58,64 @@ std::vector<std::string> make_seeds() {
           abaqus_input,
           gmsh_of_ten,
           keyword_of_ten,
-          keyword_deck + "*INCLUDE\nmesh.k\n"};
+          keyword_deck + "*INCLUDE\nmesh.k\n",
+          nastran_short,
+          nastran_long,
+          nastran_free,
+          nastran_of_ten,
+          nastran_free + "INCLUDE 'mesh.k'\n",
+          make_vtu({}),
+          make_vtu({VtuForm::base64, true, false}),
+          make_vtu({VtuForm::appended_base64, false, true}),
+          make_vtu({VtuForm::appended_raw, true, true})};
 }
 
 std::vector<std::string> make_words() {
-  return {"$MeshFormat",    "$Nodes",    "$EndNodes",      "$Elements",    "$Entities",
-          "$PhysicalNames", "*KEYWORD",  "*NODE",          "*INCLUDE",     "*PART",
-          "*SET_NODE",      "_GENERATE", "_TITLE",         "*SET_SEGMENT", "*END",
-          "*ELEMENT_SOLID", "LONG=Y",    "*ELEMENT_SHELL", "I10=Y",        "*HEADING",
-          "*SURFACE",       "*ELSET",    "*INSTANCE",      "SPOS",         "\xff\xff\xff\xff"};
+  return {"$MeshFormat",
+          "$Nodes",
+          "$EndNodes",
+          "$Elements",
+          "$Entities",
+          "$PhysicalNames",
+          "*KEYWORD",
+          "*NODE",
+          "*INCLUDE",
+          "*PART",
+          "*SET_NODE",
+          "_GENERATE",
+          "_TITLE",
+          "*SET_SEGMENT",
+          "*END",
+          "*ELEMENT_SOLID",
+          "LONG=Y",
+          "*ELEMENT_SHELL",
+          "I10=Y",
+          "*HEADING",
+          "*SURFACE",
+          "*ELSET",
+          "*INSTANCE",
+          "SPOS",
+          "\xff\xff\xff\xff",
+          "BEGIN BULK\n",
+          "\nGRID*",
+          "\nCHEXA",
+          "\nSET1",
+          "THRU",
+          "\nCORD2S",
+          "\n+",
+          "\n*",
+          ",",
+          "EXCEPT",
+          "\nINCLUDE 'mesh.k'\n",
+          "$HMSET",
+          "<VTKFile ",
+          "<DataArray ",
+          "</Piece>",
+          "format=\"appended\" ",
+          "offset=\"9\" ",
+          "<AppendedData encoding=\"raw\">_",
+          "<!--",
+          "&quot;"};
 }
 
 }  // namespace percuss::fuzz

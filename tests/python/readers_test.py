@@ -70,6 +70,24 @@ class OfARun(unittest.TestCase):
             np.testing.assert_array_equal(lid[1], [0, 0, -1])
             np.testing.assert_allclose(lid[2], [[0.04, 0, 0], [0, -0.05, 0]], atol=1e-15)
 
+    def test_cylinders_and_spheres_are_where_they_are_at_the_time_of_a_frame(self):
+        walls = "[{name: ball, point: [0, 0, 0.2], sphere: {radius: 0.01}, direction: -z, speed: 20}, " \
+                "{point: [0, 0, -0.02], cylinder: {axis: y, radius: 0.01, length: 0.03}}, " \
+                "{name: lid, point: [0, 0, 0.3], normal: -z, speed: 30}, {point: [0, 0, -0.1], cylinder: {axis: x, radius: 0.02}}]"
+        run = percuss.read(sample_run.run(PERCUSS, make_folder(self), "--set", f"walls={walls}"))
+        moved = {name: np.interp(run.fields.times, run.history["time"], run.history[f"wall_displacement:{name}"])
+                 for name in ("ball", "lid")}
+        for frame in range(len(run.fields.times)):
+            pole, endless, ball = run.fields.round_walls_at(frame)
+            np.testing.assert_array_equal(pole[0], [0, 0, -0.02])
+            np.testing.assert_array_equal(pole[1], [0, 1, 0])
+            self.assertEqual(pole[2:], (0.01, 0.03))
+            self.assertEqual(endless[2:], (0.02, None))
+            np.testing.assert_allclose(ball[0], [0, 0, 0.2 - moved["ball"][frame]], atol=1e-9)
+            self.assertIsNone(ball[1])
+            np.testing.assert_allclose(run.fields.walls_at(frame)[0][0], [0, 0, 0.3 - moved["lid"][frame]], atol=1e-9)
+        self.assertGreater(moved["ball"][-1], 0.9 * 20 * run.fields.times[-1])
+
     def test_every_column_has_a_dimension_and_its_unit(self):
         history = percuss.read(self.out).history
         self.assertEqual([name for name in history if history.dimension(name) is None], [])

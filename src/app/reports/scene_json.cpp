@@ -205,6 +205,12 @@ Json describe(const StartOverlap& overlap, const Mesh& mesh, const Deck& deck) {
 Json list_walls(const Deck& deck) {
   Json list = Json::array();
   for (const WallDeck& wall : deck.walls) {
+    Json round = Json::object();  // what planes have not
+    if (wall.cylinder)
+      round = {{"axis", wall.cylinder->axis},
+               {"radius", wall.cylinder->radius},
+               {"length", wall.cylinder->length ? Json(*wall.cylinder->length) : Json()}};
+    if (wall.sphere) round = {{"radius", wall.sphere->radius}};
     list.push_back({{"name", wall.name},
                     {"shape", wall.cylinder ? "cylinder"
                               : wall.sphere ? "sphere"
@@ -213,6 +219,7 @@ Json list_walls(const Deck& deck) {
                     {"normal", wall.normal},
                     {"friction", wall.friction},
                     {"place", deck.where(wall.place)}});
+    list.back().update(round);
   }
   return list;
 }

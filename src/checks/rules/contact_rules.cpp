@@ -118,6 +118,19 @@ std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_inside_wall(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const PartOverlap& overlap : scene.overlap->lost) {
+    warnings.push_back(
+        warn_at(scene.deck, "inside_wall", join_path("walls", static_cast<std::size_t>(-1 - overlap.other)),
+                fmt::format("{} nodes of part '{}' begin inside this cylinder, up to {:.3g} deep (a cylinder with an "
+                            "end lets pass what is deeper in it than half an element edge): move the part or the "
+                            "wall, or leave out length",
+                            overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_friction(const CheckedScene& scene) {
   constexpr double most = 2;  // rubber on a rough road has 1.5
   std::vector<Warning> warnings;

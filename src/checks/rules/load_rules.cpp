@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "src/checks/rules.hpp"
@@ -188,6 +189,34 @@ std::vector<Warning> check_wall_place(const CheckedScene& scene) {
                                fmt::format("this wall is {:.3g} away from all parts ({:.3g} times the size of the "
                                            "scene): check its place and its unit",
                                            distance, distance / size)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_wall_radius(const CheckedScene& scene) {
+  constexpr double least = 2;  // element edges
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    const WallDeck& wall = deck.walls[w];
+    if (!wall.is_round()) continue;
+    std::size_t nearest = 0;  // part
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+      const PartMeasures& part = scene.measures->parts[p];
+      const double own = find_distance(wall, part.low, part.high);
+      if (part.elements() == 0 || own >= distance) continue;
+      nearest = p;
+      distance = own;
+    }
+    const double radius = wall.cylinder ? wall.cylinder->radius : wall.sphere->radius;
+    const PartMeasures& part = scene.measures->parts[nearest];
+    if (radius >= least * part.shortest_edge || distance > part.extent()) continue;
+    warnings.push_back(warn_at(
+        deck, "wall_radius", join_path("walls", w) + (wall.cylinder ? ".cylinder.radius" : ".sphere.radius"),
+        fmt::format("the radius is {:.3g} times the shortest element edge of part '{}' (walls stop nodes, so that this "
+                    "one may slip between them): use elements of at most half the radius",
+                    radius / part.shortest_edge, deck.parts[nearest].name)));
   }
   return warnings;
 }

@@ -67,6 +67,16 @@ struct HostWalls {
     return is_beside(w, at, depth, size(p)) ? std::min(depth, 0.0) : depth;
   }
 
+  /// Whether the node is in a cylinder that ends, too deep to be pushed out.
+  bool is_lost(int p) const {
+    const ContactWall& w = walls(wall(p));
+    if (w.shape != WallShape::cylinder || !(w.size[0] > 0)) return false;
+    const Point3 at = load_row(x, node(p));
+    const double along = dot(w.along, at - w.point);
+    return along >= 0 && along <= w.size[0] && is_beside(w, at, -find_wall_height(w, at), size(p));
+  }
+  double depth_inside(int p) const { return -find_wall_height(walls(wall(p)), load_row(x, node(p))); }
+
   decltype(to_host(WallPairs().walls)) walls;
   decltype(to_host(WallPairs().wall)) wall, node, part;
   decltype(to_host(WallPairs().number)) number;
@@ -117,6 +127,9 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
   std::vector<PartOverlap> all;
   for (const PartOverlap& parts : gather_items(ranks, found.parts)) add(parts, all);
   found.parts = std::move(all);
+  all.clear();
+  for (const PartOverlap& parts : gather_items(ranks, found.lost)) add(parts, all);
+  found.lost = std::move(all);
   found.nodes = counts[0];
   found.too_deep = counts[1];
   found.edge_pairs = counts[2];
@@ -143,6 +156,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   const HostWalls host(search.walls, motion.x);
   const int first = contact_limits::max_touches * search.share.nodes.count();
   for (int p = 0; p < host.count(); ++p) {
+    if (host.is_lost(p)) add({host.part(p), -1 - host.wall(p), 1, host.depth_inside(p)}, found.lost);
     if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
     note(found, host.number(p), {host.part(p), -1 - host.wall(p), 1, host.depth(p)}, true);
     reference(first + p) = accept ? host.depth(p) : 0;

@@ -22,6 +22,7 @@ struct StartOverlap {
   double deepest = 0;                // [length]
   std::int64_t deepest_node = -1;    // number of the node, lowest of equals
   std::vector<PartOverlap> parts;    // by (part, other)
+  std::vector<PartOverlap> lost;     // likewise, of nodes in a cylinder that ends, too deep for it to stop them
   std::int64_t edge_pairs = 0;       // pairs of edges inside one another
   double deepest_edges = 0;          // [length]
   std::vector<PartGap> gaps;         // of parts within reach of each other

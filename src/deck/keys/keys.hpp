@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "src/deck/keys/values.hpp"
+#include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {
 
@@ -82,12 +83,14 @@ struct OtherKeys {
 void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others);
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes);
 
-/// Reads a map by its table: unknown keys get a hint, missing ones an error. Returns whether all went well.
+/// Reads a map by its table: unknown keys get a hint, missing ones an error, unless a hint names them. Returns whether
+/// all went well.
 template <class Owner>
 bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out,
                const OtherKeys& others = {}) {
   std::vector<std::string> known = others.names;
   for (const Key<Owner>& key : keys) known.push_back(key.name);
+  std::vector<std::string> hinted;  // what unknown keys are probably meant to be
   bool good = true;
   for (const Entry& entry : node.entries) {
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<Owner>& k) { return k.name == entry.name; });
@@ -95,13 +98,15 @@ bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, 
       good = !entry.value.broken && key->read(reader, entry.value, out) && good;
     } else if (std::find(others.names.begin(), others.names.end(), entry.name) == others.names.end()) {
       refuse_key(reader, entry, known, others);
+      hinted.push_back(nearest_name(entry.name, known));
       good = false;
     }
   }
   for (const Key<Owner>& key : keys) {
     if (!key.required || node.find(key.name) != nullptr) continue;
-    refuse_missing(reader, node, key.name, key.takes);
     good = false;
+    if (std::find(hinted.begin(), hinted.end(), key.name) == hinted.end())
+      refuse_missing(reader, node, key.name, key.takes);
   }
   return good;
 }

@@ -84,7 +84,14 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
 }
 
 /// Rotations are held of nodes of shells, of beams and of rigid bodies only.
-void check_rotations(const Deck& deck, Reading& reading) {
+void check_rotations(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* parts = root.find("parts");
+  const auto is_meant_to_turn = [&](const PartDeck& part) {  // but its section or its thickness is wrong
+    const Node* node = parts == nullptr ? nullptr : parts->find(part.name);
+    return node != nullptr && ((node->find("section") != nullptr && !part.section) ||
+                               (node->find("thickness") != nullptr && !part.has_thickness()));
+  };
+  if (std::any_of(deck.parts.begin(), deck.parts.end(), is_meant_to_turn)) return;
   const auto may_turn = [](const PartDeck& part) {
     return part.has_thickness() || part.rigid || (part.section && bends(*part.section)) ||
            std::holds_alternative<FileMesh>(part.shape);
@@ -273,7 +280,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_materials(deck, root, reading);
   check_selectors(deck, reading);
   check_size(deck, root, reading);
-  check_rotations(deck, reading);
+  check_rotations(deck, root, reading);
   check_step_estimate(deck, root, reading);
   check_running_masses(deck, root, reading);
   check_rigid(deck, root, reading);
@@ -286,7 +293,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_walls(deck, root, reading);
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
-  check_forces(deck, reading);
+  check_forces(deck, root, reading);
 }
 
 }  // namespace percuss

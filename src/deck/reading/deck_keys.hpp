@@ -86,7 +86,7 @@ struct ForceValue {
 };
 
 /// Names of forces and of the walls that they name.
-void check_forces(const Deck& deck, Reading& reading);
+void check_forces(const Deck& deck, const Node& root, Reading& reading);
 
 MapValue<AuditDeck> audit_value();
 

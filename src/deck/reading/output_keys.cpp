@@ -292,7 +292,7 @@ bool ForceValue::read(const Reader& reader, const std::string& name, const Node&
     given.emplace_back(kind.key);
     out.kind = kind.kind;
   }
-  if (given.size() == 1) return good;
+  if (given.size() == 1 || (given.empty() && !good)) return good;  // a wrong key may have been meant to be the kind
   const std::string what = given.empty() ? "no kind of force" : fmt::format("{}", fmt::join(given, " and "));
   reader.error(node.spot, fmt::format("{} has {} (must have exactly one of {})", name, what, fmt::join(known, ", ")));
   return false;
@@ -304,7 +304,22 @@ Form ForceValue::form() const {
   return form;
 }
 
-void check_forces(const Deck& deck, Reading& reading) {
+namespace {
+
+/// Names of walls that are wrong too, whose messages tell already why no force can be theirs.
+std::set<std::string> list_given_walls(const Node& root) {
+  std::set<std::string> names;
+  const Node* walls = root.find("walls");
+  if (walls == nullptr) return names;
+  for (const Node& wall : walls->items)
+    if (const Node* name = wall.find("name")) names.insert(name->text);
+  return names;
+}
+
+}  // namespace
+
+void check_forces(const Deck& deck, const Node& root, Reading& reading) {
+  const std::set<std::string> given = list_given_walls(root);
   std::vector<std::string> walls;
   for (const WallDeck& wall : deck.walls) {
     if (wall.name.empty()) continue;
@@ -318,7 +333,7 @@ void check_forces(const Deck& deck, Reading& reading) {
     const Spot spot{force.place, -1};
     if (!names.insert(force.name).second)
       reading.errors.add(spot, fmt::format("name '{}' is given twice in output.history.forces", force.name));
-    if (force.kind == ForceDeck::Kind::wall && std::find(walls.begin(), walls.end(), force.wall) == walls.end())
+    if (force.kind == ForceDeck::Kind::wall && !given.contains(force.wall))
       reading.errors.add(spot, fmt::format("force '{}' is of the wall {} (no wall has this name){}", force.name,
                                            quote(force.wall), name_hint(force.wall, walls)));
     if (force.is_of_contact()) ++contacts;

@@ -47,6 +47,20 @@ void TextBuilder::set_thickness(int block, double thickness) {
   of.thicknesses.back() = thickness;
 }
 
+void TextBuilder::set_thickness(int block, std::size_t element, double thickness) {
+  Block& of = blocks_[static_cast<std::size_t>(block)];
+  of.thicknesses.resize(of.ids.size(), 0);
+  of.thicknesses[element] = thickness;
+}
+
+void TextBuilder::fill_thickness(std::int64_t id, double thickness) {
+  for (Block& block : blocks_) {
+    if (block.head.id != id || !block.head.topology || !find_topology(*block.head.topology).is_surface()) continue;
+    block.thicknesses.resize(block.ids.size(), 0);
+    std::replace(block.thicknesses.begin(), block.thicknesses.end(), 0.0, thickness);
+  }
+}
+
 void TextBuilder::add_node_thickness(std::int64_t node, double thickness, TextPlace place) {
   node_thicknesses_.push_back({{{Member::What::one, node, 0, 1, {}, {}, place}}, thickness});
 }

@@ -70,6 +70,10 @@ class TextBuilder {
 
   /// Of the last element of a block [length].
   void set_thickness(int block, double thickness);
+  /// Of an element by its place in the block.
+  void set_thickness(int block, std::size_t element, double thickness);
+  /// Of the shells of all blocks with this id that have none yet [length].
+  void fill_thickness(std::int64_t id, double thickness);
   /// Of a node, or of all nodes of a set; a later one counts.
   void add_node_thickness(std::int64_t node, double thickness, TextPlace place);
   void add_node_thickness_of(const std::string& set, double thickness, TextPlace place);

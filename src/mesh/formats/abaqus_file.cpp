@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "src/mesh/files/passed_over.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/abaqus_lines.hpp"
@@ -61,7 +62,7 @@ class AbaqusReader {
 
   std::unique_ptr<MeshFile> read() {
     while (lines_.next_keyword()) read_keyword(lines_.keyword());
-    if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
+    if (!passed_over_.empty()) builder_.add_note(describe_passed_over(passed_over_, "*"));
     return std::make_unique<TextMesh>(builder_.finish(list_abaqus_kinds()));
   }
 
@@ -84,19 +85,6 @@ class AbaqusReader {
     for (const char* word : {"HEADING", "PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "END INSTANCE", "PREPRINT"})
       if (keyword == word) return;
     passed_over_.insert(keyword);
-  }
-
-  std::string describe_passed_over() const {
-    constexpr std::size_t most = 12;
-    std::string text;
-    std::size_t count = 0;
-    for (const std::string& keyword : passed_over_) {
-      if (++count > most) break;
-      const std::string quoted = quote_field(keyword);
-      text += (text.empty() ? "*" : ", *") + quoted.substr(1, quoted.size() - 2);
-    }
-    if (passed_over_.size() > most) text += fmt::format(" and {} more", passed_over_.size() - most);
-    return text + " of the file are not read (the mesh alone is)";
   }
 
   /// One with its part where the part stands.

@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "src/mesh/files/included_file.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr std::size_t most_open = 20, most_included = 10000;
 
 bool holds_word(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
 
 }  // namespace
 
 void KeywordCards::open(const std::string& path) {
-  if (files_.empty()) folder_ = std::filesystem::absolute(path).parent_path().string();
+  if (files_.empty()) folder_ = find_folder(path);
   files_.push_back({TextSource(path, names_), CardFormat::standard});
 }
 
@@ -33,18 +31,11 @@ void KeywordCards::include(const std::vector<std::string>& names) {
 }
 
 void KeywordCards::include(const std::string& name) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(fs::path(folder_) / name, error);
-  const fs::path inside = path.lexically_relative(fs::weakly_canonical(folder_, error));
-  if (name.empty() || error || inside.empty() || *inside.begin() == "..")
-    refuse(fmt::format("{} is not read (included files lie in the folder of the first file, or below)",
-                       quote_field(name)));
-  if (!fs::is_regular_file(path, error)) refuse(fmt::format("there is no file {}", quote_field(name)));
-  if (files_.size() >= most_open || included_.size() >= most_included)
+  const std::string path = find_included_file(folder_, name, names_, place_);
+  if (files_.size() >= most_open_files || included_.size() >= most_included_files)
     refuse("files include each other too deeply, or without end");
-  included_.push_back(path.string());
-  open(path.string());
+  included_.push_back(path);
+  open(path);
 }
 
 bool KeywordCards::read_line(bool may_leave_file) {

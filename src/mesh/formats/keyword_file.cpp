@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "src/mesh/files/passed_over.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/keyword_cards.hpp"
@@ -51,7 +52,7 @@ class KeywordReader {
   std::unique_ptr<MeshFile> read() {
     while (cards_.next_keyword()) read_keyword(cards_.keyword());
     for (const auto& [id, title] : titles_) builder_.rename_blocks(id, title);
-    if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
+    if (!passed_over_.empty()) builder_.add_note(describe_passed_over(passed_over_, "*"));
     return std::make_unique<TextMesh>(
         builder_.finish("hexahedra, wedges, pyramids and tetrahedra of four or ten nodes, shells of three and four "
                         "nodes, beams of two nodes"));
@@ -79,18 +80,6 @@ class KeywordReader {
           "ELEMENT_BEAM_", "ELEMENT_GENERATE", "DEFINE_TRANSFORMATION", "--BEGIN", "-----BEGIN"}) {
       if (keyword.starts_with(word)) cards_.refuse(fmt::format("*{} is not read (it changes the mesh)", keyword));
     }
-  }
-
-  std::string describe_passed_over() const {
-    constexpr std::size_t most = 12;
-    std::string text;
-    std::size_t count = 0;
-    for (const std::string& keyword : passed_over_) {
-      if (++count > most) break;
-      text += (text.empty() ? "*" : ", *") + std::string(quote_field(keyword), 1, quote_field(keyword).size() - 2);
-    }
-    if (passed_over_.size() > most) text += fmt::format(" and {} more", passed_over_.size() - most);
-    return text + " of the file are not read (the mesh alone is)";
   }
 
   void read_nodes() {

@@ -15,6 +15,8 @@
 #include "src/mesh/formats/abaqus_file.hpp"
 #include "src/mesh/formats/gmsh_file.hpp"
 #include "src/mesh/formats/keyword_file.hpp"
+#include "src/mesh/formats/nastran/nastran_file.hpp"
+#include "src/mesh/formats/vtu/vtu_file.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -62,6 +64,8 @@ std::span<const MeshReader> mesh_readers() {
       {"Gmsh", {".msh"}, false, is_gmsh, open_gmsh_file},
       {"LS-DYNA keyword", {".k", ".key", ".dyn"}, false, is_keyword_file, open_keyword_file},
       {"Abaqus", {".inp"}, false, is_abaqus_file, open_abaqus_file},
+      {"Nastran", {".bdf", ".nas", ".dat", ".fem"}, false, is_nastran_file, open_nastran_file},
+      {"VTK", {".vtu"}, false, is_vtu_file, open_vtu_file},
   };
   return readers;
 }

@@ -25,6 +25,7 @@ inline constexpr Topology hex8_topology{
     .exodus_names = {"HEX"},
     .exodus_sides = {0, 1, 2, 3, 4, 5},
     .abaqus_names = {"C3D8", "C3D8R"},
+    .nastran_names = {"CHEXA"},
 };
 
 }  // namespace percuss

@@ -21,6 +21,7 @@ inline constexpr Topology line2_topology{
     .xdmf_name = "Polyline",
     .exodus_names = {"BEAM", "BAR", "TRUSS", "ROD"},
     .abaqus_names = {"B31", "T3D2"},
+    .nastran_names = {"CBAR", "CBEAM", "CROD", "CTUBE"},
 };
 
 }  // namespace percuss

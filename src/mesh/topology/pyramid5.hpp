@@ -28,6 +28,7 @@ inline constexpr Topology pyramid5_topology{
     .exodus_names = {"PYR"},
     .exodus_sides = {0, 1, 2, 3, 4},
     .abaqus_names = {"C3D5"},
+    .nastran_names = {"CPYRAM", "CPYRA"},
 };
 
 }  // namespace percuss

@@ -27,6 +27,7 @@ inline constexpr Topology quad4_topology{
     .exodus_names = {"SHELL", "QUAD"},
     .exodus_sides = {top_face, bottom_face},
     .abaqus_names = {"S4", "S4R"},
+    .nastran_names = {"CQUAD4", "CQUADR"},
 };
 
 }  // namespace percuss

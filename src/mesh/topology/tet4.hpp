@@ -24,6 +24,7 @@ inline constexpr Topology tet4_topology{
     .exodus_names = {"TET"},
     .exodus_sides = {0, 1, 2, 3},
     .abaqus_names = {"C3D4"},
+    .nastran_names = {"CTETRA"},
 };
 
 }  // namespace percuss

@@ -56,9 +56,10 @@ struct Topology {
   std::array<int, most_corners> vtk_corners{0, 1, 2, 3, 4, 5, 6, 7};  // in the order of VTK and XDMF
   int xdmf_type = 0;                                                  // in a mixed topology of XDMF
   std::string_view xdmf_name;                                         // of a topology with this kind alone
-  std::array<std::string_view, 4> exodus_names{};  // beginnings of the names of its blocks; unused: empty
-  std::array<int, most_faces> exodus_sides{};      // face of the Exodus side with this number, less one
-  std::array<std::string_view, 2> abaqus_names{};  // element types with its corners; unused: empty
+  std::array<std::string_view, 4> exodus_names{};   // beginnings of the names of its blocks; unused: empty
+  std::array<int, most_faces> exodus_sides{};       // face of the Exodus side with this number, less one
+  std::array<std::string_view, 2> abaqus_names{};   // element types with its corners; unused: empty
+  std::array<std::string_view, 4> nastran_names{};  // entries of elements that begin with its corners; unused: empty
 
   constexpr std::span<const FaceCorners> faces() const {
     return {face_table.data(), static_cast<std::size_t>(face_count)};

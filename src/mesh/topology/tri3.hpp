@@ -24,6 +24,7 @@ inline constexpr Topology tri3_topology{
     .exodus_names = {"SHELL", "TRI"},
     .exodus_sides = {top_face, bottom_face},
     .abaqus_names = {"S3", "S3R"},
+    .nastran_names = {"CTRIA3", "CTRIAR"},
 };
 
 }  // namespace percuss

@@ -26,6 +26,7 @@ inline constexpr Topology wedge6_topology{
     .exodus_names = {"WEDGE"},
     .exodus_sides = {0, 1, 2, 3, 4},
     .abaqus_names = {"C3D6", "C3D6R"},
+    .nastran_names = {"CPENTA"},
 };
 
 }  // namespace percuss

@@ -72,8 +72,11 @@ std::string Description::describe_mesh() const {
   if (!units.empty()) text += fmt::format("units:   {}\n", units);
   text += fmt::format("mesh:    {} elements, {} nodes, {} part{} ({})\n", elements, nodes, parts.size(),
                       parts.size() == 1 ? "" : "s", fmt::join(parts, ", "));
-  if (check(H5Lexists(own.get(), "walls", H5P_DEFAULT), "look for walls") > 0)
-    text += fmt::format("walls:   {}\n", hdf5::read_shape(own.get(), "walls").rows);
+  std::uint64_t walls = 0;
+  for (const char* name : {"walls", "moving_walls", "round_walls", "moving_round_walls"})
+    if (check(H5Lexists(own.get(), name, H5P_DEFAULT), "look for walls") > 0)
+      walls += hdf5::read_shape(own.get(), name).rows;
+  if (walls > 0) text += fmt::format("walls:   {}\n", walls);
   return text;
 }
 

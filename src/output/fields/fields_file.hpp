@@ -45,7 +45,8 @@ class FieldsFile {
   /// those of the mesh) is added unless it is given. Throws SystemError (disk full) on all ranks alike; the frames
   /// before then stay readable, and the file takes no more. With several ranks a write that fails although there was
   /// room ends the program at once (exit code 4).
-  /// wall_displacements: of FieldsOptions::moving_walls, along their normals.
+  /// wall_displacements: of FieldsOptions::moving_walls along their normals, then of moving_round_walls along their
+  /// directions.
   void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields,
                    std::span<const double> wall_displacements = {});
 

@@ -122,9 +122,10 @@ void VtkhdfFile::write_scene(const Mesh& mesh) {
 }
 
 void VtkhdfFile::write_walls() {
-  const auto write = [&](const char* name, const std::vector<double>& rows) {
+  const auto write = [&](const char* name, const std::vector<double>& rows, int width = 6) {
     if (!rows.empty())
-      hdf5::write_rows_once(tables_.own.get(), name, file_.block_of_first_rank(rows.size() / 6), 6, rows);
+      hdf5::write_rows_once(tables_.own.get(), name,
+                            file_.block_of_first_rank(rows.size() / static_cast<std::size_t>(width)), width, rows);
   };
   const auto list_planes = [](const std::vector<WallPlane>& walls) {
     std::vector<double> rows;
@@ -145,6 +146,18 @@ void VtkhdfFile::write_walls() {
   write("wall_edges", list_edges(options_.walls));
   write("moving_walls", list_planes(options_.moving_walls));
   write("moving_wall_edges", list_edges(options_.moving_walls));
+  constexpr int round_width = 11;
+  const auto list_round = [](const std::vector<RoundWall>& walls) {
+    std::vector<double> rows;
+    for (const RoundWall& wall : walls) {
+      for (const Vec3& vector : {wall.point, wall.axis}) rows.insert(rows.end(), vector.begin(), vector.end());
+      rows.insert(rows.end(), {wall.radius, wall.length});
+      rows.insert(rows.end(), wall.direction.begin(), wall.direction.end());
+    }
+    return rows;
+  };
+  write("round_walls", list_round(options_.round_walls), round_width);
+  write("moving_round_walls", list_round(options_.moving_round_walls), round_width);
 }
 
 hsize_t VtkhdfFile::frame_bytes() const {

@@ -59,8 +59,8 @@ void VtkhdfTables::create_steps(hsize_t nodes, const FieldsOptions& options) {
   step_numbers.emplace(own.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
   points->note_unit(name_field_unit("Points", options.units));
   times->note_unit(name_field_unit("time", options.units));
-  if (!options.moving_walls.empty())
-    wall_displacements.emplace(own.get(), wall_table, hdf5::FrameTable::Shape{options.moving_walls.size()});
+  const std::size_t moving = options.moving_walls.size() + options.moving_round_walls.size();
+  if (moving > 0) wall_displacements.emplace(own.get(), wall_table, hdf5::FrameTable::Shape{moving});
   add_constants(
       [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });
 }

@@ -36,11 +36,20 @@ struct WallPlane {
   std::array<Vec3, 2> edges{};  // of a rectangle with the point as its corner; zeros: the wall does not end
 };
 
+/// A rigid cylinder or sphere; bodies live outside of it.
+struct RoundWall {
+  Vec3 point{};                   // an end of the axis, or the centre [length], at time 0
+  Vec3 axis{};                    // unit vector; zero of a sphere
+  double radius = 0, length = 0;  // [length]; length 0: a cylinder without ends
+  Vec3 direction{};               // of its motion: unit vector; zero of one that does not move
+};
+
 struct FieldsOptions {
   std::string title;  // of the deck
   std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
   FieldPrecision precision = FieldPrecision::float64;
-  std::vector<WallPlane> walls{}, moving_walls{};     // for pictures
+  std::vector<WallPlane> walls{}, moving_walls{};  // for pictures
+  std::vector<RoundWall> round_walls{}, moving_round_walls{};
   std::vector<std::string> node_sets{}, side_sets{};  // of the mesh, by their names there; for Exodus II
 };
 

@@ -44,21 +44,30 @@ WallPlane make_wall_plane(const WallDeck& wall) {
   return plane;
 }
 
-/// Walls that pictures show, among those that move.
+RoundWall make_round_wall(const WallDeck& wall) {
+  RoundWall made{wall.point, {}, 0, 0, wall.direction};
+  if (wall.cylinder) made.axis = wall.cylinder->axis;
+  made.radius = wall.cylinder ? wall.cylinder->radius : wall.sphere->radius;
+  made.length = wall.cylinder ? wall.cylinder->length.value_or(0) : 0;
+  return made;
+}
+
+/// Walls that move, planes first, by their places among all that move.
 std::vector<std::size_t> list_drawn_walls(const Deck& deck) {
-  std::vector<std::size_t> drawn;
-  std::size_t moving = 0;
-  for (const WallDeck& wall : deck.walls) {
-    if (wall.moves() && !wall.is_round()) drawn.push_back(moving);
-    moving += wall.moves() ? 1 : 0;
-  }
-  return drawn;
+  std::vector<std::size_t> planes, round;
+  for (const WallDeck& wall : deck.walls)
+    if (wall.moves()) (wall.is_round() ? round : planes).push_back(planes.size() + round.size());
+  planes.insert(planes.end(), round.begin(), round.end());
+  return planes;
 }
 
 FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
   FieldsOptions options{.title = deck.title, .units = deck.units};
   for (const WallDeck& wall : deck.walls) {
-    if (wall.is_round()) continue;
+    if (wall.is_round()) {
+      (wall.moves() ? options.moving_round_walls : options.round_walls).push_back(make_round_wall(wall));
+      continue;
+    }
     (wall.moves() ? options.moving_walls : options.walls).push_back(make_wall_plane(wall));
   }
   if (!deck.output.has_format(FieldsFormat::exodus)) return options;

@@ -47,6 +47,21 @@ TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
   EXPECT_THAT(soft.out, HasSubstr("of part 'cube' controls it)")) << soft.err;
 }
 
+TEST(PercussCheck, TellsTheFormOfCylindersAndSpheres) {
+  const TemporaryFolder folder;
+  const std::string walls =
+      "walls=[{cylinder: {axis: y, radius: 2, length: 5}, point: [0, 0, -2]}, {point: [0, 0, 9], "
+      "sphere: {radius: 3}}]";
+  const auto json =
+      nlohmann::json::parse(run_percuss({"check", folder.write("deck.yaml", cube), "--json", "--set", walls}).out);
+  const auto &pole = json["walls"][0], &ball = json["walls"][1];
+  EXPECT_EQ(pole["axis"], (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(pole["radius"], 2);
+  EXPECT_EQ(pole["length"], 5);
+  EXPECT_EQ(ball["shape"], "sphere");
+  EXPECT_EQ(ball["radius"], 3);
+}
+
 TEST(PercussCheck, TellsOfSpringsWeldsAndPairsWithFrictionOfTheirOwn) {
   const TemporaryFolder folder;
   const std::string file = folder.write(

@@ -50,7 +50,7 @@ std::vector<WrongDeck> wrong_syntax() {
       {"TabIndentInAMap", "time:\n  end: 1\nparts:\n  \trod: {}\n  a: 1\n", "4:3", "a tab indents this line"},
       {"ColonInValue", append("title: steel: on brick"), "6:13", "':' does not belong here"},
       {"ValueBeginsWithAt", append("title: @home"), "6:8", "put it in quotes"},
-      {"NoSpaceAfterColon", change("end: 1.0", "end:1.0"), "1:8", "a space must follow the colon: 'end: 1.0'", 2},
+      {"NoSpaceAfterColon", change("end: 1.0", "end:1.0"), "1:8", "a space must follow the colon: 'end: 1.0'"},
       {"DuplicateSection", append("time: {end: 2}"), "6:1", "key 'time' is given twice (first on line 1)"},
       {"DuplicateKey", change("end: 1.0", "end: 1.0, end: 2.0"), "1:18", "key 'end' is given twice"},
       {"DuplicatePart", change("materials:", "  rod: {}\nmaterials:"), "4:3",

@@ -194,6 +194,26 @@ class Render(unittest.TestCase):
         behind = self.draw("--view", "-50:-22", "--part-colors", walls=True)
         self.assertTrue((behind[..., 2] > behind[..., 0] + 10).any(), "bodies are seen through a wall before them")
 
+    def test_draws_cylinders_and_spheres(self):
+        def covered(picture):
+            return (picture.min(axis=2) < 250).mean()
+
+        folder = os.path.join(self.out.name, "round")
+        shutil.copytree(FOLDER, folder)
+        view = ("--view", "-90:0")
+        plain = covered(self.draw(*view, folder=folder))
+        with h5py.File(os.path.join(folder, "fields.vtkhdf"), "r+") as file:
+            places = file["VTKHDF/Points"][:]
+            middle, size = places.mean(axis=0), np.ptp(places, axis=0).max()
+            for name in ("walls", "moving_walls", "wall_edges", "moving_wall_edges"):
+                file["percuss"].pop(name, None)
+            file["percuss/round_walls"] = [[*middle, 0, 0, 0, size, 0, 0, 0, 0]]
+        ball = covered(self.draw(*view, walls=True, folder=folder))
+        self.assertGreater(ball, plain + 0.1)
+        with h5py.File(os.path.join(folder, "fields.vtkhdf"), "r+") as file:
+            file["percuss/round_walls"][0, 3:8] = [1, 0, 0, 0.1 * size, 0.3 * size]
+        self.assertGreater(ball, covered(self.draw(*view, walls=True, folder=folder)) + 0.05)
+
     def test_says_that_paraview_has_removed_vtk(self):
         fakes = os.path.join(self.out.name, "fakes")
         os.mkdir(fakes)

@@ -25,6 +25,7 @@ class Percuss(CMakePackage):
     depends_on("kokkos@3.4.1:5 +openmp")
     depends_on("kokkos-kernels@3.4.1:5")
     depends_on("hdf5 +mpi")
+    depends_on("zlib-api")
     depends_on("metis@5:")
     depends_on("netcdf-c")
     depends_on("seacas ~tests")  # of which the Exodus II library is used

@@ -10,6 +10,7 @@
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/reading/part_reader.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
+#include "tests/src/mesh/files/read_sample.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
@@ -23,24 +24,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 using testing::ThrowsMessage;
-
-PartMesh read_part(const std::string& text, const std::string& name, std::vector<std::string> blocks = {}) {
-  const std::string path = write_bytes(text, name);
-  try {
-    PartMesh mesh = read_part_mesh({path, std::move(blocks), 1, false});
-    std::remove(path.c_str());
-    return mesh;
-  } catch (...) {
-    std::remove(path.c_str());
-    throw;
-  }
-}
-
-std::string change(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
 
 TEST(TextNumbers, AreReadAsFortranAndCWriteThem) {
   EXPECT_EQ(parse_real("1.5-10"), 1.5e-10);
@@ -169,12 +152,6 @@ TEST(AbaqusFile, GivesTheElementsOfASet) {
   EXPECT_THAT(mesh.element_ids, ElementsAre(3, 5));
   EXPECT_THAT(mesh.nodes, SizeIs(11));
 }
-
-struct WrongFile {
-  const char* name;
-  const std::string* text;
-  const char *from, *to, *file, *message;
-};
 
 class WrongTextFile : public testing::TestWithParam<WrongFile> {};
 

@@ -142,9 +142,21 @@ TEST(FieldsFile, KeepsTheRigidWalls) {
   const Hdf5FileView file(folder.file("fields.vtkhdf"));
   EXPECT_THAT(file.shape("percuss/walls"), ElementsAre(2, 6));
   EXPECT_THAT(file.numbers("percuss/walls"), ElementsAre(1, 2, 3, 0, 0, 1, 4, 5, 6, -1, 0, 0));
+  EXPECT_FALSE(file.has("percuss/round_walls"));
   const TemporaryFolder without;
   write_run(without, sample::make_mesh(), {"", "", FieldPrecision::float64});
   EXPECT_FALSE(Hdf5FileView(without.file("fields.vtkhdf")).has("percuss/walls"));
+}
+
+TEST(FieldsFile, KeepsCylindersAndSpheres) {
+  const TemporaryFolder folder;
+  FieldsOptions options = sample::options();
+  options.round_walls = {{{1, 2, 3}, {0, 0, 1}, 0.5, 4, {}}, {{7, 8, 9}, {}, 0.25, 0, {}}};
+  write_run(folder, sample::make_mesh(), options);
+  const Hdf5FileView file(folder.file("fields.vtkhdf"));
+  EXPECT_THAT(file.shape("percuss/round_walls"), ElementsAre(2, 11));
+  EXPECT_THAT(file.numbers("percuss/round_walls"),
+              ElementsAre(1, 2, 3, 0, 0, 1, 0.5, 4, 0, 0, 0, 7, 8, 9, 0, 0, 0, 0.25, 0, 0, 0, 0));
 }
 
 TEST(FieldsFile, StoresTheCellsOnceAndSendsEveryStepBackToThem) {

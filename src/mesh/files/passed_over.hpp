@@ -1,0 +1,13 @@
+#pragma once
+// What a text file has that is no mesh, in a note.
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace percuss {
+
+/// "*MATERIAL, *STEP and 3 more of the file are not read (the mesh alone is)"; mark: what stands before each word.
+std::string describe_passed_over(const std::set<std::string>& words, std::string_view mark);
+
+}  // namespace percuss
