@@ -18,6 +18,7 @@ ORDER = (
     "welds",
     "joints",
     "initial",
+    "start",
     "conditions",
     "loads",
     "walls",

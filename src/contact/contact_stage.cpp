@@ -99,6 +99,8 @@ struct ContactStage::Impl {
   long enforcements = 0;        // steps that looked for impulses
   ContactClocks clocks;
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
+  Traffic sent_at_start;           // in steps before time 0
+  long rebalances_at_start = 0;    // likewise
 };
 
 /// (1.7) Search for potential contacts, if the candidate pairs may have become too few. Returns whether it searched.
@@ -293,6 +295,20 @@ void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
   enforcer.restore_pushes(pushes);
 }
 
+void ContactStage::begin_relaxation() { impl_->enforcer.hold_walls(); }
+
+void ContactStage::end_relaxation(Rows3<const double> x) {
+  Impl& stage = *impl_;
+  stage.forget_last_step();
+  stage.enforcer.begin_anew();
+  take_forces(x);
+  stage.searches = stage.enforcements = 0;
+  stage.clocks = {};
+  stage.decomposed_at_start = stage.finder->decomposition_clock();
+  stage.sent_at_start = traffic();
+  stage.rebalances_at_start = stage.finder->report().rebalances;
+}
+
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
@@ -391,10 +407,16 @@ Traffic ContactStage::traffic() const {
   Traffic sum = impl_->finder->traffic();
   sum.messages += impl_->enforcer.traffic().messages;
   sum.bytes += impl_->enforcer.traffic().bytes;
+  sum.messages -= impl_->sent_at_start.messages;
+  sum.bytes -= impl_->sent_at_start.bytes;
   return sum;
 }
 
-DecompositionReport ContactStage::decomposition() const { return impl_->finder->report(); }
+DecompositionReport ContactStage::decomposition() const {
+  DecompositionReport report = impl_->finder->report();
+  report.rebalances -= impl_->rebalances_at_start;
+  return report;
+}
 SearchLoad ContactStage::load() const { return impl_->finder->load(); }
 PairCounts ContactStage::pair_counts() const { return impl_->finder->pair_counts(); }
 

@@ -69,6 +69,12 @@ class ContactStage {
   /// The same for a state from a checkpoint, before archive(): the surface alone.
   void restore_surface();
 
+  /// For steps before time 0: walls that move stand still.
+  void begin_relaxation();
+  /// The next step is the first one: contacts keep their history, and all counts and sums begin anew. x: positions at
+  /// time 0. Collective.
+  void end_relaxation(Rows3<const double> x);
+
   /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart, or if a
   /// wall with a mass is caught between bodies that cannot give way.
   ContactReport apply(const ContactMotion& motion);

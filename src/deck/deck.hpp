@@ -20,6 +20,7 @@
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
 #include "src/deck/spring_deck.hpp"
+#include "src/deck/start/start_deck.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
@@ -419,6 +420,7 @@ struct Deck {
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;
+  StartDeck start;
   GravityDeck gravity;
   std::vector<PressureDeck> pressures;
   std::vector<NodalLoadDeck> nodal_loads;

@@ -87,6 +87,15 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("in_run", s.mass.in_run);
     v.value("energy", s.mass.energy);
   });
+  v.group("relaxation", [&] {
+    v.value("state", s.relaxation.state);
+    v.value("damped_steps", s.relaxation.steps);
+    v.value("kinetic_ratio", s.relaxation.kinetic_ratio);
+    v.value("scale", s.relaxation.scale);
+    v.value("frequency", s.relaxation.frequency);
+    v.value("energy", s.relaxation.energy);
+    v.value("preload_error", s.relaxation.preload_error);
+  });
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);
   v.value("grind_ns", s.grind_ns);

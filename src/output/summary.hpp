@@ -35,6 +35,17 @@ struct MomentumSummary {
   double linear_error = 0, angular_error = 0;  // relative: see docs/output.md
 };
 
+/// Dynamic relaxation before time 0; empty state: there was none.
+struct RelaxationSummary {
+  std::string state;         // settled, unsettled
+  std::int64_t steps = 0;    // that it took
+  double kinetic_ratio = 0;  // kinetic energy at its end over `scale`
+  double scale = 0;          // the larger of the largest kinetic energy and the energy that elements and springs hold
+  double frequency = 0;      // estimate of the lowest [1 / time]
+  double energy = 0;         // that elements and springs hold at time 0
+  double preload_error = 0;  // largest of a section, relative to its preload
+};
+
 struct Summary {
   std::string status = "failed";  // running, completed, failed, interrupted
   std::string error;              // empty unless failed
@@ -55,6 +66,7 @@ struct Summary {
     double added = 0, share = 0;    // by mass scaling; of the scene's mass before
     double in_run = 0, energy = 0;  // what of it was added after the start; kinetic energy that came with this
   } mass;
+  RelaxationSummary relaxation;
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;
   struct {

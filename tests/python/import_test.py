@@ -431,6 +431,14 @@ class Scene(InFolder):
         self.assertEqual([(p["a"], p["b"], p["friction"]) for p in pairs], [("block_of_steel", "plate", 0.3), ("all", "all", 0.15)])
         self.assertEqual(deck["time"], {"end": 1e-4, "collapse_ratio": 0.01, "step_scale": 0.67})
 
+    def test_dynamic_relaxation(self):
+        for flag, wanted, outcome in ((1, {"relaxation": {"tolerance": 1e-4}}, "approximated"), (0, None, "ignored"), (5, None, "refused")):
+            text = decks.FULL.replace("*END", f"*CONTROL_DYNAMIC_RELAXATION\n250,1.0e-4,0.995,,,,,{flag}\n*END")
+            model, ledger = self.read(text)
+            self.assertEqual(model.deck.get("start"), wanted)
+            entries = [e for e in ledger.entries.values() if e.card.startswith("CONTROL_DYNAMIC_RELAXATION")]
+            self.assertEqual([e.status.value for e in entries], [outcome])
+
     def test_forms_of_sets_ties_and_spins(self):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])

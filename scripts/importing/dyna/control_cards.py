@@ -15,7 +15,7 @@ HARMLESS = {
 }  # fmt: skip
 WITHOUT = {
     "IMPLICIT": "the run is explicit", "ADAPTIVE": "the mesh stays as it is", "ADAPSTEP": "the mesh stays as it is",
-    "DYNAMIC_RELAXATION": "the run starts without it", "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian",
+    "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian",
     "SPH": "there are no particles", "COUPLING": "there is no other program", "EXPLOSIVE_SHADOW": "burning goes on straight lines",
 }  # fmt: skip
 
@@ -78,6 +78,23 @@ def apply_viscosity(deck: KeywordDeck, card: Card) -> None:
     deck.model.deck.setdefault("elements", {})["bulk_viscosity"] = viscosity
     row.finish(deck.ledger)
     deck.ledger.approximated(card.keyword, card.place, "linear = Q2, quadratic = sqrt(Q1), of shells too")
+
+
+def apply_relaxation(deck: KeywordDeck, card: Card) -> None:
+    """Explicit dynamic relaxation. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
+    row = card.reader().row("NRCYCK=250 DRTOL=0.001 DRFCTR=0.995 DRTERM TSSFDR IRELAL EDTTL=0.04 IDRFLG")
+    flag, tolerance = row.integer("IDRFLG"), row.number("DRTOL") or 0.001
+    row.skip("NRCYCK", "DRFCTR", "DRTERM", "TSSFDR", "IRELAL", "EDTTL")
+    row.finish(deck.ledger)
+    if flag <= 0:
+        deck.ledger.ignored(card.keyword, card.place, "IDRFLG does not switch it on")
+    elif flag > 1:
+        deck.ledger.refuse("CONTROL_DYNAMIC_RELAXATION.IDRFLG", row.place, f"IDRFLG is {flag}", "the run starts without relaxation")
+    else:
+        deck.model.deck["start"] = {"relaxation": {"tolerance": min(tolerance, 0.1)}}
+        deck.ledger.approximated(
+            card.keyword, card.place, "start.relaxation: loads have their values at time 0; the damping follows the lowest frequency"
+        )
 
 
 def read_general_hourglass(deck: KeywordDeck, card: Card) -> None:

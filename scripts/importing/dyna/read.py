@@ -10,7 +10,7 @@ from . import start_cards as start
 from .beam_cards import read_beams
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
-from .control_cards import apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
+from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
 from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
@@ -57,7 +57,8 @@ DEFINITIONS: dict[str, Handler] = {
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
-    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_": read_other_control,
+    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
+    "CONTROL_": read_other_control,
     "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,

@@ -78,7 +78,7 @@ bool has_motion(const CheckedScene& scene) {
   return spins || deck.gravity.any() || !deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty() ||
          deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
-         std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) ||
+         std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) || !deck.start.preloads.empty() ||
          std::any_of(deck.parts.begin(), deck.parts.end(),
                      [&](const PartDeck& part) { return is_energetic(find_material(deck, part)); });
 }

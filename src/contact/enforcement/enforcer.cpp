@@ -158,6 +158,18 @@ void Enforcer::update_copies(const ContactMotion& motion) {
   impulse_copies_.end(ExecSpace(), motion.impulse);
 }
 
+void Enforcer::hold_walls() {
+  moving_walls_.hold(true);
+  moving_walls_.place(walls_);
+}
+
+void Enforcer::begin_anew() {
+  moving_walls_.hold(false);
+  last_dt_ = 0;
+  starts_loaded_ = true;
+  std::fill(pair_work_.begin(), pair_work_.end(), PairWork{});
+}
+
 void Enforcer::archive(CheckpointArchive& archive) {
   if (archive.is_loading()) system_.num_written = -1;
   moving_walls_.archive(archive);
@@ -256,7 +268,10 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          motion.impulse,
                          last_pushes_ != 0,
                          motion.bodies};
-  const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
+  // The first step goes from time 0 to its middle. Springs that begin without a force stop what it brings in all of it.
+  const bool halves_first = last_dt_ > 0 || starts_loaded_;
+  const double dt_mean = halves_first ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
+  starts_loaded_ = false;
   last_dt_ = motion.dt;
   last_pushes_ = 0;
   remembers_ = true;

@@ -49,6 +49,11 @@ class Enforcer {
   /// After a restart they are these until the next step.
   void restore_pushes(const Rows3<double>& pushes) { restored_pushes_ = pushes; }
 
+  /// Walls that move stand still until begin_anew().
+  void hold_walls();
+  /// The next step is the first, with contacts that may push already.
+  void begin_anew();
+
   void archive(CheckpointArchive& archive);
 
   /// Work of this rank's rows since the start by name_contact_pairs().
@@ -92,6 +97,7 @@ class Enforcer {
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;
+  bool starts_loaded_ = false;     // the next step is the first, from a state in which contacts push
   std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
   bool has_solved_ = false;        // system_ is that of the last step
   Rows3<double> restored_pushes_;  // of the step before a restart; empty from the next one on

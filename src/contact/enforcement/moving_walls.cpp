@@ -77,7 +77,7 @@ void MovingWalls::place(const WallPairs& walls) const {
 template <class Space>
 void MovingWalls::start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time,
                              RowSumMemory& memory) {
-  if (!any()) return;
+  if (!any() || is_held_) return;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     speeds_[i] = find_speed(i, time, inputs.motion.dt);
     if (!has_begun_ && wall(i).speed) motions_[i].speed = speeds_[i];
@@ -120,6 +120,7 @@ template <class Space>
 WallWork MovingWalls::finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
                                   const RowSystem& system, RowSumMemory& memory) {
   WallWork work;
+  if (is_held_) return work;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Vec3& way = wall(i).direction;
     const WallPush own = sum_wall_push(space, first_row, moving_[i], Point3{way[0], way[1], way[2]}, system, memory);

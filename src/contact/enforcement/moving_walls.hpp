@@ -34,6 +34,9 @@ class MovingWalls {
   /// Whether any wall of the deck moves; if not, nothing else need be called.
   bool any() const { return !moving_.empty(); }
 
+  /// Whether walls stand still, as if they had no mass and no speed yet.
+  void hold(bool is_held) { is_held_ = is_held; }
+
   /// Brings the walls to where they are at n.
   void place(const WallPairs& walls) const;
 
@@ -65,7 +68,7 @@ class MovingWalls {
   std::vector<int> moving_;          // walls of the deck
   std::vector<WallMotion> motions_;  // of these
   std::vector<double> speeds_;       // of these, from n to n+1 as rows see them
-  bool has_begun_ = false;
+  bool has_begun_ = false, is_held_ = false;
 };
 
 }  // namespace percuss

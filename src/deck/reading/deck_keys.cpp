@@ -291,6 +291,7 @@ const Keys<Deck>& deck_keys() {
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),
+      may("start", &Deck::start, start_value()),
       group<Deck>("loads", MapValue<Deck>{load_keys}),
       may("conditions", &Deck::conditions, ListValue<ConditionValue>{}),
       may("damping", &Deck::dampings, ListValue<MapValue<DampingDeck>>{damping_value()}),

@@ -23,6 +23,7 @@ MapValue<FailureDeck> failure_value();
 MapValue<ErosionDeck> erosion_value();
 
 MapValue<InitialDeck> initial_value();
+MapValue<StartDeck> start_value();
 
 /// `conditions`: each entry holds nodes in one way.
 struct ConditionValue {
@@ -84,6 +85,9 @@ struct ForceValue {
   Form form() const;
   std::string takes() const { return "a map"; }
 };
+
+/// Preloads of parts that can have them.
+void check_start(const Deck& deck, const Node& root, Reading& reading);
 
 /// Names of forces and of the walls that they name.
 void check_forces(const Deck& deck, const Node& root, Reading& reading);

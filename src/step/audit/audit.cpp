@@ -186,6 +186,12 @@ Audit::Totals Audit::sum_all(const State& state) {
   return totals;
 }
 
+void Audit::note_scale(double energy, double reach) {
+  const double momentum = std::sqrt(2 * model_.total_mass * std::max(energy, 0.0));
+  momentum_scale_ = std::max(momentum_scale_, momentum);
+  moment_scale_ = std::max(moment_scale_, momentum * reach);
+}
+
 /// Energy that left with eroded elements and nodes.
 double Audit::sum_gone(const Totals& totals) {
   return totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] +

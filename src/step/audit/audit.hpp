@@ -62,6 +62,10 @@ class Audit {
   /// compared with. One message a rank. Collective.
   AuditResult operator()(const State& state);
 
+  /// For a scene that begins at rest under loads, whose balances of momentum are round-off: momentum and moment that it
+  /// would have if so much energy moved it. reach: of its nodes from its mass centre [length].
+  void note_scale(double energy, double reach);
+
   /// The largest energy that was held in any state so far, by which errors are measured.
   double largest_energy() const { return largest_energy_; }
 

@@ -193,6 +193,26 @@ void Bookkeeper::start(const State& state) {
     for (int k = 0; k < 3; ++k)
       sums[static_cast<std::size_t>(k)].add(model_.rigid.bodies[b].mass * get(state.bodies[b].velocity, k));
   start_momentum_ = round_total(model_.ranks, sums);
+  if (deck_.start.relaxation) note_center(state);
+}
+
+/// The mass centre of a scene that a relaxation has moved.
+void Bookkeeper::note_center(const State& state) {
+  const auto x = state.x, start = model_.start;
+  const auto mass = state.mass;
+  const Array<const int> body_of_node = model_.rigid.body_of_node;
+  auto sums = OwnedNodeSums<3>("percuss::moved_center")(
+      ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
+        if (RigidModel::holds(body_of_node, n)) return;
+        for (int k = 0; k < 3; ++k) sum[k] += mass(n) * (x(n, k) - start(n, k));
+      });
+  for (std::size_t b = 0; model_.ranks.rank() == 0 && b < state.bodies.size(); ++b) {
+    const RigidBody& body = model_.rigid.bodies[b];
+    for (int k = 0; k < 3; ++k)
+      sums[static_cast<std::size_t>(k)].add(body.mass * (get(state.bodies[b].center, k) - get(body.center, k)));
+  }
+  center_shift_ = round_total(model_.ranks, sums);
+  for (double& shift : center_shift_) shift /= state.total_mass;
 }
 
 void Bookkeeper::archive(CheckpointArchive& archive) {

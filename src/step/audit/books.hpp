@@ -33,7 +33,7 @@ class Bookkeeper {
  public:
   Bookkeeper(const Deck& deck, const Model& model);
 
-  /// Notes the momentum at time 0. Collective.
+  /// Notes the momentum at time 0, and where a relaxation has left the mass centre. Collective.
   void start(const State& state);
 
   /// What the books remember besides those of the state.
@@ -59,6 +59,7 @@ class Bookkeeper {
   Vec3 find_wall_force() const;
 
  private:
+  void note_center(const State& state);
   void book_gravity(State& state, double dt, double dt_mean);
   void book_gravity_work(State& state, double dt) const;
   void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;

@@ -19,8 +19,8 @@
 #include "src/step/restart/checkpoint.hpp"
 #include "src/step/restart/restart_removals.hpp"
 #include "src/step/run/run_scene.hpp"
-#include "src/step/run/run_totals.hpp"
 #include "src/step/run/stop_request.hpp"
+#include "src/step/totals/run_totals.hpp"
 #include "src/step/turned_corners.hpp"
 
 namespace percuss {
@@ -86,8 +86,10 @@ void Run::begin() {
     warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
   }
   say(contact_.start_notes());
+  relax();
   compute_start_ = compute_seconds();
   stepper_.start(state_);
+  begin_books();
   warnings_.add(check_start(
       {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
   erode();
@@ -324,6 +326,7 @@ void Run::archive(CheckpointArchive& archive) {
   if (model_.springs.any()) archive.number("run/limiting_spring", limiting_spring_);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
+  archive_relaxation(archive);
   warnings_.archive(archive);
 }
 

@@ -41,6 +41,10 @@ class Run {
   void say(const std::vector<std::string>& lines) const;
   ChunkedMesh load_scene();
   void begin();
+  void relax();
+  void note_unsettled(const std::string& text);
+  void begin_books();
+  void archive_relaxation(CheckpointArchive& archive);
   void restart();
   void open_files();
   void check_removals() const;

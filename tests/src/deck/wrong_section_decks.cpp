@@ -367,11 +367,34 @@ std::vector<WrongDeck> joined_bodies() {
   };
 }
 
+/// `start` with a preload of the part rod.
+std::string start(const std::string& more) {
+  return "start: {relaxation: {}, preload: {b: {point: [0.5, 0.5, 0.3], normal: z, " + more + "}}}\n";
+}
+
+std::vector<WrongDeck> wrong_starts() {
+  return {
+      {"PreloadWithoutRelaxation",
+       append("start: {preload: {b: {part: rod, point: [0, 0, 0.3], normal: z, force: 1}}}"), "6:9",
+       "start.preload has no effect (it acts during a relaxation): give the key relaxation as well"},
+      {"PreloadWithoutForce", append(start("part: rod, force: 0")), "6:35",
+       "preload 'b' has force 0 (must pull or push): leave it out"},
+      {"PreloadOfAllParts", append(start("part: all, force: 1")), "6:35",
+       "preload 'b' is of part all (must be of one part): name the part"},
+      {"PreloadOfARigidPart",
+       change("material: steel}", "material: steel, rigid: true}") + start("part: rod, force: 1"), "6:35",
+       "preload 'b' is of part 'rod' (which is rigid and has no stresses)"},
+      {"PreloadOfRubber", change("model: elastic", "model: neo_hookean") + start("part: rod, force: 1"), "6:35",
+       "preload 'b' is of part 'rod' of material 'steel' (whose stress does not grow in increments)"},
+      {"RelaxationToNothing", append("start: {relaxation: {tolerance: 0}}"), "6:33", "must be above 0 and below 1"},
+  };
+}
+
 }  // namespace
 
 std::vector<WrongDeck> wrong_section_decks() {
   std::vector<WrongDeck> all = missing_keys();
-  for (const auto& part : {unknown_names(), at_odds(), joined_bodies()})
+  for (const auto& part : {unknown_names(), at_odds(), joined_bodies(), wrong_starts()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,4 +1,4 @@
-#include "src/step/run/run_totals.hpp"
+#include "src/step/totals/run_totals.hpp"
 
 #include <sys/resource.h>
 

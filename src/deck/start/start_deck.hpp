@@ -1,0 +1,38 @@
+#pragma once
+// How a run comes to its state at time 0: dynamic relaxation under the loads of that time, and preloads of sections.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/deck/functions/selector.hpp"
+
+namespace percuss {
+
+/// Damped steps before time 0.
+struct RelaxationDeck {
+  enum class Unsettled { refuse, warn };
+  double tolerance = 1e-6;        // of the kinetic energy, as a share of its largest
+  long max_steps = 100000;        // more are refused, or warned of
+  Unsettled unsettled = Unsettled::refuse;
+  long ramp = 500;                // steps in which loads and preloads rise to their values
+  std::optional<double> damping;  // c of -c m v; none: from the lowest frequency [1 / time]
+  std::vector<Selector> hold;     // nodes that stay at rest meanwhile
+};
+
+/// The normal force of a section through a part at time 0. Its plane cuts a layer of elements.
+struct PreloadDeck {
+  std::string name;
+  std::string part;
+  Vec3 point{}, normal{1, 0, 0};  // the latter a unit vector
+  double force = 0;               // positive pulls
+  Place place;
+};
+
+struct StartDeck {
+  std::optional<RelaxationDeck> relaxation;
+  std::vector<PreloadDeck> preloads;
+};
+
+}  // namespace percuss

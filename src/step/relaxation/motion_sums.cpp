@@ -1,0 +1,70 @@
+#include "src/step/relaxation/motion_sums.hpp"
+
+#include <array>
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+
+MotionSums::MotionSums(const Model& model)
+    : model_(model), force_("percuss::force_before", static_cast<std::size_t>(model.node_count)) {
+  if (model.has_rotations)
+    moment_ = Rows3<double>("percuss::moment_before", static_cast<std::size_t>(model.node_count));
+}
+
+void MotionSums::keep(const State& state) {
+  Kokkos::deep_copy(force_, state.force);
+  if (model_.has_rotations) Kokkos::deep_copy(moment_, state.moment);
+}
+
+/// Twice the energy of rigid bodies, which every rank knows. Their velocities hardly change in a step.
+MotionTotals MotionSums::sum_bodies(const State& state) const {
+  MotionTotals totals;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const RigidState& body = state.bodies[b];
+    totals.inertia += model_.rigid.bodies[b].mass * dot(body.velocity, body.velocity);
+    totals.inertia += dot(body.spin_momentum, body.spin);
+  }
+  totals.kinetic = 0.5 * totals.inertia;
+  return totals;
+}
+
+/// Of this rank's elements: stresses, hourglass modes, resistance to folding.
+ExactSum MotionSums::sum_stored(const State& state) {
+  ExactSum sum;
+  const auto work = to_host(state.results.work);
+  for (std::size_t c = 0; c < work.extent(0); ++c)
+    for (const std::size_t kind : {0, 1, 3}) sum.add(work(c, kind));
+  return sum;
+}
+
+MotionTotals MotionSums::find(const State& state) {
+  const auto v = state.v, before = state.v_before, force = state.force, force_before = force_;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment, moment_before = moment_;
+  const auto mass = state.mass, inertia = state.inertia;
+  const bool turns = model_.has_rotations;
+  const Array<const int> body_of_node = model_.rigid.body_of_node;
+  auto sums = sums_(
+      ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
+        const bool is_rigid = RigidModel::holds(body_of_node, n);
+        const double m = is_rigid ? 0 : mass(n), i = is_rigid || !turns ? 0 : inertia(n);
+        for (int k = 0; k < 3; ++k) {
+          sum[0] += 0.5 * m * v(n, k) * v(n, k);
+          sum[1] -= before(n, k) * (force(n, k) - force_before(n, k));
+          sum[2] += m * before(n, k) * before(n, k);
+        }
+        for (int k = 0; turns && k < 3; ++k) {
+          sum[0] += 0.5 * i * w(n, k) * w(n, k);
+          sum[1] -= w_before(n, k) * (moment(n, k) - moment_before(n, k));
+          sum[2] += i * w_before(n, k) * w_before(n, k);
+        }
+      });
+  std::array<ExactSum, 4> all{sums[0], sums[1], sums[2], sum_stored(state)};
+  sum_over_ranks(model_.ranks, all);
+  const MotionTotals of_bodies = sum_bodies(state);
+  return {all[0].round() + of_bodies.kinetic, all[1].round(), all[2].round() + of_bodies.inertia,
+          all[3].round() + state.books.spring_work};
+}
+
+}  // namespace percuss

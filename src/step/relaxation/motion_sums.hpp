@@ -1,0 +1,38 @@
+#pragma once
+// Sums over a scene by which a relaxation is steered: its kinetic energy, and a Rayleigh quotient of its motion.
+
+#include "src/step/model/owned_sums.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+struct MotionTotals {
+  double kinetic = 0;  // sum of m v(n+1/2)^2 / 2
+  double power = 0;    // -v(n-1/2) . (f(n) - f(n-1)) of all nodes
+  double inertia = 0;  // sum of m v(n-1/2)^2
+  double stored = 0;   // by elements and springs
+};
+
+/// Call keep() after one step and find() after the next. Over dt, the quotient of power and inertia is v . K v / v . M v,
+/// the square of a frequency that the motion has (Underwood, Dynamic relaxation, in Computational methods for transient
+/// analysis, 1983).
+class MotionSums {
+ public:
+  explicit MotionSums(const Model& model);
+
+  /// Keeps the forces of a step.
+  void keep(const State& state);
+
+  /// Collective; the same on all ranks.
+  MotionTotals find(const State& state);
+
+ private:
+  MotionTotals sum_bodies(const State& state) const;
+  static ExactSum sum_stored(const State& state);
+
+  const Model& model_;
+  Rows3<double> force_, moment_;  // of the step before
+  OwnedNodeSums<3> sums_{"percuss::motion_sums"};
+};
+
+}  // namespace percuss

@@ -1,0 +1,66 @@
+#pragma once
+// Preloads of sections: the layer of elements that a plane cuts gets shorter at rest along the normal, as a bolt does by
+// the turn of its nut, until the section has the force that the deck gives it.
+//
+// In each step the layer loses so much length as the force lacks: a strain e without stress along the normal n, so that
+// the stress grows by C : (e n n). From time 0 on the layer is like any other.
+
+#include <functional>
+#include <vector>
+
+#include "src/step/forces/force_sources.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+class PreloadStage {
+ public:
+  /// Collective. Throws InputError with the deck's place, the same on all ranks: a plane that cuts no element of the
+  /// part, or shells. deck outlives this.
+  PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+
+  bool any() const { return !layers_.empty(); }
+
+  /// Finds how much force a shortening of each layer gives. evaluate: computes the forces of the state, at rest.
+  /// Collective.
+  void measure_stiffness(State& state, const std::function<void()>& evaluate);
+
+  /// Brings the sections nearer to this share of their preloads. Call with the forces of the state. Collective.
+  void tighten(State& state, double share);
+
+  /// Largest lack of a section in the last call, relative to its preload.
+  double largest_lack() const { return largest_lack_; }
+
+  /// Normal forces in the last call, in the order of the deck.
+  const std::vector<double>& forces() const { return forces_; }
+
+ private:
+  /// The elements of a rank that a plane cuts, by chunk.
+  struct Layer {
+    const PreloadDeck& deck;
+    SectionForce section;
+    double young = 0;      // Young's modulus
+    double modulus = 0;    // lambda + 2 mu
+    bool is_kirchhoff = false;  // whether the law has the rate of J sigma
+    double stiffness = 0;  // force over strain
+    Array<int> chunks;     // that have some
+    Array<int> first;      // [chunks + 1] of the next three
+    Array<int> elements;   // counted from the first of the chunk
+    Array<double> volume;  // at time 0; of beams the length
+    Array<double> axial;   // of beams Young's modulus times area
+    // xx, yy, zz, xy, yz, zx of n n, and of the stress C : n n
+    Kokkos::Array<double, 6> dyad{}, stress{};
+  };
+
+  void find_elements(const ChunkedMesh& chunked, Layer& layer) const;
+  void shorten(const Layer& layer, double strain, State& state) const;
+  std::vector<double> find_forces(const State& state);
+
+  const Deck& deck_;
+  const Model& model_;
+  std::vector<Layer> layers_;
+  std::vector<double> forces_;
+  double largest_lack_ = 0;
+};
+
+}  // namespace percuss

@@ -1,0 +1,192 @@
+#include "src/step/relaxation/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
+#include "src/index.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+/// Steps between two looks at the motion.
+constexpr long look_steps = 10;
+/// What an earlier look counts less than the next.
+constexpr double fading = 0.8;
+/// Least steps for which the motion must stay below its tolerance.
+constexpr long least_quiet_steps = 100;
+/// Largest lack of a preload, relative to it, in a scene at rest.
+constexpr double tolerated_lack = 1e-3;
+
+Deck make_relaxed_deck(const Deck& deck) {
+  if (!deck.start.relaxation) throw std::logic_error("a relaxation that the deck does not ask for");
+  Deck relaxed = deck;
+  relaxed.time.end = std::numeric_limits<double>::infinity();
+  relaxed.time.step_estimate = TimeDeck::StepEstimate::element;
+  relaxed.output.forces.clear();
+  return relaxed;
+}
+
+Rows3<double> copy_to_zero(const Rows3<double>& from, const std::vector<int>& nodes) {
+  const Rows3<double> to("percuss::relaxed_inverse", from.extent(0));
+  const auto host = Kokkos::create_mirror_view(to);
+  Kokkos::deep_copy(host, from);
+  for (const int n : nodes)
+    for (std::size_t k = 0; k < 3; ++k) host(at(n), k) = 0;
+  Kokkos::deep_copy(to, host);
+  return to;
+}
+
+}  // namespace
+
+Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact,
+                       State& state)
+    : rules_(*deck.start.relaxation),
+      relaxed_deck_(make_relaxed_deck(deck)),
+      chunked_(chunked),
+      model_(model),
+      relaxed_(model),
+      contact_(contact),
+      state_(state),
+      inverse_mass_(state.inverse_mass),
+      inverse_inertia_(state.inverse_inertia),
+      sums_(model),
+      preloads_(deck, chunked, model) {
+  if (model.rigid.is_all)
+    throw InputError(fmt::format("{}: error: start.relaxation has nothing to relax (all parts are rigid): leave it out",
+                                 deck.where(deck.places.find("start.relaxation"))));
+  make_model(deck);
+  hold_nodes(deck);
+  set_loads(0);
+  stepper_ = std::make_unique<Stepper>(relaxed_deck_, chunked, relaxed_, contact);
+  Kokkos::deep_copy(state.v, 0.0);
+  if (model.has_rotations) Kokkos::deep_copy(state.w, 0.0);
+  for (RigidState& body : state.bodies) body.velocity = body.spin = body.spin_momentum = {0, 0, 0};
+  contact.begin_relaxation();
+  stepper_->start(state);
+  if (!preloads_.any()) return;
+  preloads_.measure_stiffness(state, [this] { stepper_->start(state_); });
+  state.books = {};  // each start adds what springs hold
+  stepper_->start(state);
+}
+
+/// Of the scene, but damped, at rest where it is driven, and without failure.
+void Relaxation::make_model(const Deck& deck) {
+  relaxed_.failing = {};
+  relaxed_.can_erode = relaxed_.scales_in_run = relaxed_.is_driven = false;
+  for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false};
+  relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
+  relaxed_.damped_nodes.entry = Array<int>("percuss::relaxed_nodes", at(model_.node_count));
+  relaxed_.damped_bodies.assign(model_.rigid.bodies.size(), 0);
+  relaxed_.gravity_varies = rules_.ramp > 0 && deck.gravity.any();
+}
+
+/// Nodes that stand still, and whole bodies of which one does.
+void Relaxation::hold_nodes(const Deck& deck) {
+  if (rules_.hold.empty()) return;
+  constexpr int at_rest = 0;  // row of the motions
+  std::vector<int> nodes, is_held(model_.rigid.bodies.size(), 0);
+  const auto body_of_node = to_host(model_.rigid.body_of_node);
+  for (const Selector& where : rules_.hold) {
+    for (const int n : select_nodes(chunked_.mesh, deck, where)) {
+      nodes.push_back(n);
+      if (body_of_node.extent(0) > 0 && body_of_node(at(n)) >= 0) is_held[at(body_of_node(at(n)))] = 1;
+    }
+  }
+  if (!is_held.empty()) all_reduce(model_.ranks, Reduce::largest, is_held);
+  for (std::size_t b = 0; b < is_held.size(); ++b)
+    if (is_held[b] != 0) relaxed_.rigid.bodies[b].motion.fill(at_rest);
+  state_.inverse_mass = copy_to_zero(inverse_mass_, nodes);
+  if (model_.has_rotations) state_.inverse_inertia = copy_to_zero(inverse_inertia_, nodes);
+}
+
+/// Of loads and preloads, at n.
+double Relaxation::find_share(long step) const {
+  return step >= rules_.ramp ? 1 : static_cast<double>(step) / static_cast<double>(rules_.ramp);
+}
+
+/// Those of the run at time 0.
+void Relaxation::set_loads(long step) {
+  const double share = find_share(step);
+  const auto scale = [&](const Curve& curve) { return Curve::constant(share * curve(0)); };
+  for (std::size_t k = 0; k < 3; ++k) relaxed_.gravity[k] = scale(model_.gravity[k]);
+  for (std::size_t i = 0; i < model_.pressures.size(); ++i) relaxed_.pressures[i] = scale(model_.pressures[i]);
+  for (std::size_t i = 0; i < model_.nodal_values.size(); ++i)
+    for (std::size_t k = 0; k < 6; ++k) relaxed_.nodal_values[i][k] = scale(model_.nodal_values[i][k]);
+}
+
+void Relaxation::advance() {
+  const double dt = state_.dt;
+  if (state_.step < rules_.ramp) set_loads(state_.step + 1);
+  stepper_->advance(state_);
+  elapsed_ += state_.dt;
+  state_.time = 0;
+  if (state_.bound.failed_element >= 0 || state_.bound.broken_chunk >= 0) return;
+  if (preloads_.any()) preloads_.tighten(state_, find_share(state_.step));
+  if (state_.step % look_steps == look_steps - 1) sums_.keep(state_);
+  if (state_.step % look_steps == 0) look(dt);
+  report_.steps = state_.step;
+}
+
+/// dt: between the forces of the last two steps.
+void Relaxation::look(double dt) {
+  const MotionTotals totals = sums_.find(state_);
+  power_ = fading * power_ + std::max(totals.power, 0.0) / dt;
+  inertia_ = fading * inertia_ + totals.inertia;
+  frequency_ = inertia_ > 0 ? std::sqrt(power_ / inertia_) : 0;
+  // What nothing brings back has no frequency; it is damped as what moves once in the whole time so far.
+  if (!rules_.damping) relaxed_.dampings.front() = Curve::constant(2 * std::max(frequency_, 1 / elapsed_));
+  judge(totals);
+}
+
+/// At rest is what stays below the tolerance for half a period: a motion that turns back stands still for a moment.
+void Relaxation::judge(const MotionTotals& totals) {
+  largest_kinetic_ = std::max(largest_kinetic_, totals.kinetic);
+  report_.scale = std::max(largest_kinetic_, totals.stored);
+  report_.kinetic_ratio = report_.scale > 0 ? totals.kinetic / report_.scale : 0;
+  report_.frequency = frequency_ / (2 * std::numbers::pi);
+  report_.preload_error = preloads_.largest_lack();
+  const bool is_quiet = state_.step >= rules_.ramp && report_.kinetic_ratio <= rules_.tolerance;
+  quiet_steps_ = is_quiet ? quiet_steps_ + look_steps : 0;
+  const double half_period = frequency_ > 0 ? std::numbers::pi / (frequency_ * state_.dt) : 0;
+  const double wanted = std::clamp(half_period, static_cast<double>(least_quiet_steps),
+                                   std::max(static_cast<double>(least_quiet_steps), 0.5 * static_cast<double>(state_.step)));
+  const bool is_settled = static_cast<double>(quiet_steps_) >= wanted && report_.preload_error <= tolerated_lack;
+  report_.state = is_settled ? "settled" : "unsettled";
+}
+
+void Relaxation::finish() {
+  state_.time = 0;
+  state_.step = 0;
+  state_.dt = state_.next_dt = 0;
+  state_.inverse_mass = inverse_mass_;
+  state_.inverse_inertia = inverse_inertia_;
+  Kokkos::deep_copy(state_.v, model_.start_velocity);
+  if (model_.has_rotations) Kokkos::deep_copy(state_.w, model_.start_spin);
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const RigidBody& body = model_.rigid.bodies[b];
+    state_.bodies[b].velocity = body.velocity;
+    state_.bodies[b].spin = body.spin;
+  }
+  state_.books = {};
+  constexpr std::size_t viscous = 2;  // of the kinds of work: it is gone
+  Kokkos::deep_copy(Kokkos::subview(state_.results.work, Kokkos::ALL, viscous), 0.0);
+  Kokkos::deep_copy(state_.results.skipped, std::int64_t{0});
+  if (contact_.is_active()) contact_.end_relaxation(state_.x);
+}
+
+std::string Relaxation::describe() const {
+  std::string text = fmt::format("kinetic energy {:.2g} of the scale", report_.kinetic_ratio);
+  for (std::size_t i = 0; i < preloads_.forces().size(); ++i)
+    text += fmt::format(", section '{}' {:.6g}", relaxed_deck_.start.preloads[i].name, preloads_.forces()[i]);
+  return text;
+}
+
+}  // namespace percuss

@@ -1,0 +1,84 @@
+// The relaxation before a run: its steps, what is told of them, and the books that begin with the state it leaves.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/relaxation/relaxation.hpp"
+#include "src/step/run/run_scene.hpp"
+#include "src/step/run/stop_request.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr long steps_between_stops = 50, steps_between_lines = 5000;
+
+std::string describe_unsettled(const Relaxation& relaxation, const RelaxationDeck& rules) {
+  return fmt::format(
+      "the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {})", relaxation.report().steps,
+      rules.tolerance, relaxation.describe());
+}
+
+}  // namespace
+
+/// From the mesh at rest to the state at time 0, if the deck asks for it. A stop ends the program as one before the
+/// first step does.
+void Run::relax() {
+  if (!deck_.start.relaxation) return;
+  Relaxation relaxation(deck_, chunked_, model_, contact_, state_);
+  try {
+    while (!relaxation.is_over()) {
+      relaxation.advance();
+      check_elements({relaxation.deck(), chunked_, relaxation.model(), state_, relaxation.stepper()});
+      if (state_.step % steps_between_stops == 0) stop_if_requested(ranks_, "before the relaxation was at rest");
+      if (state_.step % steps_between_lines == 0)
+        say({fmt::format("relaxation, step {}: {}", state_.step, relaxation.describe())});
+    }
+  } catch (const RunError& error) {
+    throw RunError(fmt::format("in the relaxation before time 0: {}", error.what()));
+  }
+  summary_.relaxation = relaxation.report();
+  if (!relaxation.is_settled()) note_unsettled(describe_unsettled(relaxation, *deck_.start.relaxation));
+  say({fmt::format("relaxation: {} after {} steps: {}", summary_.relaxation.state, summary_.relaxation.steps,
+                   relaxation.describe())});
+  relaxation.finish();
+}
+
+void Run::note_unsettled(const std::string& text) {
+  const char* const remedy = "give start.relaxation.max_steps more, a larger tolerance, or hold what nothing supports";
+  if (deck_.start.relaxation->unsettled == RelaxationDeck::Unsettled::refuse)
+    throw RunError(fmt::format("{}: {}", text, remedy));
+  warnings_.add({{"unsettled_relaxation", fmt::format("{}: {}", text, remedy), "", 0, 1}});
+}
+
+/// What elements hold at time 0 is initial energy. The work of gravity counts from there on. Call after the start of
+/// the stepper.
+void Run::begin_books() {
+  if (!deck_.start.relaxation) return;
+  const EnergySummary held = Audit(model_)(state_).energy;
+  if (ranks_.rank() == 0) {
+    state_.books.external_work.add(-held.external);
+    state_.books.external_work.normalize();
+  }
+  summary_.relaxation.energy = held.internal + held.hourglass + held.folding;
+  const Vec3 extent = subtract(chunked_.mesh.high, chunked_.mesh.low);
+  audit_.note_scale(summary_.relaxation.scale, 0.5 * std::sqrt(dot(extent, extent)));
+}
+
+void Run::archive_relaxation(CheckpointArchive& archive) {
+  if (!deck_.start.relaxation) return;
+  RelaxationSummary& report = summary_.relaxation;
+  bool is_settled = report.state == "settled";
+  archive.integer("relaxation/is_settled", is_settled);
+  report.state = is_settled ? "settled" : "unsettled";
+  archive.number("relaxation/steps", report.steps);
+  archive.number("relaxation/kinetic_ratio", report.kinetic_ratio);
+  archive.number("relaxation/scale", report.scale);
+  archive.number("relaxation/frequency", report.frequency);
+  archive.number("relaxation/energy", report.energy);
+  archive.number("relaxation/preload_error", report.preload_error);
+}
+
+}  // namespace percuss

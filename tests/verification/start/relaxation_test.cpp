@@ -1,0 +1,248 @@
+// Dynamic relaxation ends in the static solution, in which the run then rests; preloads have the force of the deck.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/error.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double young = 200e9, density = 7850;
+
+/// Steel without Poisson's ratio, and a start that relaxes it.
+std::string make_deck(const std::string& time, const std::string& rest) {
+  return fmt::format(R"yaml(
+time: {{{}}}
+materials: {{steel: {{model: elastic, density: {}, youngs_modulus: {}, poissons_ratio: 0}}}}
+{}
+)yaml",
+                     time, density, young, rest);
+}
+
+/// The energy balance of the run, and the kinetic energy that it keeps: a share of what elements hold.
+void expect_rest(const Outcome& run, double share) {
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  EXPECT_LT(run.history.largest("kinetic"), share * run.summary.relaxation.energy);
+  EXPECT_NEAR(run.summary.energy.initial, run.summary.relaxation.energy, 1e-6 * run.summary.relaxation.energy);
+  for (std::size_t row = 0; row < run.history.rows(); ++row)
+    ASSERT_LT(std::abs(run.history["energy_error"][row]), 1e-9);
+}
+
+std::string hang(const std::string& bar) {
+  return make_deck("end: 2e-3", R"yaml(
+parts: {bar: {box: {size: [0.1, 0.1, 1.0], cells: [1, 1, 20]}, )yaml" + bar + R"yaml(material: steel}}
+conditions: [{nodes: bar/z_max, fixed: [x, y, z]}]
+loads: {gravity: [0, 0, -1e4]}
+start: {relaxation: {tolerance: 1e-12}}
+output: {history: {every: 1e-5, nodes: [{name: tip, near: [0, 0, 0]}]}}
+)yaml");
+}
+
+}  // namespace
+
+TEST(Relaxation, AHangingBarIsAsLongAsItsWeightMakesIt) {
+  const Outcome run = run_deck(hang(""));
+  // rho g L^2 / (2 E) = 1.9625e-4 m; with lumped masses that of equal elements is exact. The strain at the top, 4e-4, is
+  // logarithmic: its square counts.
+  const double exact = density * 1e4 / (2 * young);
+  const double z0 = run.history["tip_z"][0];
+  fmt::print("{} damped steps, end moves by {:.6g}, exact {:.6g}\n", run.summary.relaxation.steps, z0, -exact);
+  EXPECT_NEAR(z0, -exact, 5e-4 * exact);
+  EXPECT_NEAR(run.history.smallest("tip_z"), z0, 1e-5 * exact);
+  EXPECT_NEAR(run.history.largest("tip_z"), z0, 1e-5 * exact);
+  // w^2 A L / (6 E) with the weight per area w at the top, of whole elements a little less: 1 / (4 n^2)
+  const double stress = density * 1e4;
+  EXPECT_NEAR(run.summary.relaxation.energy, stress * stress * 0.01 / (6 * young),
+              2e-3 * stress * stress * 0.01 / (6 * young));
+  EXPECT_EQ(run.history["external"][0], 0);
+  expect_rest(run, 1e-9);
+}
+
+TEST(Relaxation, TheFirstFrequencyOfTheBarIsFound) {
+  const Outcome run = run_deck(hang(""));
+  const double exact = std::sqrt(young / density) / 4;  // of a bar held at one end
+  EXPECT_NEAR(run.summary.relaxation.frequency, exact, 0.1 * exact);
+}
+
+TEST(Relaxation, OfTetrahedraEndsInTheSameLength) {
+  const Outcome run = run_deck(hang("elements: tetrahedra, "));
+  const double exact = density * 1e4 / (2 * young);
+  EXPECT_NEAR(run.history["tip_z"][0], -exact, 0.01 * exact);
+  expect_rest(run, 1e-8);
+}
+
+TEST(Relaxation, ACantileverOfShellsBendsAsABeam) {
+  const Outcome run = run_deck(make_deck("end: 5e-3", R"yaml(
+parts: {plate: {shell_plate: {size: [1.0, 0.1], cells: [20, 2]}, thickness: 0.02, material: steel}}
+conditions: [{nodes: plate/x_min, fixed: [x, y, z, rx, ry, rz]}]
+loads: {gravity: [0, 0, -9.81]}
+start: {relaxation: {tolerance: 1e-10, ramp: 0}}
+output: {history: {every: 1e-4, nodes: [{name: tip, near: [1, 0.05, 0]}]}}
+)yaml"));
+  // q L^4 / (8 E I) per width, and the shear of Timoshenko's beam, q L^2 / (2 G A 5 / 6), 2e-4 of it; 1 / (4 n^2) each
+  // for lumped loads and rotations between nodes
+  const double load = density * 9.81 * 0.02, exact = load / (8 * young * 0.02 * 0.02 * 0.02 / 12);
+  const double bend = run.history["tip_z"][0];
+  fmt::print("{} damped steps, tip {:.6g}, exact {:.6g}\n", run.summary.relaxation.steps, bend, -exact);
+  EXPECT_NEAR(bend, -exact, 5e-3 * exact);
+  EXPECT_NEAR(run.history.largest("tip_z"), bend, 1e-3 * exact);
+  expect_rest(run, 1e-7);
+}
+
+namespace {
+
+/// A bar between two clamps, with a preload of 60 kN.
+std::string clamp(const std::string& bar, const std::string& more = "") {
+  return make_deck("end: 1e-3", R"yaml(
+parts: {bar: {box: {size: [0.02, 0.03, 0.4], cells: [2, 3, 20]}, )yaml" + bar + R"yaml(material: steel}}
+conditions: [{nodes: bar/z_max, fixed: [x, y, z]}, {nodes: bar/z_min, fixed: [x, y, z]}]
+start:
+  relaxation: {tolerance: 1e-12}
+  preload: {bolt: {part: bar, point: [0, 0, 0.21], normal: z, force: 60e3}}
+output: {history: {every: 0, forces: [{name: cut, section: {part: bar, point: [0, 0, 0.1], normal: z}}]}}
+)yaml" + more);
+}
+
+/// The force of the section in each step: impulses over steps, which are a force where steps do not change.
+void expect_force(const Outcome& run, double force, double share) {
+  for (std::size_t row = 2; row < run.history.rows(); ++row) {
+    const double dt = run.history["dt"][row], before = run.history["dt"][row - 1];
+    if (std::abs(dt - before) > 1e-9 * dt) continue;
+    ASSERT_NEAR(run.history["fz:cut"][row], force, share * std::abs(force)) << "row " << row;
+  }
+}
+
+class ClampedBar : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Elements, ClampedBar,
+                         testing::Values("", "integration: full, ", "hourglass: viscous, ", "elements: wedges, "));
+
+TEST_P(ClampedBar, HasItsPreloadAndItsEnergy) {
+  const Outcome run = run_deck(clamp(GetParam()));
+  EXPECT_LT(run.summary.relaxation.preload_error, 1e-6);
+  expect_force(run, 60e3, 1e-6);
+  // F^2 L / (2 E A): the layer that was shortened holds its share. Its length, a twentieth, has lost 1e-2, and the
+  // stress 5e-4 of E changes energies by as much.
+  const double exact = 60e3 * 60e3 * 0.4 / (2 * young * 6e-4);
+  fmt::print("energy {:.6g}, exact {:.6g}\n", run.summary.relaxation.energy, exact);
+  EXPECT_NEAR(run.summary.relaxation.energy, exact, 2e-3 * exact);
+  expect_rest(run, 1e-9);
+}
+
+}  // namespace
+
+// Their layer is ragged, and holds stresses of its own.
+TEST(Preload, OfTetrahedraAndPyramidsHasItsForce) {
+  for (const char* elements : {"elements: tetrahedra, ", "elements: pyramids, "}) {
+    const Outcome run = run_deck(clamp(elements));
+    expect_force(run, 60e3, 1e-5);
+    expect_rest(run, 1e-7);
+  }
+}
+
+namespace {
+
+class ClampedLine : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Sections, ClampedLine,
+                         testing::Values("truss: {area: 6e-4}", "rectangle: {size: [0.02, 0.03]}, toward: x"));
+
+TEST_P(ClampedLine, OfBeamsHasItsPreloadAndItsEnergy) {
+  const std::string steel = "model: elastic, ";
+  for (const std::string law : {"model: elastic, ", "model: j2_plasticity, yield_stress: 1e9, hardening_modulus: 1e9, "}) {
+    std::string text = make_deck("end: 1e-3", fmt::format(R"yaml(
+parts: {{bar: {{line: {{from: [0, 0, 0], to: [0, 0, 0.4], cells: 20}}, section: {{{}}}, material: steel}}}}
+conditions: [{{nodes: bar/start, fixed: [x, y, z]}}, {{nodes: bar/end, fixed: [x, y, z]}}]
+start:
+  relaxation: {{tolerance: 1e-12}}
+  preload: {{bolt: {{part: bar, point: [0, 0, 0.21], normal: z, force: 60e3}}}}
+output: {{history: {{every: 0, forces: [{{name: cut, section: {{part: bar, point: [0, 0, 0.1], normal: z}}}}]}}}}
+)yaml",
+                                                          GetParam()));
+    const Outcome run = run_deck(text.replace(text.find(steel), steel.size(), law));
+    expect_force(run, 60e3, 1e-6);
+    const double exact = 60e3 * 60e3 * 0.4 / (2 * young * 6e-4);
+    EXPECT_NEAR(run.summary.relaxation.energy, exact, 2e-3 * exact);
+    expect_rest(run, 1e-9);
+  }
+}
+
+}  // namespace
+
+TEST(Preload, PushesToo) {
+  const Outcome run = run_deck(clamp(""), {"start.preload.bolt.force=-60e3"});
+  expect_force(run, -60e3, 1e-6);
+  expect_rest(run, 1e-9);
+}
+
+/// After time 0 the layer is ordinary material: the end that moves by u changes the force by E A u / L.
+TEST(Preload, IsReleasedIntoOrdinaryMaterial) {
+  const std::string text = clamp("");
+  const Outcome run = run_deck(text, {"time.end=4e-3", "conditions.0.fixed=[x, y]", "output.history.every=2e-5",
+                                      "conditions.2={nodes: bar/z_max, displacement: {z: {expression: \"1e-4 * sin(pi * "
+                                      "t / 8e-3) ^ 2\"}}}"});
+  const double more = young * 6e-4 * 1e-4 / 0.4;
+  EXPECT_NEAR(run.history.last("fz:cut"), 60e3 + more, 0.01 * more);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
+TEST(Relaxation, AStackStandsOnAWallWithItsWeight) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 5e-3}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, material: m}
+  top: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [0, 0, 0.1], material: m}
+  ball: {sphere: {radius: 0.03, cells: 8}, at: [0.05, 0.05, 0.3], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+walls: [{name: floor, point: [0, 0, 0], normal: z}]
+initial: [{part: ball, velocity: [0, 0, -1]}]
+loads: {gravity: [0, 0, -100]}
+contact: {friction: 0.3}
+start: {relaxation: {hold: [ball]}}
+output: {history: {every: 5e-5, nodes: [{name: ball, near: [0.05, 0.05, 0.3]}], forces: [{name: floor, wall: floor}, {name: joint, contact: [top, low]}]}}
+)yaml");
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  const double weight = 1000 * 1e-3 * 100;
+  EXPECT_NEAR(run.history.mean(1e-4, 5e-3, "fz:floor"), 2 * weight, 0.01 * weight);
+  EXPECT_NEAR(run.history.mean(1e-4, 5e-3, "fz:joint"), weight, 0.01 * weight);
+  EXPECT_EQ(run.history["ball_z"][0], 0.3);
+  EXPECT_EQ(run.history["ball_vz"][0], -1);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
+TEST(Relaxation, ThatDoesNotSettleIsRefusedOrWarnedOf) {
+  const std::string text = hang("");
+  try {
+    run_deck(text, {"start.relaxation.max_steps=50"});
+    ADD_FAILURE() << "it settled";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the relaxation is not at rest after 50 steps (start.relaxation.tolerance is 1e-12; kinetic energy "));
+  }
+  const Outcome run = run_deck(text, {"start.relaxation.max_steps=50", "start.relaxation.unsettled=warn"});
+  EXPECT_EQ(run.summary.relaxation.state, "unsettled");
+  EXPECT_EQ(run.summary.relaxation.steps, 50);
+  EXPECT_EQ(run.summary.warnings.back().rule, "unsettled_relaxation");
+}
+
+TEST(Preload, ThatCutsNothingOrShellsIsRefused) {
+  const auto expect_refused = [](const std::string& text, const std::vector<std::string>& set, const char* message) {
+    try {
+      run_deck(text, set);
+      ADD_FAILURE() << message;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(message));
+    }
+  };
+  expect_refused(clamp(""), {"start.preload.bolt.point=[0, 0, 2]"}, "cuts no element (its plane lies beside part 'bar')");
+  expect_refused(clamp(""), {"parts.bar={shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.1, material: steel}",
+                             "conditions=[]", "start.preload.bolt.normal=x", "start.preload.bolt.point=[0.3, 0, 0]",
+                             "output.history.forces=[]"},
+                 "preload 'bolt' cuts shells (only solids and beams have one)");
+}
+
+}  // namespace percuss::test
