@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import signal
 import sys
 
 SCRIPTS = os.path.dirname(os.path.realpath(__file__))
@@ -13,6 +14,12 @@ def describe_install(option, packages):
     """What to do where a library is missing: an installation of percuss has no script for it."""
     script = os.path.join(SCRIPTS, "install_dependencies")
     return f"run scripts/install_dependencies {option}" if os.path.exists(script) else f"install {packages} (names of Debian)"
+
+
+def end_with_reader():
+    """Ends silently, as programs of the shell do, where what reads the output has ended: percuss plot DIR --list | head."""
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
 
 
 def find_readers():

@@ -48,7 +48,7 @@ MODES = {
 }
 
 
-# One mesh for all numbers of ranks; as many elements a rank; the meshes of "scaled", each on one rank.
+# One mesh for all numbers of ranks; as many elements per rank; the meshes of "scaled", each on one rank.
 KINDS = ["fixed", "scaled", "whole"]
 
 # Steps of the brick wall take long: all bricks are in contact.

@@ -77,7 +77,7 @@ def tabulate_fixed_work(points):
 def tabulate_phases(points):
     """Mean work of a rank and step by phase, and for the contact phases a point of the rank."""
     heading = ["ranks"] + [phase.replace("_", " ") for phase in FE_PHASES + CONTACT_PHASES]
-    heading += ["contact points a rank", "contact work [ns] a point"]
+    heading += ["contact points per rank", "contact work [ns] per point"]
     rows = []
     for p in points:
         own = p["contact_points"] / p["ranks"]
@@ -138,6 +138,6 @@ def write_tables(points, latency, bandwidth):
         text += tabulate_fixed_work(own) if kind == "fixed" else tabulate_scaled_work(own, control, shares)
         text += "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
         if kind == "scaled" and all(p["ranks"] in shares and "mpi_hops" in p for p in own) and len(own) > 1:
-            text += f"Forecast for {1e6 * latency:g} us a message or hop, {1e-9 * bandwidth:g} GB/s a rank:\n\n"
+            text += f"Forecast for {1e6 * latency:g} us per message or hop, {1e-9 * bandwidth:g} GB/s per rank:\n\n"
             text += tabulate_forecast(own, control, shares, latency, bandwidth) + "\n"
     return text

@@ -68,6 +68,14 @@ class Run:
             return "running" if self.summary else "starting"
         return {"running": "killed", None: "killed"}.get(self.summary.get("status"), self.summary.get("status"))
 
+    @property
+    def step_limit(self):
+        """'stopped by time.max_steps at 2.9 % of time.end', or empty where the run came to its end or did not complete."""
+        time, end = self.summary.get("time") or 0, self.summary.get("end_time") or 0  # older summaries have no end
+        if self.status != "completed" or not time < end * (1 - 1e-9):
+            return ""
+        return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
+
     @cached_property
     def deck(self):
         return find_deck(self.folder, self._deck_file)

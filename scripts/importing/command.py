@@ -49,13 +49,12 @@ def import_model(arguments: argparse.Namespace) -> int:
         raise BadInput(clean(arguments.model), "no part is left to run (every part was left out): read import_report.md and allow less")
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
+    write_reports(arguments, ledger, summary)
+    deck = "" if refused else write_files(arguments, model)  # before what is printed, whose reader may end
     if not arguments.quiet:
         report.print_table(ledger)
-    write_reports(arguments, ledger, summary)
     tell_unused(ledger)
-    if refused:
-        return tell_refused(arguments, ledger)
-    return write_and_check(arguments, model, summary)
+    return tell_refused(arguments, ledger) if refused else tell_deck(arguments, deck, summary)
 
 
 def tell_unused(ledger: Ledger) -> None:
@@ -86,7 +85,8 @@ def print_refused(ledger: Ledger) -> None:
         print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
 
 
-def write_and_check(arguments: argparse.Namespace, model: Model, summary: list[str]) -> int:
+def write_files(arguments: argparse.Namespace, model: Model) -> str:
+    """Writes the deck and its mesh. Returns the name of the deck."""
     deck = os.path.join(arguments.out, "deck.yaml")
     try:
         text = write_deck(model, os.path.basename(arguments.model), "mesh.k", arguments.units)
@@ -95,6 +95,11 @@ def write_and_check(arguments: argparse.Namespace, model: Model, summary: list[s
     write_mesh(model, os.path.join(arguments.out, "mesh.k"))
     with open(deck, "w", encoding="utf-8", newline="\n") as file:
         file.write(text)
+    return deck
+
+
+def tell_deck(arguments: argparse.Namespace, deck: str, summary: list[str]) -> int:
+    """Tells what was written, and checks it."""
     for line in summary:
         print(clean(line))
     print(f"percuss import: {clean(deck)}", flush=True)

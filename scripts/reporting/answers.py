@@ -52,7 +52,8 @@ def tell_events(run):
     text += f"At the end: {', '.join(told)}." if told else ""
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
         text += f" Loads, gravity and prescribed motion did the work {show(run, energy['external'], 'energy')}."
-    return [text, *tell_erosion(run)]
+    limit = [f"The run was {run.step_limit}."] if run.step_limit else []
+    return [*limit, text, *tell_erosion(run)]
 
 
 def tell_erosion(run):

@@ -40,7 +40,8 @@ def find_findings(run):
 
 def _judge_status(run):
     texts = {
-        "completed": (GOOD, "The run is complete."),
+        "completed": (LOOK, f"The run was {run.step_limit}.", "raise time.max_steps or leave it out, and run to the end")
+        if run.step_limit else (GOOD, "The run is complete."),
         "failed": (BAD, f"The run failed: {run.summary.get('error', '')} What follows holds up to then.",
                    _find_remedy(run.summary.get("error", ""))),
         "interrupted": (LOOK, "The run was interrupted; it can be continued with --restart.", "continue it with --restart DIR/checkpoint.h5"),

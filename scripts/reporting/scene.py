@@ -113,11 +113,11 @@ def make_cost_section(summary):
               for name, seconds in sorted(summary["phases_s"].items(), key=lambda item: -item[1]) if seconds > 0]
     skipped = [(name.replace("_", " "), f"{100 * share:.1f} %") for name, share in summary["skipped"].items()]
     rows = [("set-up, loop", f"{summary['setup_s']:.3g} s, {summary['loop_s']:.3g} s"),
-            ("an element and a step", f"{summary['grind_ns']:.4g} ns of a core"),
+            ("per element and step", f"{summary['grind_ns']:.4g} ns of core time"),
             ("largest memory of a rank", f"{summary['peak_bytes'] / 1e6:.4g} MB"),
             ("busiest rank over the mean",
              f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
-            ("messages a step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
+            ("messages per step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
             ("program", f"percuss {summary['version']}, {summary['backend']}, {summary['precision']}")]
     return ("<div class=columns><div><h3>Work of the loop</h3>" + make_table(("phase", "time", "share"), phases, (1, 2)) +
             "</div><div><h3>Work that was not needed, and skipped</h3>" + make_table(("work", "share"), skipped, (1,)) +

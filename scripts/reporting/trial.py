@@ -119,7 +119,7 @@ class Trial:
 
     @property
     def step_time(self):
-        """Seconds a step, output left out; 0 where nothing was measured."""
+        """Seconds per step, output left out; 0 where nothing was measured."""
         return self._step_time
 
     @property
@@ -135,7 +135,7 @@ class Trial:
             summary = self.run.summary
             cores = summary["ranks"] * summary["threads"]
             rows.append(("run time", format_seconds(steps * self.step_time),
-                         f"{1e3 * self.step_time:.3g} ms a step, measured over {self.steps_measured} steps on {cores} "
+                         f"{1e3 * self.step_time:.3g} ms per step, measured over {self.steps_measured} steps on {cores} "
                          f"core{'s' * (cores != 1)}{self.describe_load()}; more contact makes steps longer"))
             rows.append(("memory", format_bytes(summary["peak_bytes"]), "largest so far, of one rank"))
         for name, size, how in self.find_sizes():

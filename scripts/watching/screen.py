@@ -86,7 +86,8 @@ def make_screen(run, rows, end, left, size):
     """Lines of the view. left: seconds to the end, or None. size: (width, plain)."""
     width, plain = size
     unit = f" {run.units.time[0]}" if run.units else ""
-    lines = [f"{run.title}  [{run.status}]", run.folder]
+    status = f"{run.status}, {run.step_limit}" if run.step_limit else run.status
+    lines = [f"{run.title}  [{status}]", run.folder]
     time = rows.last("time")
     if time is not None:
         bar = make_progress(time, end, min(40, max(10, width - 50)), plain)

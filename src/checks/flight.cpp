@@ -11,9 +11,6 @@ namespace {
 /// Pieces of a run, in which distances change along straight lines.
 constexpr int pieces = 256;
 
-/// Resolution of the distance to a wall, as a share of the part's size.
-constexpr double wall_margin = 0.05;
-
 double find_size(const Flight::Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
@@ -120,6 +117,24 @@ double find_meeting(const Flight& a, const Flight& b, double end, double share) 
 
 namespace {
 
+/// Of the corner that is closest to a plane.
+double find_height(const Flight::Box& box, const WallDeck& wall) {
+  double height = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    height += wall.normal[k] * ((wall.normal[k] > 0 ? box.low[k] : box.high[k]) - wall.point[k]);
+  return height;
+}
+
+/// Whether distance(time), a parabola, is not negative at time 0 and grows from there on until `end`.
+template <class Distance>
+bool is_growing(double end, double size, const Distance& distance) {
+  constexpr double round_off = 1e-9;  // of a size, and of the growth
+  const double first = distance(0), middle = distance(0.5 * end), last = distance(end), growth = last - first;
+  const double start_slope = 4 * middle - 3 * first - last, end_slope = first - 4 * middle + 3 * last;
+  return first >= -round_off * size && growth > round_off * size &&
+         std::min(start_slope, end_slope) >= -round_off * growth;
+}
+
 /// Of the middle of a box from a cylinder without end or a sphere, less half its diagonal: never too far.
 double find_height_over_round(const Flight::Box& box, const WallDeck& wall) {
   Vec3 middle{}, half{};
@@ -134,8 +149,8 @@ double find_height_over_round(const Flight::Box& box, const WallDeck& wall) {
 
 }  // namespace
 
-double find_meeting(const Flight& part, const WallDeck& wall, double end) {
-  const double gap = wall_margin * find_size(part.find_box(0));
+double find_meeting(const Flight& part, const WallDeck& wall, double end, double share) {
+  const double gap = share * find_size(part.find_box(0));
   if (wall.is_round()) {
     const double bend_rate = std::sqrt(dot(part.gravity(), part.gravity())) / 8;
     return find_first(end, [&](double from, double to) {
@@ -147,17 +162,26 @@ double find_meeting(const Flight& part, const WallDeck& wall, double end) {
       return nearest <= gap + 0.5 * way + bend_rate * (to - from) * (to - from);
     });
   }
-  const auto find_height = [&](double time) {
-    const Flight::Box box = part.find_box(time);
-    double height = 0;  // of the corner that is closest to the wall
-    for (std::size_t k = 0; k < 3; ++k)
-      height += wall.normal[k] * ((wall.normal[k] > 0 ? box.low[k] : box.high[k]) - wall.point[k]);
-    return height;
-  };
   return find_first(end, [&](double from, double to) {
     const double bend = std::abs(dot(part.gravity(), wall.normal)) * (to - from) * (to - from) / 8;
-    return std::min(find_height(from), find_height(to)) <= gap + bend;
+    return std::min(find_height(part.find_box(from), wall), find_height(part.find_box(to), wall)) <= gap + bend;
   });
+}
+
+bool do_separate(const Flight& a, const Flight& b, double end) {
+  const double size = std::min(find_size(a.find_box(0)), find_size(b.find_box(0)));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto above = [&](double time) { return a.find_box(time).low[k] - b.find_box(time).high[k]; };
+    const auto below = [&](double time) { return b.find_box(time).low[k] - a.find_box(time).high[k]; };
+    if (is_growing(end, size, above) || is_growing(end, size, below)) return true;
+  }
+  return false;
+}
+
+bool do_separate(const Flight& part, const WallDeck& wall, double end) {
+  if (wall.is_round()) return false;
+  return is_growing(end, find_size(part.find_box(0)),
+                    [&](double time) { return find_height(part.find_box(time), wall); });
 }
 
 }  // namespace percuss

@@ -41,6 +41,12 @@ class Flight {
   bool is_held_ = false, is_uniform_ = false;
 };
 
+/// Of a size: bodies that are closer may touch, since a box is larger than what is in it.
+inline constexpr double touching_share = 0.05;
+
+/// The same where boxes that only touch may part.
+inline constexpr double overlapping_share = -1e-6;
+
 /// All parts of a scene.
 std::vector<Flight> find_flights(const CheckedScene& scene);
 
@@ -51,8 +57,15 @@ bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 /// 0: never.
 double find_meeting(const Flight& a, const Flight& b, double end, double share);
 
-/// The same of a part and a wall at time 0 as if it had no ends, to a twentieth of the part's size; of a cylinder or a
-/// sphere and the ball around the box.
-double find_meeting(const Flight& part, const WallDeck& wall, double end);
+/// The same of a part and a wall at time 0 as if it had no ends; of a cylinder or a sphere and the ball around the box.
+/// share: of the part's size.
+double find_meeting(const Flight& part, const WallDeck& wall, double end, double share);
+
+/// Whether the boxes of two parts are apart at the start and only move farther apart until `end`, along one axis.
+bool do_separate(const Flight& a, const Flight& b, double end);
+
+/// Whether a part is in front of a plane at the start and only moves farther away from it until `end`. False for walls
+/// that are round.
+bool do_separate(const Flight& part, const WallDeck& wall, double end);
 
 }  // namespace percuss

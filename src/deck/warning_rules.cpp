@@ -22,7 +22,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"specific_heat", "specific heat that no material has in the units"},
       {"start_temperature", "start and room temperature on two scales"},
       {"added_mass", "added mass far above that of its parts"},
-      {"rigid_inertia", "mass centre far off a rigid body, inertia that does not fit its size"},
+      {"rigid_inertia", "centre of mass far off a rigid body, inertia that does not fit its size"},
       {"unused_material", "material that no part uses"},
       {"fluid_hourglass", "fluid with the hourglass control of solids"},
       // sizes and places of parts (src/checks/rules/size_rules.cpp)

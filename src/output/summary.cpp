@@ -54,7 +54,7 @@ template <class S, class Visitor>
 void visit_head(S& s, Visitor&& v) {
   v.value("status", s.status);
   v.value("error", s.error);
-  v.value("warnings", s.warnings);
+  v.later_value("warnings", s.warnings);
   v.value("version", s.version);
   v.value("backend", s.backend);
   v.value("precision", s.precision);
@@ -66,6 +66,7 @@ void visit_head(S& s, Visitor&& v) {
   v.value("contact_faces", s.contact_faces);
   v.value("steps", s.steps);
   v.value("time", s.time);
+  v.later_value("end_time", s.end_time);
 }
 
 template <class S, class Visitor>
@@ -151,6 +152,11 @@ class Writer {
     }
   }
 
+  template <class T>
+  void later_value(const char* key, const T& member) {
+    value(key, member);
+  }
+
   template <class Visit>
   void group(const char* key, Visit&& visit) {
     Json* const outer = object_;
@@ -168,9 +174,14 @@ class Reader {
  public:
   Reader(const Json& root, const std::string& path) : object_(&root), path_(path) {}
 
+  /// Of a key that summaries of older versions lack.
+  template <class T>
+  void later_value(const char* key, T& member) {
+    if (object_->contains(key)) value(key, member);
+  }
+
   template <class T>
   void value(const char* key, T& member) {
-    if (std::is_same_v<T, std::vector<Warning>> && !object_->contains(key)) return;  // an older percuss listed none
     const Json& found = find(key);
     if constexpr (std::is_array_v<T>) {
       if (!found.is_array() || found.size() != std::extent_v<T>) fail(key, "is not a list of three numbers");
@@ -258,6 +269,12 @@ void write_summary(const std::string& path, const Summary& summary) {
   // An error text with bytes that are not UTF-8 (a file name) must not keep the summary from being written.
   const std::string text = writer.take().dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   write_file_atomically(path, text, Durability::disk);
+}
+
+std::string describe_step_limit(const Summary& summary) {
+  const bool is_short = summary.time < summary.end_time * (1 - 1e-9);  // a run may end a rounding error early
+  if (summary.status != "completed" || !is_short) return "";
+  return fmt::format("stopped by time.max_steps at {:.2g} % of time.end", 100 * summary.time / summary.end_time);
 }
 
 std::string describe_warnings(const Summary& summary, const std::string& directory) {

@@ -1,6 +1,9 @@
 """scripts/plot: plot_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib."""
 
 import os
+import re
+import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -18,6 +21,7 @@ PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from percuss.history import History  # noqa: E402
 from plotting.panels import BadChoice, choose_panels, list_panels  # noqa: E402
 from plotting.series import Options, find_controlling_parts, make_curve, thin  # noqa: E402
 
@@ -58,7 +62,6 @@ class Plot(unittest.TestCase):
             self.assertTrue(words in text, words)
 
     def test_round_off_is_drawn_as_a_flat_curve(self):
-        from percuss.history import History
         from plotting.drawing import Plot as Drawing
 
         for last, flat in ((2 + 1e-13, True), (2.1, False)):
@@ -70,6 +73,26 @@ class Plot(unittest.TestCase):
     def test_lists_columns_with_units(self):
         done = self.plot(self.out, "--list")
         self.assertRegex(done.stdout, r"kinetic +J +kinetic energy")
+
+    def test_ends_silently_with_what_reads_its_output(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        for arguments in (["plot", self.out, "--list"], ["plot", "--help"], ["watch", self.out], ["import", "--help"]):
+            done = subprocess.run([PERCUSS, *arguments], stdout=writer, stderr=subprocess.PIPE, text=True, timeout=120)
+            self.assertEqual(done.returncode, -signal.SIGPIPE, arguments)
+            self.assertEqual(done.stderr, "", arguments)
+        os.close(writer)
+
+    def test_examples_of_the_help_name_columns_that_a_run_has(self):
+        done = self.plot("--help")
+        self.assertTrue(done.stdout.startswith("usage: percuss plot "), done.stdout)
+        examples = done.stdout.split("examples:\n")[1].split("\n\n")[0]
+        columns = ["time", "wall_force_z", *(f"f{axis}:impact" for axis in "xyz"), *self.run_.history]
+        history = History(columns, np.ones((3, len(columns))))
+        for line in examples.splitlines():
+            words = shlex.split(re.split(r"\s{2,}", line.strip())[0])[2:]
+            options = next((i for i, word in enumerate(words) if word.startswith("--")), len(words))
+            choose_panels([word for word in words[:options] if word not in ("ball", "ball_fine", "can")], [history])
 
     def test_says_what_is_wrong(self):
         for arguments, words in (((self.out, "kinetics"), "there is no column 'kinetics'"), (("nowhere",), "no folder among nowhere"),

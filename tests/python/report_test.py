@@ -285,6 +285,16 @@ class Findings(OfARun):
         self.assertIn("element 3 is inverted", findings[0].text)
         self.assertEqual(self.find(lambda summary: summary.update(status="running"))[0].level, BAD)  # it was killed
 
+    def test_tell_that_the_number_of_steps_has_ended_the_run(self):
+        folder = self.copy("short")
+        change_summary(folder, lambda summary: summary.update(time=0.029 * summary["end_time"]))
+        run, text = percuss.read(folder), "The run was stopped by time.max_steps at 2.9 % of time.end."
+        self.assertEqual(self.level_of(find_findings(run), text), LOOK)
+        self.assertEqual(tell_events(run)[0], text)
+        self.assertIn("Raise time.max_steps or leave it out, and run to the end.", list_changes(find_findings(run)))
+        change_summary(folder, lambda summary: summary.pop("end_time"))  # as older versions wrote it
+        self.assertEqual(percuss.read(folder).step_limit, "")
+
 
 class Surface(unittest.TestCase):
     def setUp(self):

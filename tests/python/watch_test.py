@@ -45,6 +45,10 @@ class Watch(unittest.TestCase):
             self.assertIn(words, done.stdout)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 100)
 
+    def test_says_that_the_number_of_steps_has_ended_it(self):
+        out = sample_run.run(PERCUSS, self.folder.name, "--set", "time.max_steps=2", name="short")
+        self.assertRegex(self.watch(out).stdout, r"\[completed, stopped by time.max_steps at [0-9.]+ % of time.end\]")
+
     def test_is_plain_where_the_terminal_is(self):
         done = self.watch(self.out, "--plain")
         self.assertTrue(done.stdout.isascii())

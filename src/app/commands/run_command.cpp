@@ -25,16 +25,15 @@ namespace {
 
 void report(const RunResult& result, const std::string& out_dir, const Deck& deck) {
   const Summary& s = result.summary;
-  print_quietly(stderr,
-                "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
+  print_quietly(stderr, "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.1e}\n",
                 s.status, s.time, unit_suffix(deck.units, dimensions::time), s.steps, s.setup_s + s.loop_s, s.grind_ns,
-                100 * s.energy.error);
+                s.energy.error);
+  if (const std::string limit = describe_step_limit(s); !limit.empty()) print_quietly(stderr, "{}\n", limit);
   if (s.mass.in_run > 0) print_quietly(stderr, "mass: {}\n", format_added_mass(s));
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {
-    print_quietly(stderr, "checkpoint: {}; to continue: percuss run {} --restart {}\n", result.checkpoint, deck.file,
-                  result.checkpoint);
+    print_quietly(stderr, "checkpoint: {}; {}\n", result.checkpoint, result.resume);
   }
   if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
 }
@@ -53,6 +52,7 @@ bool check_restart(const Command& command, const std::string& out_dir, const Com
     if (!std::filesystem::exists(command.restart))
       throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
     if (ranks.rank() != 0) return;
+    refuse_other_file(command.restart);
     if (!command.allow_external) refuse_external_checkpoint(command.restart);
     if (lies_in_folder(command.restart, out_dir))
       answer = "in place";

@@ -24,7 +24,7 @@ Exit codes:
   130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); results and a checkpoint for a restart are written;
        before the first step nothing is changed
 mpirun returns the same codes, except after a signal to mpirun itself (Open MPI: 1 after Ctrl-C or SIGTERM) and when a
-rank is killed (137 after SIGKILL). Then look at `status` in summary.json: `running` means that the run was killed.
+rank is killed (137 after SIGKILL). Then see `status` in summary.json: `running` means that the run was killed.
 
 Environment:
   OMP_NUM_THREADS   threads per rank; default: one per core that the rank may use. Ranks that are not bound to cores
@@ -39,15 +39,15 @@ docs/deck.md describes the deck.
 inline constexpr const char* run = R"(
 Always writes summary.json. The deck's `output` selects fields.vtkhdf, with fields.xdmf2 (ParaView) and fields.xdmf
 (VisIt) beside it, and history.csv. Results go to the folder of --out, by default out/SCENE in the current folder. SCENE
-is the deck's file name without extension, or the name of its folder if the deck is called deck.yaml. A folder that is not empty is refused unless
---force is given, which overwrites an earlier run's files and nothing else. A folder of an active run is always refused;
-run.lock in it names that run.
+is the deck's file name without extension, or the name of its folder if the deck is called deck.yaml. A folder that is
+not empty is refused unless --force is given, which overwrites an earlier run's files and nothing else. A folder of an
+active run is always refused; run.lock in it names that run.
 
 Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU stop the run after the current step; it first writes a checkpoint. A second
-Ctrl-C ends it at once. Under mpirun use `kill -USR1 PID_OF_MPIRUN`, which reaches the ranks at once and gives them enough
-time. After Ctrl-C Open MPI 4 waits one second before it signals its ranks, and one more before it kills them; `mpirun --mca
+Ctrl-C ends it at once. Under mpirun use `kill -USR1 PID_OF_MPIRUN`: mpirun passes it on at once and waits for the ranks.
+After Ctrl-C Open MPI 4 waits one second before it signals its ranks, and one more before it kills them; `mpirun --mca
 odls_base_sigkill_timeout 10` extends both waits to ten seconds. During the run summary.json says `running`; if no run is
-active, that means that it was killed. `output.checkpoint` in the deck writes checkpoints during the run.
+active then, it was killed. `output.checkpoint` in the deck writes checkpoints during the run.
 
 --restart continues from a checkpoint, on any number of ranks and threads. The results are bit-identical to those of an
 uninterrupted run. It appends to history and fields in the checkpoint's folder, or starts new ones in the empty folder

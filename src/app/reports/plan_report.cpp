@@ -84,27 +84,27 @@ class PlanTable {
 };
 
 void add_mesh_rows(PlanTable& table) {
-  table.add("chunks a rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.chunks.least; });
-  table.add("elements a rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.elements.least; });
-  table.add_mean_and_most("elements a rank", &RankSpreads::elements);
+  table.add("chunks per rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.chunks.least; });
+  table.add("elements per rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.elements.least; });
+  table.add_mean_and_most("elements per rank", &RankSpreads::elements);
   table.add_most_over_mean(&RankSpreads::elements);
-  table.add_mean_and_most("shared nodes a rank", &RankSpreads::shared_nodes);
-  table.add_mean_and_most("neighbours a rank", &RankSpreads::neighbours);
-  table.add_mean_and_most("halo messages a step", &RankSpreads::halo_messages);
-  table.add_mean_and_most("halo bytes a step", &RankSpreads::halo_bytes);
+  table.add_mean_and_most("shared nodes per rank", &RankSpreads::shared_nodes);
+  table.add_mean_and_most("neighbours per rank", &RankSpreads::neighbours);
+  table.add_mean_and_most("halo messages per step", &RankSpreads::halo_messages);
+  table.add_mean_and_most("halo bytes per step", &RankSpreads::halo_bytes);
 }
 
 void add_contact_rows(PlanTable& table) {
-  table.add_mean_and_most("contact points a rank", &RankSpreads::contact_points);
+  table.add_mean_and_most("contact points per rank", &RankSpreads::contact_points);
   table.add_most_over_mean(&RankSpreads::contact_points);
   table.add("ghost faces, all ranks", "{}", [](const Column& c) { return c.plan.contact.ghost_faces; });
-  table.add_mean_and_most("contact messages a step", &RankSpreads::contact_messages);
-  table.add_mean_and_most("contact bytes a step", &RankSpreads::contact_bytes);
+  table.add_mean_and_most("contact messages per step", &RankSpreads::contact_messages);
+  table.add_mean_and_most("contact bytes per step", &RankSpreads::contact_bytes);
 }
 
 void add_time_rows(PlanTable& table, double reductions) {
-  table.add("memory a rank [MB], most", "{:.0f}", [](const Column& c) { return 1e-6 * c.spreads.memory.most; });
-  table.add("reductions a step", "{:.1f}", [&](const Column& c) { return c.plan.ranks > 1 ? reductions : 0; });
+  table.add("memory per rank [MB], most", "{:.0f}", [](const Column& c) { return 1e-6 * c.spreads.memory.most; });
+  table.add("reductions per step", "{:.1f}", [&](const Column& c) { return c.plan.ranks > 1 ? reductions : 0; });
   table.add_microseconds("computing [us]", &StepEstimate::computing);
   table.add_microseconds("halo [us]", &StepEstimate::halo);
   table.add_microseconds("contact exchange [us]", &StepEstimate::contact);
@@ -138,7 +138,7 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   text += fmt::format("\nassumed  {:g} ns an element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
                       figures.latency, figures.bandwidth);
   if (scene.pattern.has_pairs || scene.pattern.has_walls) {
-    text += fmt::format("; {:g} iterations a step", figures.iterations);
+    text += fmt::format("; {:g} iterations per step", figures.iterations);
   }
   if (scene.pattern.has_pairs) {
     text += fmt::format(", {:g} ns a contact node or face, {:g} steps a search", figures.contact_node_ns,
@@ -154,11 +154,11 @@ void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog&
   const RankSpreads& spreads = column.spreads;
   if (empty > 0) {
     log.add(warn("idle_ranks", fmt::format("{} of {} ranks would have no elements (the mesh has {} chunks, and a chunk "
-                                           "is never divided): take fewer ranks or a finer mesh",
+                                           "is never split): take fewer ranks or a finer mesh",
                                            empty, ranks, scene.chunks)));
   } else if (ranks > 1 && spreads.elements.imbalance() > uneven) {
     log.add(warn("uneven_ranks", fmt::format("on {} ranks the heaviest has {:.2f} times the mean of the elements "
-                                             "({:.1f} chunks a rank, and a chunk is never divided): take fewer ranks "
+                                             "({:.1f} chunks per rank, and a chunk is never split): take fewer ranks "
                                              "or a finer mesh",
                                              ranks, spreads.elements.imbalance(), spreads.chunks.mean)));
   }

@@ -124,6 +124,9 @@ std::string format_loads(const Deck& deck) {
   return format_line("loads", text.empty() ? "none" : text);
 }
 
+/// The first and the last state, and those between at multiples of `every`.
+double count_frames(double end, double every) { return std::max(std::ceil(end / every * (1 - 1e-12)), 1.0) + 1; }
+
 std::string format_output(const Deck& deck) {
   const OutputDeck& output = deck.output;
   std::string text = "summary";
@@ -132,8 +135,7 @@ std::string format_output(const Deck& deck) {
         *output.history_every > 0 ? fmt::format(", history every {:g}", *output.history_every) : ", history every step";
   }
   if (output.fields_every) {
-    text +=
-        fmt::format(", {:.0f} frames of fields", std::floor(deck.time.end / *output.fields_every * (1 + 1e-12)) + 1);
+    text += fmt::format(", {:.0f} frames of fields", count_frames(deck.time.end, *output.fields_every));
   }
   if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
   if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);

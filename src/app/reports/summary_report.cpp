@@ -57,7 +57,9 @@ std::string format_added_mass(const Summary& s) {
 }
 
 std::string format_summary(const Summary& s) {
-  std::string text = format_line("status", s.status + (s.error.empty() ? "" : ": " + s.error));
+  const std::string limit = describe_step_limit(s);
+  std::string text =
+      format_line("status", s.status + (s.error.empty() ? "" : ": " + s.error) + (limit.empty() ? "" : ", " + limit));
   text += format_line("program",
                       fmt::format("percuss {}, {} back end, {} precision, {} rank{}, {} thread{}", s.version, s.backend,
                                   s.precision, s.ranks, s.ranks == 1 ? "" : "s", s.threads, s.threads == 1 ? "" : "s"));

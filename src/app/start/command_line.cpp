@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -57,9 +58,9 @@ struct Parser {
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app.set_help_flag("-h,--help", "Print this help");
     app.add_flag("--version", version, "Print the version");
-    run = add("run", "Run the scene of a deck", help_texts::run);
+    run = add("run", "Run a deck", help_texts::run);
     check = add("check", "Check a deck and its meshes without running them", help_texts::check);
-    plan = add("plan", "Predict how a deck's scene would run on many ranks", help_texts::plan);
+    plan = add("plan", "Predict how a deck would run on many ranks", help_texts::plan);
     info = add("info", "Describe a results file or a mesh", help_texts::info);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
@@ -78,7 +79,7 @@ struct Parser {
                     "Continue from a checkpoint of this deck's run, or the one in a folder")
         ->type_name("FILE|DIR");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
-    run->add_flag("-q,--quiet", command.quiet, "Print no progress and no report; warnings are printed all the same");
+    run->add_flag("-q,--quiet", command.quiet, "Print no progress and no report; warnings are still printed");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
     add_external(info);
     // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
@@ -173,7 +174,41 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::string& command) {
+constexpr const char* how_many =
+    " (threads of a rank: OMP_NUM_THREADS=N percuss run DECK; ranks: mpirun -n N percuss run DECK)";
+
+/// Whether a word gives a number of threads or ranks, as other programs take it: -n, --threads, ncpu=4.
+bool asks_for_threads(const std::string& word) {
+  std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  name = name.substr(0, name.find('='));
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool is_word = word.starts_with("--") || word.find('=') != std::string::npos;
+  for (const char* known : {"threads", "num-threads", "ranks", "np", "ncpu", "ncpus", "cpu", "cpus", "cores", "jobs"})
+    if (is_word && name == known) return true;
+  return word == "-n" || word == "-np" || word == "-t" || word == "-j" || word == "-c";
+}
+
+/// Words that are no command; `words`: the first of them, and what follows.
+Answer refuse_command(const std::vector<std::string>& words) {
+  const std::string& word = words.front();
+  const std::string next = words.size() > 1 ? words[1] : "DIR";
+  if (word == "restart" || word == "resume" || word == "continue")
+    return wrong(fmt::format("unknown command '{}' (to continue a run: percuss run DECK --restart {})", word, next),
+                 "run");
+  if (word.ends_with(".yaml") || word.ends_with(".yml"))
+    return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
+  return wrong(fmt::format("unknown command '{}'{}", word,
+                           name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
+                                            "watch", "render", "help", "version"})));
+}
+
+/// `extras`: the words that were not understood, at least one.
+Answer refuse_extras(const std::vector<std::string>& extras, const CLI::App& app, const std::string& command) {
+  const std::string& extra = extras.front();
+  if (!command.empty() && command != "plan" && asks_for_threads(extra)) {
+    const std::string kind = extra.starts_with('-') ? "unknown option" : "unknown argument";
+    return wrong(fmt::format("{} '{}'{}", kind, extra, how_many), command);
+  }
   if (extra.starts_with('-') && extra.size() > 1) {
     const std::string name = extra.substr(0, extra.find('='));
     const auto known = option_names(app);
@@ -183,11 +218,7 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
     }
     return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
   }
-  if (command.empty()) {
-    return wrong(fmt::format("unknown command '{}'{}", extra,
-                             name_hint(extra, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
-                                               "watch", "render", "help", "version"})));
-  }
+  if (command.empty()) return refuse_command(extras);
   const char* takes = command == "schema" ? "none" : "one file";
   return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);
 }
@@ -198,9 +229,11 @@ Answer explain(const CLI::ParseError& error, Parser& parser) {
   if (!chosen) return wrong(error.what());
   const CLI::App& sub = *chosen->first;
   const std::string name = sub.get_name();
-  if (!sub.remaining().empty()) return refuse_extra(sub.remaining().front(), sub, name);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    return wrong("an option at the end has no value (" + std::string(error.what()) + ")", name);
+  if (!sub.remaining().empty()) return refuse_extras(sub.remaining(), sub, name);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {  // "--out: 1 required DIR missing"
+    const std::string reason = error.what(), option = reason.substr(0, reason.find(':'));
+    const CLI::Option* known = sub.get_option_no_throw(option);
+    return wrong(known == nullptr ? reason : fmt::format("{} needs a value: {}", option, known->get_type_name()), name);
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     const bool lacks_ranks = chosen->second == Command::Kind::plan && sub.get_option("DECK")->count() > 0;
@@ -232,6 +265,17 @@ std::optional<Answer> refuse_empty_argument(int argc, const char* const* argv) {
   return std::nullopt;
 }
 
+/// --set time.end 1e-4
+std::optional<Answer> refuse_split_setting(const std::vector<std::string>& words, const std::string& command) {
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const std::string &path = words[i + 1], &value = words[i + 2];
+    if ((words[i] != "--set" && words[i] != "-s") || path.find('=') != std::string::npos || value.starts_with("--"))
+      continue;
+    return wrong(fmt::format("'--set {0} {1}' has a space for the '=': --set {0}={1}", path, value), command);
+  }
+  return std::nullopt;
+}
+
 std::optional<Answer> refuse_empty_setting(const Command& command) {
   for (const std::string& setting : command.settings) {
     if (setting.find('=') + 1 != setting.size()) continue;
@@ -255,7 +299,7 @@ std::optional<Answer> answer_word(const std::vector<std::string>& words, const P
   }
   const auto named =
       parser.app.get_subcommands([&](const CLI::App* command) { return command->get_name() == words[1]; });
-  if (named.empty()) return refuse_extra(words[1], parser.app, "");
+  if (named.empty()) return refuse_extras({words[1]}, parser.app, "");
   return Answer{named.front()->help("percuss"), ExitCode::done};
 }
 
@@ -277,11 +321,15 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
   const auto chosen = parser.find_parsed();
   if (!chosen) {
     const auto extras = parser.app.remaining();
-    if (!extras.empty()) return refuse_extra(extras.front(), parser.app, "");
+    if (!extras.empty()) return refuse_extras(extras, parser.app, "");
     return Answer{parser.app.help(), ExitCode::wrong_input};
   }
   const auto extras = parser.app.remaining(true);
-  if (!extras.empty()) return refuse_extra(extras.front(), *chosen->first, chosen->first->get_name());
+  if (!extras.empty()) {
+    if (auto answer = refuse_split_setting({argv + 1, argv + argc}, chosen->first->get_name()))
+      return *std::move(answer);
+    return refuse_extras(extras, *chosen->first, chosen->first->get_name());
+  }
   parser.command.kind = chosen->second;
   if (parser.command.kind == Command::Kind::check && !parser.command.out_dir.empty())
     return wrong("percuss check writes a file with --report only (--out names it)", "check");

@@ -15,6 +15,9 @@ void refuse_external_meshes(const Deck& deck);
 /// Throws InputError, with the name of the file, if a checkpoint does.
 void refuse_external_checkpoint(const std::string& path);
 
+/// Throws InputError if a file to continue from is of another kind, such as a summary.
+void refuse_other_file(const std::string& path);
+
 /// Throws InputError, with the name of the file, if a run that continues in `folder` from `checkpoint` cannot trust
 /// what it opens there: files that are no regular ones, and, unless allowed, HDF5 files that lead to others. Writes
 /// would follow such links.

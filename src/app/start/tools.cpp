@@ -35,6 +35,11 @@ fs::path find_tool(const std::string& name) {
                   name, name, bin.string()));
 }
 
+bool is_tool(const std::string& name) {
+  const std::vector<std::string>& names = tool_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 }  // namespace
 
 const std::vector<std::string>& tool_names() {
@@ -45,9 +50,11 @@ const std::vector<std::string>& tool_names() {
 bool become_tool(int argc, char** argv) {
   if (argc < 2) return false;
   std::string name = argv[1];
+  static char help[] = "--help";
+  char* words_of_help[] = {argv[0], argv[2], help, nullptr};
+  if (name == "help" && argc == 3 && is_tool(argv[2])) return become_tool(3, words_of_help);
   if (name == "check" && std::find(argv + 2, argv + argc, std::string("--report")) != argv + argc) name = "preview";
-  if (std::find(tool_names().begin(), tool_names().end(), name) == tool_names().end() && name != "preview")
-    return false;
+  if (!is_tool(name) && name != "preview") return false;
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
   std::string tool = find_tool(name).string();

@@ -78,10 +78,11 @@ std::vector<Warning> check_rigid_inertia(const CheckedScene& scene) {
     if (part.rigid->center) {
       const double away = find_distance(*part.rigid->center, body);
       if (away > most_away * body.size())
-        warnings.push_back(warn_at(scene.deck, "rigid_inertia", path + "center",
-                                   fmt::format("the mass centre of rigid part '{}' is {:.3g} away from the body, which "
-                                               "is {:.3g} long (it turns about that point): check its unit",
-                                               part.name, away, body.size())));
+        warnings.push_back(
+            warn_at(scene.deck, "rigid_inertia", path + "center",
+                    fmt::format("the centre of mass of rigid part '{}' is {:.3g} away from the body, which "
+                                "is {:.3g} long (it turns about that point): check its unit",
+                                part.name, away, body.size())));
     }
     if (!part.rigid->inertia) continue;
     const auto& inertia = *part.rigid->inertia;

@@ -47,9 +47,10 @@ std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
     if (!yield || (yield->value <= most * stiffness && yield->value >= least * stiffness)) continue;
     warnings.push_back(warn_at(
         scene.deck, "yield_stress", find_key_path(material, yield->key),
-        fmt::format("material '{}' yields at {:g}, which is {:.2g} of its Young's modulus {:g} (materials have 1e-6 to "
-                    "0.1): check the units of both",
-                    material.name, yield->value, yield->value / stiffness, stiffness)));
+        fmt::format(
+            "material '{}' yields at {:g}, which is {:.2g} times its Young's modulus {:g} (materials have 1e-6 to "
+            "0.1): check the units of both",
+            material.name, yield->value, yield->value / stiffness, stiffness)));
   }
   return warnings;
 }
@@ -60,11 +61,11 @@ std::vector<Warning> check_hardening(const CheckedScene& scene) {
   for (const MaterialDeck& material : scene.deck.materials) {
     const auto found = material.law.numbers.find("hardening_modulus");
     if (found == material.law.numbers.end() || found->second <= most * find_youngs_modulus(material)) continue;
-    warnings.push_back(
-        warn_at(scene.deck, "hardening_modulus", find_key_path(material, found->first),
-                fmt::format("the hardening modulus of material '{}' is {:g}, {:.2g} of its Young's modulus (typical of "
-                            "metals: 0.01; it is the slope over plastic strain): check it",
-                            material.name, found->second, found->second / find_youngs_modulus(material))));
+    warnings.push_back(warn_at(
+        scene.deck, "hardening_modulus", find_key_path(material, found->first),
+        fmt::format("the hardening modulus of material '{}' is {:g}, {:.2g} times its Young's modulus (typical of "
+                    "metals: 0.01; it is the slope over plastic strain): check it",
+                    material.name, found->second, found->second / find_youngs_modulus(material))));
   }
   return warnings;
 }

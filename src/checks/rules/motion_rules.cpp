@@ -91,7 +91,6 @@ struct Meeting {
 };
 
 std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) {
-  constexpr double overlap = -1e-6;  // of a size: boxes that only touch may part
   const std::vector<Flight> flights = find_flights(scene);
   const Marks of_beams = scene.measures->mark_beams();
   std::vector<Meeting> meetings;
@@ -101,7 +100,7 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
       if (scene.measures->are_joined(a, b)) continue;
       if (of_beams[a] || of_beams[b]) continue;  // check_beam_contact()
       if (do_overlap(flights[a].find_box(0), flights[b].find_box(0))) continue;
-      const double time = find_meeting(flights[a], flights[b], scene.deck.time.end, overlap);
+      const double time = find_meeting(flights[a], flights[b], scene.deck.time.end, overlapping_share);
       if (time >= 0) meetings.push_back(flights[a].moves() ? Meeting{a, b, time} : Meeting{b, a, time});
     }
   }
@@ -111,22 +110,28 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
 /// When bodies can first touch each other or walls.
 class FirstMeetings {
  public:
-  explicit FirstMeetings(const CheckedScene& scene) : deck_(scene.deck), flights_(find_flights(scene)) {
+  explicit FirstMeetings(const CheckedScene& scene)
+      : deck_(scene.deck),
+        are_free_to_part_(scene.deck.contact.ties.empty() && scene.deck.joints.empty()),
+        flights_(find_flights(scene)) {
     for (const WallDeck& wall : deck_.walls) stopped_.push_back(mark_stopped(deck_, wall));
   }
 
   const Flight& flight(std::size_t part) const { return flights_[part]; }
 
-  /// Of a part, up to a time; below 0: never.
+  /// Of a part, up to a time; below 0: never. Those that move apart during the run have to come back.
   double find(std::size_t part, double end) const {
-    constexpr double margin = 0.05;  // of a size: closer ones may touch
     double first = -1;
     const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
     for (std::size_t other = 0; other < flights_.size() && first != 0; ++other) {
-      if (other != part) take(find_meeting(flights_[part], flights_[other], end, margin));
+      if (other == part) continue;
+      const bool separate = are_free_to_part_ && do_separate(flights_[part], flights_[other], deck_.time.end);
+      take(find_meeting(flights_[part], flights_[other], end, separate ? overlapping_share : touching_share));
     }
     for (std::size_t w = 0; w < deck_.walls.size(); ++w) {
-      if (stopped_[w][part]) take(find_meeting(flights_[part], deck_.walls[w], end));
+      const bool separate = do_separate(flights_[part], deck_.walls[w], deck_.time.end);
+      if (stopped_[w][part])
+        take(find_meeting(flights_[part], deck_.walls[w], end, separate ? overlapping_share : touching_share));
     }
     return first;
   }
@@ -147,22 +152,22 @@ class FirstMeetings {
 
  private:
   const Deck& deck_;
+  bool are_free_to_part_;  // nothing holds bodies together that move apart
   std::vector<Flight> flights_;
   std::vector<Marks> stopped_;  // by wall
 };
 
 /// Whom a part of beams meets before the end; empty: nobody.
 std::string describe_meeting(const CheckedScene& scene, const std::vector<Flight>& flights, std::size_t part) {
-  constexpr double overlap = -1e-6;  // of a size: boxes that only touch may part
   const Deck& deck = scene.deck;
   for (std::size_t other = 0; other < flights.size(); ++other) {
     if (deck.contact.surfaces == ContactDeck::Surfaces::none || scene.measures->are_joined(part, other)) continue;
     if (!flights[part].moves() && !flights[other].moves()) continue;
-    if (find_meeting(flights[part], flights[other], deck.time.end, overlap) >= 0)
+    if (find_meeting(flights[part], flights[other], deck.time.end, overlapping_share) >= 0)
       return fmt::format("that of part '{}'", deck.parts[other].name);
   }
   for (std::size_t w = 0; w < deck.walls.size(); ++w) {
-    if (flights[part].moves() && find_meeting(flights[part], deck.walls[w], deck.time.end) >= 0)
+    if (flights[part].moves() && find_meeting(flights[part], deck.walls[w], deck.time.end, touching_share) >= 0)
       return fmt::format("walls.{}", w);
   }
   return "";

@@ -112,8 +112,8 @@ std::vector<Warning> check_scene_mass(const CheckedScene& scene) {
     warnings.push_back(
         warn_at(scene.deck, "scene_mass", find_shape_path(part),
                 fmt::format("part '{}' has a mass of {:.2g} kg and is {:.3g} long in {} (more metal than "
-                            "in the largest ships): check the unit of lengths; files of meshes have a "
-                            "scale",
+                            "in the largest ships): check the unit of lengths; mesh files have "
+                            "`scale`",
                             part.name, mass * systems.front().in_si(dimensions::mass),
                             scene.measures->parts[p].extent(), join_names(systems))));
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/deck/keys/habits.hpp"
+
 namespace percuss {
 
 namespace {
@@ -11,10 +13,25 @@ bool is_digits(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// "time" of "time {end", which is the key in "time {end: 1}", where a colon is missing; empty: of another key.
+std::string find_key_without_colon(const std::string& name) {
+  const auto bracket = name.find_first_of("{[");
+  if (bracket == std::string::npos || bracket == 0) return {};
+  const auto last = name.find_last_not_of(' ', bracket - 1);
+  return last == std::string::npos || !is_name(name.substr(0, last + 1)) ? std::string() : name.substr(0, last + 1);
+}
+
 }  // namespace
+
+bool is_there(const Node& node, const std::string& name) {
+  return std::any_of(node.entries.begin(), node.entries.end(), [&](const Entry& entry) {
+    return entry.name == name || find_key_without_colon(entry.name) == name;
+  });
+}
 
 void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others) {
   std::string hint = others.hint ? others.hint(entry.name) : "";
+  if (hint.empty()) hint = find_key_habit(entry.name, known);
   if (hint.empty()) hint = name_hint(entry.name, known);
   // {a:1} is one key "a:1" in YAML, and "a b" without a colon is a key with nothing.
   const auto colon = entry.name.find(':');
@@ -22,6 +39,8 @@ void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::strin
     hint = fmt::format(" (a space must follow the colon: '{}: {}')", entry.name.substr(0, colon),
                        entry.name.substr(colon + 1));
   }
+  if (const std::string key = find_key_without_colon(entry.name); !key.empty())
+    hint = fmt::format(" (a colon is missing after {})", quote(key));
   if (entry.value.kind == Node::Kind::null && is_digits(entry.name)) hint = " (decimals take a point, not a comma)";
   const std::string where = reader.self() == "the deck" ? "" : " in " + reader.self();
   reader.error(entry.value.key, fmt::format("unknown key {}{}{}", quote(entry.name), where, hint));

@@ -83,6 +83,9 @@ struct OtherKeys {
 void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others);
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes);
 
+/// Whether a map has the key, be it without the colon behind it.
+bool is_there(const Node& node, const std::string& name);
+
 /// Reads a map by its table: unknown keys get a hint, missing ones an error, unless a hint names them. Returns whether
 /// all went well.
 template <class Owner>
@@ -103,7 +106,7 @@ bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, 
     }
   }
   for (const Key<Owner>& key : keys) {
-    if (!key.required || node.find(key.name) != nullptr) continue;
+    if (!key.required || is_there(node, key.name)) continue;
     good = false;
     if (std::find(hinted.begin(), hinted.end(), key.name) == hinted.end())
       refuse_missing(reader, node, key.name, key.takes);

@@ -43,6 +43,7 @@ void check_selector(const NameUse& use, const std::map<std::string, const PartDe
   const std::string part_name = use.name.substr(0, slash);
   const auto part = parts.find(part_name);
   if (part == parts.end()) {
+    if (std::any_of(parts.begin(), parts.end(), [](const auto& entry) { return !is_name(entry.first); })) return;
     const auto is_file = [](const auto& entry) { return std::holds_alternative<FileMesh>(entry.second->shape); };
     if (slash == std::string::npos && std::any_of(parts.begin(), parts.end(), is_file)) return;  // may be a set of it
     std::vector<std::string> known;

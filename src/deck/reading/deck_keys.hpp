@@ -50,11 +50,11 @@ struct ContactValue {
   std::string takes() const { return "a map"; }
 };
 
-/// `join`: true for all parts, or a list of joints.
+/// `join`: true for all parts, or a list of maps.
 struct JoinValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<JoinDeck>& out) const;
   Form form() const;
-  std::string takes() const { return "true | false or a list of joints"; }
+  std::string takes() const { return "true | false or a list of maps"; }
 };
 
 /// `rigid` of a part: true, or a map.

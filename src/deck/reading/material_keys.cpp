@@ -2,6 +2,7 @@
 
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
+#include "src/deck/keys/habits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 
@@ -184,6 +185,11 @@ const Model* read_choice(const std::vector<Model>& models, const char* kind, con
   const Node* choice = node.find(kind);
   if (choice == nullptr) {
     refuse_missing(reader, node, kind, choices.takes());
+    return nullptr;
+  }
+  if (const std::string instead = find_model_habit(choice->text); !instead.empty()) {
+    reader.error(choice->spot,
+                 fmt::format("{} is {}{} ({})", reader.name_of(kind), describe(*choice), reader.in(), instead));
     return nullptr;
   }
   const Model* model = nullptr;

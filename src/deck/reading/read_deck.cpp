@@ -13,7 +13,12 @@
 namespace percuss {
 namespace {
 
-Node parse_tree(std::string text, const std::vector<std::string>& overrides, DeckErrors& errors) {
+Node parse_tree(std::string text, const std::string& file, const std::vector<std::string>& overrides,
+                DeckErrors& errors) {
+  if (std::string other = describe_other_model(text, file); !other.empty()) {
+    errors.add({}, std::move(other));
+    errors.throw_if_any();
+  }
   if (!check_deck_text(text, errors)) errors.throw_if_any();
   std::optional<Node> root = parse_yaml(text, errors);
   if (!root) errors.throw_if_any();
@@ -51,7 +56,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   deck.overrides = paths;
   Reading reading{
       DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};
-  const Node root = parse_tree(text, overrides, reading.errors);
+  const Node root = parse_tree(text, file, overrides, reading.errors);
   read_keys(Reader(reading), root, deck_keys(), deck);
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();

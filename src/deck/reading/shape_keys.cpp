@@ -160,10 +160,10 @@ struct FileValue {
     if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
     const std::filesystem::path path = std::filesystem::path(reader.reading().folder) / node.text;
     std::error_code unreadable;
-    if (node.text.empty() || !std::filesystem::exists(path, unreadable) ||
-        std::filesystem::is_directory(path, unreadable)) {
-      reader.error(node.spot,
-                   fmt::format("{} is {}{} (there is no file {})", name, describe(node), reader.in(), path.string()));
+    const bool is_folder = !node.text.empty() && std::filesystem::is_directory(path, unreadable);
+    if (is_folder || node.text.empty() || !std::filesystem::exists(path, unreadable)) {
+      const std::string why = is_folder ? path.string() + " is a folder" : "there is no file " + path.string();
+      reader.error(node.spot, fmt::format("{} is {}{} ({})", name, describe(node), reader.in(), why));
       return false;
     }
     out = path.string();

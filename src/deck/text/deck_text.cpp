@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -54,6 +55,23 @@ std::string load_deck_text(const std::string& file) {
   if (std::ferror(stream.get()) != 0)
     throw SystemError(fmt::format("{}: reading failed ({})", file, std::strerror(errno)));
   return text;
+}
+
+std::string describe_other_model(std::string_view text, const std::string& file) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const bool is_comment = line.starts_with('$') || line.starts_with("**");
+    if (is_comment || line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    if (line.size() < 2 || line[0] != '*' || std::isalpha(static_cast<unsigned char>(line[1])) == 0) return {};
+    const std::string extension = std::filesystem::path(file).extension().string();
+    const char* program = extension == ".inp"                                               ? "an Abaqus"
+                          : extension == ".k" || extension == ".key" || extension == ".dyn" ? "an LS-DYNA"
+                                                                                            : "an LS-DYNA or Abaqus";
+    return fmt::format("this is {} model (percuss runs decks in YAML): percuss import {} --out DIR", program, file);
+  }
+  return {};
 }
 
 bool check_deck_text(std::string& text, DeckErrors& errors) {

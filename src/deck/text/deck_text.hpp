@@ -14,6 +14,10 @@ namespace percuss {
 /// (largest_deck), SystemError if reading fails.
 std::string load_deck_text(const std::string& file);
 
+/// What a file is that other programs read, and how to get a deck from it: "this is an LS-DYNA model (...): percuss
+/// import FILE --out DIR"; empty: something else.
+std::string describe_other_model(std::string_view text, const std::string& file);
+
 /// Checks that the text is UTF-8 without control characters and not larger than largest_deck; a byte order mark is
 /// taken off. Adds one error, with its place, and returns false if not.
 bool check_deck_text(std::string& text, DeckErrors& errors);

@@ -104,7 +104,7 @@ std::variant<double, NumberProblem> read_number(std::string_view text) {
 std::variant<long long, NumberProblem> read_integer(std::string_view text) {
   const std::string_view body = without_sign(text);
   if (body.empty() || count_digits(body) != body.size()) {
-    if (match_number(text) == text.size() && !text.empty()) return NumberProblem{"an integer: digits alone"};
+    if (match_number(text) == text.size() && !text.empty()) return NumberProblem{"an integer: digits only"};
     return NumberProblem{advise(text, "an integer")};
   }
   if (has_leading_zero(text)) return NumberProblem{"an integer without leading zeros, which read as octal elsewhere"};

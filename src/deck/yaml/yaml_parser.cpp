@@ -182,6 +182,22 @@ std::string explain(const std::string& reason, const TreeBuilder& builder) {
   return reason;
 }
 
+/// The word before a bracket that a line [from 0] begins with, as in "time {end: 1, step_scale: 0.9}", and its place.
+std::optional<std::pair<std::string, Place>> find_word_before_bracket(const std::string& text, int line) {
+  std::size_t start = 0;
+  for (int i = 0; i < line; ++i) {
+    start = text.find('\n', start);
+    if (start++ == std::string::npos) return std::nullopt;
+  }
+  const std::string words = text.substr(start, text.find('\n', start) - start);
+  const std::size_t first = words.find_first_not_of(' '), end = words.find_first_of(" :{[", first);
+  const std::size_t bracket = words.find_first_not_of(' ', end);
+  if (first == std::string::npos || end == first || bracket == std::string::npos || bracket == end) return std::nullopt;
+  const bool is_word = words[first] != '-' && words[first] != '"' && words[first] != '\'';
+  if (!is_word || (words[bracket] != '{' && words[bracket] != '[')) return std::nullopt;
+  return std::pair(words.substr(first, end - first), Place{line + 1, static_cast<int>(first) + 1});
+}
+
 /// The first line up to `last` [from 0] that a tab indents, which yaml-cpp takes for text.
 std::optional<Place> find_tab_indent(const std::string& text, int last) {
   std::size_t start = 0;
@@ -214,8 +230,12 @@ std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int 
     errors.add(builder.spot(error.mark), "maps and lists are nested too deep (no deck needs that)");
   } catch (const YAML::ParserException& error) {
     const auto tab = override < 0 ? find_tab_indent(text, error.mark.line) : std::nullopt;
+    const auto word = override < 0 ? find_word_before_bracket(text, error.mark.line) : std::nullopt;
     if (tab)
       errors.add({*tab, override}, "not valid YAML (a tab indents this line): indent with spaces");
+    else if (word)
+      errors.add({word->second, override},
+                 fmt::format("not valid YAML (a colon is missing after {})", quote(word->first)));
     else
       errors.add(builder.spot(error.mark), "not valid YAML (" + explain(error.msg, builder) + ")");
   }

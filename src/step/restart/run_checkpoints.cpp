@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 namespace percuss {
 
@@ -10,10 +12,28 @@ namespace {
 
 constexpr const char* file_name = "/checkpoint.h5";
 
+bool is_plain(char c) {
+  constexpr std::string_view signs = "_./:=,+@%-";
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         signs.find(c) != std::string_view::npos;
+}
+
 }  // namespace
 
+std::string quote_for_shell(const std::string& word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'')
+      quoted += "'\\''";  // the quote ends, a quote mark follows, and the next quote begins
+    else
+      quoted += c;
+  }
+  return quoted + "'";
+}
+
 RunCheckpoints::RunCheckpoints(const Deck& deck, const std::string& directory)
-    : deck_file_(deck.file),
+    : deck_(deck),
       output_(deck.output),
       file_(directory.empty() ? "" : directory + file_name),
       due_(deck.output.checkpoint_every) {}
@@ -39,11 +59,17 @@ void RunCheckpoints::write(const CheckpointHeader& header, const ChunkedMesh& ch
   clock_ = Clock::now();
 }
 
+std::string RunCheckpoints::describe_resume() const {
+  std::string settings;
+  for (const std::string& setting : deck_.settings) settings += " --set " + quote_for_shell(setting);
+  return fmt::format("to continue: percuss run {}{} --restart {}", quote_for_shell(deck_.file), settings,
+                     quote_for_shell(path_));
+}
+
 std::string RunCheckpoints::describe() const {
   std::error_code lost;  // with the folder itself
   if (path_.empty() || !std::filesystem::exists(path_, lost)) return "";
-  return fmt::format("checkpoint: {}, step {}, t = {:.6g}; to continue: percuss run {} --restart {}", path_, step_,
-                     time_, deck_file_, path_);
+  return fmt::format("checkpoint: {}, step {}, t = {:.6g}; {}", path_, step_, time_, describe_resume());
 }
 
 }  // namespace percuss

@@ -10,6 +10,9 @@
 
 namespace percuss {
 
+/// A word as a shell takes it: in single quotes where it has other characters than those of plain names and numbers.
+std::string quote_for_shell(const std::string& word);
+
 class RunCheckpoints {
  public:
   /// directory: where the file goes; empty: none is written. The deck outlives this.
@@ -36,13 +39,17 @@ class RunCheckpoints {
   void write(const CheckpointHeader& header, const ChunkedMesh& chunked, const Communicator& ranks, const State& state,
              const std::function<void(CheckpointArchive&)>& archive);
 
-  /// How to go on from the last one; empty: there is none, or its file is gone.
+  /// "to continue: percuss run DECK --set KEY=VALUE --restart CHECKPOINT", from the last one: it fits the deck only
+  /// with the same settings.
+  std::string describe_resume() const;
+
+  /// The last one, and how to continue from it; empty: there is none, or its file is gone.
   std::string describe() const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  const std::string& deck_file_;
+  const Deck& deck_;
   const OutputDeck& output_;
   std::string file_;  // empty: none is written
   Schedule due_;

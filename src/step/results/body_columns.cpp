@@ -25,14 +25,14 @@ constexpr Dimension rate{0, 0, -1};
 namespace dim = dimensions;
 
 constexpr BodyColumn body_columns[] = {
-    {"x", dim::length, "mass centre in x of {}", [](const Source& s) { return s.state.center.x; }},
-    {"y", dim::length, "mass centre in y of {}", [](const Source& s) { return s.state.center.y; }},
-    {"z", dim::length, "mass centre in z of {}", [](const Source& s) { return s.state.center.z; }},
-    {"vx", dim::velocity, "velocity in x of {}, at its mass centre half a step earlier",
+    {"x", dim::length, "centre of mass in x of {}", [](const Source& s) { return s.state.center.x; }},
+    {"y", dim::length, "centre of mass in y of {}", [](const Source& s) { return s.state.center.y; }},
+    {"z", dim::length, "centre of mass in z of {}", [](const Source& s) { return s.state.center.z; }},
+    {"vx", dim::velocity, "velocity in x of {}, at its centre of mass half a step earlier",
      [](const Source& s) { return s.state.velocity.x; }},
-    {"vy", dim::velocity, "velocity in y of {}, at its mass centre half a step earlier",
+    {"vy", dim::velocity, "velocity in y of {}, at its centre of mass half a step earlier",
      [](const Source& s) { return s.state.velocity.y; }},
-    {"vz", dim::velocity, "velocity in z of {}, at its mass centre half a step earlier",
+    {"vz", dim::velocity, "velocity in z of {}, at its centre of mass half a step earlier",
      [](const Source& s) { return s.state.velocity.z; }},
     {"q0",
      {},

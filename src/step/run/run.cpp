@@ -68,6 +68,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   }
   stop_if_requested(ranks_, "before the first step");
   open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
+  summary_.end_time = deck_.time.end;
   summary_.setup_s = find_seconds(setup_start_);
 }
 
@@ -369,7 +370,8 @@ RunResult Run::operator()() {
   }
   const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
-  return {interrupted ? ExitCode::interrupted : ExitCode::done, result_, checkpoints_.path()};
+  return {interrupted ? ExitCode::interrupted : ExitCode::done, result_, checkpoints_.path(),
+          checkpoints_.describe_resume()};
 }
 
 RunResult run_scene(const Deck& deck, const RunOptions& options) {

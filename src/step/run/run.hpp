@@ -29,6 +29,7 @@ struct RunResult {
   ExitCode exit_code = ExitCode::done;  // done or interrupted
   Summary summary;
   std::string checkpoint;  // the last one written, or gone on from; empty: none
+  std::string resume;      // how to continue from it
 };
 
 /// Runs a scene to its end on all ranks of the program; rank 0 writes and speaks. Files in out_dir: fields, history and

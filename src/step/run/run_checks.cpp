@@ -141,7 +141,7 @@ void check_step(const CheckedRun& run, double first_dt) {
   const bool is_spring = run.model.springs.has(run.state.bound.spring);
   throw RunError(
       fmt::format("the time step has collapsed to {:.3g} (it began at {:.3g}) {}; {} controls it; try {}, or lower "
-                  "time.collapse_ratio (now {:g}) to go on",
+                  "time.collapse_ratio (now {:g}) to continue",
                   run.state.next_dt, first_dt, describe_step(run.state), describe_controller(run),
                   is_spring ? "a softer spring or damper, or more mass at its ends" : "a coarser mesh there",
                   run.deck.time.collapse_ratio));

@@ -54,7 +54,7 @@ std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& ch
     warnings.push_back(
         {"idle_ranks",
          fmt::format(
-             "{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): use fewer ranks",
+             "{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never split): use fewer ranks",
              idle, ranks, chunked.numbering.chunk_count()),
          "", 0, 1});
   }

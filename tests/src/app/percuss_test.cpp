@@ -128,7 +128,8 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", cube), "--out", out});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "");
-  EXPECT_THAT(result.err, HasSubstr("completed"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("energy error -?[0-9.]+e-[0-9]+  contacts"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("\ncompleted: .*; energy error -?[0-9.]+e-[0-9]+\nresults: "));
   for (const char* file : {"summary.json", "ranks.csv", "history.csv", "fields.vtkhdf", "fields.xdmf"}) {
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
   }
@@ -143,6 +144,27 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   EXPECT_THAT(info.out, HasSubstr("velocity"));
   EXPECT_EQ(run_percuss({"info", out + "/fields.vtkhdf"}).exit_code, 0);
   EXPECT_EQ(run_percuss({"info", out + "/summary.json"}).exit_code, 0);
+}
+
+TEST(PercussHelp, IsThatOfTheToolItself) {
+  for (const char* tool : {"plot", "report", "watch", "render", "import"}) {
+    const ProcessResult help = run_percuss({"help", tool});
+    EXPECT_EQ(help.exit_code, 0) << help.err;
+    EXPECT_THAT(help.out, testing::StartsWith(std::string("usage: percuss ") + tool + " ")) << help.err;
+    EXPECT_EQ(help.out, run_percuss({tool, "--help"}).out);
+  }
+}
+
+TEST(PercussRun, SaysThatTheNumberOfStepsHasEndedIt) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out", file = folder.write("deck.yaml", cube);
+  const ProcessResult result =
+      run_percuss({"run", file, "--out", out, "--set", "time.max_steps=2", "--set", "time.max_step=1e-3"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_summary(out + "/summary.json").status, "completed");
+  EXPECT_THAT(result.err, HasSubstr("\nstopped by time.max_steps at 0.4 % of time.end\n"));  // 2e-3 of 0.5
+  EXPECT_THAT(run_percuss({"info", out}).out,
+              HasSubstr("status    completed, stopped by time.max_steps at 0.4 % of time.end\n"));
 }
 
 TEST(PercussRun, TellsOfElementsThatHaveFailed) {
@@ -345,7 +367,9 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
                           out + "/history.csv", signal_number);
     EXPECT_EQ(result.exit_code, 130) << result.err;
     EXPECT_EQ(read_summary(out + "/summary.json").status, "interrupted");
-    EXPECT_THAT(result.err, HasSubstr("to continue: percuss run " + file + " --restart " + out + "/checkpoint.h5"));
+    EXPECT_THAT(result.err, HasSubstr("to continue: percuss run " + file +
+                                      " --set time.end=1e9 --set 'output={history: {every: 1}}' --restart " + out +
+                                      "/checkpoint.h5"));
     EXPECT_THAT(run_percuss({"info", out}).out, HasSubstr("checkpoint of a percuss run, whole and undamaged"));
   }
 }
@@ -353,6 +377,10 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
 TEST(PercussRun, RefusesARestartFromWhatIsNoCheckpoint) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", cube);
+  const ProcessResult other = run_percuss({"run", file, "--restart", folder.write("summary.json", "{}")});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr("summary.json: error: not a checkpoint (it is no HDF5 file): name checkpoint.h5 or "
+                                   "its folder"));
   const ProcessResult none = run_percuss({"run", file, "--restart", folder.path() + "/none.h5"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("none.h5: error: no such file"));

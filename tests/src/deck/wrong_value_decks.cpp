@@ -95,7 +95,7 @@ std::vector<WrongDeck> wrong_numbers() {
       {"Underflow", change("end: 1.0", "end: 1e-999"), "1:13", "within the range of double precision"},
       {"FractionForInteger", change("cells: [2, 2, 2]", "cells: [2, 2, 2.5]"), "3:46",
        "cells.2 is 2.5 in part 'rod' (must be an integer"},
-      {"ExponentForInteger", change("cells: [2,", "cells: [1e1,"), "3:40", "must be an integer: digits alone"},
+      {"ExponentForInteger", change("cells: [2,", "cells: [1e1,"), "3:40", "must be an integer: digits only"},
       {"WordForInteger", change("cells: [2,", "cells: [two,"), "3:40",
        "box.cells.0 is 'two' in part 'rod' (must be an integer)"},
       {"TrueForInteger", change("cells: [2,", "cells: [yes,"), "3:40", "must be an integer"},

@@ -75,6 +75,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "contact_faces",
                                           "steps",
                                           "time",
+                                          "end_time",
                                           "dt.min",
                                           "dt.max",
                                           "dt.last",

@@ -374,11 +374,21 @@ TEST(RunSummary, TellsTheEndThoughTheTableOfRanksCannotBeWritten) {
   EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "completed");
 }
 
+TEST(RunCheckpoints, QuoteWordsForTheShell) {
+  EXPECT_EQ(quote_for_shell("time.end=1e-3"), "time.end=1e-3");
+  EXPECT_EQ(quote_for_shell(""), "''");
+  EXPECT_EQ(quote_for_shell("a b"), "'a b'");
+  EXPECT_EQ(quote_for_shell("$HOME"), "'$HOME'");
+  EXPECT_EQ(quote_for_shell("initial.0.velocity=[1, 0, 0]"), "'initial.0.velocity=[1, 0, 0]'");
+  EXPECT_EQ(quote_for_shell("it's"), "'it'\\''s'");
+}
+
 TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   const TemporaryFolder folder;
   std::string text = blocks;
   const std::string output = "output: {";
-  const Deck deck = parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {every: 1e-3}, "), "d.yaml");
+  const Deck deck = parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {every: 1e-3}, "), "d.yaml",
+                               {"time.step_scale=0.5", "title=a drop"});
   RunCheckpoints checkpoints(deck, folder.path());
   EXPECT_TRUE(checkpoints.are_wanted());
   EXPECT_FALSE(checkpoints.is_clock_due());
@@ -398,7 +408,8 @@ TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   EXPECT_FALSE(checkpoints.is_due(2.9e-3));
   EXPECT_TRUE(checkpoints.is_due(3e-3));
   EXPECT_THAT(checkpoints.describe(),
-              AllOf(HasSubstr("step 7, t = 0.0025;"), HasSubstr("percuss run d.yaml --restart " + file)));
+              AllOf(HasSubstr("step 7, t = 0.0025;"),
+                    HasSubstr("percuss run d.yaml --set time.step_scale=0.5 --set 'title=a drop' --restart " + file)));
   std::filesystem::remove(file);
   EXPECT_EQ(checkpoints.describe(), "");
   EXPECT_FALSE(RunCheckpoints(parse_deck(blocks, "d.yaml"), folder.path()).are_wanted());

@@ -77,8 +77,8 @@ TEST(PlanReport, HasAColumnForEachNumberOfRanks) {
   EXPECT_THAT(text, HasSubstr("deck     deck.yaml: A bar\n"));
   EXPECT_THAT(text, HasSubstr("512 elements in 8 chunks, 825 nodes\n"));
   EXPECT_THAT(text, testing::ContainsRegex("\nranks +1 +2 +4\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\nelements a rank, most +512 +256 +128\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\nhalo bytes a step, most +0 +600 +1200\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nelements per rank, most +512 +256 +128\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nhalo bytes per step, most +0 +600 +1200\n"));
   EXPECT_THAT(text, testing::ContainsRegex("\nparallel efficiency .%. +100.0 "));
   EXPECT_EQ(text.find("contact points"), std::string::npos);
   EXPECT_EQ(text.find("warning"), std::string::npos);
@@ -126,7 +126,7 @@ TEST(PlanReport, WarnsOfTooFewContactPoints) {
   // 31 sections with 16 nodes outside and two ends of 25; 4 x 4 x 32 + 2 x 16 faces.
   const std::string text = Planned(bar + "contact: {surfaces: all}\n", {2, 16}).format();
   EXPECT_THAT(text, HasSubstr("; 546 contact nodes, 544 contact faces\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\ncontact points a rank, most +545 +69\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\ncontact points per rank, most +545 +69\n"));
   EXPECT_THAT(text, HasSubstr("warning: on 16 ranks each has only 68 contact nodes and faces"));
   EXPECT_EQ(text.find("warning: on 2 ranks"), std::string::npos);
 }

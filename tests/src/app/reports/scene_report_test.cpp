@@ -2,6 +2,7 @@
 
 #include "src/app/reports/scene_report.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,6 +54,21 @@ TEST(SceneReport, CountsPartsAndBodies) {
   EXPECT_THAT(text, testing::HasSubstr("none (bodies pass through each other)"));
   EXPECT_THAT(text, testing::HasSubstr("x 0 to 6, y 0 to 2, z 0 to 7"));
   EXPECT_THAT(text, testing::HasSubstr("of part 'two' controls it), about 4 steps"));
+}
+
+TEST(SceneReport, CountsFramesAsARunWritesThem) {
+  const std::string text =
+      "time: {end: 3e-4}\nmaterials: {a: {model: elastic, density: 3, youngs_modulus: 1, poissons_ratio: 0}}\n"
+      "parts: {one: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: a}}\noutput: {fields: {every: ";
+  const std::pair<const char*, const char*> frames[] = {
+      {"1e-5", "31"}, {"7e-6", "44"}, {"3e-4", "2"}, {"1", "2"}, {"1e-4", "4"}};
+  for (const auto& [every, count] : frames) {
+    const Deck deck = parse_deck(text + every + "}}\n", "deck.yaml");
+    const ChunkedMesh chunked = load_mesh(deck, Communicator(MPI_COMM_SELF));
+    SceneReport scene = describe_scene(deck, chunked);
+    scene.first_step = 1e-6;
+    EXPECT_THAT(format_scene(scene), testing::HasSubstr(fmt::format(" {} frames of fields", count))) << every;
+  }
 }
 
 TEST(Placement, NamesTheNumbersWhereThreadsHaveToTakeTurns) {

@@ -20,5 +20,20 @@ TEST(SummaryReport, TellsOfErodedElementsWhereThereAreAny) {
               HasSubstr("\neroded    123 of 8400 elements failed and were eroded, mass 4.5, energy 6789\n"));
 }
 
+TEST(SummaryReport, SaysThatTheNumberOfStepsHasEndedARun) {
+  Summary summary;
+  summary.status = "completed";
+  summary.time = 2.9e-2;
+  EXPECT_THAT(format_summary(summary), HasSubstr("status    completed\n")) << "the end of older runs is not known";
+  summary.end_time = 1;
+  EXPECT_THAT(format_summary(summary),
+              HasSubstr("status    completed, stopped by time.max_steps at 2.9 % of time.end\n"));
+  summary.status = "interrupted";
+  EXPECT_THAT(format_summary(summary), HasSubstr("status    interrupted\n"));
+  summary.status = "completed";
+  summary.time = 1 - 1e-12;
+  EXPECT_THAT(format_summary(summary), HasSubstr("status    completed\n"));
+}
+
 }  // namespace
 }  // namespace percuss

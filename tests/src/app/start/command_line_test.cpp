@@ -146,7 +146,34 @@ TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"schema", "deck.yaml"}).text,
               HasSubstr("'deck.yaml' is one argument too many (percuss schema takes none)"));
   EXPECT_THAT(answer({"--force", "run", "d"}).text, HasSubstr("option '--force' stands before the command"));
-  EXPECT_THAT(answer({"run", "d", "--set"}).text, HasSubstr("has no value"));
+  EXPECT_THAT(answer({"ball.yaml"}).text,
+              HasSubstr("unknown command 'ball.yaml' (to run a deck: percuss run ball.yaml)"));
+  EXPECT_THAT(answer({"restart", "w"}).text,
+              HasSubstr("unknown command 'restart' (to continue a run: percuss run DECK --restart w)"));
+  EXPECT_THAT(answer({"resume"}).text, HasSubstr("percuss run DECK --restart DIR)"));
+}
+
+TEST(CommandLine, TellsWhatAnOptionAtTheEndNeeds) {
+  EXPECT_THAT(answer({"run", "d", "--set"}).text, HasSubstr("--set needs a value: KEY=VALUE"));
+  EXPECT_THAT(answer({"run", "d", "--out"}).text, HasSubstr("--out needs a value: DIR"));
+  EXPECT_THAT(answer({"run", "d", "-r"}).text, HasSubstr("--restart needs a value: FILE|DIR"));
+}
+
+TEST(CommandLine, TellsHowThreadsAndRanksAreGiven) {
+  const std::vector<std::vector<const char*>> wishes = {{"run", "d", "-n", "4"},     {"run", "d", "--threads", "4"},
+                                                        {"run", "d", "--threads=4"}, {"run", "d", "ncpu=4"},
+                                                        {"run", "d", "NCPU=4"},      {"check", "d", "-np", "2"}};
+  for (const auto& arguments : wishes)
+    EXPECT_THAT(
+        answer(arguments).text,
+        HasSubstr("' (threads of a rank: OMP_NUM_THREADS=N percuss run DECK; ranks: mpirun -n N percuss run DECK)"))
+        << arguments[2];
+}
+
+TEST(CommandLine, TellsThatASettingHasAnEqualsSign) {
+  EXPECT_THAT(answer({"run", "d", "--set", "time.end", "1e-4"}).text,
+              HasSubstr("'--set time.end 1e-4' has a space for the '=': --set time.end=1e-4"));
+  EXPECT_THAT(answer({"check", "-s", "time.end", "1e-4", "d"}).text, HasSubstr("--set time.end=1e-4"));
 }
 
 TEST(CommandLine, RefusesEmptyValuesSinceAShellVariableMayNotBeSet) {
