@@ -17,7 +17,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"failure_strain", "failure strain given as a percentage"},
       {"viscosity", "bulk viscosity or hourglass coefficient outside the usual range"},
       {"mass_scaling", "mass scaling that may add a large share of a part's mass"},
-      {"poissons_ratio", "Poisson's ratio below 0, or so near 0.5 that the bulk modulus rules"},
+      {"poissons_ratio", "Poisson's ratio below 0, or so near 0.5 that the bulk modulus dominates"},
       {"hardening_strain", "hardening table with strains in percentages"},
       {"specific_heat", "specific heat that no material has in the units"},
       {"start_temperature", "start and room temperature on two scales"},

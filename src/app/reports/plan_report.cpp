@@ -135,13 +135,13 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   }
   text += fmt::format("\ntime     0 to {:g}; first step {:.4g}, {:.0f} steps of this length", deck.time.end,
                       scene.first_step, count_steps(deck.time, scene.first_step));
-  text += fmt::format("\nassumed  {:g} ns an element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
+  text += fmt::format("\nassumed  {:g} ns per element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
                       figures.latency, figures.bandwidth);
   if (scene.pattern.has_pairs || scene.pattern.has_walls) {
     text += fmt::format("; {:g} iterations per step", figures.iterations);
   }
   if (scene.pattern.has_pairs) {
-    text += fmt::format(", {:g} ns a contact node or face, {:g} steps a search", figures.contact_node_ns,
+    text += fmt::format(", {:g} ns per contact node or face, {:g} steps per search", figures.contact_node_ns,
                         scene.pattern.reuses_search ? figures.steps_per_search : 1);
   }
   return text + "\n\n";

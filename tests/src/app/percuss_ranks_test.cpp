@@ -102,7 +102,7 @@ TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, HasSubstr("Two blocks fly"));
   EXPECT_THAT(result.out, HasSubstr("576 elements in 9 chunks"));
-  EXPECT_THAT(result.out, HasSubstr("elements per rank, mean      576.0   192.0\n"));
+  EXPECT_THAT(result.out, HasSubstr("elements per rank, mean        576.0   192.0\n"));
   const std::string check = run_percuss({"check", file}).out, steps = check.substr(check.find("first step "), 15);
   EXPECT_THAT(result.out, HasSubstr(steps)) << check;
   EXPECT_THAT(result.out, HasSubstr("\ncore hours "));

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "src/deck/reading/read_deck.hpp"
+#include "src/deck/text/deck_text.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -258,6 +259,16 @@ TEST(ReadDeck, NamesAPlaceForLaterMessages) {
   deck.file = "deck.yaml";
   EXPECT_EQ(deck.where({14, 12}), "deck.yaml:14:12");
   EXPECT_EQ(deck.where({}), "deck.yaml");
+}
+
+TEST(ReadDeck, NamesTheProgramOfAModelByItsExtension) {
+  const std::string text = "\r\n$ a comment\n*KEYWORD\n";
+  EXPECT_EQ(describe_other_model(text, "car.k"),
+            "this is an LS-DYNA model (percuss runs decks in YAML): percuss import car.k --out DIR");
+  EXPECT_THAT(describe_other_model(text, "car.inp"), testing::StartsWith("this is an Abaqus model "));
+  EXPECT_THAT(describe_other_model(text, "car"), testing::StartsWith("this is an LS-DYNA or Abaqus model "));
+  for (const char* other : {"", "time: {end: 1}", "*", "* a", "$ only a comment", "# *KEYWORD"})
+    EXPECT_EQ(describe_other_model(other, "car.k"), "") << other;
 }
 
 }  // namespace
