@@ -13,7 +13,7 @@ namespace percuss {
 class Team {
  public:
   /// Ranks leave after so many meetings without work.
-  static constexpr int patience = 256;
+  static constexpr int patience = 64;
 
   /// Nobody at first. `ranks` outlives this.
   explicit Team(const Communicator& ranks) : ranks_(ranks), is_in_(count(), 0), has_worked_(count(), 0) {}
@@ -21,8 +21,8 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// has_work: [ranks of all], the same on every rank. Afterwards the team contains these. Every rank calls it;
-  /// collective over the ranks of a new team. Throws MpiError.
+  /// has_work: [ranks of all], the same on every rank. Afterwards the team contains these, and perhaps others, who have
+  /// to join in what it does collectively. Every rank calls it; collective over the ranks of a new team. Throws MpiError.
   void meet(const std::vector<char>& has_work);
 
   /// Whether a rank is in the team, and how many are.

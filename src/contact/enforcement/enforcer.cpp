@@ -148,10 +148,10 @@ void Enforcer::clear_last_impulse(const ContactMotion& motion) {
   restored_pushes_ = {};
 }
 
-/// Copies of nodes on other ranks get what their owners found, if these took part.
+/// Copies of nodes on other ranks get what their owners found, if rows touched nodes of these.
 void Enforcer::update_copies(const ContactMotion& motion) {
   if (!has_many_ranks_) return;
-  copies_.choose_sources([this](int rank) { return exchange_.takes_part(rank); });
+  copies_.choose_sources([this](int rank) { return exchange_.is_touched(rank); });
   copies_.begin(ExecSpace(), std::vector<Rows3<const double>>{motion.v, motion.impulse});
   copies_.end(ExecSpace(), std::vector<Rows3<double>>{motion.v, motion.impulse});
 }

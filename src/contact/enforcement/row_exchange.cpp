@@ -107,8 +107,8 @@ RowMeeting RowExchange::meet(const RowSystem& system, bool is_same, bool everybo
   const bool any_rows = std::any_of(fold.begin(), fold.end() - 1, [](int mark) { return mark != 0; });
   for (std::size_t r = 0; r < has_part_.size(); ++r)
     has_part_[r] = fold[r] != 0 || (everybody && any_rows) ? 1 : 0;
-  takes_part_ = has_part_[own] != 0;
   if (any_rows) team_.meet(has_part_);
+  takes_part_ = any_rows && team_.contains_this();
   return {any_rows, fold.back() == 0};
 }
 

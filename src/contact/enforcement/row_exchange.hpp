@@ -58,9 +58,11 @@ class RowExchange {
   /// of the system.
   void announce_foreign_nodes(RowSystem& system);
 
-  /// Whether this rank has rows, or nodes that other ranks' rows touch, and whether another one does.
+  /// Whether this rank works on the rows with others: it has some, or nodes that rows of others touch, or had so lately
+  /// (comm/team.hpp).
   bool takes_part(const RowSystem&) const { return takes_part_; }
-  bool takes_part(int rank) const { return has_part_[static_cast<std::size_t>(rank)] != 0; }
+  /// Whether rows touch nodes of a rank.
+  bool is_touched(int rank) const { return has_part_[static_cast<std::size_t>(rank)] != 0; }
 
   void receive_nodes(const RowInputs& inputs, const RowSources& sources, RowSystem& system);
   template <class Space>

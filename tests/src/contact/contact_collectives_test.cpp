@@ -52,17 +52,17 @@ namespace {
 const std::string head =
     "time: {end: 1}\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n";
 
-/// Two stacks of two bricks, far apart; only those of the first one are pressed together.
+/// Two stacks of two bricks, far apart.
 const std::string stacks = R"(
 parts:
   low: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, material: m}
-  high: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, at: [0, 0, 0.4], material: m}
+  high: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, at: [0, 0, 0.4005], material: m}
   far_low: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, at: [50, 0, 0], material: m}
   far_high: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, at: [50, 0, 0.5], material: m}
 contact: {surfaces: all}
 )";
 
-/// The scene with velocities that press `high` on `low`.
+/// The scene, in which each step presses `high` on `low` from the same places.
 struct Scene {
   explicit Scene(const std::string& text)
       : deck(parse_deck(text + head, "deck.yaml")),
@@ -81,7 +81,7 @@ struct Scene {
 
   std::size_t count() const { return chunked.mesh.nodes.size(); }
   ContactReport step() {
-    for (std::size_t n = 0; n < count(); ++n) v(n, 2) = x(n, 0) < 10 && x(n, 2) > 0.4 ? -1e-3 : 0;
+    for (std::size_t n = 0; n < count(); ++n) v(n, 2) = x(n, 0) < 10 && x(n, 2) > 0.4 ? -1 : 0;
     Kokkos::deep_copy(before, v);
     counted = {};
     return stage.apply({x, before, v, inverse_mass, impulse, 1e-3});
@@ -126,10 +126,7 @@ TEST(ContactCollectives, AreThreeAStepAndOneAnIterationWhereThereAreRows) {
 
 TEST(ContactCollectives, AreTwoAStepWhereNothingTouches) {
   Scene scene(stacks);
-  for (int i = 0; i < 4; ++i) {
-    scene.step();
-    Kokkos::deep_copy(scene.v, 0);
-  }
+  for (int i = 0; i < 3; ++i) scene.step();
   for (std::size_t n = 0; n < scene.count(); ++n)
     if (scene.x(n, 0) < 10 && scene.x(n, 2) > 0.4) scene.x(n, 2) += 0.01;  // lifted
   scene.step();
