@@ -51,7 +51,7 @@ void Team::form(const std::vector<char>& members) {
   MPI_Group all = MPI_GROUP_NULL, team = MPI_GROUP_NULL;
   check_mpi(MPI_Comm_group(ranks_.handle(), &all), "MPI_Comm_group");
   check_mpi(MPI_Group_incl(all, size_, list.data(), &team), "MPI_Group_incl");
-  check_mpi(MPI_Comm_create_group(ranks_.handle(), team, team_tag, &handle_), "MPI_Comm_create_group");
+  wait_mpi([&] { return MPI_Comm_create_group(ranks_.handle(), team, team_tag, &handle_); }, "MPI_Comm_create_group");
   check_mpi(MPI_Group_free(&team), "MPI_Group_free");
   check_mpi(MPI_Group_free(&all), "MPI_Group_free");
   check_mpi(MPI_Comm_set_errhandler(handle_, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");

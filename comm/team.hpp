@@ -22,7 +22,8 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   /// has_work: [ranks of all], the same on every rank. Afterwards the team contains these, and perhaps others, who have
-  /// to join in what it does collectively. Every rank calls it; collective over the ranks of a new team. Throws MpiError.
+  /// to join in what it does collectively. Every rank calls it; collective over the ranks of a new team. Throws
+  /// MpiError.
   void meet(const std::vector<char>& has_work);
 
   /// Whether a rank is in the team, and how many are.

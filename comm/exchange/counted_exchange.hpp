@@ -19,8 +19,8 @@ class CountedExchange {
       : ranks_(OwnedCommunicator::duplicate(ranks)), message_limit_(message_limit) {}
 
   /// Sends items along runs, none of them empty or to this rank, and receives what `senders` ranks send here. Returns
-  /// it by source rank, then as sent; from: out, its runs. Between two exchanges all ranks must have met in a collective
-  /// operation, such as the one that counts the senders. Throws MpiError.
+  /// it by source rank, then as sent; from: out, its runs. Between two exchanges all ranks must have met in a
+  /// collective operation, such as the one that counts the senders. Throws MpiError.
   template <class T>
   std::vector<T> exchange(const std::vector<PeerRun>& to, const std::vector<T>& items, int senders,
                           std::vector<PeerRun>& from) {

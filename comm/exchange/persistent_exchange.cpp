@@ -73,8 +73,7 @@ void PersistentExchange::prepare_bytes(const ExchangePlan& plan, const Buffers& 
 
 void PersistentExchange::begin() {
   if (is_under_way_) throw std::logic_error("a repeated exchange was begun (the one before it has not ended)");
-  if (!requests_.empty())
-    check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
+  if (!requests_.empty()) check_mpi(MPI_Startall(static_cast<int>(requests_.size()), requests_.data()), "MPI_Startall");
   is_under_way_ = true;
   traffic_.messages += once_.messages;
   traffic_.bytes += once_.bytes;

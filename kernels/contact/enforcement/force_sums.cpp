@@ -251,17 +251,17 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
                              });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,         \
-                          Array<RowSides>&);                                                                           \
-  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                             \
-                                       const Array<const RowSides>&, Array<ForceSums>&);                               \
-  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                         \
-  template void list_sent_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&);    \
-  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,      \
-                            double, const PushBooks&);                                                                 \
-  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,                \
-                              Array<AreaSums>&);                                                                       \
+#define PERCUSS_INSTANTIATE(Space)                                                                                  \
+  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,      \
+                          Array<RowSides>&);                                                                        \
+  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                          \
+                                       const Array<const RowSides>&, Array<ForceSums>&);                            \
+  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                      \
+  template void list_sent_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
+  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,   \
+                            double, const PushBooks&);                                                              \
+  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,             \
+                              Array<AreaSums>&);                                                                    \
   template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

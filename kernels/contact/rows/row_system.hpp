@@ -43,11 +43,11 @@ struct RowTouch {
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
   double friction = 0;
-  int pair = 0;                                                // ContactRow::pair
-  bool is_caught = false;                                      // ContactRow::is_caught
-  bool has_thickness = false;                                  // likewise
-  int record = -1;                                             // history record that the row writes
-  int old_record = -1;                                         // history record that it continues, -1: none
+  int pair = 0;                                // ContactRow::pair
+  bool is_caught = false;                      // ContactRow::is_caught
+  bool has_thickness = false;                  // likewise
+  int record = -1;                             // history record that the row writes
+  int old_record = -1;                         // history record that it continues, -1: none
   int node[row_nodes] = {-1, -1, -1, -1, -1};  // mesh node of this rank; -1 - k: of another, slot k of all such
   std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
@@ -183,8 +183,9 @@ struct RowSystem {
   int num_remote = 0;     // entries that rows of other ranks have on nodes of all these places
   int num_sent = 0;       // entries of this rank's rows that other ranks want, once for each of them
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
-  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, as rows come to them
-  Array<int> foreign = Array<int>("contact::foreign_nodes", 0);  // [k] foreign node of the slot with RowTouch::node -1 - k
+  Array<int> nodes = Array<int>("contact::touched_nodes", 0);  // [num_nodes] mesh nodes, as rows come to them
+  Array<int> foreign =
+      Array<int>("contact::foreign_nodes", 0);  // [k] foreign node of the slot with RowTouch::node -1 - k
   Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
   RowNodes at;                                                 // [num_places() + 1], the last for slots not in use
   Array<int> offset = Array<int>("contact::entry_offset", 0);  // [num_places() + 1]

@@ -105,8 +105,7 @@ RowMeeting RowExchange::meet(const RowSystem& system, bool is_same, bool everybo
   all_reduce(ranks_.ranks, Reduce::sum, fold);
   num_senders_ = fold[own] % has_rows_mark;
   const bool any_rows = std::any_of(fold.begin(), fold.end() - 1, [](int mark) { return mark != 0; });
-  for (std::size_t r = 0; r < has_part_.size(); ++r)
-    has_part_[r] = fold[r] != 0 || (everybody && any_rows) ? 1 : 0;
+  for (std::size_t r = 0; r < has_part_.size(); ++r) has_part_[r] = fold[r] != 0 || (everybody && any_rows) ? 1 : 0;
   if (any_rows) team_.meet(has_part_);
   takes_part_ = any_rows && team_.contains_this();
   return {any_rows, fold.back() == 0};

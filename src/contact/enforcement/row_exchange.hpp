@@ -54,8 +54,8 @@ class RowExchange {
   /// all ranks.
   RowMeeting meet(const RowSystem& system, bool is_same, bool everybody);
 
-  /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills remote_node
-  /// of the system.
+  /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills
+  /// remote_node of the system.
   void announce_foreign_nodes(RowSystem& system);
 
   /// Whether this rank works on the rows with others: it has some, or nodes that rows of others touch, or had so lately
@@ -117,7 +117,7 @@ class RowExchange {
   std::vector<char> has_part_;  // [ranks]
   int num_senders_ = 0;         // ranks that touch nodes of this one
   ForeignNodes foreign_;
-  std::vector<RowNotice> received_;   // of rows that touch own nodes, by rank, then as sent
+  std::vector<RowNotice> received_;  // of rows that touch own nodes, by rank, then as sent
   ExchangePlan notice_plan_;
   SwapLists lists_;
   Rows3<double> sent_values_ = Rows3<double>("contact::sent_values", 0);

@@ -24,8 +24,8 @@ std::vector<ForeignSlot> list_foreign_slots(const Numbering& numbering, const Ar
     for (int slot = 0; slot < list(r).count; ++slot) {
       if (list(r).node[slot] >= 0) continue;
       const RowNotice notice{list(r).node_number[slot], list(r).key};
-      slots.push_back({notice, numbering.find_node_owner(notice.node), static_cast<int>(slots.size()),
-                       r * row_nodes + slot});
+      slots.push_back(
+          {notice, numbering.find_node_owner(notice.node), static_cast<int>(slots.size()), r * row_nodes + slot});
     }
   }
   return slots;

@@ -22,10 +22,10 @@ constexpr std::int64_t flag_bytes = 1;                          // whether somet
 constexpr std::int64_t motion_bytes = 48;                       // place and velocity
 constexpr std::int64_t history_bytes = 24;                      // three faces
 constexpr std::int64_t touch_bytes = RankedCheck::touch_bytes;  // a touch with its node, face and corners
-constexpr std::int64_t notice_bytes = sizeof(RowNotice);   // a corner and its row
-constexpr std::int64_t corner_bytes = sizeof(NodeAnswer);  // place, velocities, inverse mass, spring
-constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);  // a row of another rank on a corner
-constexpr std::int64_t value_bytes = 24;                   // a coefficient, an impulse
+constexpr std::int64_t notice_bytes = sizeof(RowNotice);        // a corner and its row
+constexpr std::int64_t corner_bytes = sizeof(NodeAnswer);       // place, velocities, inverse mass, spring
+constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);       // a row of another rank on a corner
+constexpr std::int64_t value_bytes = 24;                        // a coefficient, an impulse
 
 }  // namespace
 

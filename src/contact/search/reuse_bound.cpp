@@ -88,8 +88,7 @@ double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
   if (has_margin) sums.edges = sum_edges_here(motion);
   if (ranks_.size() > 1) sum_(ranks_, sums);
   margin_ = sums.move;
-  if (has_margin)
-    margin_ += margin_edges * (sums.edges.round() / static_cast<double>(share_.total_searched_faces));
+  if (has_margin) margin_ += margin_edges * (sums.edges.round() / static_cast<double>(share_.total_searched_faces));
   dt_ = motion.dt;
   valid_ = true;
   travel_ = near_travel_ = first_travel_ = 0;

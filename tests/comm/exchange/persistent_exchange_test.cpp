@@ -20,7 +20,8 @@ ExchangePlan plan_ring(UnstructuredExchange& exchange) {
   std::vector<int> destinations;
   for (const int way : {1, 2}) {
     const int to = (rank + way) % size;
-    if (to != rank && (way == 1 || size > 2)) destinations.insert(destinations.end(), static_cast<std::size_t>(rank + 2 + way), to);
+    if (to != rank && (way == 1 || size > 2))
+      destinations.insert(destinations.end(), static_cast<std::size_t>(rank + 2 + way), to);
   }
   return exchange.plan(order_by_destination(destinations).to);
 }
