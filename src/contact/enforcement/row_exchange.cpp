@@ -39,6 +39,12 @@ class AnswerReader {
   const AnswerWord* next_;
 };
 
+/// A view of the values; most steps of most ranks have none.
+template <class T>
+void renew(const char* label, const std::vector<T>& values, Array<T>& view) {
+  if (!values.empty() || view.extent(0) > 0) view = to_view(label, values);
+}
+
 bool has_lower_node(const SharedEntry& a, const SharedEntry& b) { return a.node < b.node; }
 
 /// The answer to a rank: each of its nodes, with the entries of all others on it. entries: by node.
@@ -90,8 +96,8 @@ void RowExchange::find_foreign_nodes(const Array<const RowTouch>& touches, int n
   if (!has_many_ranks_) return;
   foreign_ = percuss::find_foreign_nodes(ranks_, touches, num_touches);
   system.num_foreign = static_cast<int>(foreign_.numbers.size());
-  system.foreign = to_view("contact::foreign_nodes", foreign_.of_slot);
-  system.foreign_number = to_view("contact::foreign_number", foreign_.numbers);
+  renew("contact::foreign_nodes", foreign_.of_slot, system.foreign);
+  renew("contact::foreign_number", foreign_.numbers, system.foreign_number);
 }
 
 RowMeeting RowExchange::meet(const RowSystem& system, bool is_same, bool everybody) {
@@ -125,7 +131,7 @@ void RowExchange::announce_foreign_nodes(RowSystem& system) {
   nodes.reserve(received_.size());
   for (const RowNotice& notice : received_)
     nodes.push_back(static_cast<int>(std::lower_bound(numbers.begin(), numbers.end(), notice.node) - numbers.begin()));
-  system.remote_node = to_view("contact::remote_node", nodes);
+  renew("contact::remote_node", nodes, system.remote_node);
 }
 
 /// The entries of all ranks on own nodes that others touch, by node.
@@ -172,6 +178,11 @@ void RowExchange::take_answers(const std::vector<AnswerWord>& words, int first_p
 /// Positions, velocities and masses of the foreign nodes, after those of the own ones, and what is swapped for them.
 void RowExchange::receive_nodes(const RowInputs&, const RowSources& sources, RowSystem& system) {
   if (!has_many_ranks_) return;
+  if (foreign_.numbers.empty() && received_.empty()) {
+    lists_ = {};
+    prepare_swap(system);
+    return;
+  }
   HostRowNodes nodes(system);
   std::vector<SharedEntry> entries = list_entries_on_own_nodes(sources, system);
   std::vector<AnswerWord> words;
@@ -191,9 +202,9 @@ void RowExchange::receive_nodes(const RowInputs&, const RowSources& sources, Row
 void RowExchange::prepare_swap(RowSystem& system) {
   system.num_sent = static_cast<int>(lists_.sent.size());
   system.num_remote = static_cast<int>(lists_.key.size());
-  system.sent = to_view("contact::sent_entries", lists_.sent);
-  system.remote_key = to_view("contact::remote_key", lists_.key);
-  system.remote_place = to_view("contact::remote_place", lists_.place);
+  renew("contact::sent_entries", lists_.sent, system.sent);
+  renew("contact::remote_key", lists_.key, system.remote_key);
+  renew("contact::remote_place", lists_.place, system.remote_place);
   reserve(system.remote, system.num_remote);
   reserve(sent_values_, system.num_sent);
   send_buffer_ = Kokkos::create_mirror_view(sent_values_);
