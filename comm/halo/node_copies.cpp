@@ -28,32 +28,71 @@ CopyPlan plan_copies(const SharedNodes& shared, int rank) {
   return plan;
 }
 
-NodeCopies::NodeCopies(const Communicator& ranks, const SharedNodes& shared) : data_(ranks) {
-  const CopyPlan plan = plan_copies(shared, ranks.rank());
-  exchange_ = plan.exchange;
+namespace {
+
+std::vector<PeerRun> repeat_items(std::vector<PeerRun> runs, int times) {
+  for (PeerRun& run : runs) {
+    run.first *= times;
+    run.count *= times;
+  }
+  return runs;
+}
+
+}  // namespace
+
+NodeCopies::NodeCopies(const Communicator& ranks, const SharedNodes& shared, int fields)
+    : rank_(ranks.rank()), fields_(fields), data_(ranks) {
+  const CopyPlan plan = plan_copies(shared, rank_);
+  all_ = {repeat_items(plan.exchange.to, fields), repeat_items(plan.exchange.from, fields)};
+  exchange_ = all_;
+  const auto values = static_cast<std::size_t>(fields);
   send_nodes_ = copy_to_view("percuss::copy_send_nodes", plan.send_nodes);
   receive_nodes_ = copy_to_view("percuss::copy_receive_nodes", plan.receive_nodes);
-  send_values_ = make_rows("percuss::copy_send", plan.send_nodes.size());
-  receive_values_ = make_rows("percuss::copy_receive", plan.receive_nodes.size());
+  send_values_ = make_rows("percuss::copy_send", values * plan.send_nodes.size());
+  receive_values_ = make_rows("percuss::copy_receive", values * plan.receive_nodes.size());
   send_buffer_ = Kokkos::create_mirror_view(send_values_);
   receive_buffer_ = Kokkos::create_mirror_view(receive_values_);
 }
 
-void NodeCopies::begin(const ExecSpace& space, const Rows3<const double>& values) {
-  pack_rows(space, send_nodes_, values, send_values_);
+void NodeCopies::choose_sources(const std::function<bool(int)>& is_source) {
+  exchange_ = {};
+  if (is_source(rank_)) exchange_.to = all_.to;
+  for (const PeerRun& run : all_.from)
+    if (is_source(run.rank)) exchange_.from.push_back(run);
+}
+
+void NodeCopies::begin(const ExecSpace& space, const std::vector<Rows3<const double>>& values) {
+  const Array<const int> nodes = send_nodes_;
+  const Rows3<double> packed = send_values_;
+  const int fields = fields_, count = exchange_.to.empty() ? 0 : static_cast<int>(nodes.extent(0));
+  for (int f = 0; f < fields; ++f) {
+    const Rows3<const double> from = values[static_cast<std::size_t>(f)];
+    Kokkos::parallel_for(
+        "percuss::pack_copies", Range(space, 0, count), KOKKOS_LAMBDA(const int i) {
+          for (int k = 0; k < 3; ++k) packed(fields * i + f, k) = from(nodes(i), k);
+        });
+  }
+  space.fence();
   Kokkos::deep_copy(send_buffer_, send_values_);
   data_.begin<RowItem>(exchange_, as_items(send_buffer_), as_items(receive_buffer_));
 }
 
-void NodeCopies::end(const ExecSpace& space, const Rows3<double>& values) {
+void NodeCopies::end(const ExecSpace& space, const std::vector<Rows3<double>>& values) {
   data_.end();
   Kokkos::deep_copy(receive_values_, receive_buffer_);
-  const auto nodes = receive_nodes_;
-  const auto received = receive_values_;
-  Kokkos::parallel_for(
-      "percuss::unpack_copies", Range(space, 0, static_cast<int>(nodes.extent(0))), KOKKOS_LAMBDA(const int i) {
-        for (int k = 0; k < 3; ++k) values(nodes(i), k) = received(i, k);
-      });
+  const Array<const int> nodes = receive_nodes_;
+  const Rows3<const double> received = receive_values_;
+  const int fields = fields_;
+  for (const PeerRun& run : exchange_.from) {
+    const int first = static_cast<int>(run.first) / fields, end = first + static_cast<int>(run.count) / fields;
+    for (int f = 0; f < fields; ++f) {
+      const Rows3<double> to = values[static_cast<std::size_t>(f)];
+      Kokkos::parallel_for(
+          "percuss::unpack_copies", Range(space, first, end), KOKKOS_LAMBDA(const int i) {
+            for (int k = 0; k < 3; ++k) to(nodes(i), k) = received(fields * i + f, k);
+          });
+    }
+  }
 }
 
 }  // namespace percuss

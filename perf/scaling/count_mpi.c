@@ -1,7 +1,7 @@
 /* Counts what a program asks of MPI, rank by rank, through MPI's profiling interface (LD_PRELOAD). Counting begins at
  * MPI_Pcontrol(1) and ends at MPI_Pcontrol(0), with which percuss brackets its time loop. MPI_Finalize writes, to the
  * file named by PERCUSS_MPI_COUNTS, a heading and a row a rank:
- *   messages, bytes: point-to-point, whatever their purpose
+ *   messages, bytes: point-to-point, whatever their purpose; those of prepared requests count when they are started
  *   collectives:     calls of collective operations
  *   hops:            the sum of ceil(log2(ranks of the communicator)) over these calls: how many latencies a tree takes
  */
@@ -43,6 +43,53 @@ int MPI_Isend(const void* buffer, int count, MPI_Datatype type, int to, int tag,
 int MPI_Issend(const void* buffer, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request) {
   count_message(count, type);
   return PMPI_Issend(buffer, count, type, to, tag, comm, request);
+}
+
+/* Prepared sends and their bytes. */
+enum { most_prepared = 1 << 16 };
+static MPI_Request prepared[most_prepared];
+static int prepared_bytes[most_prepared];
+static int num_prepared = 0;
+
+static int find_prepared(MPI_Request request) {
+  int i = 0;
+  while (i < num_prepared && prepared[i] != request) ++i;
+  return i;
+}
+
+int MPI_Send_init(const void* buffer, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm,
+                  MPI_Request* request) {
+  const int code = PMPI_Send_init(buffer, count, type, to, tag, comm, request);
+  int size = 0;
+  PMPI_Type_size(type, &size);
+  if (num_prepared < most_prepared) {
+    prepared[num_prepared] = *request;
+    prepared_bytes[num_prepared++] = count * size;
+  }
+  return code;
+}
+
+int MPI_Request_free(MPI_Request* request) {
+  const int i = find_prepared(*request);
+  if (i < num_prepared) {
+    prepared[i] = prepared[--num_prepared];
+    prepared_bytes[i] = prepared_bytes[num_prepared];
+  }
+  return PMPI_Request_free(request);
+}
+
+int MPI_Startall(int count, MPI_Request* requests) {
+  for (int r = 0; r < count; ++r) {
+    const int i = find_prepared(requests[r]);
+    if (i < num_prepared) count_message(prepared_bytes[i], MPI_BYTE);
+  }
+  return PMPI_Startall(count, requests);
+}
+
+int MPI_Comm_create_group(MPI_Comm comm, MPI_Group group, int tag, MPI_Comm* made) {
+  const int code = PMPI_Comm_create_group(comm, group, tag, made);
+  if (*made != MPI_COMM_NULL) count_collective(*made);
+  return code;
 }
 
 int MPI_Allreduce(const void* send, void* receive, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {

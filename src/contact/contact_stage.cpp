@@ -54,8 +54,7 @@ struct ContactStage::Impl {
   void count_search();
   void search_again();
   int check(const SurfaceMotion& motion);
-  bool is_anything_touched(int num_touches) const;
-  bool is_repetition(int num_touches);
+  RowMeeting meet(const ContactMotion& motion, int num_touches);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
@@ -107,12 +106,17 @@ struct ContactStage::Impl {
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
   const Phase phase("percuss::contact_search", clocks.search);
-  if (bound.covers_near(motion)) return false;
+  bound.enter_step(motion);
+  if (bound.covers_near(motion)) {
+    bound.leave_step();
+    return false;
+  }
   const bool is_due = !bound.covers(motion);
   if (is_due) candidates = finder->search(motion, bound.restart(motion));
   // Where elements are eroded step by step, a list would serve a single one.
   finder->narrow(is_new_surface ? NearWay{} : bound.restart_near(motion));
   is_new_surface = false;
+  bound.leave_step();
   return is_due;
 }
 
@@ -138,24 +142,18 @@ int ContactStage::Impl::check(const SurfaceMotion& motion) {
   return tie_rows.append(finder->check(motion, history, touches), touches);
 }
 
-bool ContactStage::Impl::is_anything_touched(int num_touches) const {
-  if (has_walls || ties.any()) return true;
-  if (candidates == 0) return false;
-  // What touched in the last step most likely does again: then asking costs more than it saves.
-  if (ranks.size() > 1 && last.iterations > 0) return true;
-  all_reduce(ranks, Reduce::largest, num_touches);
-  return num_touches > 0;
-}
-
-/// Whether enforcement would repeat the last step on every rank, without impulses, because all contacts are at rest.
-/// The second such step in a row computes the history from that of the first, the third the same again.
-bool ContactStage::Impl::is_repetition(int num_touches) {
-  int is_same = finder->has_found_nothing_new() && num_touches == touches_last ? 1 : 0;
+/// What ranks know of each other's contact in this step. is_same becomes whether enforcement would repeat the last step
+/// on every rank, without impulses, because all contacts are at rest. The second such step in a row computes the
+/// history from that of the first, the third the same again.
+RowMeeting ContactStage::Impl::meet(const ContactMotion& motion, int num_touches) {
+  const bool is_same = finder->has_found_nothing_new() && num_touches == touches_last;
   touches_last = num_touches;
-  const bool has_rested = last.iterations > 0 && last.interactions == 0 && !has_walls && !ties.any();
-  if (has_rested) all_reduce(ranks, Reduce::least, is_same);
-  same_steps = has_rested && is_same != 0 ? same_steps + 1 : 0;
-  return same_steps > 1;
+  const bool acts_always = has_walls || ties.any();
+  const bool has_rested = last.iterations > 0 && last.interactions == 0 && !acts_always;
+  RowMeeting meeting;
+  if (acts_always || candidates > 0 || has_rested) meeting = enforcer.meet(motion, touches, num_touches, is_same);
+  same_steps = has_rested && meeting.is_same ? same_steps + 1 : 0;
+  return {acts_always || (candidates > 0 && meeting.any_rows), same_steps > 1};
 }
 
 /// The user's id of a node, which its owner knows.
@@ -335,14 +333,14 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   const int num_touches = stage.check(seen);
   stage.enforcer.show_predicted(motion);
   const Phase phase("percuss::contact_enforce", stage.clocks.enforce);
-  const bool is_repetition = stage.is_repetition(num_touches);
+  const auto [is_anything_touched, is_repetition] = stage.meet(motion, num_touches);
   ContactReport report = is_repetition ? stage.last : ContactReport{};
   report.searched = has_searched;
   report.candidates = stage.candidates;
   report.enforced = false;
   if (is_repetition)
     stage.enforcer.repeat(motion);
-  else if (stage.is_anything_touched(num_touches))
+  else if (is_anything_touched)
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
   else
     stage.enforcer.rest(motion, stage.history);

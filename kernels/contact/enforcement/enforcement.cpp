@@ -24,7 +24,7 @@ void find_corrections(const Space& space, const RowSystem& system) {
   const Rows3<double> correction = system.correction;
   const Rows3<const double> inverse_mass = system.at.inverse_mass;
   Kokkos::parallel_for(
-      "contact::find_corrections", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+      "contact::find_corrections", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
         const Point3 impulse = sums(a), w = load_row(inverse_mass, a);
         store_row(correction, a, {w.x * impulse.x, w.y * impulse.y, w.z * impulse.z});
       });

@@ -17,7 +17,7 @@ namespace percuss {
 template <class Space>
 PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory);
 
-/// dv of the owned nodes from the shares of their entries, once: RowSystem::correction.
+/// dv of all places from the shares of their entries, once: RowSystem::correction.
 template <class Space>
 void find_corrections(const Space& space, const RowSystem& system);
 

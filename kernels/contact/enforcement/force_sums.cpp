@@ -150,14 +150,14 @@ void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& m
 }
 
 template <class Space>
-void list_foreign_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
-                         Array<NormalPush>& foreign) {
-  reserve(foreign, system.num_foreign);
+void list_sent_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+                      Array<NormalPush>& sent) {
+  reserve(sent, system.num_sent);
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> entry = system.foreign;
-  const Array<NormalPush> out = foreign;
+  const Array<const int> entry = system.sent;
+  const Array<NormalPush> out = sent;
   Kokkos::parallel_for(
-      "contact::foreign_pushes", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
+      "contact::sent_pushes", RangeOf<Space>(space, 0, system.num_sent), KOKKOS_LAMBDA(int k) {
         out(k) = find_push(rows(entry(k) / row_nodes), marks(entry(k) / row_nodes), entry(k) % row_nodes);
       });
 }
@@ -251,17 +251,17 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
                              });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,         \
-                          Array<RowSides>&);                                                                           \
-  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                             \
-                                       const Array<const RowSides>&, Array<ForceSums>&);                               \
-  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                         \
-  template void list_foreign_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
-  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,      \
-                            double, const PushBooks&);                                                                 \
-  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,                \
-                              Array<AreaSums>&);                                                                       \
+#define PERCUSS_INSTANTIATE(Space)                                                                                  \
+  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,      \
+                          Array<RowSides>&);                                                                        \
+  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                          \
+                                       const Array<const RowSides>&, Array<ForceSums>&);                            \
+  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                      \
+  template void list_sent_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
+  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,   \
+                            double, const PushBooks&);                                                              \
+  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,             \
+                              Array<AreaSums>&);                                                                    \
   template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

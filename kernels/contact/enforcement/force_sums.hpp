@@ -67,7 +67,7 @@ struct PushBooks {
   }
 };
 
-/// Rows of a step, who their pushes count for, and what rows of other ranks push on nodes of this one.
+/// Rows of a step, who their pushes count for, and the pushes of remote entries.
 struct MarkedRows {
   const RowSystem& system;
   Array<const RowSides> marks;     // [rows]
@@ -78,10 +78,10 @@ struct MarkedRows {
 template <class Space>
 void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& marks);
 
-/// What this rank's rows push on foreign nodes: [RowSystem::num_foreign].
+/// Pushes of the entries that other ranks want: [RowSystem::num_sent].
 template <class Space>
-void list_foreign_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
-                         Array<NormalPush>& foreign);
+void list_sent_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+                      Array<NormalPush>& sent);
 
 /// Adds a step to the books. time: its length. node_numbers: [mesh nodes].
 template <class Space>

@@ -3,8 +3,9 @@
 // crosses ranks left to the caller.
 //
 // Others stands for the other ranks. Its members are called in the order of the paper's section 4.3.2: places of
-// foreign nodes come before the rows are made; forces on foreign nodes go to their owners and the accelerations come
-// back in each iteration, while the sums that judge convergence are reduced.
+// foreign nodes come before the rows are made. In each iteration all ranks whose rows touch a node, and its owner, swap
+// their forces on it, while the sums that judge convergence are reduced; each of them adds the forces up for itself, in
+// the order of their keys.
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +21,15 @@ namespace percuss {
 
 /// One rank has all nodes: nothing is sent.
 struct OneRank {
-  void receive_nodes(RowSystem&) {}  // fills RowSystem::at at foreign places
+  // Whether a rank has rows that this one has a part in; if not, there is nothing to solve here.
+  bool takes_part(const RowSystem& system) const { return system.num_rows > 0; }
+  // Fills RowSystem::at and RowBodies::of_place at foreign places; lists the remote and the sent entries.
+  void receive_nodes(const RowInputs&, const RowSources&, RowSystem&) {}
   template <class Space>
-  void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
-  void receive_coefficients(RowSystem&) {}             // fills RowSystem::abs_sum at foreign places
+  void swap_shares(const Space&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
   template <class Space>
-  void send_impulses(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums
-  void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
-  void receive_bodies(RowSystem&) {}                          // fills RowBodies::marks at foreign places
-  void sum_bodies(std::vector<ExactSum>&) {}                  // adds the sums of all ranks
-  void reduce(EnforcementSums&) {}
+  void swap_shares(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums meanwhile
+  void sum_bodies(std::vector<ExactSum>&) {}                // adds the sums of all ranks
   // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
     return solve_in_key_order(rows, dt, impulses);
@@ -53,26 +53,22 @@ void push_bodies(const Space& space, RowSystem& system, Others& others) {
   set_body_changes(sums, system);
 }
 
-/// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
-/// the system.
+/// Makes the rows of a step, which are counted, with their first guess; S and D. In: num_foreign, foreign,
+/// foreign_number and remote_node of the system.
 template <class Space, class Others>
 void build_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
                 RowSystem& system, Others& others) {
   start_rows(space, inputs, sources, system);
   space.fence();
-  others.receive_nodes(system);
-  if (system.bodies.count() > 0) {
-    others.receive_bodies(system);
-    mark_foreign_places(space, system);
-  }
+  others.receive_nodes(inputs, sources, system);
+  if (system.bodies.count() > 0) list_body_places(space, system);
   make_rows(space, inputs, sources, history, system);
   pack_geometry(space, system);
   share_coefficients(space, system);
-  others.send_coefficients(space, system);
+  others.swap_shares(space, system);
   sum_coefficients(space, system);
   space.fence();
   weigh_bodies(space, system, others);
-  others.receive_coefficients(system);
   sum_stiffness(space, system);
   if (system.bodies.count() > 0) hold_rows_within_bodies(space, system);
 }
@@ -89,7 +85,7 @@ struct SolveQuery {
 /// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_penalty() take the same arguments and
 /// leave impulses in the rows and their dv in RowSystem::correction.
 struct SolveReport {
-  std::int64_t rows = 0;  // on all ranks; 0: nothing was done
+  std::int64_t rows = 0;  // on all ranks; 0: nothing was done here
   int iterations = 0;
   bool converged = true;
   double complementarity = 0;  // deviation from complementarity / largest closing velocity
@@ -147,13 +143,10 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
                             Others& others) {
   constexpr int max_iterations = 1000;
   SolveReport report{0, 0, false};
-  PassSums sums;
-  sums.gaps = find_predicted_gaps(space, system, memory);
+  if (!others.takes_part(system)) return report;
+  PredictedGaps gaps = find_predicted_gaps(space, system, memory);  // of all ranks after the first pass
   pack_rows(space, system);
-  others.send_impulses(space, system, sums);
-  report.rows = sums.gaps.rows;
-  if (report.rows == 0) return report;
-  const Convergence convergence(query.tolerance, sums.gaps);
+  others.swap_shares(space, system);
   EnergyUnit unit{};  // none before the first pass, which extrapolates nothing that could point back
   Extrapolation extrapolation;
   DivergenceWatch watch;
@@ -165,13 +158,13 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
       move_packed_body_places(space, extrapolation.beta, system);
     }
     space.fence();
-    others.receive_corrections(system);
     if (report.converged || report.iterations == max_iterations) break;
-    move_foreign_nodes(space, extrapolation.beta, system);
-    sums = correct_rows(space, {extrapolation.beta, query.dt, unit}, system, memory);
-    others.send_impulses(space, system, sums);
+    PassSums sums = correct_rows(space, {extrapolation.beta, query.dt, unit}, system, memory);
+    if (report.iterations == 0) sums.gaps = gaps;
+    others.swap_shares(space, system, sums);
+    if (report.iterations == 0) gaps = sums.gaps;
     ++report.iterations;
-    report.converged = convergence.is_reached(sums);
+    report.converged = Convergence(query.tolerance, gaps).is_reached(sums);
     const bool grows = watch.finds_growth(report.iterations, sums.change);
     if (grows) straighten_gaps(space, system);
     const bool is_blind = report.iterations > 1 && !unit.is_known();
@@ -179,31 +172,32 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
     unit = EnergyUnit::after(sums.largest_term);
   }
   unpack_rows(space, system);
+  report.rows = gaps.rows;
   return report;
 }
 
-/// RowSystem::correction of the impulses of all rows. sums: reduced over ranks.
+/// RowSystem::correction of the impulses of all rows, whose shares have been swapped.
 template <class Space, class Others>
-void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Others& others) {
-  share_impulses(space, system);
-  others.send_impulses(space, system, sums);
+void follow_impulses(const Space& space, RowSystem& system, Others& others) {
   find_corrections(space, system);
   if (system.bodies.count() > 0) {
     push_bodies(space, system, others);
     move_body_places(space, system);
   }
   space.fence();
-  others.receive_corrections(system);
 }
 
 /// The impulses of springs (contact.enforcement: penalty).
 template <class Space, class Others>
 SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
+  if (!others.takes_part(system)) return {};
   push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
-  follow_impulses(space, sums, system, others);
+  share_impulses(space, system);
+  others.swap_shares(space, system, sums);
+  follow_impulses(space, system, others);
   return {sums.gaps.rows, 1, true, 0};
 }
 
@@ -216,8 +210,10 @@ SolveReport solve_lagrange(const Space& space, const SolveQuery& query, RowSyste
   const CoupledReport solved = others.solve_together(list_coupled_rows(system, query.node_numbers), query.dt, impulses);
   if (solved.rows == 0) return {};
   set_impulses(space, impulses, system);
-  PassSums sums;
-  follow_impulses(space, sums, system, others);
+  if (!others.takes_part(system)) return {};
+  share_impulses(space, system);
+  others.swap_shares(space, system);
+  follow_impulses(space, system, others);
   return {solved.rows, solved.sweeps, solved.converged, solved.complementarity};
 }
 

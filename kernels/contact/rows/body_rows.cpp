@@ -15,11 +15,13 @@ std::vector<ExactSum> sum_places(const Space& space, RowSystem& system, const Ad
   std::vector<ExactSum> sums(6 * static_cast<std::size_t>(bodies.count()));
   const Array<const int> places = bodies.places;
   const Array<const BodyResponse> responses = bodies.inputs.responses;
+  const int owned = system.num_nodes;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto place = static_cast<std::size_t>(b);
     const int first = bodies.first[place];
     const auto totals =
         bodies.memory(space, bodies.first[place + 1] - first, [=] KOKKOS_FUNCTION(const int i, const ExactAdder& add) {
+          if (places(first + i) >= owned) return;  // its owner counts it
           double values[6];
           add_place(places(first + i), responses(b), values);
           for (int k = 0; k < 6; ++k) add(k, values[k]);
@@ -60,43 +62,41 @@ template <class Space>
 void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system) {
   RowBodies& bodies = system.bodies;
   bodies.inputs = inputs;
-  const int owned = system.num_nodes, count = inputs.count;
-  if (count == 0) return;
+  if (inputs.count == 0) return;
   reserve(bodies.of_place, system.num_places());
-  reserve(bodies.marks, system.num_places());
-  for (Array<int>* list : {&bodies.places, &bodies.key, &bodies.index}) reserve(*list, owned);
-  reserve(bodies.size, count);
-  reserve(bodies.offset, count + 1);
-  reserve(bodies.change, count);
-  const Array<int> of_place = bodies.of_place, key = bodies.key, index = bodies.index;
-  const Rows3<double> marks = bodies.marks;
+  reserve(bodies.change, inputs.count);
+  const Array<int> of_place = bodies.of_place;
   const BodyInputs in = inputs;
   const Array<const int> nodes = system.nodes;
   const RowNodes at = system.at;
   Kokkos::parallel_for(
-      "contact::mark_bodies", RangeOf<Space>(space, 0, owned), KOKKOS_LAMBDA(int a) {
+      "contact::mark_bodies", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         const int body = in.of_node(nodes(a));
         of_place(a) = body;
-        key(a) = body < 0 ? count : body;
-        index(a) = a;
-        store_row(marks, a, Point3{static_cast<double>(body), 0, 0});
         if (body < 0) return;
         const BodyResponse& response = in.responses(body);
         store_row(at.inverse_mass, a, find_compliance(response, load_row(at.x, a) - response.center));
       });
-  group_by_key<Space>(space, {owned, key, index, count}, {bodies.size, bodies.offset, bodies.places});
-  space.fence();
-  const auto offset = to_host(bodies.offset);
-  bodies.first.assign(offset.data(), offset.data() + count + 1);
 }
 
 template <class Space>
-void mark_foreign_places(const Space& space, RowSystem& system) {
-  const Array<int> of_place = system.bodies.of_place;
-  const Rows3<const double> marks = system.bodies.marks;
+void list_body_places(const Space& space, RowSystem& system) {
+  RowBodies& bodies = system.bodies;
+  const int num_places = system.num_places(), count = bodies.count();
+  for (Array<int>* list : {&bodies.places, &bodies.key, &bodies.index}) reserve(*list, num_places);
+  reserve(bodies.size, count);
+  reserve(bodies.offset, count + 1);
+  const Array<int> key = bodies.key, index = bodies.index;
+  const Array<const int> of_place = bodies.of_place;
   Kokkos::parallel_for(
-      "contact::mark_foreign_bodies", RangeOf<Space>(space, system.num_nodes, system.num_places()),
-      KOKKOS_LAMBDA(int a) { of_place(a) = static_cast<int>(marks(a, 0)); });
+      "contact::list_body_places", RangeOf<Space>(space, 0, num_places), KOKKOS_LAMBDA(int a) {
+        key(a) = of_place(a) < 0 ? count : of_place(a);
+        index(a) = a;
+      });
+  group_by_key<Space>(space, {num_places, key, index, count}, {bodies.size, bodies.offset, bodies.places});
+  space.fence();
+  const auto offset = to_host(bodies.offset);
+  bodies.first.assign(offset.data(), offset.data() + count + 1);
 }
 
 template <class Space>
@@ -202,7 +202,7 @@ void move_body_places(const Space& space, const RowSystem& system) {
 
 #define PERCUSS_INSTANTIATE(Space)                                                                \
   template void start_bodies(const Space&, const BodyInputs&, RowSystem&);                        \
-  template void mark_foreign_places(const Space&, RowSystem&);                                    \
+  template void list_body_places(const Space&, RowSystem&);                                       \
   template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);                 \
   template void spread_body_coefficients(const Space&, const std::vector<ExactSum>&, RowSystem&); \
   template void hold_rows_within_bodies(const Space&, RowSystem&);                                \

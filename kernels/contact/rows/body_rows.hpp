@@ -16,15 +16,15 @@ namespace percuss {
 template <class Space>
 void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system);
 
-/// Bodies of foreign places, once their marks have come.
+/// Lists the places of each body, once RowBodies::of_place of foreign places has come.
 template <class Space>
-void mark_foreign_places(const Space& space, RowSystem& system);
+void list_body_places(const Space& space, RowSystem& system);
 
 /// Sums over the owned places of each body, six a body: of the absolute coefficients S and their bounds |r| x S.
 template <class Space>
 std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& system);
 
-/// With those sums of all ranks: S of the owned places such that S times the compliance is their share of D.
+/// With those sums of all ranks: S of the places of bodies such that S times the compliance is their share of D.
 template <class Space>
 void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system);
 
@@ -39,7 +39,7 @@ std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system);
 /// With those sums of all ranks: RowBodies::wrench and change.
 void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system);
 
-/// dv of the owned places of bodies: RowSystem::correction and, in packs, dv + beta (dv - dv of the iterate before).
+/// dv of the places of bodies: RowSystem::correction and, in packs, dv + beta (dv - dv of the iterate before).
 template <class Space>
 void move_packed_body_places(const Space& space, double beta, const RowSystem& system);
 template <class Space>

@@ -20,8 +20,7 @@ struct BodyInputs {
 struct RowBodies {
   BodyInputs inputs;
   Array<int> of_place = Array<int>("contact::body_of_place", 0);            // [places] -1: none
-  Rows3<double> marks = Rows3<double>("contact::body_marks", 0);            // [places] body, in messages
-  Array<int> places = Array<int>("contact::body_places", 0);                // owned ones, body after body
+  Array<int> places = Array<int>("contact::body_places", 0);                // body after body
   std::vector<int> first;                                                   // [count + 1] into places, on the host
   Array<BodyChange> change = Array<BodyChange>("contact::body_change", 0);  // of the iterate
   std::vector<Wrench> wrench;                                               // of all rows, of the iterate

@@ -177,30 +177,16 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
   const RowPacks p = system.packs;
   const Rows3<double> correction = system.correction;
   const Rows3<const double> inverse_mass = system.at.inverse_mass;
-  const int num_owned = system.num_nodes;
   const bool has_bodies = system.bodies.count() > 0;
   const Array<const int> body_of_place = system.bodies.of_place;
   Kokkos::parallel_for(
       "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
-        const Point3 before = load_row(correction, a);
-        if (a >= num_owned) {
-          store_row(p.dv, a, before);
-          return;
-        }
         if (p.stirred(a) == 0 || (has_bodies && body_of_place(a) >= 0)) return;
+        const Point3 before = load_row(correction, a);
         const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
         store_row(correction, a, dv);
         set_dv(p, a, extrapolate(dv, before, beta));
       });
-}
-
-template <class Space>
-void move_foreign_nodes(const Space& space, double beta, const RowSystem& system) {
-  const RowPacks p = system.packs;
-  const Rows3<const double> correction = system.correction;
-  Kokkos::parallel_for(
-      "contact::move_foreign_nodes", RangeOf<Space>(space, system.num_nodes, system.num_places()),
-      KOKKOS_LAMBDA(int a) { set_dv(p, a, extrapolate(load_row(correction, a), load_row(p.dv, a), beta)); });
 }
 
 template <class Space>
@@ -259,7 +245,6 @@ void unpack_rows(const Space& space, const RowSystem& system) {
   template void pack_geometry(const Space&, RowSystem&);                                           \
   template void pack_rows(const Space&, RowSystem&);                                               \
   template void move_nodes(const Space&, double, const RowSystem&);                                \
-  template void move_foreign_nodes(const Space&, double, const RowSystem&);                        \
   template PassSums correct_rows(const Space&, const PassQuery&, const RowSystem&, RowSumMemory&); \
   template void straighten_gaps(const Space&, const RowSystem&);                                   \
   template void unpack_rows(const Space&, const RowSystem&);

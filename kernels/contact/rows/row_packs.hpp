@@ -23,14 +23,10 @@ void sum_stiffness(const Space& space, RowSystem& system);
 template <class Space>
 void pack_rows(const Space& space, RowSystem& system);
 
-/// New dv of the owned nodes from the shares: RowSystem::correction, and dv + beta (dv - dv of the iterate before) in
-/// RowPacks::dv. Keeps the last dv of foreign places there.
+/// New dv of all places from the shares: RowSystem::correction, and dv + beta (dv - dv of the iterate before) in
+/// RowPacks::dv.
 template <class Space>
 void move_nodes(const Space& space, double beta, const RowSystem& system);
-
-/// The same of foreign places, once their correction has come.
-template <class Space>
-void move_foreign_nodes(const Space& space, double beta, const RowSystem& system);
 
 /// What a pass corrects by and is asked besides.
 struct PassQuery {

@@ -68,7 +68,7 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
     reserve(system.place_of_node, num_mesh_nodes);
     Kokkos::deep_copy(space, system.place_of_node, -1);
   }
-  const int num_entries = system.num_rows * row_nodes + system.num_remote;
+  const int num_entries = system.num_rows * row_nodes + static_cast<int>(system.remote_node.extent(0));
   reserve(system.first_entry, num_entries);
   reserve(system.nodes, num_entries);
   const Array<int> place = system.place_of_node, nodes = system.nodes, first = system.first_entry;
@@ -97,12 +97,6 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
         nodes(a) = touched(first(a));
         place(nodes(a)) = a;
       });
-  reserve(system.remote_place, system.num_remote);
-  const Array<int> remote_place = system.remote_place;
-  const Array<const int> remote = system.remote_node;
-  Kokkos::parallel_for(
-      "contact::place_remote_entries", RangeOf<Space>(space, 0, system.num_remote),
-      KOKKOS_LAMBDA(int k) { remote_place(k) = place(remote(k)); });
 }
 
 template <class Space>
@@ -143,24 +137,22 @@ struct RowKeys {
   }
 };
 
-/// Places of the entries, and these by owned node, ascending in their rows' keys: local ones ascend with the row;
+/// Places of the entries, and these by place, ascending in their rows' keys: local ones ascend with the row;
 /// remote ones find their place.
 template <class Space>
 void group_entries(const Space& space, const EntryNodes& entries, const RowKeys& keys, RowSystem& system) {
   const int num_local = system.num_rows * row_nodes, num_entries = num_local + system.num_remote;
   reserve(system.place_of_entry, num_entries);
   reserve(system.entry_value, num_entries);
-  reserve(system.foreign, system.num_foreign);
   reserve(system.entry, num_entries);
-  reserve(system.shares, num_entries + system.num_foreign);
+  reserve(system.shares, num_entries);
   reserve(system.share_of_slot, num_local);
   reserve(system.share_of_remote, system.num_remote);
-  reserve(system.count, system.num_nodes);
-  reserve(system.offset, system.num_nodes + 1);
+  reserve(system.count, system.num_places());
+  reserve(system.offset, system.num_places() + 1);
   const Array<int> share_of_slot = system.share_of_slot, share_of_remote = system.share_of_remote;
   const Array<int> place_of_entry = system.place_of_entry, value = system.entry_value, place = system.place_of_node;
-  const Array<int> foreign = system.foreign;
-  const Array<const int> remote_place = system.remote_place;
+  const Array<const int> foreign = system.foreign, remote_place = system.remote_place;
   const EntryNodes touched = entries;
   const int num_nodes = system.num_nodes, nowhere = system.num_places();
   Kokkos::parallel_for(
@@ -172,8 +164,7 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
           place_of_entry(e) = nowhere;
           if (!touched.has_slot(r, slot)) continue;
           const int node = touched.get_node(r, slot);
-          place_of_entry(e) = node >= 0 ? place(node) : num_nodes - 1 - node;
-          if (node < 0) foreign(-1 - node) = e;
+          place_of_entry(e) = node >= 0 ? place(node) : num_nodes + foreign(-1 - node);
         }
       });
   Kokkos::parallel_for(
@@ -181,15 +172,15 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
         place_of_entry(num_local + k) = remote_place(k);
         value(num_local + k) = num_local + k;
       });
-  // Of foreign nodes, and of slots not in use, there is no key.
-  group_by_key<Space>(space, {num_entries, place_of_entry, value, num_nodes},
+  // Of slots not in use there is no key.
+  group_by_key<Space>(space, {num_entries, place_of_entry, value, nowhere},
                       {system.count, system.offset, system.entry});
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;
   const RowKeys row_key = keys;
   Kokkos::parallel_for(
-      "contact::merge_entries", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        place(nodes(a)) = -1;  // as it was before the set-up
+      "contact::merge_entries", RangeOf<Space>(space, 0, nowhere), KOKKOS_LAMBDA(int a) {
+        if (a < num_nodes) place(nodes(a)) = -1;  // as it was before the set-up
         const auto get_key = [&](int e) { return e < num_local ? row_key(e / row_nodes) : remote_key(e - num_local); };
         int first = offset(a);
         const int last = offset(a + 1);
@@ -207,10 +198,6 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
             share_of_remote(entry(i) - num_local) = i;
         }
       });
-  const int first_foreign = system.first_foreign();
-  Kokkos::parallel_for(
-      "contact::place_foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
-      KOKKOS_LAMBDA(int k) { share_of_slot(foreign(k)) = first_foreign + k; });
 }
 
 }  // namespace
@@ -244,11 +231,15 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
 }
 
 template <class Space>
+void count_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
+  const int num_ties = static_cast<int>(inputs.ties.extent(0));
+  system.num_edge_rows = count_edge_touches(space, sources.touches, sources.num_touches - num_ties);
+  system.num_rows = sources.num_touches + list_near_walls(space, sources.walls, inputs, system);
+}
+
+template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
   const auto& [touches, num_touches, walls] = sources;
-  const int num_ties = static_cast<int>(inputs.ties.extent(0));
-  system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
-  system.num_rows = num_touches + list_near_walls(space, walls, inputs, system);
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);
@@ -335,13 +326,13 @@ void share_impulses(const Space& space, const RowSystem& system) {
 }
 
 template <class Space>
-void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values) {
+void get_sent_shares(const Space& space, const RowSystem& system, const Rows3<double>& values) {
   const Rows4<const double> shares = system.shares;
+  const Array<const int> entry = system.sent, share = system.share_of_slot;
   const Rows3<double> out = values;
-  const int first = system.first_foreign();
   Kokkos::parallel_for(
-      "contact::foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
-      KOKKOS_LAMBDA(int k) { store_row(out, k, load_row(shares, first + k)); });
+      "contact::sent_shares", RangeOf<Space>(space, 0, system.num_sent),
+      KOKKOS_LAMBDA(int k) { store_row(out, k, load_row(shares, share(entry(k)))); });
 }
 
 template <class Space>
@@ -360,17 +351,18 @@ void sum_coefficients(const Space& space, RowSystem& system) {
   const ShareSums sums(system);
   const Rows3<double> sum = system.abs_sum;
   Kokkos::parallel_for(
-      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes),
+      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_places()),
       KOKKOS_LAMBDA(int a) { store_row(sum, a, sums(a)); });
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                               \
   template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,    \
                                 const SurfaceNumbers&, Array<RowTouch>&);                                        \
+  template void count_rows(const Space&, const RowInputs&, const RowSources&, RowSystem&);                       \
   template void start_rows(const Space&, const RowInputs&, const RowSources&, RowSystem&);                       \
   template void make_rows(const Space&, const RowInputs&, const RowSources&, const ContactHistory&, RowSystem&); \
   template void share_impulses(const Space&, const RowSystem&);                                                  \
-  template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                        \
+  template void get_sent_shares(const Space&, const RowSystem&, const Rows3<double>&);                           \
   template void place_remote_shares(const Space&, const RowSystem&);                                             \
   template void sum_coefficients(const Space&, RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)

@@ -43,12 +43,12 @@ struct RowTouch {
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
   double friction = 0;
-  int pair = 0;                                                // ContactRow::pair
-  bool is_caught = false;                                      // ContactRow::is_caught
-  bool has_thickness = false;                                  // likewise
-  int record = -1;                                             // history record that the row writes
-  int old_record = -1;                                         // history record that it continues, -1: none
-  int node[row_nodes] = {-1, -1, -1, -1, -1};                  // mesh node of this rank; -1 - k: foreign node k
+  int pair = 0;                                // ContactRow::pair
+  bool is_caught = false;                      // ContactRow::is_caught
+  bool has_thickness = false;                  // likewise
+  int record = -1;                             // history record that the row writes
+  int old_record = -1;                         // history record that it continues, -1: none
+  int node[row_nodes] = {-1, -1, -1, -1, -1};  // mesh node of this rank; -1 - k: of another, slot k of all such
   std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
 
@@ -179,24 +179,27 @@ struct RowSystem {
   int num_rows = 0;
   int num_edge_rows = 0;  // of edge pairs among them, after those of faces
   int num_nodes = 0;      // places of nodes that this rank owns
-  int num_foreign = 0;    // places after these: foreign nodes, one for each entry that a row of this rank has on one
-  int num_remote = 0;     // entries that rows of other ranks have on nodes of this rank
+  int num_foreign = 0;    // places after these: nodes of other ranks that rows of this one touch
+  int num_remote = 0;     // entries that rows of other ranks have on nodes of all these places
+  int num_sent = 0;       // entries of this rank's rows that other ranks want, once for each of them
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
-  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, as rows come to them
-  Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
+  Array<int> nodes = Array<int>("contact::touched_nodes", 0);  // [num_nodes] mesh nodes, as rows come to them
+  Array<int> foreign =
+      Array<int>("contact::foreign_nodes", 0);  // [k] foreign node of the slot with RowTouch::node -1 - k
   Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
   RowNodes at;                                                 // [num_places() + 1], the last for slots not in use
-  Array<int> offset = Array<int>("contact::entry_offset", 0);  // [num_nodes + 1]
+  Array<int> offset = Array<int>("contact::entry_offset", 0);  // [num_places() + 1]
   // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
   Array<int> entry = Array<int>("contact::entries", 0);
-  // What each entry adds to its node, as `entry` has them; from first_foreign() on those of foreign entries.
+  // What each entry adds to its node, as `entry` has them.
   Rows4<double> shares = Rows4<double>("contact::shares", 0);
   Array<int> share_of_slot = Array<int>("contact::share_of_slot", 0);      // [rows * row_nodes] in shares, -1: no slot
   Array<int> share_of_remote = Array<int>("contact::share_of_remote", 0);  // [num_remote] likewise
-  Array<int> remote_node = Array<int>("contact::remote_node", 0);          // [num_remote] mesh node
+  Array<int> remote_node = Array<int>("contact::remote_node", 0);          // own mesh nodes that rows of others touch
   Array<int> remote_place = Array<int>("contact::remote_place", 0);        // [num_remote]
   Array<std::int64_t> remote_key = Array<std::int64_t>("contact::remote_key", 0);  // [num_remote] of its row
   Rows3<double> remote = Rows3<double>("contact::remote", 0);          // [num_remote] value of each remote entry
+  Array<int> sent = Array<int>("contact::sent_entries", 0);            // [num_sent] row * row_nodes + slot
   Rows3<double> correction = Rows3<double>("contact::correction", 0);  // dv of the iterate
   Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
   Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
@@ -216,7 +219,6 @@ struct RowSystem {
   Array<int> first_entry = Array<int>("contact::first_entry", 0);  // [num_nodes] of each node
 
   int num_places() const { return num_nodes + num_foreign; }
-  int first_foreign() const { return num_rows * row_nodes + num_remote; }
 };
 
 /// The first three columns of the sum of rows first to last - 1 of four doubles, in this order. Rows are aligned to
@@ -258,13 +260,18 @@ template <class Space>
 void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
                      const TouchTable& table, const SurfaceNumbers& numbers, Array<RowTouch>& touches);
 
-/// First part of the set-up: counts the rows, numbers the nodes of this rank that rows and remote entries touch and
-/// gathers their data. In: num_foreign, num_remote and remote_node of the system. Foreign places are to be filled then.
+/// Counts the rows: RowSystem::num_rows.
+template <class Space>
+void count_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
+
+/// First part of the set-up, of rows that are counted: numbers the nodes of this rank that rows of any rank touch and
+/// gathers their data. In: num_foreign and remote_node of the system. Foreign places are to be filled then.
 template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
 
-/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes;
-/// RowSystem::wants but for rows that nothing can move. In: RowSystem::at of all places, remote_key.
+/// Makes the rows from touches and walls with their first guess from history, and the entries of all places;
+/// RowSystem::wants but for rows that nothing can move. In: RowSystem::at of all places, num_remote, remote_place,
+/// remote_key.
 template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
                RowSystem& system);
@@ -273,15 +280,15 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
 template <class Space>
 void share_impulses(const Space& space, const RowSystem& system);
 
-/// Shares of foreign entries: what their owners are to add. values: out, [num_foreign][3].
+/// Shares of the entries that other ranks want. values: out, [num_sent][3].
 template <class Space>
-void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values);
+void get_sent_shares(const Space& space, const RowSystem& system, const Rows3<double>& values);
 
-/// Puts what other ranks' rows add to owned nodes, RowSystem::remote, among the shares.
+/// Puts what other ranks' rows add, RowSystem::remote, among the shares.
 template <class Space>
 void place_remote_shares(const Space& space, const RowSystem& system);
 
-/// S of the owned nodes: sums of absolute coefficients in the order of keys. In: shares, remote.
+/// S of all places: sums of absolute coefficients in the order of keys. In: shares, remote.
 template <class Space>
 void sum_coefficients(const Space& space, RowSystem& system);
 

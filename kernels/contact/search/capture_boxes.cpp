@@ -65,6 +65,17 @@ double find_largest_distance(const Space& space, const Array<const int>& nodes, 
 }
 
 template <class Space>
+double find_largest_step(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
+  const SurfaceMotion m = motion;
+  const Array<const int> list = nodes;
+  return std::sqrt(
+      find_largest_value("contact::largest_step", space, nodes.extent(0), [m, list] KOKKOS_FUNCTION(int n) {
+        const Point3 way = m.dt * load_row(m.v, list(n));
+        return dot(way, way);
+      }));
+}
+
+template <class Space>
 void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,
                   const Rows3<double>& origin) {
   const Array<const int> list = nodes;
@@ -109,6 +120,7 @@ void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMot
                                       const Rows3<const double>&);                                                     \
   template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,                   \
                                         const Rows3<const double>&);                                                   \
+  template double find_largest_step(const Space&, const Array<const int>&, const SurfaceMotion&);                      \
   template void store_places(const Space&, const Array<const int>&, const Rows3<const double>&, const Rows3<double>&); \
   template ExactSum sum_shortest_edges(const Space&, const Rows4<const int>&, const Rows3<const double>&);             \
   template void bound_faces(const Space&, const BoundedFaces&, const SurfaceMotion&, double, const Boxes&);

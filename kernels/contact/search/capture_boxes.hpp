@@ -65,6 +65,10 @@ template <class Space>
 double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                              const Rows3<const double>& origin);
 
+/// The largest distance that a node goes in the step.
+template <class Space>
+double find_largest_step(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion);
+
 /// Stores the places of the nodes: origin [nodes][3].
 template <class Space>
 void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,

@@ -43,7 +43,7 @@ Cost find_contact_cost(const RankPlan& mesh, const ContactRankPlan& contact, con
   add(contact.step, 1, cost);
   add(contact.pass, count_passes(figures), cost);
   // Velocities and impulses of shared nodes from their owners to the copies.
-  cost.messages += 2.0 * mesh.copy_receivers;
+  cost.messages += mesh.copy_receivers;
   cost.bytes += 2.0 * static_cast<double>(mesh.copies_sent * halo_slot_bytes);
   return cost;
 }
@@ -81,12 +81,11 @@ double count_reductions(const StepPattern& pattern, const PlanFigures& figures) 
   double count = 1;                  // the step, failures and stops
   if (pattern.has_gravity) ++count;  // momentum
   if (!has_contact(pattern)) return count;
-  count += 2 + count_passes(figures);  // who touches foreign nodes; each pass; what was done
+  count += 2 + figures.iterations;  // who has rows and touches foreign nodes; each iteration; what was done
   if (!pattern.has_pairs) return count;
-  // A search: largest motion, places beside the cuts, which parts are reached, and pairs.
-  if (!pattern.reuses_search) return count + 4 / find_steps_per_search(pattern, figures);
-  // And whether the pairs of the last one still hold, in each step; mean edge and travel since then, in each search.
-  return count + 1 + 6 / find_steps_per_search(pattern, figures);
+  // A search: largest motion with the mean edge, places beside the cuts, which parts are reached, and pairs.
+  count += 4 / find_steps_per_search(pattern, figures);
+  return pattern.reuses_search ? count + 1 : count;  // whether the pairs of the last one still hold, in each step
 }
 
 RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, const PlanFigures& figures) {

@@ -116,9 +116,9 @@ void ContactForces::book(const Space& space, const SolvedRows& solved) {
   if (is_empty()) return;
   const RowSystem& system = solved.system;
   mark_rows(space, sides_, solved.node_numbers, system, marks_);
-  list_foreign_pushes(space, system, marks_, foreign_);
+  list_sent_pushes(space, system, marks_, sent_);
   space.fence();
-  solved.exchange.send_pushes(foreign_, system, remote_);
+  solved.exchange.send_pushes(sent_, system, remote_);
   book_pushes(space, {system, marks_, remote_}, sides_, solved.node_numbers, solved.dt, books_);
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     sums_[f].merge(sum_contact_force(space, static_cast<int>(f), about_[f], system, marks_, partial_));

@@ -59,7 +59,7 @@ class ContactForces {
   Array<RowSides> marks_ = Array<RowSides>("contact::row_sides", 0);
   PushBooks books_;
   std::vector<ChunkRows> book_rows_;  // [forces] of the books
-  Array<NormalPush> foreign_ = Array<NormalPush>("contact::foreign_pushes", 0);
+  Array<NormalPush> sent_ = Array<NormalPush>("contact::sent_pushes", 0);
   Array<NormalPush> remote_ = Array<NormalPush>("contact::remote_pushes", 0);
   Array<AreaSums> area_partial_ = Array<AreaSums>("contact::area_sums", 0);
   Array<ForceSums> partial_ = Array<ForceSums>("contact::force_sums", 0);

@@ -67,8 +67,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       deck_(deck.contact),
       exchange_(ranks),
       copied_(find_copies(ranks)),
-      velocity_copies_(ranks.ranks, copied_),
-      impulse_copies_(ranks.ranks, copied_),
+      copies_(ranks.ranks, copied_, 2),
       play_(find_play(ranks.mesh)),
       forces_(forces),
       spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
@@ -94,7 +93,7 @@ void Enforcer::list_pushed(const ContactMotion& motion) {
         ExecSpace(), static_cast<int>(impulse.extent(0)),
         [impulse] KOKKOS_FUNCTION(int n) { return was_pushed(impulse, n); }, pushed_);
   } else if (was_pushed_) {
-    const Array<const int> copies = impulse_copies_.copies(), own = system_.nodes;
+    const Array<const int> copies = copies_.copies(), own = system_.nodes;
     const int num_own = system_.num_nodes;
     num_pushed_ = num_own + static_cast<int>(copies.extent(0));
     reserve(pushed_, num_pushed_);
@@ -149,13 +148,12 @@ void Enforcer::clear_last_impulse(const ContactMotion& motion) {
   restored_pushes_ = {};
 }
 
-/// Copies of nodes on other ranks get what their owners found.
+/// Copies of nodes on other ranks get what their owners found, if rows touched nodes of these.
 void Enforcer::update_copies(const ContactMotion& motion) {
   if (!has_many_ranks_) return;
-  velocity_copies_.begin(ExecSpace(), motion.v);
-  impulse_copies_.begin(ExecSpace(), motion.impulse);
-  velocity_copies_.end(ExecSpace(), motion.v);
-  impulse_copies_.end(ExecSpace(), motion.impulse);
+  copies_.choose_sources([this](int rank) { return exchange_.is_touched(rank); });
+  copies_.begin(ExecSpace(), std::vector<Rows3<const double>>{motion.v, motion.impulse});
+  copies_.end(ExecSpace(), std::vector<Rows3<double>>{motion.v, motion.impulse});
 }
 
 void Enforcer::hold_walls() {
@@ -203,12 +201,12 @@ Rows3<double> Enforcer::find_pushes() {
   const Rows3<double> pushes("contact::node_pushes", node_numbers_.extent(0));
   if (!has_solved_) return pushes;
   Array<RowSides> marks("contact::push_marks", 0);
-  Array<NormalPush> foreign("contact::foreign_pushes", 0), remote("contact::remote_pushes", 0);
+  Array<NormalPush> sent("contact::sent_pushes", 0), remote("contact::remote_pushes", 0);
   const ExecSpace space;
   mark_pushes(space, system_, marks);
-  list_foreign_pushes(space, system_, marks, foreign);
+  list_sent_pushes(space, system_, marks, sent);
   space.fence();
-  exchange_.send_pushes(foreign, system_, remote);
+  exchange_.send_pushes(sent, system_, remote);
   sum_pushes(space, {system_, marks, remote}, pushes);
   space.fence();
   return pushes;
@@ -252,22 +250,77 @@ void Enforcer::finish_walls(const Space& space, int first_row, const ContactMoti
   pair_work_.back().friction.add(-work.rub);
 }
 
+Traffic Enforcer::traffic() const {
+  Traffic sum = exchange_.traffic();
+  sum.messages += copies_.traffic().messages;
+  sum.bytes += copies_.traffic().bytes;
+  return sum;
+}
+
+RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
+  const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
+  return {{motion.x, motion.v, motion.dt},
+          motion.v_before,
+          motion.inverse_mass,
+          node_numbers_,
+          last_dt_ > 0 ? motion.dt / last_dt_ : 1,
+          has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
+          count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
+          play_,
+          spring_,
+          ties_,
+          motion.impulse,
+          last_pushes_ != 0,
+          motion.bodies};
+}
+
+RowMeeting Enforcer::meet(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
+                          bool is_same) {
+  const RowInputs inputs = make_inputs(motion);
+  exchange_.find_foreign_nodes(touches, num_touches, system_);
+  run_where_it_pays(num_touches + static_cast<int>(walls_.node.extent(0)) / 8, [&](const auto& space) {
+    moving_walls_.start_step(space, walls_, inputs, motion.time, sums_);
+    count_rows(space, inputs, {touches, num_touches, walls_}, system_);
+    space.fence();
+  });
+  meeting_ = exchange_.meet(system_, is_same, motion.bodies.count > 0);
+  return meeting_;
+}
+
+/// What all ranks did.
+template <class Space>
+void Enforcer::report_outcome(const Space& space, const ContactMotion& motion, int num_touches,
+                              const SolveReport& solved, ContactReport& report) {
+  RowOutcome outcome;
+  if (has_solved_)
+    outcome = {sum_outcome(space, motion.dt, system_, sums_), solved.iterations, solved.converged ? 0 : 1,
+               solved.complementarity};
+  exchange_.reduce(outcome);
+  EnforcementSums& done = outcome.sums;
+  report.enforced = true;
+  report.iterations = static_cast<int>(outcome.iterations);
+  report.converged = outcome.failures == 0;
+  report.complementarity = outcome.complementarity;
+  report.interactions = static_cast<int>(done.pushes);
+  last_pushes_ = done.pushes;
+  report.normal_work = done.normal_work.round();
+  report.friction_work = done.friction_work.round();
+  report.stored = done.stored.round();
+  report.rate = done.rate;
+  if (system_.num_rows > num_touches)
+    report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
+  report.bodies = system_.bodies.wrench;
+  report.residual = done.residual;
+  report.deepest = done.deepest;
+  report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
+  report.giving_node = done.given_key < 0 ? -1 : find_key_node(done.given_key);
+  report.torn = done.torn;
+  report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
+}
+
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                        ContactHistory& history, ContactReport& report) {
-  const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
-  const RowInputs inputs{{motion.x, motion.v, motion.dt},
-                         motion.v_before,
-                         motion.inverse_mass,
-                         node_numbers_,
-                         last_dt_ > 0 ? motion.dt / last_dt_ : 1,
-                         has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
-                         count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
-                         play_,
-                         spring_,
-                         ties_,
-                         motion.impulse,
-                         last_pushes_ != 0,
-                         motion.bodies};
+  const RowInputs inputs = make_inputs(motion);
   // The first step goes from time 0 to its middle. Springs that begin without a force stop what it brings in all of it.
   const bool halves_first = last_dt_ > 0 || starts_loaded_;
   const double dt_mean = halves_first ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
@@ -275,44 +328,25 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   last_dt_ = motion.dt;
   last_pushes_ = 0;
   remembers_ = true;
-  exchange_.announce_foreign_nodes(touches, num_touches, system_);
-  const int wall_pairs = static_cast<int>(walls_.node.extent(0));
+  exchange_.announce_foreign_nodes(system_);
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
-  run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
-    moving_walls_.start_step(space, walls_, inputs, motion.time, sums_);
-    build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
+  run_where_it_pays(num_touches + static_cast<int>(walls_.node.extent(0)) / 8, [&](const auto& space) {
+    if (exchange_.takes_part(system_))
+      build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
+    else
+      system_.num_nodes = 0;
     clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     has_solved_ = solved.rows > 0;
-    if (solved.rows > 0) {
-      apply_impulses(space, system_, motion.v, motion.impulse);
-      EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
-      exchange_.reduce(done);
-      report.enforced = true;
-      report.iterations = solved.iterations;
-      report.converged = solved.converged;
-      report.complementarity = solved.complementarity;
-      report.interactions = static_cast<int>(done.pushes);
-      last_pushes_ = done.pushes;
-      report.normal_work = done.normal_work.round();
-      report.friction_work = done.friction_work.round();
-      report.stored = done.stored.round();
-      report.rate = done.rate;
+    if (has_solved_) apply_impulses(space, system_, motion.v, motion.impulse);
+    if (meeting_.any_rows) {
+      report_outcome(space, motion, num_touches, solved, report);
       book_pairs(space);
       forces_.book(space, {system_, node_numbers_, exchange_, motion.dt});
-      if (system_.num_rows > num_touches)
-        report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
-      report.bodies = system_.bodies.wrench;
-      report.residual = done.residual;
-      report.deepest = done.deepest;
-      report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
-      report.giving_node = done.given_key < 0 ? -1 : find_key_node(done.given_key);
-      report.torn = done.torn;
-      report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
       update_copies(motion);
       was_pushed_ = true;
     }
-    if (moving_walls_.any()) finish_walls(space, solved.rows > 0 ? num_touches : system_.num_rows, motion, report);
+    if (moving_walls_.any()) finish_walls(space, meeting_.any_rows ? num_touches : system_.num_rows, motion, report);
     write_history(space, motion.dt, system_, history);
     space.fence();
   });

@@ -1,9 +1,9 @@
 #pragma once
 // Enforcement (1.9) in the FE decomposition, on all ranks together (the paper's section 4.3.2).
 //
-// A row belongs to the rank that owns its contact node; other ranks may own corners of its face. In each iteration the
-// rows' forces on such foreign nodes go to their owners. An owner adds up all forces on a node in one global order and
-// sends the accelerations back. The reduction for convergence runs at the same time.
+// A row belongs to the rank that owns its contact node; other ranks may own corners of its face. In each iteration all
+// ranks that touch or own a node swap their rows' forces on it, and each adds up all of them in one global order. The
+// reduction for convergence runs at the same time. Ranks without rows, none of whose nodes others touch, take no part.
 
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
@@ -28,8 +28,12 @@ class Enforcer {
   /// Puts the velocities predicted without contact back.
   void show_predicted(const ContactMotion& motion);
 
-  /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, its ties last, on every
-  /// copy of a node; writes the history for the next step; fills in what the report says of enforcement.
+  /// Begins a step of contact: who has rows, given the touches of this rank's contact nodes, its ties last. is_same:
+  /// whether this rank found what it did in the last step.
+  RowMeeting meet(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches, bool is_same);
+
+  /// After meet(), with the same arguments: corrects motion.v and fills motion.impulse on every copy of a node; writes
+  /// the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                ContactHistory& history, ContactReport& report);
 
@@ -61,9 +65,13 @@ class Enforcer {
 
   const MovingWalls& walls() const { return moving_walls_; }
 
-  const Traffic& traffic() const { return exchange_.traffic(); }
+  Traffic traffic() const;
 
  private:
+  RowInputs make_inputs(const ContactMotion& motion) const;
+  template <class Space>
+  void report_outcome(const Space& space, const ContactMotion& motion, int num_touches, const SolveReport& solved,
+                      ContactReport& report);
   template <class Space>
   SolveReport solve(const Space& space, double dt, double dt_mean);
   template <class Space>
@@ -82,9 +90,10 @@ class Enforcer {
   const ContactDeck deck_;
   RowExchange exchange_;
   const SharedNodes copied_;
-  NodeCopies velocity_copies_, impulse_copies_;
+  NodeCopies copies_;  // velocities and impulses
   const double play_;  // RowInputs::play
   RowSystem system_;
+  RowMeeting meeting_;
   RowSumMemory sums_;
   ContactForces& forces_;
   Array<const double> spring_;       // [mesh nodes] of owned contact nodes; empty without penalty

@@ -1,147 +1,228 @@
 #include "src/contact/enforcement/row_exchange.hpp"
 
 #include <algorithm>
+#include <cstring>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/views.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
-/// A foreign node in the message to its owner.
-struct RowExchange::ForeignNotice {
-  std::int64_t node = 0;  // number
-  std::int64_t key = 0;   // of the row
+namespace {
+
+/// In the fold: that a rank has rows; below it stands how many ranks touch its nodes.
+constexpr int has_rows_mark = 1 << 24;
+
+template <class Answer>
+void append(const Answer& answer, std::vector<AnswerWord>& words) {
+  constexpr std::size_t count = sizeof(Answer) / sizeof(AnswerWord);
+  words.resize(words.size() + count);
+  std::memcpy(words.data() + words.size() - count, &answer, sizeof(Answer));
+}
+
+/// Reads answers one after the other.
+class AnswerReader {
+ public:
+  explicit AnswerReader(const std::vector<AnswerWord>& words) : next_(words.data()) {}
+
+  template <class Answer>
+  Answer read() {
+    Answer answer{};
+    std::memcpy(&answer, next_, sizeof(Answer));
+    next_ += sizeof(Answer) / sizeof(AnswerWord);
+    return answer;
+  }
+
+ private:
+  const AnswerWord* next_;
 };
 
-/// What a row needs of a foreign node.
-struct RowExchange::ForeignData {
-  std::array<double, 3> x, v, v_before, v_seen, inverse_mass;
-  double spring = 0;
-};
+/// A view of the values; most steps of most ranks have none.
+template <class T>
+void renew(const char* label, const std::vector<T>& values, Array<T>& view) {
+  if (!values.empty() || view.extent(0) > 0) view = to_view(label, values);
+}
+
+bool has_lower_node(const SharedEntry& a, const SharedEntry& b) { return a.node < b.node; }
+
+/// The answer to a rank: each of its nodes, with the entries of all others on it. entries: by node.
+void answer_rank(int rank, const RowNotice* first, const RowNotice* end, const std::vector<SharedEntry>& entries,
+                 const HostRowNodes& nodes, std::vector<AnswerWord>& words) {
+  for (const RowNotice* notice = first; notice != end; ++notice) {
+    if (notice != first && notice->node == (notice - 1)->node) continue;
+    SharedEntry wanted;
+    wanted.node = notice->node;
+    const auto [low, high] = std::equal_range(entries.begin(), entries.end(), wanted, has_lower_node);
+    NodeAnswer node = nodes.get(low->place);
+    node.entries = std::count_if(low, high, [rank](const SharedEntry& entry) { return entry.rank != rank; });
+    append(node, words);
+    for (auto entry = low; entry != high; ++entry)
+      if (entry->rank != rank) append(EntryAnswer{entry->key, entry->rank}, words);
+  }
+}
+
+}  // namespace
+
+void RowOutcome::merge(const RowOutcome& other) {
+  sums.merge(other.sums);
+  iterations = std::max(iterations, other.iterations);
+  failures += other.failures;
+  complementarity = std::max(complementarity, other.complementarity);
+}
 
 RowExchange::RowExchange(const ContactRanks& ranks)
-    : ranks_(ranks), has_many_ranks_(ranks.ranks.size() > 1), exchange_(ranks.ranks), data_(ranks.ranks) {}
+    : ranks_(ranks),
+      has_many_ranks_(ranks.ranks.size() > 1),
+      exchange_(ranks.ranks),
+      data_(ranks.ranks),
+      notices_(ranks.ranks),
+      swap_(ranks.ranks),
+      team_(ranks.ranks),
+      has_part_(at(ranks.ranks.size()), 0) {}
 
-void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system) {
-  system.num_foreign = 0;
-  system.num_remote = 0;
-  if (!has_many_ranks_) return;
-  const auto list = to_host(touches);
-  std::vector<ForeignNotice> notices;
-  std::vector<int> owners;
-  for (int r = 0; r < num_touches; ++r) {
-    for (int slot = 0; slot < list(r).count; ++slot) {
-      if (list(r).node[slot] >= 0) continue;
-      notices.push_back({list(r).node_number[slot], list(r).key});
-      owners.push_back(ranks_.numbering.find_node_owner(notices.back().node));
-    }
+Traffic RowExchange::traffic() const {
+  Traffic sum = data_.traffic();
+  for (const Traffic& part : {notices_.traffic(), swap_.traffic()}) {
+    sum.messages += part.messages;
+    sum.bytes += part.bytes;
   }
-  SendOrder order = order_by_destination(owners);
-  plan_ = exchange_.plan(order.to);
-  const std::vector<ForeignNotice> ordered = ItemExchange::arrange(order, notices);
-  order_ = std::move(order.items);
+  return sum;
+}
+
+void RowExchange::find_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system) {
+  system.num_foreign = 0;
+  if (!has_many_ranks_) return;
+  foreign_ = percuss::find_foreign_nodes(ranks_, touches, num_touches);
+  system.num_foreign = static_cast<int>(foreign_.numbers.size());
+  renew("contact::foreign_nodes", foreign_.of_slot, system.foreign);
+  renew("contact::foreign_number", foreign_.numbers, system.foreign_number);
+}
+
+RowMeeting RowExchange::meet(const RowSystem& system, bool is_same, bool everybody) {
+  takes_part_ = system.num_rows > 0;
+  if (!has_many_ranks_) return {takes_part_, is_same};
+  const auto own = at(ranks_.ranks.rank());
+  std::vector<int> fold(has_part_.size() + 1, 0);
+  for (const PeerRun& run : foreign_.owners) fold[at(run.rank)] = 1;
+  if (takes_part_) fold[own] = has_rows_mark;
+  fold.back() = is_same ? 0 : 1;
+  all_reduce(ranks_.ranks, Reduce::sum, fold);
+  num_senders_ = fold[own] % has_rows_mark;
+  const bool any_rows = std::any_of(fold.begin(), fold.end() - 1, [](int mark) { return mark != 0; });
+  for (std::size_t r = 0; r < has_part_.size(); ++r) has_part_[r] = fold[r] != 0 || (everybody && any_rows) ? 1 : 0;
+  if (any_rows) team_.meet(has_part_);
+  takes_part_ = any_rows && team_.contains_this();
+  return {any_rows, fold.back() == 0};
+}
+
+void RowExchange::announce_foreign_nodes(RowSystem& system) {
+  system.num_remote = system.num_sent = 0;
+  if (!has_many_ranks_) return;
+  received_.clear();
+  notice_plan_ = {};
+  if (takes_part_) {
+    received_ = notices_.exchange(foreign_.notice_runs, foreign_.notices, num_senders_, notice_plan_.from);
+    notice_plan_.to = foreign_.notice_runs;
+  }
   const std::vector<std::int64_t>& numbers = ranks_.mesh.node_numbers;
   std::vector<int> nodes;
-  std::vector<std::int64_t> keys;
-  for (const ForeignNotice& notice : data_.exchange(plan_, ordered)) {
+  nodes.reserve(received_.size());
+  for (const RowNotice& notice : received_)
     nodes.push_back(static_cast<int>(std::lower_bound(numbers.begin(), numbers.end(), notice.node) - numbers.begin()));
-    keys.push_back(notice.key);
-  }
-  std::vector<std::int64_t> foreign;
-  foreign.reserve(notices.size());
-  for (const ForeignNotice& notice : notices) foreign.push_back(notice.node);
-  system.foreign_number = to_view("contact::foreign_number", foreign);
-  system.num_foreign = static_cast<int>(notices.size());
-  system.num_remote = static_cast<int>(nodes.size());
-  system.remote_node = to_view("contact::remote_node", nodes);
-  system.remote_key = to_view("contact::remote_key", keys);
-  reserve(system.remote, system.num_remote);
-  reserve(foreign_values_, system.num_foreign);
+  renew("contact::remote_node", nodes, system.remote_node);
 }
 
-/// Positions, velocities and masses of the foreign nodes, after those of the own ones.
-void RowExchange::receive_nodes(RowSystem& system) {
-  if (!has_many_ranks_) return;
-  constexpr std::size_t count = 5;
-  RowNodes& at_places = system.at;
-  const Rows3<double>* const rows[count] = {&at_places.x, &at_places.v, &at_places.v_before, &at_places.v_seen,
-                                            &at_places.inverse_mass};
-  std::array<double, 3> ForeignData::*const members[count] = {&ForeignData::x, &ForeignData::v, &ForeignData::v_before,
-                                                              &ForeignData::v_seen, &ForeignData::inverse_mass};
-  const auto place = to_host(system.remote_place);
-  const auto spring = to_host(system.at.spring);
-  const bool has_springs = spring.extent(0) > 0;
-  static_assert(sizeof(ForeignData) == foreign_bytes);
-  std::vector<ForeignData> send(at(system.num_remote));
-  std::vector<HostMirror<Rows3<double>>> hosts;
-  for (const Rows3<double>* view : rows) hosts.push_back(to_host(*view));
-  for (std::size_t k = 0; k < send.size(); ++k) {
-    const auto a = at(place(k));
-    for (std::size_t i = 0; i < count; ++i) send[k].*members[i] = {hosts[i](a, 0), hosts[i](a, 1), hosts[i](a, 2)};
-    if (has_springs) send[k].spring = spring(a);
+/// The entries of all ranks on own nodes that others touch, by node.
+std::vector<SharedEntry> RowExchange::list_entries_on_own_nodes(const RowSources& sources,
+                                                                const RowSystem& system) const {
+  if (received_.empty()) return {};
+  const int own = ranks_.ranks.rank();
+  const auto nodes = to_host(system.remote_node), place = to_host(system.place_of_node);
+  std::vector<char> is_touched(ranks_.mesh.nodes.size(), 0);
+  for (std::size_t k = 0; k < received_.size(); ++k) is_touched[at(nodes(k))] = 1;
+  std::vector<SharedEntry> entries = list_own_entries(ranks_, sources, system, is_touched);
+  for (const PeerRun& run : notice_plan_.from) {
+    for (auto k = at(run.first); k < at(run.first + run.count); ++k)
+      entries.push_back({received_[k].node, received_[k].key, own, place(at(nodes(k))), run.rank, -1});
   }
-  const std::vector<ForeignData> received = data_.exchange(reverse(plan_), send);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < received.size(); ++k) {
-      const auto a = at(system.num_nodes + order_[k]);
-      for (std::size_t d = 0; d < 3; ++d) hosts[i](a, d) = (received[k].*members[i])[d];
+  std::stable_sort(entries.begin(), entries.end(), has_lower_node);
+  return entries;
+}
+
+/// The answers of the owners: places of foreign nodes, and the entries of all ranks on these.
+void RowExchange::take_answers(const std::vector<AnswerWord>& words, int first_place, HostRowNodes& nodes,
+                               std::vector<SharedEntry>& entries) const {
+  AnswerReader reader(words);
+  for (const PeerRun& run : foreign_.owners) {
+    for (std::int64_t f = run.first; f < run.first + run.count; ++f) {
+      const int place = first_place + static_cast<int>(f);
+      const auto node = reader.read<NodeAnswer>();
+      nodes.set(place, node);
+      for (std::int64_t e = 0; e < node.entries; ++e) {
+        const auto entry = reader.read<EntryAnswer>();
+        entries.push_back({foreign_.numbers[at(f)], entry.key, run.rank, place, static_cast<int>(entry.rank), -1});
+      }
     }
-    Kokkos::deep_copy(*rows[i], hosts[i]);
   }
-  if (!has_springs) return;
-  for (std::size_t k = 0; k < received.size(); ++k) spring(at(system.num_nodes + order_[k])) = received[k].spring;
-  Kokkos::deep_copy(system.at.spring, spring);
+  std::size_t f = 0;
+  for (std::size_t k = 0; k < foreign_.notices.size(); ++k) {
+    const RowNotice& notice = foreign_.notices[k];
+    while (foreign_.numbers[f] != notice.node) ++f;
+    entries.push_back({notice.node, notice.key, ranks_.numbering.find_node_owner(notice.node),
+                       first_place + static_cast<int>(f), ranks_.ranks.rank(), foreign_.entries[k]});
+  }
 }
 
-void RowExchange::begin_sending() {
-  const auto host = to_host(foreign_values_);
-  send_.resize(order_.size());
-  receive_.resize(static_cast<std::size_t>(plan_.receive_count()));
-  for (std::size_t k = 0; k < send_.size(); ++k) {
-    const auto i = at(order_[k]);
-    send_[k] = {host(i, 0), host(i, 1), host(i, 2)};
-  }
-  data_.begin<std::array<double, 3>>(plan_, send_, receive_);
-}
-
-void RowExchange::end_sending(RowSystem& system) {
-  data_.end();
-  const auto remote = Kokkos::create_mirror_view(system.remote);
-  for (std::size_t k = 0; k < receive_.size(); ++k) {
-    for (std::size_t d = 0; d < 3; ++d) remote(k, d) = receive_[k][d];
-  }
-  Kokkos::deep_copy(system.remote, remote);
-}
-
-/// Values of own nodes back to the rows that touch them as foreign nodes.
-void RowExchange::send_to_rows(const RowSystem& system, const Rows3<double>& by_place) {
+/// Positions, velocities and masses of the foreign nodes, after those of the own ones, and what is swapped for them.
+void RowExchange::receive_nodes(const RowInputs&, const RowSources& sources, RowSystem& system) {
   if (!has_many_ranks_) return;
-  const auto host = to_host(by_place);
-  const auto place = to_host(system.remote_place);
-  receive_.resize(order_.size());
-  send_.resize(at(system.num_remote));
-  for (std::size_t k = 0; k < send_.size(); ++k) {
-    const auto a = at(place(k));
-    send_[k] = {host(a, 0), host(a, 1), host(a, 2)};
+  if (foreign_.numbers.empty() && received_.empty()) {
+    lists_ = {};
+    prepare_swap(system);
+    return;
   }
-  data_.begin<std::array<double, 3>>(reverse(plan_), send_, receive_);
-  data_.end();
-  for (std::size_t k = 0; k < receive_.size(); ++k) {
-    const auto a = at(system.num_nodes + order_[k]);
-    for (std::size_t d = 0; d < 3; ++d) host(a, d) = receive_[k][d];
+  HostRowNodes nodes(system);
+  std::vector<SharedEntry> entries = list_entries_on_own_nodes(sources, system);
+  std::vector<AnswerWord> words;
+  std::vector<int> counts;
+  for (const PeerRun& run : notice_plan_.from) {
+    const std::size_t before = words.size();
+    const RowNotice* first = received_.data() + run.first;
+    answer_rank(run.rank, first, first + run.count, entries, nodes, words);
+    counts.push_back(static_cast<int>(words.size() - before));
   }
-  Kokkos::deep_copy(by_place, host);
+  take_answers(data_.exchange_sized(reverse(notice_plan_), counts, words), system.num_nodes, nodes, entries);
+  nodes.write(system);
+  lists_ = list_swaps(std::move(entries), ranks_.ranks.rank());
+  prepare_swap(system);
 }
 
-void RowExchange::send_pushes(const Array<const NormalPush>& foreign, const RowSystem& system,
-                              Array<NormalPush>& remote) {
+void RowExchange::prepare_swap(RowSystem& system) {
+  system.num_sent = static_cast<int>(lists_.sent.size());
+  system.num_remote = static_cast<int>(lists_.key.size());
+  renew("contact::sent_entries", lists_.sent, system.sent);
+  renew("contact::remote_key", lists_.key, system.remote_key);
+  renew("contact::remote_place", lists_.place, system.remote_place);
+  reserve(system.remote, system.num_remote);
+  reserve(sent_values_, system.num_sent);
+  send_buffer_ = Kokkos::create_mirror_view(sent_values_);
+  receive_buffer_ = Kokkos::create_mirror_view(system.remote);
+  swap_.prepare<RowItem>(lists_.plan, as_items(send_buffer_).first(lists_.sent.size()),
+                         as_items(receive_buffer_).first(lists_.key.size()));
+}
+
+void RowExchange::end_swap(RowSystem& system) {
+  swap_.end();
+  Kokkos::deep_copy(system.remote, receive_buffer_);
+}
+
+void RowExchange::send_pushes(const Array<const NormalPush>& sent, const RowSystem& system, Array<NormalPush>& remote) {
   if (!has_many_ranks_) return;
-  const auto host = to_host(foreign);
-  std::vector<NormalPush> ordered;
-  ordered.reserve(order_.size());
-  for (const int k : order_) ordered.push_back(host(at(k)));
-  const std::vector<NormalPush> received = data_.exchange(plan_, ordered);
+  const auto host = to_host(sent);
+  const std::vector<NormalPush> items(host.data(), host.data() + system.num_sent);
+  const std::vector<NormalPush> received = data_.exchange(lists_.plan, items);
   reserve(remote, system.num_remote);
   const auto mirror = Kokkos::create_mirror_view(remote);
   for (std::size_t k = 0; k < received.size(); ++k) mirror(k) = received[k];
@@ -161,12 +242,12 @@ CoupledReport RowExchange::solve_together(const std::vector<CoupledRow>& rows, d
   return report;
 }
 
-void RowExchange::reduce(EnforcementSums& sums) {
+void RowExchange::reduce(RowOutcome& outcome) {
   if (!has_many_ranks_) return;
-  sums.normal_work.normalize();
-  sums.friction_work.normalize();
-  sums.stored.normalize();
-  reduce_outcome_(ranks_.ranks, sums);
+  outcome.sums.normal_work.normalize();
+  outcome.sums.friction_work.normalize();
+  outcome.sums.stored.normalize();
+  reduce_outcome_(ranks_.ranks, outcome);
 }
 
 }  // namespace percuss

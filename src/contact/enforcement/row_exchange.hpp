@@ -1,84 +1,127 @@
 #pragma once
-// Data of foreign nodes that rows exchange with other ranks (the paper's section 4.3.2).
+// What ranks whose rows touch the same nodes exchange (the paper's section 4.3.2).
+//
+// The nodes that rows touch beyond their own rank have a place on each rank with such rows. All ranks that have a place
+// of a node, its owner among them, swap the shares of their rows in it: one message to each neighbour and iteration,
+// after which everybody adds up the same numbers in the same order.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "comm/exact_reduction.hpp"
+#include "comm/exchange/counted_exchange.hpp"
 #include "comm/exchange/data_exchange.hpp"
+#include "comm/exchange/exchange_buffers.hpp"
+#include "comm/exchange/persistent_exchange.hpp"
 #include "comm/exchange/unstructured_exchange.hpp"
 #include "comm/merge_reduction.hpp"
+#include "comm/team.hpp"
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/force_sums.hpp"
+#include "src/contact/enforcement/shared_entries.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 
 namespace percuss {
 
-/// The Others of kernels/contact/enforcement/row_solution.hpp. All calls are collective.
+/// What the ranks know of each other's rows before these are made.
+struct RowMeeting {
+  bool any_rows = false;  // on any rank
+  bool is_same = false;   // all ranks found what they did in the last step
+};
+
+/// What the rows of a step did, of all ranks.
+struct RowOutcome {
+  EnforcementSums sums;
+  std::int64_t iterations = 0, failures = 0;  // failures: ranks whose iteration did not converge
+  double complementarity = 0;
+
+  void merge(const RowOutcome& other);
+};
+
+/// The Others of kernels/contact/enforcement/row_solution.hpp. Calls are collective over the ranks that take part, if
+/// nothing else is said.
 class RowExchange {
  public:
-  /// Size of what rows read of a foreign node, when they are made.
-  static constexpr int foreign_bytes = 128;
-
   explicit RowExchange(const ContactRanks& ranks);
 
-  /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills
-  /// num_foreign, num_remote, remote_node and remote_key of the system.
-  void announce_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system);
+  /// Lists the foreign nodes of the touches. Not collective.
+  void find_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system);
 
-  void receive_nodes(RowSystem& system);
+  /// Tells all ranks who has rows and who touches whose nodes: the fold of the paper's Figure 2, read by everybody. In:
+  /// num_rows and foreign nodes of the system. everybody: all ranks take part as soon as any has rows. Collective over
+  /// all ranks.
+  RowMeeting meet(const RowSystem& system, bool is_same, bool everybody);
+
+  /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills
+  /// remote_node of the system.
+  void announce_foreign_nodes(RowSystem& system);
+
+  /// Whether this rank works on the rows with others: it has some, or nodes that rows of others touch, or had so lately
+  /// (comm/team.hpp).
+  bool takes_part(const RowSystem&) const { return takes_part_; }
+  /// Whether rows touch nodes of a rank.
+  bool is_touched(int rank) const { return has_part_[static_cast<std::size_t>(rank)] != 0; }
+
+  void receive_nodes(const RowInputs& inputs, const RowSources& sources, RowSystem& system);
   template <class Space>
-  void send_coefficients(const Space& space, RowSystem& system) {
+  void swap_shares(const Space& space, RowSystem& system) {
     if (!has_many_ranks_) return;
-    get_foreign_shares(space, system, foreign_values_);
-    space.fence();
-    begin_sending();
-    end_sending(system);
+    begin_swap(space, system);
+    end_swap(system);
   }
-  void receive_coefficients(RowSystem& system) { send_to_rows(system, system.abs_sum); }
   template <class Space>
-  void send_impulses(const Space& space, RowSystem& system, PassSums& sums) {
+  void swap_shares(const Space& space, RowSystem& system, PassSums& sums) {
     if (!has_many_ranks_) return;
-    get_foreign_shares(space, system, foreign_values_);
-    space.fence();
-    begin_sending();
-    reduce_pass_(ranks_.ranks, sums);  // while the impulses are under way
-    end_sending(system);
+    begin_swap(space, system);
+    if (team_.size() > 1) reduce_pass_(team_.ranks(), sums);  // while the shares are under way
+    end_swap(system);
   }
-  void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
-  /// Pushes on foreign nodes to the owners. remote: out, [num_remote].
-  void send_pushes(const Array<const NormalPush>& foreign, const RowSystem& system, Array<NormalPush>& remote);
-  void receive_bodies(RowSystem& system) { send_to_rows(system, system.bodies.marks); }
+  /// Pushes of the sent entries to those who want them. remote: out, [num_remote].
+  void send_pushes(const Array<const NormalPush>& sent, const RowSystem& system, Array<NormalPush>& remote);
+  /// Collective over all ranks, as are the other two.
   void sum_bodies(std::vector<ExactSum>& sums) {
     if (has_many_ranks_) sum_over_ranks(ranks_.ranks, sums);
   }
-  void reduce(EnforcementSums& sums);
+  void reduce(RowOutcome& outcome);
   /// Gathers the rows of all ranks on the first one, which solves them in the order of their keys.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);
 
-  const Traffic& traffic() const { return data_.traffic(); }
+  Traffic traffic() const;
 
  private:
-  struct ForeignNotice;
-  struct ForeignData;
-
-  /// One value of each foreign node, in foreign_values_, to its owner: RowSystem::remote.
-  void begin_sending();
-  void end_sending(RowSystem& system);
-  void send_to_rows(const RowSystem& system, const Rows3<double>& by_place);
+  template <class Space>
+  void begin_swap(const Space& space, const RowSystem& system) {
+    get_sent_shares(space, system, sent_values_);
+    space.fence();
+    Kokkos::deep_copy(send_buffer_, sent_values_);
+    swap_.begin();
+  }
+  void end_swap(RowSystem& system);
+  std::vector<SharedEntry> list_entries_on_own_nodes(const RowSources& sources, const RowSystem& system) const;
+  void take_answers(const std::vector<AnswerWord>& words, int first_place, HostRowNodes& nodes,
+                    std::vector<SharedEntry>& entries) const;
+  void prepare_swap(RowSystem& system);
 
   const ContactRanks ranks_;
   const bool has_many_ranks_;
   UnstructuredExchange exchange_;
   DataExchange data_;
+  CountedExchange notices_;
+  PersistentExchange swap_;
+  Team team_;
   MergeReduction<PassSums> reduce_pass_;
-  MergeReduction<EnforcementSums> reduce_outcome_;
-  // Item k of the messages is foreign node order_[k] of the rows, and remote entry k of the owner.
-  ExchangePlan plan_;
-  std::vector<int> order_;
-  Rows3<double> foreign_values_ = Rows3<double>("contact::foreign_values", 0);
-  std::vector<std::array<double, 3>> send_, receive_;
+  MergeReduction<RowOutcome> reduce_outcome_;
+  bool takes_part_ = false;
+  std::vector<char> has_part_;  // [ranks]
+  int num_senders_ = 0;         // ranks that touch nodes of this one
+  ForeignNodes foreign_;
+  std::vector<RowNotice> received_;  // of rows that touch own nodes, by rank, then as sent
+  ExchangePlan notice_plan_;
+  SwapLists lists_;
+  Rows3<double> sent_values_ = Rows3<double>("contact::sent_values", 0);
+  HostMirror<Rows3<double>> send_buffer_, receive_buffer_;
 };
 
 }  // namespace percuss

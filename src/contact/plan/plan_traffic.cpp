@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "src/contact/check/ranked_check.hpp"
 #include "src/contact/decomposition/contact_decomposition.hpp"
-#include "src/contact/enforcement/row_exchange.hpp"
+#include "src/contact/enforcement/shared_entries.hpp"
 #include "src/contact/plan/contact_flow.hpp"
 #include "src/index.hpp"
 
@@ -17,13 +18,14 @@ constexpr std::int64_t number_bytes = 8;  // of a node
 constexpr std::int64_t plan_bytes = 8;    // items of a message that is to follow, when a plan is made (2.4)
 constexpr std::int64_t place_bytes = 24;
 constexpr std::int64_t box_bytes = 48;
-constexpr std::int64_t flag_bytes = 1;                             // whether something is wanted
-constexpr std::int64_t motion_bytes = 48;                          // place and velocity
-constexpr std::int64_t history_bytes = 24;                         // three faces
-constexpr std::int64_t touch_bytes = RankedCheck::touch_bytes;     // a touch with its node, face and corners
-constexpr std::int64_t notice_bytes = 16;                          // a corner and its row
-constexpr std::int64_t corner_bytes = RowExchange::foreign_bytes;  // place, velocities, inverse mass, spring
-constexpr std::int64_t value_bytes = 24;                           // a coefficient, an impulse, a correction
+constexpr std::int64_t flag_bytes = 1;                          // whether something is wanted
+constexpr std::int64_t motion_bytes = 48;                       // place and velocity
+constexpr std::int64_t history_bytes = 24;                      // three faces
+constexpr std::int64_t touch_bytes = RankedCheck::touch_bytes;  // a touch with its node, face and corners
+constexpr std::int64_t notice_bytes = sizeof(RowNotice);        // a corner and its row
+constexpr std::int64_t corner_bytes = sizeof(NodeAnswer);       // place, velocities, inverse mass, spring
+constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);       // a row of another rank on a corner
+constexpr std::int64_t value_bytes = 24;                        // a coefficient, an impulse
 
 }  // namespace
 
@@ -173,23 +175,38 @@ void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
   history.send_back(touch_bytes, step, plan);
 }
 
-/// What rows exchange with the owners of the corners of their faces.
+/// What rows exchange with all ranks that have rows on the same nodes, and with the owners of these.
 void ContactPlanner::plan_enforcement(const Places& places, ContactPlan& plan) const {
-  Flow corners;
+  std::vector<std::map<int, std::int64_t>> rows(whole_.mesh.nodes.size());  // of a node: how many each rank has on it
   for (const int n : searched_nodes_) {
     const int face = find_nearest_candidate(n);
     if (face < 0) continue;
-    const int rank = places.find_fe_rank(share_.nodes.mesh_nodes[at(n)]);
-    for (const int corner : share_.face_corners[at(face)]) corners.add(rank, places.find_fe_rank(corner));
+    const int node = share_.nodes.mesh_nodes[at(n)], rank = places.find_fe_rank(node);
+    ++rows[at(node)][rank];
+    for (const int corner : share_.face_corners[at(face)]) ++rows[at(corner)][rank];
+  }
+  Flow notices, answers, swaps;
+  for (std::size_t node = 0; node < rows.size(); ++node) {
+    if (rows[node].empty()) continue;
+    const int owner = places.find_fe_rank(static_cast<int>(node));
+    rows[node].try_emplace(owner, 0);
+    std::int64_t all = 0;
+    for (const auto& [rank, count] : rows[node]) all += count;
+    for (const auto& [rank, count] : rows[node]) {
+      if (rank == owner) continue;
+      notices.add(rank, owner, count);
+      answers.add(owner, rank, corner_bytes + entry_bytes * (all - count));
+    }
+    for (const auto& [rank, count] : rows[node]) {
+      if (count == 0) continue;
+      for (const auto& [other, unused] : rows[node]) swaps.add(rank, other, count);
+    }
   }
   const auto step = &ContactRankPlan::step, pass = &ContactRankPlan::pass;
-  corners.announce(plan_bytes, step, plan);
-  corners.send(notice_bytes, step, plan);
-  corners.send_back(corner_bytes, step, plan);
-  for (const auto phase : {step, pass}) {  // coefficients; then impulses and corrections, again and again
-    corners.send(value_bytes, phase, plan);
-    corners.send_back(value_bytes, phase, plan);
-  }
+  notices.send(notice_bytes, step, plan);
+  answers.send(1, step, plan);
+  swaps.send(value_bytes, step, plan);  // coefficients; then impulses, again and again
+  swaps.send(value_bytes, pass, plan);
 }
 
 }  // namespace percuss

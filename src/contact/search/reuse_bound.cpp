@@ -46,25 +46,49 @@ double ReuseBound::find_largest(double value) const {
   return value;
 }
 
-bool ReuseBound::covers(const SurfaceMotion& motion) {
-  if (!enabled_ || !valid_) return false;
+double ReuseBound::find_travel_here(const SurfaceMotion& motion) const {
   double travel = 0;
   run_where_it_pays(share_.nodes.count() / 10,
                     [&](const auto& space) { travel = find_largest_travel(space, share_.node_list, motion, origin_); });
-  travel_ = find_largest(travel);
+  return travel;
+}
+
+double ReuseBound::find_step_here(const SurfaceMotion& motion) const {
+  double step = 0;
+  run_where_it_pays(share_.nodes.count() / 10,
+                    [&](const auto& space) { step = find_largest_step(space, share_.watched_list, motion); });
+  return step;
+}
+
+void ReuseBound::enter_step(const SurfaceMotion& motion) {
+  ways_.reset();
+  if (!enabled_ || !valid_ || ranks_.size() == 1) return;
+  double ways[4] = {near_travel_ > 0 ? find_distance_here(motion, near_origin_) : 0, find_travel_here(motion),
+                    first_travel_ > 0 ? find_distance_here(motion, first_origin_) : 0, find_step_here(motion)};
+  all_reduce(ranks_, Reduce::largest, ways);
+  ways_ = {ways[0], ways[1], ways[2], ways[3]};
+}
+
+bool ReuseBound::covers(const SurfaceMotion& motion) {
+  if (!enabled_ || !valid_) return false;
+  travel_ = ways_ ? ways_->travel : find_largest(find_travel_here(motion));
   return travels_in_margin * travel_ <= margin_;
 }
 
 double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
-  double move = 0;
+  SearchSums sums;
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
-    move = find_largest_move(space, share_.node_list, motion);
+    sums.move = find_largest_move(space, share_.node_list, motion);
     store_places(space, share_.node_list, motion.x, origin_);
     store_places(space, share_.node_list, motion.v, velocity_);
     space.fence();
   });
   // Without reuse the boxes only need what a node moves in this step.
-  margin_ = find_largest(move) + (enabled_ || wide ? margin_edges * find_mean_edge(motion) : 0);
+  const bool has_margin = (enabled_ || wide) && share_.total_searched_faces > 0;
+  if (has_margin) sums.edges = sum_edges_here(motion);
+  if (ranks_.size() > 1) sum_(ranks_, sums);
+  margin_ = sums.move;
+  if (has_margin) margin_ += margin_edges * (sums.edges.round() / static_cast<double>(share_.total_searched_faces));
   dt_ = motion.dt;
   valid_ = true;
   travel_ = near_travel_ = first_travel_ = 0;
@@ -87,7 +111,8 @@ void ReuseBound::store_watched(const SurfaceMotion& motion, const Rows3<double>&
 }
 
 bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
-  return near_travel_ > 0 && find_largest(find_distance_here(motion, near_origin_)) <= near_travel_;
+  if (!(near_travel_ > 0)) return false;
+  return (ways_ ? ways_->near : find_largest(find_distance_here(motion, near_origin_))) <= near_travel_;
 }
 
 /// Near pairs are those that a travel of near_travel_ can bring within reach, of those that the way to the next search
@@ -99,9 +124,9 @@ NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   near_travel_ = 0;
   if (!is_worth_it && first_travel_ == 0) return {};
   store_watched(motion, near_origin_);
-  double gone[2] = {find_distance_here(motion, near_origin_),
-                    first_travel_ > 0 ? find_distance_here(motion, first_origin_) : 0};
-  all_reduce(ranks_, Reduce::largest, gone);
+  double gone[2] = {ways_ ? ways_->step : find_step_here(motion), 0};
+  if (first_travel_ > 0) gone[1] = ways_ ? ways_->first : find_distance_here(motion, first_origin_);
+  if (!ways_) all_reduce(ranks_, Reduce::largest, gone);
   const double step = gone[0], travel = std::min(near_share * whole, left);
   if (is_worth_it && travel >= least_near_steps * step)
     near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
@@ -127,14 +152,19 @@ void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_no
   if (archive.is_loading()) travel_ = near_travel_ = first_travel_ = 0;
 }
 
-double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {
-  if (share_.total_searched_faces == 0) return 0;
+ExactSum ReuseBound::sum_edges_here(const SurfaceMotion& motion) const {
   ExactSum sum;
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 10,
                     [&](const auto& space) { sum = sum_shortest_edges(space, share_.corner_list, motion.x); });
   sum.normalize();
-  if (ranks_.size() > 1) sum_(ranks_, sum);
-  return sum.round() / static_cast<double>(share_.total_searched_faces);
+  return sum;
+}
+
+double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {
+  if (share_.total_searched_faces == 0) return 0;
+  SearchSums sums{0, sum_edges_here(motion)};
+  if (ranks_.size() > 1) sum_(ranks_, sums);
+  return sums.edges.round() / static_cast<double>(share_.total_searched_faces);
 }
 
 }  // namespace percuss

@@ -1,6 +1,8 @@
 #pragma once
 // Whether candidate pairs may be used again: a bound on the motion since the search that found them.
 
+#include <optional>
+
 #include "comm/merge_reduction.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -14,6 +16,11 @@ class ReuseBound {
 
   /// The share is another now: the next step searches.
   void redefine();
+
+  /// Measures all that this step may ask for, in one reduction over many ranks; on one rank what is asked for is
+  /// measured when it is. Until leave_step(), all questions are about this motion. Collective.
+  void enter_step(const SurfaceMotion& motion);
+  void leave_step() { ways_.reset(); }
 
   /// Whether the pairs of the last search still hold all that the check could accept in this step.
   bool covers(const SurfaceMotion& motion);
@@ -43,15 +50,35 @@ class ReuseBound {
   double find_mean_edge(const SurfaceMotion& motion) const;
 
  private:
+  /// Largest ways of nodes in this step, on all ranks: from the places of the last restart_near(), of the last search
+  /// and of the pairs that can come near; in the step alone.
+  struct Ways {
+    double near = 0, travel = 0, first = 0, step = 0;
+  };
+  /// What a search begins with.
+  struct SearchSums {
+    double move = 0;  // largest of a contact node in the step
+    ExactSum edges;
+
+    void merge(const SearchSums& other) {
+      move = other.move > move ? other.move : move;
+      edges.merge(other.edges);
+    }
+  };
+
   /// The largest of all ranks.
   double find_largest(double value) const;
+  double find_travel_here(const SurfaceMotion& motion) const;
+  double find_step_here(const SurfaceMotion& motion) const;
+  ExactSum sum_edges_here(const SurfaceMotion& motion) const;
   double find_distance_here(const SurfaceMotion& motion, const Rows3<double>& origin) const;
   void store_watched(const SurfaceMotion& motion, const Rows3<double>& origin) const;
 
   Communicator ranks_;
   const SurfaceShare& share_;
   bool enabled_;
-  MergeReduction<ExactSum> sum_;
+  MergeReduction<SearchSums> sum_;
+  std::optional<Ways> ways_;  // of the step that was entered
   bool valid_ = false;
   double margin_ = 0;
   double dt_ = 0;

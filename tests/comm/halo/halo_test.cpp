@@ -222,4 +222,34 @@ TEST_F(NodeCopiesTest, HaveTheValueOfTheLowestRankThatHoldsTheNode) {
   }
 }
 
+// Two fields in one message, of the owners with even ranks alone.
+TEST_F(NodeCopiesTest, HaveAllFieldsOfTheChosenOwnersAndKeepTheirOwnOfOthers) {
+  const Chunks chunks = make_chunks(world_.size(), 9);
+  const RankPart part = take_part(chunks, world_.rank());
+  const SharedNodes shared = find_shared_nodes(exchange_, part.node_ids);
+  const std::vector<Rows3<double>> fields{Rows3<double>("first", part.node_ids.size()),
+                                          Rows3<double>("second", part.node_ids.size())};
+  const auto fill = [&](std::size_t f, std::size_t n, int k, int rank) {
+    return static_cast<double>(part.node_ids[n] * 10 + k) + 0.25 * static_cast<double>(f) + 0.001 * rank;
+  };
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t n = 0; n < part.node_ids.size(); ++n)
+      for (int k = 0; k < 3; ++k) fields[f](n, k) = fill(f, n, k, world_.rank());
+  NodeCopies copies(world_, shared, 2);
+  copies.choose_sources([](int rank) { return rank % 2 == 0; });
+  copies.begin(ExecSpace(), std::vector<Rows3<const double>>(fields.begin(), fields.end()));
+  copies.end(ExecSpace(), fields);
+  Kokkos::fence();
+  std::vector<int> owners(part.node_ids.size(), world_.rank());
+  for (std::size_t n = 0; n < shared.owners.size(); ++n) {
+    const int owner = shared.owners[n];
+    if (owner >= 0 && owner % 2 == 0) owners[n] = owner;
+  }
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t n = 0; n < part.node_ids.size(); ++n)
+      for (int k = 0; k < 3; ++k) EXPECT_EQ(fields[f](n, k), fill(f, n, k, owners[n]));
+  const bool sends = world_.rank() % 2 == 0;
+  EXPECT_LE(copies.traffic().messages, sends ? world_.size() - 1 : 0);
+}
+
 }  // namespace percuss::test

@@ -93,6 +93,13 @@ TEST(PlanContactTraffic, ForetellsRoughlyWhatAWallOfBricksSends) {
   for (const ContactRankPlan& rank : both.plan.ranks) {
     planned += rank.telling.bytes + rank.search.bytes + rank.step.bytes + (report.iterations + 1) * rank.pass.bytes;
   }
+  std::int64_t messages = sent.messages, planned_messages = 0;
+  MPI_Allreduce(MPI_IN_PLACE, &messages, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  for (const ContactRankPlan& rank : both.plan.ranks)
+    planned_messages += rank.telling.messages + rank.search.messages + rank.step.messages +
+                        (report.iterations + 1) * rank.pass.messages;
+  EXPECT_GE(planned_messages, messages / 2);
+  EXPECT_LE(planned_messages, messages * 2);
   // Bricks face to face: nearly every node touches a face, but some touch two or three.
   EXPECT_GE(planned, bytes / 2);
   EXPECT_LE(planned, bytes * 2);

@@ -27,8 +27,10 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
   RowSystem system;
   OneRank others;
   const SmallSpace space;
-  build_rows(space, {scene.motion, before, inverse_mass, numbers, 1}, {Array<RowTouch>("test::touches", 0), 0, walls},
-             history, system, others);
+  const RowInputs inputs{scene.motion, before, inverse_mass, numbers, 1};
+  const RowSources sources{Array<RowTouch>("test::touches", 0), 0, walls};
+  count_rows(space, inputs, sources, system);
+  build_rows(space, inputs, sources, history, system, others);
   ASSERT_EQ(system.num_rows, 2);
   for (int r = 0; r < 2; ++r) {
     ContactRow& row = system.rows(r);

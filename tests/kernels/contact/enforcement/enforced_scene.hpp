@@ -30,7 +30,9 @@ struct EnforcedScene {
       // Springs push what earlier steps have seen going in; depth that nothing has seen is held.
       for (int i = 0; i < scene.touches.count; ++i) touches(i).old_record = touches(i).record;
     }
-    build_rows(space, inputs, {touches, scene.touches.count, walls}, history, system, others);
+    const RowSources sources{touches, scene.touches.count, walls};
+    count_rows(space, inputs, sources, system);
+    build_rows(space, inputs, sources, history, system, others);
     if (system.num_rows == 0) return;
     RowSumMemory memory;
     const SolveQuery query{dt, dt, tolerance, 2, nodes};
