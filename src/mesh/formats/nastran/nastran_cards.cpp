@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "src/mesh/files/included_file.hpp"
 #include "src/mesh/files/text_numbers.hpp"
