@@ -13,8 +13,8 @@ namespace percuss {
 /// Damped steps before time 0.
 struct RelaxationDeck {
   enum class Unsettled { refuse, warn };
-  double tolerance = 1e-6;        // of the kinetic energy, as a share of its largest
-  long max_steps = 100000;        // more are refused, or warned of
+  double tolerance = 1e-6;  // of the kinetic energy, as a share of its largest
+  long max_steps = 100000;  // more are refused, or warned of
   Unsettled unsettled = Unsettled::refuse;
   long ramp = 500;                // steps in which loads and preloads rise to their values
   std::optional<double> damping;  // c of -c m v; none: from the lowest frequency [1 / time]

@@ -13,9 +13,9 @@ struct MotionTotals {
   double stored = 0;   // by elements and springs
 };
 
-/// Call keep() after one step and find() after the next. Over dt, the quotient of power and inertia is v . K v / v . M v,
-/// the square of a frequency that the motion has (Underwood, Dynamic relaxation, in Computational methods for transient
-/// analysis, 1983).
+/// Call keep() after one step and find() after the next. Over dt, the quotient of power and inertia is v . K v / v . M
+/// v, the square of a frequency that the motion has (Underwood, Dynamic relaxation, in Computational methods for
+/// transient analysis, 1983).
 class MotionSums {
  public:
   explicit MotionSums(const Model& model);

@@ -79,26 +79,16 @@ KOKKOS_INLINE_FUNCTION double shorten_record(Real* record, int points, const Sho
   return j * energy / points;
 }
 
-/// The same of a beam or a truss along its axis; per length. axial: Young's modulus times area.
-KOKKOS_INLINE_FUNCTION double shorten_beam(Real* record, int fibres, double young, double axial, double strain) {
-  Real& normal = record[BeamRecord::forces * pack_width];
-  const double energy = strain * (static_cast<double>(normal) + 0.5 * strain * axial);
-  normal += static_cast<Real>(strain * axial);
-  for (int i = 0; i < fibres; ++i)
-    record[(BeamRecord::fibres + 2 * i) * pack_width] += static_cast<Real>(strain * young);
-  return energy;
-}
-
 }  // namespace
 
 PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
     : deck_(deck), model_(model), forces_(deck.start.preloads.size(), 0) {
   for (const PreloadDeck& preload : deck.start.preloads) {
-    Layer layer{preload, SectionForce(deck, make_section(preload), chunked, model), 0, 0, false, 0, {}, {}, {}, {}, {}, {}, {}};
+    Layer layer{preload, SectionForce(deck, make_section(preload), chunked, model), 0, false, 0, {}, {}, {}, {}, {},
+                {}};
     const MaterialDeck& material = find_material(deck, preload.part);
     const LameConstants moduli = find_moduli(material);
     layer.is_kirchhoff = material.law.model == Elastic::name;
-    layer.young = find_youngs_modulus(moduli);
     layer.modulus = moduli.lambda + 2 * moduli.mu;
     const Vec3& n = preload.normal;
     layer.dyad = {{n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[2] * n[0]}};
@@ -110,34 +100,31 @@ PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const M
 
 void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const {
   std::vector<int> chunks, first{0}, elements;
-  std::vector<double> volume, axial;
-  int shells = 0;
+  std::vector<double> volume;
+  int others = 0;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const Chunk& chunk = chunked.chunks[c];
     if (deck_.parts[at(chunk.part)].name != layer.deck.part) continue;
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
       if (!is_cut(chunked.mesh, at(e), layer.deck)) continue;
-      const bool is_beam = chunked.mesh.topology_of(at(e)).is_line();
-      if (chunked.mesh.topology_of(at(e)).is_surface()) shells = 1;
-      const double area = is_beam ? chunked.mesh.block_of(at(e)).section.area : 1;
+      if (chunked.mesh.topology_of(at(e)).dimension != 3) others = 1;
       elements.push_back(e - chunk.first_element);
-      volume.push_back(find_element_volume(chunked.mesh, at(e)) / area);
-      axial.push_back(is_beam ? layer.young * area : 0);
+      volume.push_back(find_element_volume(chunked.mesh, at(e)));
     }
     if (static_cast<int>(elements.size()) == first.back()) continue;
     chunks.push_back(static_cast<int>(c));
     first.push_back(static_cast<int>(elements.size()));
   }
-  all_reduce(model_.ranks, Reduce::largest, shells);
-  if (shells != 0)
-    throw InputError(fmt::format("{}: error: preload '{}' cuts shells (only solids and beams have one): move its plane, "
-                                 "or give the fastener other elements",
-                                 deck_.where(layer.deck.place), layer.deck.name));
+  all_reduce(model_.ranks, Reduce::largest, others);
+  if (others != 0)
+    throw InputError(
+        fmt::format("{}: error: preload '{}' cuts shells or beams (only solids have one): move its plane, "
+                    "or give the fastener solid elements",
+                    deck_.where(layer.deck.place), layer.deck.name));
   layer.chunks = to_view("percuss::preloaded_chunks", chunks);
   layer.first = to_view("percuss::first_preloaded", first);
   layer.elements = to_view("percuss::preloaded_elements", elements);
   layer.volume = to_view("percuss::preloaded_volume", volume);
-  layer.axial = to_view("percuss::preloaded_axial", axial);
 }
 
 /// Lanes past the last element of a chunk repeat it.
@@ -146,10 +133,8 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
   const Array<Real> records = state.elements;
   const ChunkResults results = state.results;
   const Array<int> list = layer.chunks, first = layer.first, elements = layer.elements;
-  const Array<double> volume = layer.volume, axial = layer.axial;
-  const BeamMarks is_beam = model_.is_beam_chunk;
+  const Array<double> volume = layer.volume;
   const Shortening by{layer.dyad, layer.stress, layer.modulus, layer.is_kirchhoff, strain};
-  const double young = layer.young;
   Kokkos::parallel_for(
       "percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(const int i) {
         const int c = list(i), size = chunks.record_size(c), points = chunks.points(c);
@@ -159,11 +144,9 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
         for (int j = first(i); j < first(i + 1); ++j) {
           const int e = elements(j), end = e + 1 < count ? e + 1 : lanes;
           for (int lane = e; lane < end; ++lane) {
-            Real* const record = &records(chunks.first_state(c)) + lane / pack_width * size * pack_width +
-                                 lane % pack_width;
-            const double energy =
-                volume(j) * (is_beam(c) ? shorten_beam(record, (size - BeamRecord::fibres) / 2, young, axial(j), strain)
-                                        : shorten_record(record, points, by));
+            Real* const record =
+                &records(chunks.first_state(c)) + lane / pack_width * size * pack_width + lane % pack_width;
+            const double energy = volume(j) * shorten_record(record, points, by);
             if (lane == e) work += energy;
           }
         }

@@ -1,6 +1,6 @@
 #pragma once
-// Preloads of sections: the layer of elements that a plane cuts gets shorter at rest along the normal, as a bolt does by
-// the turn of its nut, until the section has the force that the deck gives it.
+// Preloads of sections: the layer of elements that a plane cuts gets shorter at rest along the normal, as a bolt does
+// by the turn of its nut, until the section has the force that the deck gives it.
 //
 // In each step the layer loses so much length as the force lacks: a strain e without stress along the normal n, so that
 // the stress grows by C : (e n n). From time 0 on the layer is like any other.
@@ -16,7 +16,7 @@ namespace percuss {
 class PreloadStage {
  public:
   /// Collective. Throws InputError with the deck's place, the same on all ranks: a plane that cuts no element of the
-  /// part, or shells. deck outlives this.
+  /// part, or one that is no solid. deck outlives this.
   PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
   bool any() const { return !layers_.empty(); }
@@ -39,15 +39,13 @@ class PreloadStage {
   struct Layer {
     const PreloadDeck& deck;
     SectionForce section;
-    double young = 0;      // Young's modulus
-    double modulus = 0;    // lambda + 2 mu
+    double modulus = 0;         // lambda + 2 mu
     bool is_kirchhoff = false;  // whether the law has the rate of J sigma
-    double stiffness = 0;  // force over strain
-    Array<int> chunks;     // that have some
-    Array<int> first;      // [chunks + 1] of the next three
-    Array<int> elements;   // counted from the first of the chunk
-    Array<double> volume;  // at time 0; of beams the length
-    Array<double> axial;   // of beams Young's modulus times area
+    double stiffness = 0;       // force over strain
+    Array<int> chunks;          // that have some
+    Array<int> first;           // [chunks + 1] of the next two
+    Array<int> elements;        // counted from the first of the chunk
+    Array<double> volume;       // at time 0
     // xx, yy, zz, xy, yz, zx of n n, and of the stress C : n n
     Kokkos::Array<double, 6> dyad{}, stress{};
   };

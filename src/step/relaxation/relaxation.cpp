@@ -156,8 +156,9 @@ void Relaxation::judge(const MotionTotals& totals) {
   const bool is_quiet = state_.step >= rules_.ramp && report_.kinetic_ratio <= rules_.tolerance;
   quiet_steps_ = is_quiet ? quiet_steps_ + look_steps : 0;
   const double half_period = frequency_ > 0 ? std::numbers::pi / (frequency_ * state_.dt) : 0;
-  const double wanted = std::clamp(half_period, static_cast<double>(least_quiet_steps),
-                                   std::max(static_cast<double>(least_quiet_steps), 0.5 * static_cast<double>(state_.step)));
+  const double wanted =
+      std::clamp(half_period, static_cast<double>(least_quiet_steps),
+                 std::max(static_cast<double>(least_quiet_steps), 0.5 * static_cast<double>(state_.step)));
   const bool is_settled = static_cast<double>(quiet_steps_) >= wanted && report_.preload_error <= tolerated_lack;
   report_.state = is_settled ? "settled" : "unsettled";
 }

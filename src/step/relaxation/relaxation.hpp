@@ -1,10 +1,11 @@
 #pragma once
 // Dynamic relaxation: damped steps before time 0, until the scene is at rest under the loads of that time.
 //
-// Loads are those that curves give at time 0; prescribed motions and moving walls stand still, nothing fails. Every node
-// has the damping force -c m v with c = 2 w, the critical one of frequency w (Papadrakakis, A method for the automatic
-// evaluation of the dynamic relaxation parameters, Comput. Methods Appl. Mech. Eng. 25, 1981). w comes from the Rayleigh
-// quotient of the motion itself, which tends to the lowest frequency as the others die out (motion_sums.hpp).
+// Loads are those that curves give at time 0; prescribed motions and moving walls stand still, nothing fails. Every
+// node has the damping force -c m v with c = 2 w, the critical one of frequency w (Papadrakakis, A method for the
+// automatic evaluation of the dynamic relaxation parameters, Comput. Methods Appl. Mech. Eng. 25, 1981). w comes from
+// the Rayleigh quotient of the motion itself, which tends to the lowest frequency as the others die out
+// (motion_sums.hpp).
 
 #include <memory>
 
@@ -17,9 +18,9 @@ namespace percuss {
 
 class Relaxation {
  public:
-  /// Takes over the state at time 0, at rest, with its contact prepared. All of it outlives this. Collective, as are all
-  /// calls that are not const. Throws InputError, the same on all ranks, for preloads and held nodes that the mesh does
-  /// not have.
+  /// Takes over the state at time 0, at rest, with its contact prepared. All of it outlives this. Collective, as are
+  /// all calls that are not const. Throws InputError, the same on all ranks, for preloads and held nodes that the mesh
+  /// does not have.
   Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact, State& state);
   Relaxation(const Relaxation&) = delete;
   Relaxation& operator=(const Relaxation&) = delete;
@@ -64,10 +65,10 @@ class Relaxation {
   MotionSums sums_;
   PreloadStage preloads_;
   RelaxationSummary report_;
-  double elapsed_ = 0;             // of all steps [time]
+  double elapsed_ = 0;  // of all steps [time]
   double largest_kinetic_ = 0;
   double power_ = 0, inertia_ = 0;  // of the last looks, which fade
-  double frequency_ = 0;           // [rad / time]
+  double frequency_ = 0;            // [rad / time]
   long quiet_steps_ = 0;
 };
 

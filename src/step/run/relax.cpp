@@ -16,9 +16,8 @@ namespace {
 constexpr long steps_between_stops = 50, steps_between_lines = 5000;
 
 std::string describe_unsettled(const Relaxation& relaxation, const RelaxationDeck& rules) {
-  return fmt::format(
-      "the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {})", relaxation.report().steps,
-      rules.tolerance, relaxation.describe());
+  return fmt::format("the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {})",
+                     relaxation.report().steps, rules.tolerance, relaxation.describe());
 }
 
 }  // namespace
