@@ -54,7 +54,6 @@ TEST_P(PercussFolders, ASecondRunIsRefusedAndNamesTheFirst) {
       [&](int process) {
         others.push_back(run_percuss(run({}), launch()));
         others.push_back(run_percuss(run({"--force"}), launch()));
-        others.push_back(run_percuss(run({"--restart", deck_, "--force"})));
         info = run_percuss({"info", out_}).out;
         lock = read_lock();
         kill(process, SIGUSR1);
@@ -62,7 +61,7 @@ TEST_P(PercussFolders, ASecondRunIsRefusedAndNamesTheFirst) {
       launch());
   EXPECT_EQ(first.exit_code, 130) << first.err;
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "interrupted");
-  ASSERT_EQ(others.size(), 3);
+  ASSERT_EQ(others.size(), 2);
   for (const ProcessResult& other : others) {
     EXPECT_EQ(other.exit_code, 2) << other.err;
     EXPECT_EQ(count(other.err, "run.lock: error: another run writes into this folder (process "), 1) << other.err;
