@@ -84,7 +84,7 @@ void SpringStage::advance(State& state, double dt) {
       const double change = now.elongation - before.elongation;
       state.books.spring_work += 0.5 * (before.elastic + now.elastic) * change;
       state.books.damper_work += 0.5 * (before.damping + now.damping) * change;
-    } else {
+    } else if (now.is_broken == 0) {
       state.books.spring_work += find_stored_energy(law, now.elongation);
     }
     state.springs[s] = now;

@@ -79,6 +79,26 @@ TEST(Relaxation, OfTetrahedraEndsInTheSameLength) {
   expect_rest(run, 1e-8);
 }
 
+TEST(Relaxation, SpringsDoNotBreakInTheDampedSteps) {
+  const double weight = density * 1e-3 * 10;
+  const std::string deck = make_deck("end: 1e-3", fmt::format(R"yaml(
+parts:
+  base: {{box: {{size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, at: [0, 0, 0.6], material: steel, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
+  block: {{box: {{size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, material: steel}}
+springs:
+  hanger: {{between: [{{near: [0.05, 0.05, 0.6], part: base}}, {{near: [0.05, 0.05, 0.1], part: block}}],
+           stiffness: 1e5, failure: {{force: {}}}}}
+loads: {{gravity: [0, 0, -10]}}
+start: {{relaxation: {{ramp: 0}}}}
+output: {{history: {{every: 1e-4}}}}
+)yaml",
+                                                              1.3 * weight));
+  const Outcome run = run_deck(deck);  // without damping the force would reach twice the weight
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  EXPECT_NEAR(run.history["spring_force:hanger"][0], weight, 1e-3 * weight);
+  EXPECT_NEAR(run.history["spring_force:hanger"].back(), weight, 1e-3 * weight);
+}
+
 TEST(Relaxation, ACantileverOfShellsBendsAsABeam) {
   const Outcome run = run_deck(make_deck("end: 5e-3", R"yaml(
 parts: {plate: {shell_plate: {size: [1.0, 0.1], cells: [20, 2]}, thickness: 0.02, material: steel}}

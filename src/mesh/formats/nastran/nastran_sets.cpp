@@ -112,14 +112,15 @@ std::string NastranSets::read_card(const NastranCards& card) {
 std::vector<std::pair<std::int64_t, TextPlace>> NastranSets::list(const Set& set,
                                                                   const std::vector<std::int64_t>& ids) const {
   std::vector<std::pair<std::int64_t, TextPlace>> found;
+  std::size_t visited = 0;  // ids of ranges, whether they are members or not
   for (const Member& member : set.members) {
-    if (found.size() > 100 * (ids.size() + 1000)) names_.refuse(member.place, "the set has too many members");
+    if (found.size() + visited > 100 * (ids.size() + 1000)) names_.refuse(member.place, "the set has too many members");
     if (member.first == member.last) {
       found.emplace_back(member.first, member.place);
       continue;
     }
     for (auto id = std::lower_bound(ids.begin(), ids.end(), member.first); id != ids.end() && *id <= member.last;
-         ++id) {
+         ++id, ++visited) {
       const std::uint64_t above = static_cast<std::uint64_t>(*id) - static_cast<std::uint64_t>(member.first);
       if (above % static_cast<std::uint64_t>(member.step) == 0 && !has_id(member.except, *id))
         found.emplace_back(*id, member.place);

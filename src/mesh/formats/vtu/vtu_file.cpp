@@ -178,6 +178,7 @@ class VtuReader {
       last = cells.offsets[e];
     }
     cells.connectivity = arrays_.read_integers(connectivity, static_cast<std::size_t>(last));
+    if (point_count_ == 0 && last > 0) names_.refuse(connectivity.place, "cells have points, but the piece has none");
     for (std::int64_t& point : cells.connectivity) {
       if (point < 0 || static_cast<std::size_t>(point) >= point_count_)
         names_.refuse(connectivity.place,
