@@ -92,11 +92,13 @@ loads: {{gravity: [0, 0, -10]}}
 start: {{relaxation: {{ramp: 0}}}}
 output: {{history: {{every: 1e-4}}}}
 )yaml",
-                                                              1.3 * weight));
-  const Outcome run = run_deck(deck);  // without damping the force would reach twice the weight
+                                                              0.9 * weight));
+  const Outcome run = run_deck(deck);
   EXPECT_EQ(run.summary.relaxation.state, "settled");
-  EXPECT_NEAR(run.history["spring_force:hanger"][0], weight, 1e-3 * weight);
-  EXPECT_NEAR(run.history["spring_force:hanger"].back(), weight, 1e-3 * weight);
+  // It breaks when the run begins, and what it held is gone.
+  EXPECT_EQ(run.history["spring_force:hanger"][0], 0);
+  EXPECT_EQ(run.history["spring_work"][0], 0);
+  EXPECT_LT(run.summary.energy.initial, 0.01 * weight * weight / (2 * 1e5));
 }
 
 TEST(Relaxation, ACantileverOfShellsBendsAsABeam) {
