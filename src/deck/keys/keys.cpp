@@ -29,10 +29,13 @@ bool is_there(const Node& node, const std::string& name) {
   });
 }
 
-void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others) {
+std::string refuse_key(const Reader& reader, const Entry& entry, const std::vector<std::string>& known,
+                       const OtherKeys& others) {
   std::string hint = others.hint ? others.hint(entry.name) : "";
   if (hint.empty()) hint = find_key_habit(entry.name, known);
   if (hint.empty()) hint = name_hint(entry.name, known);
+  const auto named = std::find_if(known.begin(), known.end(),
+                                  [&](const std::string& key) { return hint.find(quote(key)) != std::string::npos; });
   // {a:1} is one key "a:1" in YAML, and "a b" without a colon is a key with nothing.
   const auto colon = entry.name.find(':');
   if (colon != std::string::npos) {
@@ -44,6 +47,7 @@ void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::strin
   if (entry.value.kind == Node::Kind::null && is_digits(entry.name)) hint = " (decimals take a point, not a comma)";
   const std::string where = reader.self() == "the deck" ? "" : " in " + reader.self();
   reader.error(entry.value.key, fmt::format("unknown key {}{}{}", quote(entry.name), where, hint));
+  return named == known.end() ? nearest_name(entry.name, known) : *named;
 }
 
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes) {

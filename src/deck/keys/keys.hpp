@@ -80,7 +80,9 @@ struct OtherKeys {
   std::function<std::string(const std::string& name)> hint;
 };
 
-void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others);
+/// Tells that a key is unknown; returns what it is probably meant to be, of the known ones, or nothing.
+std::string refuse_key(const Reader& reader, const Entry& entry, const std::vector<std::string>& known,
+                       const OtherKeys& others);
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes);
 
 /// Whether a map has the key, be it without the colon behind it.
@@ -100,8 +102,7 @@ bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, 
     if (key != keys.end()) {
       good = !entry.value.broken && key->read(reader, entry.value, out) && good;
     } else if (std::find(others.names.begin(), others.names.end(), entry.name) == others.names.end()) {
-      refuse_key(reader, entry, known, others);
-      hinted.push_back(nearest_name(entry.name, known));
+      hinted.push_back(refuse_key(reader, entry, known, others));
       good = false;
     }
   }
