@@ -1,8 +1,8 @@
 #pragma once
 // Dynamic relaxation: damped steps before time 0, until the scene is at rest under the loads of that time.
 //
-// Loads are those that curves give at time 0; prescribed motions and moving walls stand still, nothing fails or erodes. Every
-// node has the damping force -c m v with c = 2 w, the critical one of frequency w (Papadrakakis, A method for the
+// Loads are those that curves give at time 0; prescribed motions and moving walls stand still, nothing fails or erodes.
+// Every node has the damping force -c m v with c = 2 w, the critical one of frequency w (Papadrakakis, A method for the
 // automatic evaluation of the dynamic relaxation parameters, Comput. Methods Appl. Mech. Eng. 25, 1981). w comes from
 // the Rayleigh quotient of the motion itself, which tends to the lowest frequency as the others die out
 // (motion_sums.hpp).
