@@ -6,16 +6,12 @@
 #include <numbers>
 #include <utility>
 
+#include "src/mesh/hex_geometry.hpp"
+
 namespace percuss {
 namespace {
 
 constexpr int deepest_system = 20;
-
-Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 double norm_of(const Vec3& a) { return std::hypot(a[0], a[1], a[2]); }
 
