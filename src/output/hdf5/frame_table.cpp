@@ -34,8 +34,10 @@ void FrameTable::append(std::span<const double> values, const RowBlock& block) {
   if (block.record != nullptr)
     block.record->add_part(id(), {frame, block.first, block.count}, H5T_NATIVE_DOUBLE, values.data());
   const Handle in_file(check(H5Dget_space(id()), action), H5Sclose);
-  const Handle in_memory(check(H5Screate_simple(1, &block.count, nullptr), action), H5Sclose);
   const std::array<hsize_t, 2> first{frame, block.first}, count{1, block.count};
+  // Of the shape that it has in the file: HDF5 looks up shapes that differ number by number.
+  const Handle in_memory(
+      check(H5Screate_simple(H5Sget_simple_extent_ndims(in_file.get()), count.data(), nullptr), action), H5Sclose);
   if (block.count == 0) {  // takes part all the same
     check(H5Sselect_none(in_file.get()), action);
     check(H5Sselect_none(in_memory.get()), action);

@@ -42,6 +42,7 @@ std::uint64_t hash_rows(const void* data, std::size_t number_bytes, hsize_t numb
 }
 
 struct Layout {
+  int dimensions = 1;
   hsize_t rows = 0, numbers_per_row = 1;
   Handle memory_type;  // whose numbers have the bits of those in the file
   std::size_t number_bytes = 0;
@@ -57,7 +58,8 @@ Layout find_layout(hid_t dataset, const std::string& action) {
   const H5T_class_t kind = H5Tget_class(type.get());
   if ((kind != H5T_INTEGER && kind != H5T_FLOAT && kind != H5T_STRING) || H5Tis_variable_str(type.get()) > 0)
     throw Error(action, "it holds neither numbers nor texts of fixed length");
-  Layout layout{dims[0], dims[1], {check(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), action), H5Tclose}, 0};
+  Layout layout{
+      dimensions, dims[0], dims[1], {check(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), action), H5Tclose}, 0};
   layout.number_bytes = H5Tget_size(layout.memory_type.get());
   return layout;
 }
@@ -69,12 +71,12 @@ struct Piece {
 
 void read_piece(hid_t dataset, const Layout& layout, const Piece& piece, std::vector<char>& values,
                 const std::string& action) {
-  const hsize_t numbers = piece.extent[0] * piece.extent[1];
-  values.resize(static_cast<std::size_t>(numbers) * layout.number_bytes);
+  values.resize(static_cast<std::size_t>(piece.extent[0] * piece.extent[1]) * layout.number_bytes);
   const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
   check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, piece.start.data(), nullptr, piece.extent.data(), nullptr),
         action);
-  const Handle in_memory(check(H5Screate_simple(1, &numbers, nullptr), action), H5Sclose);
+  // Of the shape that it has in the file: HDF5 looks up shapes that differ number by number.
+  const Handle in_memory(check(H5Screate_simple(layout.dimensions, piece.extent.data(), nullptr), action), H5Sclose);
   check(H5Dread(dataset, layout.memory_type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()), action);
 }
 
