@@ -156,7 +156,7 @@ void NastranCards::read_continuations() {
   }
 }
 
-/// INCLUDE 'name', also without quotes; in quotes it may go on in further lines.
+/// INCLUDE 'name', in quotes also over further lines, or a name without blanks; what follows is a note.
 void NastranCards::read_include() {
   const TextPlace place = place_;
   std::string name(strip_blanks(strip_blanks(line_).substr(std::string_view("INCLUDE").size())));
@@ -166,6 +166,8 @@ void NastranCards::read_include() {
       name += strip_blanks(line_);
     }
     name = name.substr(1, name.find(name.front(), 1) - 1);
+  } else {
+    name = name.substr(0, name.find_first_of(" \t$"));
   }
   const std::string path = find_included_file(folder_, name, names_, place);
   if (files_.size() >= most_open_files || ++included_ > most_included_files)

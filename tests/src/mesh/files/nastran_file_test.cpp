@@ -107,6 +107,7 @@ TEST(NastranFile, IncludesFilesBesideIt) {
       nastran_short.substr(0, nodes) + "INCLUDE '" + name + "'\n" + nastran_short.substr(elements);
   EXPECT_THAT(read_part(outer, "outer.bdf").nodes, SizeIs(12));
   EXPECT_THAT(read_part(change(outer, "percuss_", "percuss\n  _"), "outer.bdf").nodes, SizeIs(12));
+  EXPECT_THAT(read_part(change(outer, "'" + name + "'", name + " $ a note"), "outer.bdf").nodes, SizeIs(12));
   EXPECT_THAT([&] { read_part(change(outer, name, "../" + name), "outer.bdf"); },
               ThrowsMessage<InputError>(
                   testing::AllOf(HasSubstr("outer.bdf:12: "), HasSubstr("in the folder of the first file"))));
