@@ -55,16 +55,26 @@ PERCUSS_FORCE_INLINE void take_lanes(const HexResult<HexLanes>& result, int firs
   }
 }
 
-/// Whether an element of the pack may resist folding, as a call: the body of the element keeps its registers.
-PERCUSS_NO_INLINE inline bool is_pack_near_folding(Real threshold, const VectorModes<HexLanes>& a) {
-  return is_near_folding(HexLanes(threshold), a, find_volume_gradient(a).volume);
-}
+/// A pack whose elements may resist folding: what its own body need not keep for that.
+struct FoldingPack {
+  const Real* nodes;
+  const std::uint16_t* corners;
+  Real dt, modulus, threshold;
+  bool is_near;  // whether an element is known to be near folding
+};
 
-/// The resistance of a pack, likewise.
-PERCUSS_NO_INLINE inline bool resist_folding_of_pack(const FoldRule<HexLanes>& rule, const FoldMotion<HexLanes>& motion,
-                                                     const HexLanes& mass, HexLanes (&f)[3][8],
-                                                     HexResult<HexLanes>& result) {
-  return add_fold_resistance(rule, motion, mass, f, result);
+/// Adds the resistance of a pack to its forces, if an element is near folding. A call that gathers the motion anew: the
+/// body of the element keeps its registers.
+PERCUSS_NO_INLINE inline FoldResult<HexLanes> resist_folding_of_pack(const FoldingPack& pack, const HexLanes& mass,
+                                                                     const HexLanes& stable_step, HexLanes (&f)[3][8]) {
+  VectorModes<HexLanes> a, v;
+  gather_modes(pack.nodes, pack.corners, a);
+  const HexLanes threshold(pack.threshold);
+  if (!pack.is_near && !is_near_folding(threshold, a, find_volume_gradient(a).volume))
+    return {HexLanes(0), stable_step, false, false};
+  gather_modes(pack.nodes + 4, pack.corners, v);
+  return add_fold_resistance(FoldRule<HexLanes>{HexLanes(pack.modulus), threshold},
+                             FoldMotion<HexLanes>{a, v, HexLanes(pack.dt)}, mass, stable_step, f);
 }
 
 /// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
@@ -156,16 +166,19 @@ struct AdvanceChunk {
       threshold_ = of.chunks.fold_threshold(c);
       takes_all_ = of.results.resists(c) != 0;
     }
-    PERCUSS_FORCE_INLINE void resist(const HexParameters<Material>& parameters, const VectorModes<HexLanes>& a,
-                                     const VectorModes<HexLanes>& v, const HexLanes& mass, HexLanes (&f)[3][8],
+    PERCUSS_FORCE_INLINE void resist(const HexParameters<Material>& parameters, const Real* nodes,
+                                     const std::uint16_t* corners, const HexLanes& mass, HexLanes (&f)[3][8],
                                      HexResult<HexLanes>& result) {
       acted_ = threshold_ > 0 && (takes_all_ || any(result.obliqueness > HexLanes(Real(unfolded_obliqueness))));
       if (!acted_) return;
-      acted_ = takes_all_ || is_pack_near_folding(threshold_, a);
-      if (!acted_) return;
       const auto modulus = static_cast<Real>(fold_stiffness * (parameters.lambda + 2 * parameters.mu));
-      const FoldRule<HexLanes> rule{HexLanes(modulus), HexLanes(threshold_)};
-      resists_ = resist_folding_of_pack(rule, {a, v, HexLanes(dt_)}, mass, f, result) || resists_;
+      const HexLanes step = result.stable_step;
+      const FoldResult<HexLanes> fold =
+          resist_folding_of_pack({nodes, corners, dt_, modulus, threshold_, takes_all_}, mass, step, f);
+      acted_ = fold.acted;
+      result.stable_step = fold.stable_step;
+      result.work.folding = fold.work;
+      resists_ = fold.resists || resists_;
     }
     KOKKOS_FUNCTION bool acted() const { return acted_; }
     KOKKOS_FUNCTION void leave(const ChunkResults& results, int c) const {
@@ -214,7 +227,7 @@ struct AdvanceChunk {
       HexResult<HexLanes> result =
           advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, {f[0], f[1], f[2]});
       fetch_third<fetched>(next, 2);
-      folding.resist(parameters, a, v, s.mass, f, result);
+      folding.resist(parameters, nodes, corners, s.mass, f, result);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       if (watched)

@@ -232,11 +232,19 @@ PERCUSS_FORCE_INLINE T join_fold_step(const T& step, const T& stiffness, const T
   return find_stable_step(T(8) * stiffness * (T(1) / mass), T(2) / step);
 }
 
-/// Adds the resistance to what a step of the element has left. f: forces as of advance_hex8, x, y, z. Returns whether
-/// an element of the pack resists at n+1; the others keep every bit.
+/// What the resistance changes of the result of a step (HexResult).
 template <class T>
-PERCUSS_FORCE_INLINE bool add_fold_resistance(const FoldRule<T>& rule, const FoldMotion<T>& motion, const T& mass,
-                                              T (&f)[3][8], HexResult<T>& result) {
+struct FoldResult {
+  T work, stable_step;
+  bool acted;    // whether it was looked at at all
+  bool resists;  // whether an element of the pack resists at n+1
+};
+
+/// Adds the resistance to the forces f of advance_hex8, x, y, z. stable_step: that of the element without it. Elements
+/// of the pack that do not resist keep every bit.
+template <class T>
+PERCUSS_FORCE_INLINE FoldResult<T> add_fold_resistance(const FoldRule<T>& rule, const FoldMotion<T>& motion,
+                                                       const T& mass, const T& stable_step, T (&f)[3][8]) {
   const FoldStep<T> step = resist_folding(rule, motion);
   const auto acts = step.depth > T(0);
   T g[3][8];
@@ -250,10 +258,8 @@ PERCUSS_FORCE_INLINE bool add_fold_resistance(const FoldRule<T>& rule, const Fol
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 8; ++i) f[k][i] = select(acts, f[k][i] + g[k][i], f[k][i]);
   }
-  result.work.folding = step.work;
-  result.stable_step =
-      select(step.stiffness > T(0), join_fold_step(result.stable_step, step.stiffness, mass), result.stable_step);
-  return any(acts);
+  return {step.work, select(step.stiffness > T(0), join_fold_step(stable_step, step.stiffness, mass), stable_step),
+          true, any(acts)};
 }
 
 }  // namespace percuss
