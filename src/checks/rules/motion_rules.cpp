@@ -119,12 +119,13 @@ class FirstMeetings {
 
   const Flight& flight(std::size_t part) const { return flights_[part]; }
 
-  /// Of a part, up to a time; below 0: never. Those that move apart during the run have to come back.
+  /// Of a part, up to a time; below 0: never. Those that move apart during the run have to come back; those that move
+  /// together do nothing to each other.
   double find(std::size_t part, double end) const {
     double first = -1;
     const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
     for (std::size_t other = 0; other < flights_.size() && first != 0; ++other) {
-      if (other == part) continue;
+      if (other == part || flights_[part].moves_with(flights_[other])) continue;
       const bool separate = are_free_to_part_ && do_separate(flights_[part], flights_[other], deck_.time.end);
       take(find_meeting(flights_[part], flights_[other], end, separate ? overlapping_share : touching_share));
     }
