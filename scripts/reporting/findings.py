@@ -115,6 +115,7 @@ def _judge_steps(run, summary):
     where += f" of part '{part}'" if part else ""
     if dt.get("spring"):
         where = f"spring '{dt['spring']}'"
+    where = dt.get("approach") or where
     text = f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}{_unit(run, 'time')}; {where} limits the last one."
     found = [Finding(GOOD if dt["min"] > STEP_FALL * dt["max"] else LOOK, text,
                      f"look at {where} in the last frame; failure criteria, mass scaling or other elements there keep the step")]

@@ -79,6 +79,8 @@ def name_limit(run, rows):
         entries = list(run.deck.get("springs") or {})
         return f"a spring of '{entries[-1 - spring]}' limits the step" if -spring <= len(entries) else "a spring limits the step"
     element = rows.last("dt_element")
+    if element == 0:
+        return "the approach of bodies limits the step"
     return "" if element is None else f"element {element:.0f} limits the step"
 
 

@@ -9,6 +9,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/approach/approach.hpp"
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/contact/enforcement/node_areas.hpp"
 #include "src/contact/history/carried_history.hpp"
@@ -38,6 +39,7 @@ struct ContactStage::Impl {
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
+        watch(world, share),
         finder(make_contact_finder(seen(), share, deck.contact)),
         forces(scene, chunked, world),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
@@ -79,6 +81,8 @@ struct ContactStage::Impl {
   bool is_active = false;  // from the start to the end
   const ContactDeck contact;
   ReuseBound bound;
+  ApproachWatch watch;
+  Approach approach;  // bounds the next step
   std::unique_ptr<ContactFinder> finder;
   ContactForces forces;
   Enforcer enforcer;
@@ -107,7 +111,10 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
   const Phase phase("percuss::contact_search", clocks.search);
   bound.enter_step(motion);
-  if (bound.covers_near(motion)) {
+  const bool is_near = bound.covers_near(motion);
+  const bool may_limit = !is_near || watch.may_limit(bound.near_way());
+  approach = may_limit ? watch.look(motion, bound.find_way(motion)) : Approach{};
+  if (is_near) {
     bound.leave_step();
     return false;
   }
@@ -200,6 +207,7 @@ void ContactStage::Impl::redefine_surface() {
   tie_rows = TieRows(seen(), ties, contact);
   walls = build_walls(chunks, deck, share);
   bound.redefine();
+  watch.redefine();
   is_new_surface = true;
   std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
   next->take_over(*finder);
@@ -293,6 +301,12 @@ void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
   enforcer.restore_pushes(pushes);
 }
 
+void ContactStage::watch_start(Rows3<const double> x, Rows3<const double> v, double dt) {
+  impl_->approach = impl_->watch.look_at_start(x, v, dt);
+}
+
+const Approach& ContactStage::approach() const { return impl_->approach; }
+
 void ContactStage::begin_relaxation() { impl_->enforcer.hold_walls(); }
 
 void ContactStage::end_relaxation(Rows3<const double> x) {
@@ -317,6 +331,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.forces.archive(archive);
   stage.archive_pushes(archive);
   archive.number("contact/overlap_at_start", stage.overlap_at_start);
+  archive_approach(archive, stage.approach);
   if (!archive.is_loading()) return;
   stage.forget_last_step();
   stage.search_again();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "comm/phase.hpp"
+#include "src/contact/approach/approach.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/search/contact_finder.hpp"
@@ -74,6 +75,12 @@ class ContactStage {
   /// The next step is the first one: contacts keep their history, and all counts and sums begin anew. x: positions at
   /// time 0. Collective.
   void end_relaxation(Rows3<const double> x);
+
+  /// Before the first step, which would be dt: what approach() is then. Collective.
+  void watch_start(Rows3<const double> x, Rows3<const double> v, double dt);
+
+  /// The bound of the next step from bodies that approach each other, as apply() or watch_start() found it last.
+  const Approach& approach() const;
 
   /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart, or if a
   /// wall with a mass is caught between bodies that cannot give way.

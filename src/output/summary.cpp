@@ -81,6 +81,7 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("estimate", s.dt.estimate);
     v.value("estimates", s.dt.estimates);
     v.value("gain", s.dt.gain);
+    v.later_value("approach", s.dt.approach);
   });
   v.group("mass", [&] {
     v.value("added", s.mass.added);

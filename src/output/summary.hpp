@@ -58,6 +58,7 @@ struct Summary {
     double min = 0, max = 0, last = 0;
     std::int64_t element = 0;  // id of the element that controls the last step
     std::string spring;        // that controls it instead; empty: none
+    std::string approach;      // of bodies that controls it instead of both; empty: none
     std::string estimate = "element";
     std::int64_t estimates = 0;  // of the largest eigenvalue of the mesh
     double gain = 1;             // mean over the steps of the bound taken over the least bound of an element

@@ -111,12 +111,18 @@ double Stepper::find_mesh_step(const State& state, const StepNotice& notice) {
   return global_->find_bound(state, notice.step, notice.growth);
 }
 
+const Approach* Stepper::find_limiting_approach(const State& state) const {
+  const Approach& approach = contact_.approach();
+  return approach.limits(deck_.time.step_scale * state.bound.step) ? &approach : nullptr;
+}
+
 void Stepper::choose_step(State& state) const {
   double dt = deck_.time.step_scale * state.bound.step;
   if (model_.rigid.is_all) dt = std::min(dt, rigid_.find_step(state, deck_.time.end));
   if (state.step > 0 && dt > state.dt) {
     dt = dt > (1 + least_step_growth) * state.dt ? std::min(dt, largest_step_growth * state.dt) : state.dt;
   }
+  dt = std::min(dt, contact_.approach().step);
   if (deck_.time.max_step) dt = std::min(dt, *deck_.time.max_step);
   state.next_dt = land(deck_.time.end - state.time, dt, state.dt);
 }

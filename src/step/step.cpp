@@ -41,6 +41,7 @@ void Stepper::start(State& state, StepWishes wishes) {
   compute_forces(state, 0);
   judge_elements(state, 0);
   agree_on_step(state, wishes);
+  if (contact_.is_active()) contact_.watch_start(state.x, state.v, deck_.time.step_scale * state.bound.step);
   choose_step(state);
   bookkeeper_.start(state);
 }

@@ -124,6 +124,8 @@ class Screen(unittest.TestCase):
             self.assertEqual(name_limit(run, rows), text + " limits the step")
         rows.columns = {"dt_element": [7]}
         self.assertEqual(name_limit(run, rows), "element 7 limits the step")
+        rows.columns = {"dt_element": [0], "dt_spring": [0]}
+        self.assertEqual(name_limit(run, rows), "the approach of bodies limits the step")
         rows.columns = {}
         self.assertEqual(name_limit(run, rows), "")
 

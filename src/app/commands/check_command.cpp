@@ -84,6 +84,15 @@ std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh&
   return log.list();
 }
 
+/// What limits the first step.
+std::string name_controller(const ChunkedMesh& chunked, const Model& model, const State& state,
+                            const Stepper& stepper) {
+  if (const Approach* const approach = stepper.find_limiting_approach(state))
+    return describe_approach(*approach, chunked.mesh);
+  return model.springs.has(state.bound.spring) ? name_spring(model.springs, state.bound.spring)
+                                               : describe_element(chunked, state.bound.element);
+}
+
 /// What the model tells of the scene.
 void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scene) {
   scene.mesh_notes = chunked.mesh.notes;
@@ -118,8 +127,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
 
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
-  scene.controlling_element = model.springs.has(state.bound.spring) ? name_spring(model.springs, state.bound.spring)
-                                                                    : describe_element(chunked, state.bound.element);
+  scene.controlling_element = name_controller(chunked, model, state, stepper);
   add_notes(chunked, model, scene);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();

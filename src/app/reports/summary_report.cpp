@@ -66,8 +66,9 @@ std::string format_summary(const Summary& s) {
   text += format_line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements,
                                            s.nodes, s.contact_nodes, s.contact_faces));
   if (s.status == "running") return text + format_warnings(s);  // the rest comes at its end
-  const std::string controller =
-      s.dt.spring.empty() ? fmt::format("element {}", s.dt.element) : fmt::format("spring '{}'", s.dt.spring);
+  const std::string controller = !s.dt.approach.empty() ? s.dt.approach
+                                 : s.dt.spring.empty()  ? fmt::format("element {}", s.dt.element)
+                                                        : fmt::format("spring '{}'", s.dt.spring);
   text += format_line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time,
                                           s.steps, s.dt.min, s.dt.max, s.dt.last, controller));
   if (s.dt.estimates > 0) {

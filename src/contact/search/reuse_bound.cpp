@@ -60,6 +60,10 @@ double ReuseBound::find_step_here(const SurfaceMotion& motion) const {
   return step;
 }
 
+double ReuseBound::find_way(const SurfaceMotion& motion) const {
+  return ways_ ? ways_->step : find_largest(find_step_here(motion));
+}
+
 void ReuseBound::enter_step(const SurfaceMotion& motion) {
   ways_.reset();
   if (!enabled_ || !valid_ || ranks_.size() == 1) return;

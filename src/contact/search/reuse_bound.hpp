@@ -29,6 +29,11 @@ class ReuseBound {
   /// step, than that allowed. Then covers() holds as well.
   bool covers_near(const SurfaceMotion& motion) const;
 
+  /// Largest way of a contact node in this step, and of one behind a face [length].
+  double find_way(const SurfaceMotion& motion) const;
+  /// No way is longer where covers_near() holds.
+  double near_way() const { return 2 * near_travel_; }
+
   /// Starts the travel of the near pairs at this step's positions, where covers() holds or restart() was called.
   NearWay restart_near(const SurfaceMotion& motion);
 

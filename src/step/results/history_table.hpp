@@ -19,6 +19,7 @@ struct HistorySources {
   const std::vector<double>& pair_work;  // ContactStage::sum_pair_work()
   const std::vector<double>& walls;      // ContactStage::list_wall_motions()
   const std::vector<double>& forces;     // ForceBooks::take()
+  bool is_approach_limiting = false;     // Stepper::find_limiting_approach()
 };
 
 /// The columns of a deck, without those of parts and followed points.

@@ -95,8 +95,7 @@ void Run::begin() {
       {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
   erode();
   first_dt_ = state_.next_dt;
-  limiting_element_id_ = state_.bound.element_id;
-  limiting_spring_ = state_.bound.spring;
+  note_limit();
   checkpoints_.begin(state_.time);  // none at time 0
 }
 
@@ -191,10 +190,17 @@ void Run::loop() {
     if (const std::string left = contact_.describe_overlap_left(state_.x); !left.empty()) say({left});
 }
 
-/// A step, and all that is due after it.
-void Run::advance() {
+/// What bounds the next step.
+void Run::note_limit() {
   limiting_element_id_ = state_.bound.element_id;
   limiting_spring_ = state_.bound.spring;
+  const Approach* const approach = stepper_.find_limiting_approach(state_);
+  limiting_approach_ = approach == nullptr ? "" : describe_approach(*approach, chunked_.mesh);
+}
+
+/// A step, and all that is due after it.
+void Run::advance() {
+  note_limit();
   is_state_whole_ = false;
   stepper_.advance(state_, find_wishes());
   is_state_whole_ = true;

@@ -44,6 +44,15 @@ std::string describe_element(const CheckedRun& run, std::int64_t number) {
   return describe_there(run, number, [&](int element) { return name_with_place(run, element); });
 }
 
+/// Where bodies meet faster than the step resolves; else empty.
+std::string describe_fast_approach(const CheckedRun& run) {
+  constexpr double resolved = 0.2;  // of the step that approach allows: a tenth of a face
+  const Approach* const approach = run.stepper.find_limiting_approach(run.state);
+  if (approach == nullptr) return "";
+  return fmt::format("; {} limits the step: try time.max_step: {:.1g}", describe_approach(*approach, run.chunked.mesh),
+                     resolved * approach->travel_step);
+}
+
 /// "spring 'strap_3'" or the element, with its place: what limits the step.
 std::string describe_controller(const CheckedRun& run) {
   const StepBound& bound = run.state.bound;
@@ -131,8 +140,9 @@ void check_elements(const CheckedRun& run) {
   const std::string what = bound.failed_element >= 0 ? describe_failed_element(run) : describe_broken_chunk(run);
   throw RunError(fmt::format(
       "{}, {} (the mesh is crushed beyond what it can follow, or the run is unstable{}); try a finer mesh there, a "
-      "stronger material, or a smaller time.step_scale (now {})",
-      what, describe_step(run.state), describe_deepest_node(run), run.deck.time.step_scale));
+      "stronger material, or a smaller time.step_scale (now {}){}",
+      what, describe_step(run.state), describe_deepest_node(run), run.deck.time.step_scale,
+      describe_fast_approach(run)));
 }
 
 void check_step(const CheckedRun& run, double first_dt) {

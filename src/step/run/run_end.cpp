@@ -32,6 +32,7 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   summary.dt.last = state_.dt;
   summary.dt.element = limiting_element_id_;
   if (model_.springs.has(limiting_spring_)) summary.dt.spring = model_.springs.springs[at(limiting_spring_)].name;
+  summary.dt.approach = limiting_approach_;
   summary.loop_s = find_seconds(loop_start_);
   summary.warnings = warnings_.list();
   fill_summary(summed(), summary);

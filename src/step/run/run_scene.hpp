@@ -52,6 +52,7 @@ class Run {
   void keep_deck() const;
   bool is_finished() const;
   void loop();
+  void note_limit();
   void advance();
   void erode();
   void observe();
@@ -105,6 +106,7 @@ class Run {
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
   std::int64_t limiting_spring_ = -1;     // likewise, -1: none
+  std::string limiting_approach_;         // likewise, empty: none
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
   Summary summary_;           // what is noted on the way
