@@ -70,10 +70,13 @@ class Run:
 
     @property
     def step_limit(self):
-        """'stopped by time.max_steps at 2.9 % of time.end', or empty where the run came to its end or did not complete."""
+        """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor; empty where the run came to its end or did not
+        complete."""
         time, end = self.summary.get("time") or 0, self.summary.get("end_time") or 0  # older summaries have no end
         if self.status != "completed" or not time < end * (1 - 1e-9):
             return ""
+        if sensor := self.summary.get("ended_by"):
+            return f"ended by sensor '{sensor}' at t = {time:.6g}, {100 * time / end:.2g} % of time.end"
         return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
 
     @cached_property

@@ -40,8 +40,7 @@ def find_findings(run):
 
 def _judge_status(run):
     texts = {
-        "completed": (LOOK, f"The run was {run.step_limit}.", "raise time.max_steps or leave it out, and run to the end")
-        if run.step_limit else (GOOD, "The run is complete."),
+        "completed": _judge_end(run),
         "failed": (BAD, f"The run failed: {run.summary.get('error', '')} What follows holds up to then.",
                    _find_remedy(run.summary.get("error", ""))),
         "interrupted": (LOOK, "The run was interrupted; it can be continued with --restart.", "continue it with --restart DIR/checkpoint.h5"),
@@ -50,6 +49,14 @@ def _judge_status(run):
         "killed": (BAD, "The run was killed, or could not write its end: there are only numbers of its history and fields."),
     }
     return Finding(*texts.get(run.status, (LOOK, f"The run says '{run.status}'.")))
+
+
+def _judge_end(run):
+    if not run.step_limit:
+        return GOOD, "The run is complete."
+    if run.summary.get("ended_by"):
+        return GOOD, f"The run was {run.step_limit}."
+    return LOOK, f"The run was {run.step_limit}.", "raise time.max_steps or leave it out, and run to the end"
 
 
 def _describe_warning(run, warning):

@@ -30,7 +30,7 @@ std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& sele
 bool is_driven(const Deck& deck, const PartDeck& part) {
   std::array<bool, 3> held{};
   for (const ConditionDeck& condition : deck.conditions) {
-    if (condition.where.name != part.name || condition.where.inside) continue;
+    if (condition.where.name != part.name || condition.where.inside || condition.when.any()) continue;
     for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || condition.active[k];
   }
   return held[0] && held[1] && held[2];

@@ -15,6 +15,7 @@ namespace {
 std::vector<std::array<bool, 3>> find_held(const Deck& deck, const Mesh& mesh) {
   std::vector<std::array<bool, 3>> held(mesh.nodes.size(), std::array<bool, 3>{});
   for (const ConditionDeck& condition : deck.conditions) {
+    if (condition.when.any()) continue;  // they hold for a time only
     for (const int node : select_nodes(mesh, deck, condition.where)) {
       for (std::size_t k = 0; k < 3; ++k) held[at(node)][k] = held[at(node)][k] || condition.active[k];
     }

@@ -20,6 +20,7 @@
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
 #include "src/deck/spring_deck.hpp"
+#include "src/deck/start/sensor_deck.hpp"
 #include "src/deck/start/start_deck.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
@@ -262,6 +263,7 @@ struct ConditionDeck {
   Kind kind = Kind::fixed;
   std::array<bool, 6> active{};  // which directions are held: x, y, z, then rotations about x, y, z
   std::array<Curve, 6> value;    // velocity, displacement or angular velocity [rad / time] in each active direction
+  SwitchDeck when;
 };
 
 /// Acceleration of everything [length / time^2].
@@ -280,6 +282,7 @@ struct PressureDeck {
   Selector where;
   Curve value;
   std::optional<Vec3> direction;
+  SwitchDeck when;
 };
 
 /// Forces and, of nodes of shells, moments, on each of the nodes.
@@ -287,6 +290,7 @@ struct NodalLoadDeck {
   Selector where;
   std::array<bool, 6> active{};  // which are given: forces along x, y, z, then moments about x, y, z
   std::array<Curve, 6> value;
+  SwitchDeck when;
 };
 
 /// A force -c m v on nodes, of shells also -c I w.
@@ -377,6 +381,7 @@ struct ContactDeck {
 
 struct TimeDeck {
   double end = 0;
+  std::string until;  // a sensor that ends the run before; empty: none
   double step_scale = 0.9;
   /// What is stable: the least bound of an element, or the largest eigenvalue of the mesh, estimated now and then.
   enum class StepEstimate { element, global };
@@ -421,6 +426,7 @@ struct Deck {
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;
   StartDeck start;
+  std::vector<SensorDeck> sensors;
   GravityDeck gravity;
   std::vector<PressureDeck> pressures;
   std::vector<NodalLoadDeck> nodal_loads;

@@ -67,6 +67,8 @@ void visit_head(S& s, Visitor&& v) {
   v.value("steps", s.steps);
   v.value("time", s.time);
   v.later_value("end_time", s.end_time);
+  v.later_value("ended_by", s.ended_by);
+  v.later_value("sensors", s.sensors);
 }
 
 template <class S, class Visitor>
@@ -148,6 +150,9 @@ class Writer {
   void value(const char* key, const T& member) {
     if constexpr (std::is_same_v<T, std::vector<Warning>>) {
       (*object_)[key] = to_json(member);
+    } else if constexpr (std::is_same_v<T, std::vector<SensorSummary>>) {
+      Json& list = (*object_)[key] = Json::array();
+      for (const SensorSummary& s : member) list.push_back({{"sensor", s.sensor}, {"time", s.time}, {"value", s.value}});
     } else {
       (*object_)[key] = member;
     }
@@ -226,6 +231,17 @@ class Reader {
     if (!found.is_string()) fail(key, "is not a text");
     member = found.get<std::string>();
   }
+  void read(const char* key, const Json& found, std::vector<SensorSummary>& member) const {
+    if (!found.is_array()) fail(key, "is not a list of sensors");
+    for (const Json& item : found) {
+      if (!item.is_object() || !item.contains("sensor") || !item.contains("time") || !item.contains("value"))
+        fail(key, "is not a list of sensors");
+      SensorSummary& sensor = member.emplace_back();
+      read(key, item["sensor"], sensor.sensor);
+      read(key, item["time"], sensor.time);
+      read(key, item["value"], sensor.value);
+    }
+  }
   void read(const char* key, const Json& found, std::vector<Warning>& member) const {
     auto warnings = from_json(found);
     if (!warnings) fail(key, "is not a list of warnings");
@@ -275,6 +291,9 @@ void write_summary(const std::string& path, const Summary& summary) {
 std::string describe_step_limit(const Summary& summary) {
   const bool is_short = summary.time < summary.end_time * (1 - 1e-9);  // a run may end a rounding error early
   if (summary.status != "completed" || !is_short) return "";
+  if (!summary.ended_by.empty())
+    return fmt::format("ended by sensor '{}' at t = {:.6g}, {:.2g} % of time.end", summary.ended_by, summary.time,
+                       100 * summary.time / summary.end_time);
   return fmt::format("stopped by time.max_steps at {:.2g} % of time.end", 100 * summary.time / summary.end_time);
 }
 

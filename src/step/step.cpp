@@ -4,6 +4,7 @@
 #include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/sensors/held_directions.hpp"
 
 namespace percuss {
 
@@ -34,6 +35,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
 }
 
 void Stepper::start(State& state, StepWishes wishes) {
+  set_switches(state);
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
   hold_spins(state, 0);
@@ -56,6 +58,21 @@ void Stepper::renew_loads(State& state) {
     moment_halo_->begin(space_, state.slot_moment);
     moment_halo_->end();
   }
+}
+
+void Stepper::set_switches(State& state) {
+  if (!model_.switches.switches_conditions) return;
+  set_held_directions(model_, state);
+  forces_.renew_supports(state);
+}
+
+/// The forces at n are new, and so is the half of their work that the last step has booked.
+void Stepper::switch_now(State& state, const std::vector<char>& happened) {
+  book_forces(state, -state.dt);
+  state.happened = happened;
+  set_switches(state);
+  renew_loads(state);
+  book_forces(state, state.dt);
 }
 
 void Stepper::archive_masses(CheckpointArchive& archive) {
@@ -142,7 +159,7 @@ void Stepper::book_motion(State& state, double dt, double dt_mean) {
   rigid_.book(state, dt, dt_mean);  // before gravity, which follows the momentum of all
   if (damping_) damping_->book(state);
   bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
-  forces_.book(model_, state, dt_mean);
+  forces_.book(state, dt_mean);
 }
 
 void Stepper::book_forces(State& state, double dt) {
@@ -182,17 +199,17 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
 }
 
 void Stepper::hold_spins(State& state, double dt) {
-  if (model_.held_spins.count == 0) return;
+  if (state.held_spins.count == 0) return;
   const Phase phase("percuss::conditions", clocks_.integrate);
   evaluate_motions(state, dt);
-  hold_velocities(space_, model_.held_spins, motions_, state.x, dt > 0 ? dt : 1, state.w);
+  hold_velocities(space_, state.held_spins, motions_, state.x, dt > 0 ? dt : 1, state.w);
 }
 
 void Stepper::hold_conditions(State& state, double dt) {
-  if (model_.held.count == 0) return;
+  if (state.held.count == 0) return;
   const Phase phase("percuss::conditions", clocks_.integrate);
   evaluate_motions(state, dt);
-  hold_velocities(space_, model_.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
+  hold_velocities(space_, state.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
 }
 
 /// Values of the prescribed motions for the step from n to n+1.
@@ -330,7 +347,8 @@ void Stepper::apply_loads(State& state, double time) {
   if (springs_) springs_->apply(state);
   if (model_.pressure_faces.count == 0) return;
   const auto values = Kokkos::create_mirror_view(pressures_);
-  for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);
+  for (std::size_t i = 0; i < model_.pressures.size(); ++i)
+    values(i) = model_.switches.pressures[i].is_on(state.happened) ? model_.pressures[i](time) : 0;
   Kokkos::deep_copy(pressures_, values);
   apply_pressure(space_, state.pressure_faces, pressures_, state.x, state.slot_force);
 }
@@ -338,8 +356,10 @@ void Stepper::apply_loads(State& state, double time) {
 void Stepper::apply_forces(State& state, double time) {
   if (model_.nodal_loads.count == 0) return;
   const auto values = Kokkos::create_mirror_view(nodal_values_);
-  for (std::size_t i = 0; i < model_.nodal_values.size(); ++i)
-    for (std::size_t k = 0; k < 6; ++k) values(i, k) = model_.nodal_values[i][k](time);
+  for (std::size_t i = 0; i < model_.nodal_values.size(); ++i) {
+    const bool is_on = model_.switches.nodal_loads[i].is_on(state.happened);
+    for (std::size_t k = 0; k < 6; ++k) values(i, k) = is_on ? model_.nodal_values[i][k](time) : 0;
+  }
   Kokkos::deep_copy(nodal_values_, values);
   apply_nodal_loads(space_, state.nodal_loads, nodal_values_, state.slot_force, state.slot_moment);
 }

@@ -76,6 +76,12 @@ class Stepper {
   /// After faces have lost their pressure: the forces at n without it. Collective.
   void renew_loads(State& state);
 
+  /// After State::happened has come from a checkpoint. Collective.
+  void set_switches(State& state);
+
+  /// What sensors have seen by now, which switches loads and conditions from n on. Collective.
+  void switch_now(State& state, const std::vector<char>& happened);
+
   Bookkeeper& bookkeeper() { return bookkeeper_; }
   ForceBooks& forces() { return forces_; }
 

@@ -68,6 +68,7 @@ parts:
 materials: {hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
 joints: {hinge: {kind: revolute, bodies: [a, b], at: [0, 0, 1.5], axis: x}}
 initial: [{part: a, velocity: [0, 0, 1]}, {part: b, velocity: [0, 0, 1]}]
+sensors: {soon: {value: kinetic, rises_above: 1e9}}
 output: {history: {}}
 """,
 }
@@ -98,7 +99,7 @@ def generalise(name):
 
 def shorten(words):
     """'force' of "force in x of 'hit'": without its owner and its axis."""
-    words = re.sub(r" of (part |pair |wall |spring |weld |joint |rigid body )?'[^']*'", "", words)
+    words = re.sub(r" of (part |pair |wall |spring |weld |sensor |joint |rigid body )?'[^']*'", "", words)
     return re.sub(r" (in [xyz]|about [xyz]|along [yz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
 
 

@@ -29,7 +29,7 @@ struct CurveUse {
 struct Reading {
   DeckErrors errors;
   std::string folder;  // of the deck, for files that it names
-  std::vector<NameUse> materials, selectors, rotations;
+  std::vector<NameUse> materials, selectors, rotations, sensors;
   std::vector<CurveUse> curves;
   std::set<std::string> shapeless;  // parts whose shape is unknown, so that their sides are too
 };

@@ -9,6 +9,7 @@
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/sensors/sensor_keys.hpp"
 
 namespace percuss {
 namespace {
@@ -296,6 +297,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
   check_forces(deck, root, reading);
+  check_sensors(deck, root, reading);
 }
 
 }  // namespace percuss

@@ -1,6 +1,7 @@
 // Keys of `initial`, `loads`, `conditions`, `damping` and `walls`.
 
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/sensors/sensor_keys.hpp"
 
 namespace percuss {
 namespace {
@@ -48,11 +49,11 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
 }
 
 const Keys<PressureDeck>& pressure_keys() {
-  static const Keys<PressureDeck> keys = {
+  static const Keys<PressureDeck> keys = with_switch<PressureDeck>({
       need("faces", &PressureDeck::where, SelectorValue{}),
       need("value", &PressureDeck::value, CurveValue{}),
       may("direction", &PressureDeck::direction, DirectionValue{}),
-  };
+  });
   return keys;
 }
 
@@ -187,11 +188,11 @@ struct NodalValue {
 };
 
 const Keys<NodalLoadDeck>& nodal_load_keys() {
-  static const Keys<NodalLoadDeck> keys = {
+  static const Keys<NodalLoadDeck> keys = with_switch<NodalLoadDeck>({
       need("nodes", &NodalLoadDeck::where, SelectorValue{}),
       group<NodalLoadDeck>("force", NodalValue{0}),
       group<NodalLoadDeck>("moment", NodalValue{3}),
-  };
+  });
   return keys;
 }
 
@@ -228,7 +229,7 @@ const Keys<ConditionDeck>& condition_keys() {
   static const Keys<ConditionDeck> keys = [] {
     Keys<ConditionDeck> all = {need("nodes", &ConditionDeck::where, SelectorValue{})};
     for (const auto& key : condition_kind_keys()) all.push_back(key);
-    return all;
+    return with_switch(std::move(all));
   }();
   return keys;
 }

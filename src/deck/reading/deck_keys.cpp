@@ -1,7 +1,9 @@
 // Keys of `time`, `elements`, with what parts may have of them, and `audit`, and the top of the deck.
 
 #include "src/deck/reading/deck_keys.hpp"
+
 #include "src/deck/reading/read_deck.hpp"
+#include "src/deck/reading/sensors/sensor_keys.hpp"
 #include "src/deck/units.hpp"
 #include "src/deck/warning_rules.hpp"
 
@@ -30,6 +32,7 @@ const Keys<TimeDeck>& time_keys() {
       may("step_estimate", &TimeDeck::step_estimate,
           ChoiceValue<StepEstimate>{{{"element", StepEstimate::element}, {"global", StepEstimate::global}}}),
       may("mass_scaling", &TimeDeck::mass_scaling, mass_scaling_value()),
+      may("until", &TimeDeck::until, SensorNameValue{}),
       may("max_step", &TimeDeck::max_step, NumberValue{positive}),
       may("max_steps", &TimeDeck::max_steps, IntegerValue{1, std::numeric_limits<long>::max()}),
       may("collapse_ratio", &TimeDeck::collapse_ratio, NumberValue{{"at least 0 and below 1", 0, 1, false, true}}),
@@ -292,6 +295,7 @@ const Keys<Deck>& deck_keys() {
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),
       may("start", &Deck::start, start_value()),
+      may("sensors", &Deck::sensors, sensors_value()),
       group<Deck>("loads", MapValue<Deck>{load_keys}),
       may("conditions", &Deck::conditions, ListValue<ConditionValue>{}),
       may("damping", &Deck::dampings, ListValue<MapValue<DampingDeck>>{damping_value()}),

@@ -55,7 +55,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   deck.settings = overrides;
   deck.overrides = paths;
   Reading reading{
-      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};
+      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}, {}};
   const Node root = parse_tree(text, file, overrides, reading.errors);
   read_keys(Reader(reading), root, deck_keys(), deck);
   check_deck(deck, root, reading);

@@ -21,7 +21,12 @@ constexpr std::array<const char*, 9> free_to_change{"title",
                                                     "time.collapse_ratio",
                                                     "contact.rebalance"};
 
-bool is_free(const std::string& path) {
+/// What sensors look at is part of the motion.
+bool is_watched(const std::string& path) { return path == "output" || path.starts_with("output.history"); }
+
+bool is_free(const std::string& path, bool has_sensors) {
+  if (has_sensors && is_watched(path)) return false;
+  if (has_sensors && path.starts_with("output.")) return true;
   if (path.starts_with("parts.") && (path.ends_with(".exodus.file") || path.ends_with(".mesh.file"))) return true;
   return std::find(free_to_change.begin(), free_to_change.end(), path) != free_to_change.end();
 }
@@ -32,8 +37,8 @@ std::string describe_value(const Node& node) {
   return node.text;
 }
 
-void list_values(const std::string& path, const Node& node, std::vector<std::string>& out) {
-  if (is_free(path)) return;
+void list_values(const std::string& path, const Node& node, bool has_sensors, std::vector<std::string>& out) {
+  if (is_free(path, has_sensors)) return;
   const auto below = [&](const std::string& name) { return path.empty() ? name : path + "." + name; };
   switch (node.kind) {
     case Node::Kind::null:
@@ -42,10 +47,11 @@ void list_values(const std::string& path, const Node& node, std::vector<std::str
       out.push_back(path + " = " + describe_value(node));
       return;
     case Node::Kind::list:
-      for (std::size_t i = 0; i < node.items.size(); ++i) list_values(below(std::to_string(i)), node.items[i], out);
+      for (std::size_t i = 0; i < node.items.size(); ++i)
+        list_values(below(std::to_string(i)), node.items[i], has_sensors, out);
       return;
     case Node::Kind::map:
-      for (const Entry& entry : node.entries) list_values(below(entry.name), entry.value, out);
+      for (const Entry& entry : node.entries) list_values(below(entry.name), entry.value, has_sensors, out);
       return;
   }
 }
@@ -63,7 +69,7 @@ std::map<std::string, std::string> split_values(const std::vector<std::string>& 
 
 std::vector<std::string> list_motion_values(const Node& deck) {
   std::vector<std::string> values;
-  list_values("", deck, values);
+  list_values("", deck, deck.find("sensors") != nullptr, values);
   for (std::string& value : values) std::replace(value.begin(), value.end(), '\n', ' ');  // a line each
   std::sort(values.begin(), values.end());
   return values;

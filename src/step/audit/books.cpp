@@ -15,16 +15,16 @@ Vec3 round_total(const Communicator& ranks, std::array<ExactSum, 3> sums) {
 /// The work of what holds a direction is what the kinetic energy gains and the other forces take over the step; this is
 /// the part of it that is known before the elements are computed.
 void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
-  if (model.owned_held.extent(0) == 0) return;
-  const auto held = model.held;
-  const auto owned = model.owned_held;
+  if (state.owned_held.extent(0) == 0) return;
+  const auto held = state.held;
+  const auto owned = state.owned_held;
   const auto mass = state.mass;
   const Gravity gravity = state.gravity;
   const double share = model.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse,
              welded = state.weld_impulse;
   const MomentCenter center(model.mass_center);
-  const HeldReactions reactions = find_reactions(model, state, dt_mean);
+  const HeldReactions reactions = find_reactions(state, dt_mean);
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
@@ -42,10 +42,10 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
 }
 
 /// The same for held rotations: J = I (w+ - w-) - dt_mean m, a moment impulse without a lever.
-void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
-  if (model.owned_held_spins.extent(0) == 0) return;
-  const auto held = model.held_spins;
-  const auto owned = model.owned_held_spins;
+void book_spin_conditions(ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
+  if (state.owned_held_spins.extent(0) == 0) return;
+  const auto held = state.held_spins;
+  const auto owned = state.owned_held_spins;
   const auto inertia = state.inertia;
   const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment;
   const auto sums = held_sums(
@@ -224,7 +224,7 @@ void Bookkeeper::archive(CheckpointArchive& archive) {
 
 void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const WallSums& walls) {
   book_conditions(model_, held_sums_, state, dt, dt_mean);
-  book_spin_conditions(model_, held_sums_, state, dt, dt_mean);
+  book_spin_conditions(held_sums_, state, dt, dt_mean);
   wall_dt_ = 0;
   if (!deck_.walls.empty()) {
     add_to_books(walls.impulse, walls.moment, state.books);
@@ -265,9 +265,9 @@ void Bookkeeper::book_gravity_work(State& state, double dt) const {
 void Bookkeeper::book_new_forces(State& state, double dt) {
   const Gravity gravity = model_.gravity_varies ? state.gravity : Gravity{};
   book_rest_of_work(model_, held_force_sum_,
-                    {model_.held, model_.owned_held, state.v, state.slot_force, state.mass, gravity}, dt, state.books);
+                    {state.held, state.owned_held, state.v, state.slot_force, state.mass, gravity}, dt, state.books);
   book_rest_of_work(model_, held_force_sum_,
-                    {model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, state.inertia, {}}, dt,
+                    {state.held_spins, state.owned_held_spins, state.w, state.slot_moment, state.inertia, {}}, dt,
                     state.books);
   book_gravity_work(state, dt);
   book_pressure_power(power_sum_, state, dt);

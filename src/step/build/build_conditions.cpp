@@ -26,7 +26,7 @@ namespace {
 /// Held directions by (node, direction), so that the first condition of the deck that holds one is known.
 struct HeldDirection {
   int motion = 0;
-  const ConditionDeck* condition = nullptr;
+  int condition = 0;  // place in the deck
 };
 using HeldMap = std::map<std::pair<int, int>, HeldDirection>;
 
@@ -62,6 +62,7 @@ class HeldDirectionFinder {
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
       require_rotations(deck_.conditions[c], nodes);
+      require_no_bodies(deck_.conditions[c], nodes);
       const bool turns = model_.has_rotations || model_.rigid.any();
       for (int k = 0; k < (turns ? direction_count : first_rotation); ++k) {
         if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
@@ -87,9 +88,10 @@ class HeldDirectionFinder {
     motions_.push_back({c, k, row});
     for (const int node : nodes) {
       if (rigid_.holds(node)) continue;
-      const auto [entry, is_new] = held_.emplace(std::pair{node, k}, HeldDirection{row, &condition});
-      const bool agrees = is_new || (entry->second.motion == 0 && row == 0);
-      if (!agrees && first_.condition == Contradiction::none) note(c, k, node, *entry->second.condition);
+      const auto [entry, is_new] = held_.emplace(std::pair{node, k}, HeldDirection{row, static_cast<int>(c)});
+      const ConditionDeck& other = deck_.conditions[at(entry->second.condition)];
+      const bool may_share = entry->second.motion == 0 && row == 0 && !condition.when.any() && !other.when.any();
+      if (!is_new && !may_share && first_.condition == Contradiction::none) note(c, k, node, other);
     }
   }
 
@@ -111,14 +113,27 @@ class HeldDirectionFinder {
                     deck_.where(condition.where.place), direction_names[at(active - condition.active.begin())]));
   }
 
+  /// Throws, on all ranks, if a sensor is to switch what holds a rigid body.
+  void require_no_bodies(const ConditionDeck& condition, const std::vector<int>& nodes) const {
+    if (!condition.when.any()) return;
+    int some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return rigid_.holds(n); }) ? 1 : 0;
+    all_reduce(model_.ranks, Reduce::largest, some);
+    if (some == 0) return;
+    throw InputError(
+        fmt::format("{}: error: the condition is of a rigid body and has from or until (sensors switch "
+                    "conditions on nodes that deform only): leave out the switch",
+                    deck_.where(condition.where.place)));
+  }
+
   void note(std::size_t c, int k, int node, const ConditionDeck& other) {
     const auto n = static_cast<std::size_t>(node);
     first_ = {static_cast<std::int64_t>(c), k, chunked_.mesh.node_numbers[n], model_.ranks.rank()};
+    const bool is_switched = deck_.conditions[c].when.any() || other.when.any();
     message_ = fmt::format(
-        "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it out "
-        "of one of them",
+        "{}: error: node {} is held in direction {} by two conditions {} (the other is at {}); leave it out of one of "
+        "them",
         deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], direction_names[at(k)],
-        deck_.where(other.where.place));
+        is_switched ? "of which a sensor switches one" : "that move it", deck_.where(other.where.place));
   }
 
   /// On all ranks, if any has found one.
@@ -142,6 +157,7 @@ class HeldDirectionFinder {
 struct HeldLists {
   HeldDirections all;
   Array<int> owned;
+  std::vector<int> by;    // [entries] condition
   Rows3<double> inverse;  // [nodes] 1 / mass, 0 in held directions and where there is no mass
 };
 
@@ -152,7 +168,7 @@ HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, 
   for (std::size_t n = 0; n < mass.size(); ++n) {
     if (mass[n] > 0 && !rigid.holds(static_cast<int>(n))) inverse[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
   }
-  std::vector<int> node, direction, motion, owned;
+  std::vector<int> node, direction, motion, owned, by;
   std::vector<double> start;
   for (const auto& [key, value] : held) {
     if (key.second < first || key.second >= first + 3) continue;
@@ -164,16 +180,36 @@ HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, 
     node.push_back(key.first);
     direction.push_back(static_cast<int>(k));
     motion.push_back(value.motion);
+    by.push_back(value.condition);
     start.push_back(first == 0 ? chunked.mesh.nodes[n][k] : 0);
   }
   return {
       {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
        to_view("percuss::held_motion", motion), to_view("percuss::held_start", start), static_cast<int>(node.size())},
       to_view("percuss::owned_held", owned),
+      std::move(by),
       to_rows("percuss::inverse_mass", inverse)};
 }
 
 }  // namespace
+
+void build_switches(const Deck& deck, Model& model) {
+  SwitchModel& switches = model.switches;
+  switches.sensors = deck.sensors.size();
+  const auto find = [&](const std::string& name) {
+    for (std::size_t s = 0; s < deck.sensors.size(); ++s)
+      if (deck.sensors[s].name == name) return static_cast<int>(s);
+    return Switch::none;
+  };
+  const auto list = [&](const auto& entries, std::vector<Switch>& out) {
+    for (const auto& entry : entries) out.push_back({find(entry.when.from), find(entry.when.until)});
+  };
+  list(deck.pressures, switches.pressures);
+  list(deck.nodal_loads, switches.nodal_loads);
+  list(deck.conditions, switches.conditions);
+  switches.switches_conditions =
+      std::any_of(switches.conditions.begin(), switches.conditions.end(), [](const Switch& of) { return of.any(); });
+}
 
 void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
                            const std::vector<double>& mass, Model& model) {
@@ -184,6 +220,7 @@ void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const R
   model.held = moves.all;
   model.owned_held = moves.owned;
   model.inverse_mass = moves.inverse;
+  model.switches.held_by = moves.by;
   if (!model.has_rotations) return;
   const auto inertia = to_host(model.inertia);
   const HeldLists spins =
@@ -191,6 +228,7 @@ void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const R
   model.held_spins = spins.all;
   model.owned_held_spins = spins.owned;
   model.inverse_inertia = spins.inverse;
+  model.switches.spins_held_by = spins.by;
 }
 
 MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass) {

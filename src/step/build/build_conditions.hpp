@@ -24,6 +24,9 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
 /// `slots` and, by load, of the sum of a node. Throws InputError: unknown sets.
 void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
+/// Which sensors switch which loads and conditions.
+void build_switches(const Deck& deck, Model& model);
+
 /// Finds the held directions and their motions, and the inverse mass, which is 0 in them and of rigid nodes; what is
 /// held of rigid bodies. mass: [node]. Throws InputError, the same on all ranks, where two conditions of the deck move
 /// the same node in the same direction.

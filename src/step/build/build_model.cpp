@@ -117,6 +117,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_rigid_bodies(deck, chunked, rigid, {mass, find_masses_of_others(deck, chunked, model)}, model);
   build_joints(deck, model);
   build_welds(deck, chunked, model);
+  build_switches(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
   build_initial_velocities(deck, chunked, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);

@@ -73,7 +73,11 @@ ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model
   since_.resize(deck.output.forces.size());
 }
 
-void ForceBooks::book(const Model& model, const State& state, double dt_mean) {
+void ForceBooks::renew_supports(const State& state) {
+  for (SupportForce& support : supports_) support.renew(state);
+}
+
+void ForceBooks::book(const State& state, double dt_mean) {
   auto sums = sums_.begin();
   const auto add = [&](const std::array<ExactSum, 6>& step) {
     for (std::size_t k = 0; k < step.size(); ++k) {
@@ -82,7 +86,7 @@ void ForceBooks::book(const Model& model, const State& state, double dt_mean) {
     }
     ++sums;
   };
-  for (SupportForce& support : supports_) add(support.find_impulse(model, state, dt_mean));
+  for (SupportForce& support : supports_) add(support.find_impulse(state, dt_mean));
   for (SectionForce& section : sections_) add(section.find_impulse(state, dt_mean));
 }
 

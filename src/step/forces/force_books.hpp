@@ -24,7 +24,10 @@ class ForceBooks {
   ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
 
   /// Books the supports and sections of a step. Call with v at n+1/2, x and forces at n. Collective.
-  void book(const Model& model, const State& state, double dt_mean);
+  void book(const State& state, double dt_mean);
+
+  /// After sensors have switched conditions.
+  void renew_supports(const State& state);
 
   /// Whether book() needs the places at n.
   bool has_sections() const { return !sections_.empty(); }

@@ -13,6 +13,7 @@ namespace {
 /// Those of the listed entries whose node is marked.
 std::vector<int> list_entries(const Array<int>& owned, const HeldDirections& held, const std::vector<char>& marked) {
   std::vector<int> entries;
+  if (owned.extent(0) == 0) return entries;
   const auto listed = to_host(owned);
   const auto node = to_host(held.node);
   for (std::size_t i = 0; i < listed.extent(0); ++i) {
@@ -32,23 +33,28 @@ void require_some(const Communicator& ranks, std::size_t own, const std::string&
 
 SupportForce::SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model)
     : about_(force.about.value_or(Vec3{})) {
-  std::vector<char> marked(chunked.mesh.nodes.size(), 0);
-  for (const int node : select_nodes(chunked.mesh, deck, force.where)) marked[static_cast<std::size_t>(node)] = 1;
-  const std::vector<int> held = list_entries(model.owned_held, model.held, marked);
-  std::vector<int> spins;
-  if (model.has_rotations) spins = list_entries(model.owned_held_spins, model.held_spins, marked);
-  require_some(model.ranks, held.size() + spins.size(),
+  marked_.assign(chunked.mesh.nodes.size(), 0);
+  for (const int node : select_nodes(chunked.mesh, deck, force.where)) marked_[static_cast<std::size_t>(node)] = 1;
+  list({model.held, model.held_spins, model.owned_held, model.owned_held_spins});
+  require_some(model.ranks, held_.extent(0) + held_spins_.extent(0),
                fmt::format("{}: error: force '{}' is of a support where no condition holds a node (conditions say "
                            "what is held)",
                            deck.where(force.place), force.name));
-  held_ = to_view("percuss::support_entries", held);
-  held_spins_ = to_view("percuss::support_spin_entries", spins);
 }
 
-ImpulseSums SupportForce::find_impulse(const Model& model, const State& state, double dt_mean) {
+void SupportForce::list(const Held& held) {
+  held_ = to_view("percuss::support_entries", list_entries(held.owned, held.moves, marked_));
+  held_spins_ = to_view("percuss::support_spin_entries", list_entries(held.owned_spins, held.spins, marked_));
+}
+
+void SupportForce::renew(const State& state) {
+  list({state.held, state.held_spins, state.owned_held, state.owned_held_spins});
+}
+
+ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean) {
   ImpulseSums sums{};
   if (held_.extent(0) > 0) {
-    const HeldReactions reactions = find_reactions(model, state, dt_mean);
+    const HeldReactions reactions = find_reactions(state, dt_mean);
     const auto entries = held_;
     const auto x = state.x;
     const double at[3] = {about_[0], about_[1], about_[2]};
@@ -62,7 +68,7 @@ ImpulseSums SupportForce::find_impulse(const Model& model, const State& state, d
         });
   }
   if (held_spins_.extent(0) == 0) return sums;
-  const auto held = model.held_spins;
+  const auto held = state.held_spins;
   const auto entries = held_spins_;
   const auto inertia = state.inertia;
   const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment;

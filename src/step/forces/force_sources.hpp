@@ -17,11 +17,21 @@ class SupportForce {
   /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes.
   SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
 
+  /// After sensors have switched conditions.
+  void renew(const State& state);
+
   /// Of this rank's nodes in a step. Call with v at n+1/2, x and forces at n.
-  ImpulseSums find_impulse(const Model& model, const State& state, double dt_mean);
+  ImpulseSums find_impulse(const State& state, double dt_mean);
 
  private:
-  Array<const int> held_, held_spins_;  // entries of Model::held and held_spins
+  struct Held {
+    HeldDirections moves, spins;
+    Array<int> owned, owned_spins;
+  };
+  void list(const Held& held);
+
+  std::vector<char> marked_;            // [nodes] whether it is of the support
+  Array<const int> held_, held_spins_;  // entries of State::held and held_spins
   Vec3 about_;
   ExactSums<6> sums_{"percuss::support_sums"}, spin_sums_{"percuss::support_spin_sums"};
 };

@@ -67,8 +67,8 @@ struct HeldReactions {
   }
 };
 
-inline HeldReactions find_reactions(const Model& model, const State& state, double dt_mean) {
-  return {model.held,    state.gravity,      state.v,    state.v_before, state.force,
+inline HeldReactions find_reactions(const State& state, double dt_mean) {
+  return {state.held,    state.gravity,      state.v,    state.v_before, state.force,
           state.impulse, state.weld_impulse, state.mass, dt_mean};
 }
 

@@ -23,6 +23,7 @@
 #include "kernels/shell/shell_force.hpp"
 #include "kernels/tet/tet_force.hpp"
 #include "src/deck/deck.hpp"
+#include "src/deck/start/switches.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/rigid_model.hpp"
@@ -140,7 +141,8 @@ struct Model {
   DampedNodes damped_nodes;                        // by the same
   std::vector<int> damped_bodies;                  // [rigid bodies] entry of each, -1: none; empty without damping
   HeldDirections held;
-  Array<int> owned_held;        // entries of `held` whose nodes this rank owns
+  Array<int> owned_held;  // entries of `held` whose nodes this rank owns
+  SwitchModel switches;
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
   bool is_driven = false;       // whether a prescribed motion other than rest exists
   RigidModel rigid;

@@ -249,6 +249,18 @@ Gravity find_gravity(const Model& model, double time) {
 
 Gravity find_constant_gravity(const Model& model) { return model.gravity_varies ? Gravity{} : find_gravity(model, 0); }
 
+namespace {
+
+void start_conditions(const Model& model, State& s) {
+  s.happened.assign(model.switches.sensors, 0);
+  s.held = model.held;
+  s.owned_held = model.owned_held;
+  s.held_spins = model.held_spins;
+  s.owned_held_spins = model.owned_held_spins;
+}
+
+}  // namespace
+
 State make_initial_state(const Model& model) {
   State s;
   const auto nodes = static_cast<std::size_t>(model.node_count);
@@ -286,6 +298,7 @@ State make_initial_state(const Model& model) {
     s.lumped_mass = copy_array("percuss::lumped_mass", model.mass);
     own_masses(model, s);
   }
+  start_conditions(model, s);
   return s;
 }
 

@@ -79,6 +79,11 @@ struct State {
   PressureFaces pressure_faces;  // those of dead elements have no area
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
+  // Of the sensors of the deck: which events have come, with their delays. What they have left of the held directions.
+  std::vector<char> happened;
+  HeldDirections held, held_spins;
+  Array<int> owned_held, owned_held_spins;
+
   // Of scenes with shells or beams that bend; empty otherwise.
   Rows3<double> w;                 // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
   Rows3<double> w_before;          // one step earlier; scratch of the step

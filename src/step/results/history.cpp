@@ -16,6 +16,7 @@
 #include "src/step/forces/force_books.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/element_fields.hpp"
+#include "src/step/sensors/sensors.hpp"
 
 namespace percuss {
 
@@ -124,6 +125,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
     columns.push_back({"wall_speed:" + name, dimensions::velocity,
                        fmt::format("speed of wall '{}', along its normal or direction", name)});
   }
+  const std::vector<HistoryColumn> of_sensors = list_sensor_columns(deck);
+  columns.insert(columns.end(), of_sensors.begin(), of_sensors.end());
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
@@ -141,8 +144,8 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       has_sections_(has_sections(deck)),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
-    if (ranks_.rank() != 0) return;
-    const std::vector<HistoryColumn> columns = list_columns(table_, points_, model, deck);
+    if (ranks_.rank() != 0 || directory.empty()) return;
+    const std::vector<HistoryColumn> columns = percuss::list_columns(table_, points_, model, deck);
     const std::string path = directory + "/history.csv";
     if (bytes)
       file_.emplace(path, name_columns(columns), *bytes);
@@ -152,6 +155,10 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
   });
 }
 
+std::vector<HistoryColumn> History::list_columns(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  return percuss::list_columns(HistoryTable(deck), find_history_points(deck, chunked), model, deck);
+}
+
 void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                     std::int64_t bytes) {
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
@@ -159,7 +166,7 @@ void History::check(const std::string& directory, const Deck& deck, const Chunke
   fail_together(ranks, [&] {
     if (ranks.rank() == 0)
       check_history_file(directory + "/history.csv",
-                         name_columns(list_columns(HistoryTable(deck), points, model, deck)), bytes);
+                         name_columns(percuss::list_columns(HistoryTable(deck), points, model, deck)), bytes);
   });
 }
 
@@ -215,11 +222,13 @@ void History::write(const Model& model, const HistorySources& sources) {
   append_springs(model.springs, state, row);
   append_welds(model.welds, state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
+  for (const char happened : state.happened) row.push_back(happened);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);
   });
+  row_ = std::move(row);
 }
 
 void History::sync() {

@@ -17,14 +17,21 @@ namespace percuss {
 
 class History {
  public:
-  /// Creates history.csv and columns.json in the directory, or goes on with the history.csv of an earlier run behind
-  /// its first `bytes`: rank 0 writes. Collective. Throws SystemError, InputError, the same on all ranks.
+  /// Without a directory the rows are made and not written. Else creates history.csv and columns.json in the directory,
+  /// or goes on with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
+  /// SystemError, InputError, the same on all ranks.
   History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
           std::optional<std::int64_t> bytes = std::nullopt);
 
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
   static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                     std::int64_t bytes);
+
+  /// The columns of a deck. Collective.
+  static std::vector<HistoryColumn> list_columns(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+
+  /// The last row, on rank 0.
+  const std::vector<double>& row() const { return row_; }
 
   /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
   void write(const Model& model, const HistorySources& sources);
@@ -49,7 +56,8 @@ class History {
   BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
-  std::optional<HistoryFile> file_;     // of rank 0
+  std::vector<double> row_;
+  std::optional<HistoryFile> file_;  // of rank 0, if it has a directory
 };
 
 }  // namespace percuss

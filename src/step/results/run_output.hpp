@@ -63,6 +63,11 @@ class RunOutput {
   bool is_row_due(double time) const { return rows_.is_due(time); }
   bool is_frame_due(double time) const { return frames_due_.is_due(time); }
 
+  /// Whether there is a history, written or only for sensors.
+  bool has_rows() const { return history_.has_value(); }
+  /// The last row of it, on rank 0.
+  std::vector<double> last_row() const { return history_ ? history_->row() : std::vector<double>(); }
+
   /// Writes the state, unless it was written.
   void write_row(const State& state, const AuditResult& audit, Stepper& stepper);
   void write_frame(const State& state);
@@ -83,7 +88,7 @@ class RunOutput {
  private:
   static constexpr std::int64_t no_file = -1;
 
-  bool wants_rows() const { return !directory_.empty() && rows_.is_set(); }
+  bool wants_rows() const { return (!directory_.empty() || !deck_.sensors.empty()) && rows_.is_set(); }
   bool wants_frames() const { return !directory_.empty() && frames_due_.is_set(); }
 
   const Deck& deck_;

@@ -49,6 +49,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
+      sensors_(deck, ranks_),
       checkpoints_(deck, options.out_dir),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
@@ -61,6 +62,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   say(chunked_.mesh.notes);
   say(model_.mass_notes);
   say(describe_added_masses(model_));
+  if (sensors_.any()) sensors_.find_columns(History::list_columns(deck_, chunked_, model_));
   if (options.restart.empty()) {
     begin();
   } else {
@@ -168,7 +170,7 @@ void Run::check_removals() const {
 
 bool Run::is_finished() const {
   return deck_.time.end - state_.time <= 1e-12 * deck_.time.end ||
-         (deck_.time.max_steps && state_.step >= *deck_.time.max_steps);
+         (deck_.time.max_steps && state_.step >= *deck_.time.max_steps) || sensors_.ends_run(state_.time);
 }
 
 void Run::loop() {
@@ -271,9 +273,9 @@ void Run::audit() {
 /// that it shows what grew; a frame only after.
 void Run::observe() {
   const bool is_asked = stepper_.is_frame_agreed();
-  const bool row_due = output_.is_row_due(state_.time) || is_asked,
+  const bool row_due = output_.is_row_due(state_.time) || (is_asked && !sensors_.any()),
              frame_due = output_.is_frame_due(state_.time) || is_asked;
-  if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return;
+  if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return look_by_sensors(false);
   audit();
   const Phase phase("percuss::output", stepper_.clocks().output);
   if (row_due) output_.write_row(state_, audited_, stepper_);
@@ -282,6 +284,19 @@ void Run::observe() {
   if (frame_due) output_.write_frame(state_);
   if (frame_due) look_at_corners();
   output_.advance(state_.time);
+  look_by_sensors(row_due);
+}
+
+/// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
+void Run::look_by_sensors(bool has_new_row) {
+  if (!sensors_.any()) return;
+  if (has_new_row && output_.has_rows()) sensors_.look(state_.time, output_.last_row());
+  const std::vector<char> happened = sensors_.find_happened(state_.time);
+  if (happened == state_.happened) return;
+  for (std::size_t s = 0; s < happened.size(); ++s)
+    if (happened[s] != state_.happened[s])
+      say({fmt::format("sensor '{}' acts at t = {:.6g}", deck_.sensors[s].name, state_.time)});
+  stepper_.switch_now(state_, happened);
 }
 
 void Run::look_at_corners() {
@@ -325,6 +340,11 @@ void Run::archive(CheckpointArchive& archive) {
   if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
   stepper_.archive(archive);
   audit_.archive(archive);
+  sensors_.archive(archive);
+  if (archive.is_loading() && sensors_.any()) {
+    state_.happened = sensors_.find_happened(state_.time);
+    stepper_.set_switches(state_);
+  }
   output_.archive(archive, state_.time);
   archive.number("run/first_dt", first_dt_);
   archive.number("run/dt_min", summary_.dt.min);

@@ -34,6 +34,9 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   if (model_.springs.has(limiting_spring_)) summary.dt.spring = model_.springs.springs[at(limiting_spring_)].name;
   summary.dt.approach = limiting_approach_;
   summary.loop_s = find_seconds(loop_start_);
+  if (status == "completed" && sensors_.ends_run(state_.time)) summary.ended_by = deck_.time.until;
+  for (const SensorEvent& event : sensors_.list_events(state_.time))
+    summary.sensors.push_back({event.sensor, event.time, event.value});
   summary.warnings = warnings_.list();
   fill_summary(summed(), summary);
   return summary;

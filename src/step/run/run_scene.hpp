@@ -21,6 +21,7 @@
 #include "src/step/run/run_summary.hpp"
 #include "src/step/run/run_warnings.hpp"
 #include "src/step/run/stop_request.hpp"
+#include "src/step/sensors/sensors.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -59,6 +60,7 @@ class Run {
   void observe_last();
   void save_interrupted();
   void look_at_corners();
+  void look_by_sensors(bool has_new_row);
   void audit();
   void note_contact();
   void note_contact_gain();
@@ -98,6 +100,7 @@ class Run {
   AuditResult audited_;
   long audited_step_ = -1;
   RunOutput output_;
+  Sensors sensors_;
   RunCheckpoints checkpoints_;
   FolderRequests requests_;
   const SceneMeasures measures_;  // at time 0

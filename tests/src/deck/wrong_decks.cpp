@@ -23,7 +23,8 @@ std::string append(const std::string& lines) { return right_deck + lines + "\n";
 const std::vector<WrongDeck>& wrong_decks() {
   static const std::vector<WrongDeck> all = [] {
     std::vector<WrongDeck> decks;
-    for (const auto& part : {wrong_yaml_decks(), wrong_value_decks(), wrong_material_decks(), wrong_section_decks()}) {
+    for (const auto& part : {wrong_yaml_decks(), wrong_value_decks(), wrong_material_decks(), wrong_section_decks(),
+                             wrong_sensor_decks()}) {
       decks.insert(decks.end(), part.begin(), part.end());
     }
     return decks;
