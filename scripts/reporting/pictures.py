@@ -21,7 +21,8 @@ def choose_field(fields, wanted=None):
 
 
 class Worst:
-    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), text."""
+    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), part (its name,
+    where another part may hide it; else empty), text."""
 
     def __init__(self, fields, name):
         self.frame, self.value, self.item, self.place = 0, -np.inf, 0, fields.names()[name]
@@ -34,8 +35,9 @@ class Worst:
             if values[item] > self.value:
                 self.frame, self.value, self.item = frame, float(values[item]), item
         ids = fields.element_ids if self.place == "element" else fields.node_ids
-        part = f" of part '{fields.part_names[fields.part[self.item]]}'" if self.place == "element" else ""
-        self.text = f"{self.place} {ids[self.item]}{part}"
+        name = fields.part_names[fields.part[self.item]] if self.place == "element" else ""
+        self.part = name if len(set(fields.part)) > 1 and "," not in name else ""
+        self.text = f"{self.place} {ids[self.item]}" + (f" of part '{name}'" if name else "")
 
 
 def find_range(runs_fields, name, frames_of):
@@ -52,8 +54,8 @@ def find_range(runs_fields, name, frames_of):
 
 
 def draw_pictures(fields, name, frames, options):
-    """{frame: JPEG as text of base 64}, all with one range of colours. options: view and
-    range, each None or a text. RuntimeError with the reason if there are none."""
+    """{frame: JPEG as text of base 64}, all with one range of colours. options: view, range
+    and part, each None or a text. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         command = [os.path.join(SCRIPTS, "render"), fields.path, "--out", folder, "--size", SIZE, "--field", name,
                    "--frame", ",".join(map(str, sorted(set(frames))))]
