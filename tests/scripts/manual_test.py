@@ -10,7 +10,7 @@ import unittest
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 SCRIPTS = os.path.join(ROOT, "scripts")
-TOOLS = ("plot", "report", "watch", "render")
+TOOLS = ("plot", "report", "watch", "stop", "render")
 COMMANDS = ("run", "check", "plan", "info", "schema", *TOOLS)
 
 
