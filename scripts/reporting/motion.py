@@ -110,9 +110,10 @@ def _tell_shape(motion, unit):
     if not axes:
         return []
     axis = max(axes, key=lambda k: abs(motion.end[k] - motion.start[k]))
-    change = 100 * (motion.end[axis] / motion.start[axis] - 1)
+    ratio = motion.end[axis] / motion.start[axis]
+    change = f"{ratio:.3g} times as long" if ratio > 3 else f"{100 * (ratio - 1):+.3g} %"  # bodies that fly apart
     return [f"extent along {'xyz'[axis]} from {show_length(motion.start[axis], unit)} to {show_length(motion.end[axis], unit)} "
-            f"({change:+.3g} %)"]
+            f"({change})"]
 
 
 def show_length(value, unit):

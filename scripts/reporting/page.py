@@ -17,7 +17,7 @@ from .findings import find_findings, find_peaks
 from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
 from .motion import make_motion_table
-from .pictures import Worst, choose_field, draw_pictures, find_range
+from .pictures import Worst, choose_field, differ, draw_pictures, find_range
 from .surface import pack_surface, read_library
 
 HERE = os.path.dirname(os.path.realpath(__file__))
@@ -116,7 +116,7 @@ def _show_pictures(fields, name, worst, frames, options, shared):
         clock = format_time(fields.times[frame], fields.times[-1], fields.time_unit)
         text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if frame == worst.frame else "")
         shown += _show_picture(pictures[frame], text)
-        if frame == worst.frame and alone:
+        if frame == worst.frame and alone and differ(pictures[frame], alone[frame]):
             shown += _show_picture(alone[frame], f"The same without other parts: {worst.part}")
     return f"<div class=pictures>{shown}</div>"
 

@@ -11,6 +11,7 @@ from rendering.ranges import choose_bar, find_ends
 
 SCRIPTS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 SIZE = "960x540"
+SAME_PICTURE = 0.5  # mean difference of colours, of 255, up to which two pictures are the same
 QUALITY = 88  # of JPEG: about 60 kB a picture
 
 
@@ -65,6 +66,14 @@ def draw_pictures(fields, name, frames, options):
         if done.returncode != 0:
             raise RuntimeError(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else "scripts/render failed")
         return {frame: _encode(os.path.join(folder, f"frame_{frame:04d}.png")) for frame in set(frames)}
+
+
+def differ(one, other):
+    """Whether two pictures of draw_pictures show different things: more than round-off of their colours."""
+    from PIL import Image
+
+    values = [np.asarray(Image.open(io.BytesIO(base64.b64decode(text))), dtype=float) for text in (one, other)]
+    return values[0].shape != values[1].shape or float(np.abs(values[0] - values[1]).mean()) > SAME_PICTURE
 
 
 def _encode(path):

@@ -34,7 +34,7 @@ from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
 from reporting.forces import find_balances, find_force, find_impulse, list_forces  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.motion import find_motions  # noqa: E402
-from reporting.pictures import Worst  # noqa: E402
+from reporting.pictures import Worst, differ  # noqa: E402
 from reporting.surface import pack_surface, read_library  # noqa: E402
 
 
@@ -139,6 +139,17 @@ class Report(OfARun):
         self.assertTrue(all(p[:2] == b"\xff\xd8" for p in pictures))
         self.assertNotEqual(pictures[0], pictures[-1])
         self.assertRegex(text, r"(?i)worst( and end)?: t = [\d.]+ \S+, frame \d+; largest speed: [\d.]+ m/s in node \d+")
+
+    def test_shows_the_worst_part_alone_where_others_hide_it(self):
+        if not (HAS_VTK and HAS_DISPLAY):
+            self.skipTest("no VTK or no display")
+        text = self.make(self.out, "--no-view", "--field", "von_mises", "--view", "-30:10")
+        worst = Worst(percuss.read(self.out).fields, "von_mises")
+        self.assertIn(worst.part, ("block", "plate"))
+        self.assertIn(f"The same without other parts: {worst.part}", text)
+        pictures = re.findall(r"data:image/jpeg;base64,([^']+)'", text)
+        self.assertTrue(differ(pictures[-2], pictures[-1]))
+        self.assertFalse(differ(pictures[0], pictures[0]))
 
     def test_says_what_is_missing_and_goes_on(self):
         old = self.copy("old")
