@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .accelerations import describe, find_acceleration, list_accelerations
 from .columns import read_sidecar
 from .errors import NotResults
 from .table import read_lines
@@ -9,7 +10,8 @@ from .units import find_powers, name_quantity
 
 
 class History:
-    """Columns by name: history["kinetic"]. Attributes: names, units (a Units, or None where the deck has none)."""
+    """Columns by name: history["kinetic"]. Attributes: names (those of the file, which are also what a loop over the history
+    gives), derived (names of the accelerations that follow from its velocities), units (a Units, or None where the deck has none)."""
 
     def __init__(self, names, table, units=None, sidecar=None):
         """table [rows][columns]. sidecar: entries of columns.json by name."""
@@ -17,15 +19,22 @@ class History:
         self.units = units
         self._sidecar = sidecar or {}
         self._columns = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
+        self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
+
+    @property
+    def derived(self):
+        return list(self._velocities)
 
     def __getitem__(self, name):
+        if name not in self._columns and name in self._velocities:
+            self._columns[name] = find_acceleration(self["time"], self["dt"], self[self._velocities[name]])
         try:
             return self._columns[name]
         except KeyError:
-            raise KeyError(f"there is no column '{name}' (there are {', '.join(self.names)})") from None
+            raise KeyError(f"there is no column '{name}' (there are {', '.join([*self.names, *self.derived])})") from None
 
     def __contains__(self, name):
-        return name in self._columns
+        return name in self._columns or name in self._velocities
 
     def __iter__(self):
         return iter(self.names)
@@ -40,6 +49,8 @@ class History:
     def dimension(self, name):
         """'energy', 'force', '-' ... by columns.json; None if it does not have the column."""
         self[name]
+        if name in self._velocities:
+            return "acceleration"
         given = "time" if name == "time" else self._sidecar.get(name, {}).get("dimension")
         named = name_quantity(given) if given else None
         if named == "energy" and self.units and self._sidecar[name].get("unit") == self.units.name_of("moment"):
@@ -58,6 +69,8 @@ class History:
     def meaning(self, name):
         """What the column is, in words of columns.json; its name where the folder has no such file."""
         self[name]
+        if name in self._velocities:
+            return describe(self.meaning(self._velocities[name]))
         return self._sidecar.get(name, {}).get("meaning") or name
 
     def label(self, name):
@@ -82,10 +95,10 @@ class History:
         return self[name] * factor
 
     def to_pandas(self):
-        """A pandas.DataFrame with the time as its index; units in its attribute `attrs`."""
+        """A pandas.DataFrame of the columns of the file with the time as its index; units in its attribute `attrs`."""
         import pandas
 
-        frame = pandas.DataFrame(self._columns).set_index("time")
+        frame = pandas.DataFrame({name: self[name] for name in self.names}).set_index("time")
         frame.attrs["units"] = {name: self.unit(name) for name in self.names}
         return frame
 

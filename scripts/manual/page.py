@@ -3,7 +3,7 @@
 HEADINGS = {"Exit codes": "EXIT STATUS", "Environment": "ENVIRONMENT", "Examples": "EXAMPLES"}
 DESCRIPTION = """\
 A deck in YAML describes a scene. run computes it and writes its results into a folder; plot, report, watch and render show
-them. The documentation lies in share/percuss/docs of the installation; README.md there names its pages."""
+them, stop ends an active run. The documentation lies in share/percuss/docs of the installation; README.md there names its pages."""
 
 
 def write_page(version, program, commands):

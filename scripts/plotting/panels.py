@@ -3,8 +3,11 @@
 import fnmatch
 from dataclasses import dataclass, field
 
+import numpy as np
+
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
+SMALL_FORCE = 0.01  # of the largest force: smaller columns are left out of the panel of forces
 MOST_CURVES = 12  # of a panel that was chosen by a pattern or by default
 
 
@@ -22,7 +25,7 @@ class Panel:
 
 def list_panels(histories):
     """Every panel for which some run has columns, by name, in the order in which they are shown."""
-    names = list(dict.fromkeys(name for history in histories for name in history))
+    names = list(dict.fromkeys(name for history in histories for name in [*history, *history.derived]))
 
     def moves(name):
         return any(name in history and history[name].any() for history in histories)
@@ -31,11 +34,14 @@ def list_panels(histories):
         return [name for name in wanted if name in names and (name in always or moves(name))]
 
     forces = list(FORCES) + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)]
+    accelerations = [n for n in names if any(n in h.derived for h in histories) and moves(n)]
+    forces = _leave_out_small(among(forces), histories)
     panels = [
         Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),
         Panel("energy_error", "Energy error", among(("energy_error",), ("energy_error",))),
         Panel("momentum", "Linear momentum", among([f"momentum_{axis}" for axis in "xyz"], ("momentum_x",))),
-        Panel("forces", "Forces", among(forces, FORCES if any(map(moves, FORCES)) else ())[:MOST_CURVES]),
+        Panel("forces", "Forces" if len(forces) > 1 else "", forces[:MOST_CURVES]),  # a single curve has no legend
+        Panel("accelerations", "Accelerations" if len(accelerations) > 1 else "", accelerations[:MOST_CURVES]),
         Panel("step", "Time step", among(("dt",), ("dt",)), colored_by_part=True),
         Panel("contact", "Active contacts", among(("contacts",))),
         Panel("iterations", "Iterations of contact enforcement", among(("iterations",))),
@@ -50,7 +56,17 @@ def list_panels(histories):
     return {panel.name: panel for panel in panels if panel.columns}
 
 
-DEFAULT = ("energies", "energy_error", "momentum", "forces", "step", "contact", "penetration", "erosion")
+def _leave_out_small(names, histories):
+    """Without columns far below the largest: they would be lines at zero."""
+    def find_largest(name):
+        return max(float(np.nanmax(np.abs(h[name]), initial=0)) for h in histories if name in h)
+
+    largest = {name: find_largest(name) for name in names}
+    least = SMALL_FORCE * max(largest.values(), default=0)
+    return [name for name in names if not largest[name] < least]
+
+
+DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "step", "contact", "penetration", "erosion")
 
 
 def choose_panels(words, histories):
@@ -59,7 +75,7 @@ def choose_panels(words, histories):
     known = list_panels(histories)
     if not words:
         return [known[name] for name in DEFAULT if name in known]
-    names = list(dict.fromkeys(name for history in histories for name in history))
+    names = list(dict.fromkeys(name for history in histories for name in [*history, *history.derived]))
     return [known[word] if word in known else _choose_columns(word.removeprefix("="), names, known) for word in words]
 
 

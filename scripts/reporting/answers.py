@@ -8,8 +8,11 @@ from percuss.units import choose_time_unit, choose_unit
 from .findings import BAD, GOOD
 from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
+from .motion import tell_motions
 
 MOST_CHANGES = 6
+UNRESOLVED = 0.5  # of a peak: a row beside it below this does not show the rise or the fall
+STILL_LOADED = 0.1  # of a peak: a larger force in the last row is told
 PERIODS = 10  # of the cut-off frequency of CFC 1000, from which a filter is suggested
 REFINE = "Nothing that this run shows. Repeat it with smaller elements and compare both runs: percuss report DIR DIR2."
 
@@ -53,7 +56,7 @@ def tell_events(run):
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
         text += f" Loads, gravity and prescribed motion did the work {show(run, energy['external'], 'energy')}."
     limit = [f"The run was {run.step_limit}."] if run.step_limit else []
-    return [*limit, text, *tell_erosion(run)]
+    return [*limit, text, *tell_motions(run), *tell_erosion(run)]
 
 
 def tell_erosion(run):
@@ -68,7 +71,8 @@ def tell_erosion(run):
 
 
 def find_peaks_of_forces(run):
-    """[(name, what it is, largest magnitude, its time, whether a mean between rows)], the largest first."""
+    """[(name, what it is, largest magnitude, its time, whether a mean between rows)]: means before values of one step, then the
+    largest first."""
     history, found = run.history, []
     for name in list_forces(history):
         found.append((name, describe_kind(run, name), *_find_peak(history, np.linalg.norm(find_force(history, name), axis=1)), True))
@@ -83,7 +87,15 @@ def find_peaks_of_forces(run):
     for name in (column[len("weld_normal:") :] for column in history if column.startswith("weld_normal:")):
         size = np.hypot(history[f"weld_normal:{name}"], history[f"weld_shear:{name}"])
         found.append((name, "weld", *_find_peak(history, size), False))
-    return sorted((peak for peak in found if peak[2] > 0), key=lambda peak: -peak[2])
+    return sorted((peak for peak in found if peak[2] > 0), key=lambda peak: (not peak[-1], -peak[2]))
+
+
+def is_resolved(history, name):
+    """Whether the rows beside the largest one of a force show its rise and its fall; one at the end has no fall yet."""
+    size = np.linalg.norm(find_force(history, name), axis=1)
+    top = int(np.argmax(np.where(np.isfinite(size), size, 0)))
+    beside = size[max(top - 1, 0) : top + 2]
+    return not beside.min() < UNRESOLVED * size[top]
 
 
 def _find_peak(history, size):
@@ -104,6 +116,8 @@ def tell_force(run):
         if is_mean:
             mean = np.linalg.norm(find_impulse(run.history, name)) / (run.history["time"][-1] - run.history["time"][0])
             text += f" Mean over the whole run {show(run, mean, 'force')}."
+            last = float(np.linalg.norm(find_force(run.history, name)[-1]))
+            text += f" {show(run, last, 'force')} in the last row: it has not ended." if last > STILL_LOADED * value else ""
         texts.append(escape(text))
     if not any(is_mean for *_, is_mean in peaks) and not list_forces(run.history):
         texts.append(escape("The history has no forces of contact, supports or sections. For forces whose integral is exact, add to the deck:")
@@ -112,6 +126,9 @@ def tell_force(run):
         rows = float(np.median(np.diff(run.history["time"])))
         unit, factor = choose_time_unit(run.units.name_of("time") if run.units else "", rows)
         text = f"Rows are {f'{rows * factor:.3g} {unit}'.rstrip()} apart; a shorter peak is averaged."
+        if not is_resolved(run.history, peaks[0][0]):
+            text += (f" The peak of {peaks[0][0]} rises or falls by more than half from one row to the next: its true height is larger. "
+                     "Write rows more often (output.history.every).")
         if run.units and (run.history["time"][-1] - run.history["time"][0]) * run.units.time[1] > PERIODS * 0.6 / 1000:
             text += f" To compare with a filtered test signal: percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."
         texts.append(escape(text))
@@ -123,8 +140,9 @@ def suggest_forces(run):
     deck, rows = run.deck, []
     moving = [entry.get("part") or entry.get("nodes") for entry in deck.get("initial") or [] if isinstance(entry, dict)]
     parts = list(deck.get("parts") or {})
-    for part in [name for name in moving if name in parts] or parts[:1]:
-        rows.append(f"{{name: force_on_{part}, contact: [{part}, all]}}")
+    for together in _group_by_motion(deck, [name for name in moving if name in parts]) or [parts[:1]]:
+        rows.append(f"{{name: force_on_{'_and_'.join(together)}, contact: "
+                    f"[{together[0] if len(together) == 1 else '[' + ', '.join(together) + ']'}, all]}}")
     for wall in deck.get("walls") or []:
         if isinstance(wall, dict) and wall.get("name"):
             rows.append(f"{{name: on_{wall['name']}, wall: {wall['name']}}}")
@@ -135,6 +153,16 @@ def suggest_forces(run):
     every = deck.get("output.history.every")
     head = "output:\n  history:\n" + (f"    every: {every}\n" if every else "")
     return head + "    forces:\n" + "".join(f"      - {row}\n" for row in rows or ["{name: force, contact: [PART, all]}"])
+
+
+def _group_by_motion(deck, parts):
+    """Parts with the same entry of initial but for their names: pieces of one body, most likely."""
+    groups = {}
+    for entry in deck.get("initial") or []:
+        name = (entry.get("part") or entry.get("nodes")) if isinstance(entry, dict) else None
+        if name in parts:
+            groups.setdefault(repr({key: value for key, value in entry.items() if key not in ("part", "nodes")}), []).append(name)
+    return [list(dict.fromkeys(group)) for group in groups.values()]
 
 
 def judge_trust(run, findings):

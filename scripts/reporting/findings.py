@@ -88,10 +88,10 @@ def _judge_energies(summary):
         advice = "."
         if is_small and not share < HOURGLASS_SHARE:
             advice = f", but below {100 * SMALL_ENERGY:g} % of the largest energy: it does not count."
-        level = GOOD if is_small else LOOK
-        found.append(Finding(level, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
-                                    f"(limit {100 * HOURGLASS_SHARE:g} %){advice}",
-                             "" if _has_warning(summary, "hourglass_energy") else "use smaller elements, or with hexahedra elements: {integration: full}"))
+        if is_small or not _has_warning(summary, "hourglass_energy"):  # the warning says it with the part
+            found.append(Finding(GOOD if is_small else LOOK, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
+                                                             f"(limit {100 * HOURGLASS_SHARE:g} %){advice}",
+                                 "use smaller elements, or with hexahedra elements: {integration: full}"))
     if largest > 0 and energy["contact"] > CONTACT_SHARE * largest:
         found.append(Finding(LOOK, f"Normal contact has added {100 * energy['contact'] / largest:.3g} % of the largest energy: "
                                    "look at overlaps at the start.", "remove overlaps at the start, or set contact.overlap: push_out"))

@@ -16,7 +16,8 @@ from .answers import make_answers
 from .findings import find_findings, find_peaks
 from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
-from .pictures import Worst, choose_field, draw_pictures, find_range
+from .motion import make_motion_table
+from .pictures import Worst, choose_field, differ, draw_pictures, find_range
 from .surface import pack_surface, read_library
 
 HERE = os.path.dirname(os.path.realpath(__file__))
@@ -105,6 +106,7 @@ def _show_pictures(fields, name, worst, frames, options, shared):
         return sentence
     try:
         pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared})
+        alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "part": worst.part}) if worst.part else {}
     except RuntimeError as error:
         note(f"no pictures: {error}")
         return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"
@@ -113,9 +115,15 @@ def _show_pictures(fields, name, worst, frames, options, shared):
         words = " and ".join(word for word, other in zip(("start", "worst", "end"), frames) if other == frame)
         clock = format_time(fields.times[frame], fields.times[-1], fields.time_unit)
         text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if frame == worst.frame else "")
-        shown += f"<figure><img alt='{escape(text)}' src='data:image/jpeg;base64,{pictures[frame]}'>"
-        shown += f"<figcaption>{escape(text)}</figcaption></figure>"
+        shown += _show_picture(pictures[frame], text)
+        if frame == worst.frame and alone and differ(pictures[frame], alone[frame]):
+            shown += _show_picture(alone[frame], f"The same without other parts: {worst.part}")
     return f"<div class=pictures>{shown}</div>"
+
+
+def _show_picture(picture, text):
+    return (f"<figure><img alt='{escape(text)}' src='data:image/jpeg;base64,{picture}'>"
+            f"<figcaption>{escape(text)}</figcaption></figure>")
 
 
 def _make_view(run, options):
@@ -174,10 +182,10 @@ def _make_plots(runs, labels):
     marks = plot.list_marks()
     text = ""
     if marks:
-        rows = [(number, f"{moment:.4g}", words) for number, (moment, words) in enumerate(marks, 1)]
+        rows = [(number, f"{moment * plot.time_factor:.4g} {plot.time_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
         text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
     if len(runs) == 1:
-        text += make_forces_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
+        text += make_forces_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
     return f"<div class=plots>{figures}</div>{text}"
 
 

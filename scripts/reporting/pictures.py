@@ -11,6 +11,7 @@ from rendering.ranges import choose_bar, find_ends
 
 SCRIPTS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 SIZE = "960x540"
+SAME_PICTURE = 0.5  # mean difference of colours, of 255, up to which two pictures are the same
 QUALITY = 88  # of JPEG: about 60 kB a picture
 
 
@@ -21,7 +22,8 @@ def choose_field(fields, wanted=None):
 
 
 class Worst:
-    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), text."""
+    """The frame in which a field is largest. Attributes: frame, value, item (index), place (node or element), part (its name,
+    where another part may hide it; else empty), text."""
 
     def __init__(self, fields, name):
         self.frame, self.value, self.item, self.place = 0, -np.inf, 0, fields.names()[name]
@@ -34,8 +36,9 @@ class Worst:
             if values[item] > self.value:
                 self.frame, self.value, self.item = frame, float(values[item]), item
         ids = fields.element_ids if self.place == "element" else fields.node_ids
-        part = f" of part '{fields.part_names[fields.part[self.item]]}'" if self.place == "element" else ""
-        self.text = f"{self.place} {ids[self.item]}{part}"
+        name = fields.part_names[fields.part[self.item]] if self.place == "element" else ""
+        self.part = name if len(set(fields.part)) > 1 and "," not in name else ""
+        self.text = f"{self.place} {ids[self.item]}" + (f" of part '{name}'" if name else "")
 
 
 def find_range(runs_fields, name, frames_of):
@@ -52,8 +55,8 @@ def find_range(runs_fields, name, frames_of):
 
 
 def draw_pictures(fields, name, frames, options):
-    """{frame: JPEG as text of base 64}, all with one range of colours. options: view and
-    range, each None or a text. RuntimeError with the reason if there are none."""
+    """{frame: JPEG as text of base 64}, all with one range of colours. options: view, range
+    and part, each None or a text. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         command = [os.path.join(SCRIPTS, "render"), fields.path, "--out", folder, "--size", SIZE, "--field", name,
                    "--frame", ",".join(map(str, sorted(set(frames))))]
@@ -63,6 +66,14 @@ def draw_pictures(fields, name, frames, options):
         if done.returncode != 0:
             raise RuntimeError(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else "scripts/render failed")
         return {frame: _encode(os.path.join(folder, f"frame_{frame:04d}.png")) for frame in set(frames)}
+
+
+def differ(one, other):
+    """Whether two pictures of draw_pictures show different things: more than round-off of their colours."""
+    from PIL import Image
+
+    values = [np.asarray(Image.open(io.BytesIO(base64.b64decode(text))), dtype=float) for text in (one, other)]
+    return values[0].shape != values[1].shape or float(np.abs(values[0] - values[1]).mean()) > SAME_PICTURE
 
 
 def _encode(path):

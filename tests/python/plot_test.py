@@ -44,11 +44,20 @@ class Plot(unittest.TestCase):
         self.assertGreater((picture[..., :3].min(axis=2) < 0.9).mean(), 0.01)
         with open(os.path.join(self.out, "plot.svg"), encoding="utf-8") as file:
             text = file.read()
-        for words in ("A block falls on a plate &amp; &lt;wall&gt;", "kinetic energy", "force of the rigid walls in z", "controlled by block",
+        for words in ("A block falls on a plate &amp; &lt;wall&gt;", "kinetic energy", "orce of the rigid walls in z", "controlled by block",
                       "time [\u00b5s]", "[J]", "[kg\u00b7m/s]", "N]", "[10\u207b"):
             self.assertTrue(words in text, words)
         for warning in self.run_.warnings:
             self.assertIn(warning["rule"], done.stdout)
+
+    def test_panels_show_what_is_large_and_accelerations(self):
+        names = ["time", "dt", "fx:hit", "fy:hit", "fz:hit", "tip_x", "tip_vx"]
+        table = np.array([[0, 0, 0, 0, 0, 0, 1], [1, 1, 2, 100, 0.5, 0, 5], [2, 1, 0, 9, 0, 0, 9]], dtype=float)
+        history = History(names, table, None, {name: {"dimension": "force"} for name in names[2:5]})
+        panels = list_panels([history])
+        self.assertEqual(panels["forces"].columns, ["fx:hit", "fy:hit"])  # the third is below a hundredth of the largest
+        self.assertEqual(panels["accelerations"].columns, ["tip_ax"])
+        self.assertEqual(choose_panels(["tip_a?"], [history])[0].columns, ["tip_ax"])
 
     def test_draws_two_runs_filtered_and_in_other_units(self):
         path = os.path.join(self.folder.name, "two.svg")

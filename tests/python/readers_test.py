@@ -20,6 +20,7 @@ sys.path.insert(0, os.path.join(ROOT, "python"))
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.deck import read_deck  # noqa: E402
+from percuss.history import History  # noqa: E402
 from percuss.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
 
 
@@ -55,6 +56,26 @@ class OfARun(unittest.TestCase):
         for row in (0, len(history) // 2, -1):
             wanted = [float(word) for word in lines[1:][row].split(",")]
             self.assertEqual([history[name][row] for name in history], wanted)
+
+    def test_accelerations_are_means_between_rows(self):
+        names = ["time", "dt", "tip_x", "tip_vx", "body_vx:ram", "wall_speed:lid", "odd_vx"]
+        time, dt = np.array([0, 1, 1.5, 3]), np.array([0, 0.2, 0.1, 0.4])
+        velocity = 3 * (time - dt / 2) ** 2  # half a step earlier than the row
+        table = np.column_stack([time, dt, time, velocity, 2 * velocity, -velocity, velocity])
+        sidecar = {"dt": {"dimension": "time"}, "tip_vx": {"dimension": "length time^-1", "meaning": "velocity in x of 'tip'"},
+                   "wall_speed:lid": {"dimension": "length time^-1", "meaning": "speed of wall 'lid', along its normal or direction"}}
+        history = History(names, table, Units("mm, kg, ms"), sidecar)
+        self.assertEqual((list(history), history.derived), (names, ["tip_ax", "body_ax:ram", "wall_acceleration:lid"]))
+        middle = time - dt / 2
+        exact = 3 * (middle[1:] + middle[:-1])  # the mean of 6 t
+        for name, factor in (("tip_ax", 1), ("body_ax:ram", 2), ("wall_acceleration:lid", -1)):
+            np.testing.assert_allclose(history[name], factor * np.array([0, *exact]), rtol=1e-14)
+        self.assertEqual((history.unit("tip_ax"), history.dimension("tip_ax")), ("mm/ms\u00b2", "acceleration"))
+        self.assertEqual(history.meaning("tip_ax"), "acceleration in x of 'tip', mean since the row before")
+        self.assertEqual(history.label("wall_acceleration:lid"), "acceleration of wall 'lid'")
+        np.testing.assert_allclose(history.in_units(Units("m, kg, s"))["tip_ax"], 1e3 * history["tip_ax"])
+        self.assertNotIn("odd_ax", history)
+        self.assertIn("tip_ax", history)
 
     def test_walls_are_where_they_are_at_the_time_of_a_frame(self):
         walls = "[{point: [0, 0, -0.002], normal: z}, {name: lid, point: [-0.01, -0.01, 0.05], normal: -z, speed: 30, " \

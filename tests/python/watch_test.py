@@ -1,10 +1,11 @@
-"""scripts/watch: watch_test.py ROOT PERCUSS."""
+"""scripts/watch and scripts/stop: watch_test.py ROOT PERCUSS."""
 
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from types import SimpleNamespace
 
@@ -133,6 +134,53 @@ class Screen(unittest.TestCase):
         self.assertEqual(find_end(Deck("title: a\ntime: {step_scale: 0.5, end: 2.5e-3}\n")), 2.5e-3)
         self.assertEqual(find_end(Deck("", {"time": {"end": 3}})), 3)
         self.assertIsNone(find_end(Deck("parts: {end: 3}\n")))
+
+
+class Stop(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def stop(self, *arguments):
+        return subprocess.run([sys.executable, "-S", "-B", os.path.join(ROOT, "scripts/stop"), *arguments], capture_output=True,
+                              text=True, timeout=120)
+
+    def start(self):
+        """A run that only a request ends."""
+        deck, out = os.path.join(self.folder, "deck.yaml"), os.path.join(self.folder, "out")
+        with open(deck, "w", encoding="utf-8") as file:
+            file.write(sample_run.DECK.format(units="m, kg, s").replace("velocity: [0, 0, -50]", "velocity: [0, 0, 0.001]"))
+        run = subprocess.Popen([PERCUSS, "run", deck, "--out", out, "--quiet", "--set", "time.end=1e6", "--set", "output.fields.every=1e6",
+                                "--set", "output.history.every=1e6", "--set", "output.checkpoint.every=1e6"], stderr=subprocess.DEVNULL,
+                               env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"))
+        self.addCleanup(lambda: run.poll() is None and (run.kill(), run.wait()))
+        while not os.path.exists(os.path.join(out, "summary.json")) and run.poll() is None:
+            time.sleep(0.01)
+        return run, out
+
+    def test_asks_an_active_run_for_a_frame_and_ends_it(self):
+        run, out = self.start()
+        done = self.stop(out, "--frame", "--checkpoint")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("writes a frame and a checkpoint", done.stdout)
+        self.assertIsNone(run.poll())
+        done = self.stop(out)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(run.wait(timeout=60), 130)
+        for name in ("checkpoint.h5", "checkpoint_previous.h5"):
+            self.assertTrue(os.path.exists(os.path.join(out, name)), name)
+        with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
+            self.assertEqual(len(file.readlines()), 4)  # heading, start, the frame's row, the end
+        self.assertEqual(set(os.listdir(out)) & {"stop", "frame", "checkpoint"}, set())
+
+    def test_says_that_there_is_no_run(self):
+        out = sample_run.run(PERCUSS, self.folder)
+        for folder, words in ((out, "there is no active run in"), (out + "/nowhere", "there is no folder")):
+            done = self.stop(folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(out, "stop")))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The manual page and the completion of shells: manual_test.py ROOT PERCUSS."""
 
+import json
 import os
 import re
 import shutil
@@ -10,7 +11,7 @@ import unittest
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 SCRIPTS = os.path.join(ROOT, "scripts")
-TOOLS = ("plot", "report", "watch", "render")
+TOOLS = ("plot", "report", "watch", "stop", "render")
 COMMANDS = ("run", "check", "plan", "info", "schema", *TOOLS)
 
 
@@ -49,6 +50,12 @@ class Manual(unittest.TestCase):
             self.assertIn("--help", options)
             for option in options:
                 self.assertRegex(self.section(command), rf"(?m)^(-\w, )?{option}(,| |$)", f"{command} {option}")
+
+    def test_comes_with_the_schema_of_decks(self):
+        with open(os.path.join(self.folder, "percuss.schema.json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        self.assertEqual(schema, json.loads(ask(PERCUSS, "schema")))
+        self.assertIn("history", schema["properties"]["output"]["properties"])
 
     def test_explains_options_in_words(self):
         self.assertIn("Folder for the results (default: out/SCENE)", self.section("run"))

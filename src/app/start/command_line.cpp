@@ -68,6 +68,7 @@ struct Parser {
     add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
     add_tool("watch", "Follow a run in the terminal", of_results);
+    add_tool("stop", "Ask an active run to stop, or for a frame or a checkpoint", of_results);
     add_tool("render", "Draw pictures and an animation of the fields", of_results);
     add_deck(run);
     add_deck(check);
@@ -199,7 +200,7 @@ Answer refuse_command(const std::vector<std::string>& words) {
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
   return wrong(fmt::format("unknown command '{}'{}", word,
                            name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
-                                            "watch", "render", "help", "version"})));
+                                            "watch", "stop", "render", "help", "version"})));
 }
 
 /// `extras`: the words that were not understood, at least one.

@@ -1,5 +1,5 @@
 #pragma once
-// The commands that are programs of their own, written in Python: import, plot, report, watch, render.
+// The commands that are programs of their own, written in Python: import, plot, report, watch, stop, render.
 
 #include <string>
 #include <vector>

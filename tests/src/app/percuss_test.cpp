@@ -147,7 +147,7 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
 }
 
 TEST(PercussHelp, IsThatOfTheToolItself) {
-  for (const char* tool : {"plot", "report", "watch", "render", "import"}) {
+  for (const char* tool : {"plot", "report", "watch", "stop", "render", "import"}) {
     const ProcessResult help = run_percuss({"help", tool});
     EXPECT_EQ(help.exit_code, 0) << help.err;
     EXPECT_THAT(help.out, testing::StartsWith(std::string("usage: percuss ") + tool + " ")) << help.err;
