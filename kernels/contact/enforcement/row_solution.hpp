@@ -187,18 +187,26 @@ void follow_impulses(const Space& space, RowSystem& system, Others& others) {
   space.fence();
 }
 
-/// The impulses of springs (contact.enforcement: penalty).
+/// The impulses of springs (contact.enforcement: penalty), and of stops where a spring gives way too far.
 template <class Space, class Others>
 SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
+  constexpr int stop_passes = 10;
   if (!others.takes_part(system)) return {};
-  push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
   PassSums sums;
+  sums.change = push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
   sums.gaps = find_predicted_gaps(space, system, memory);
   share_impulses(space, system);
   others.swap_shares(space, system, sums);
   follow_impulses(space, system, others);
-  return {sums.gaps.rows, 1, true, 0};
+  const int passes = sums.change > 0 ? stop_passes : 0;  // of all ranks
+  for (int pass = 0; pass < passes; ++pass) {
+    push_stops(space, query.dt, query.dt_mean, system);
+    share_impulses(space, system);
+    others.swap_shares(space, system);
+    follow_impulses(space, system, others);
+  }
+  return {sums.gaps.rows, 1 + passes, true, 0};
 }
 
 /// The exact impulses of all rows together (contact.enforcement: lagrange).

@@ -11,6 +11,10 @@
 
 namespace percuss {
 
+/// A spring gives way by this share of h: below what history keeps (contact_limits::history_depth), far above what slow
+/// impacts need.
+inline constexpr double spring_cushion = 0.05;
+
 /// Stiffness of a row [force/length]. s: [places] of its nodes.
 KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<const double>& s) {
   double front = 0, back = 0;
@@ -28,7 +32,13 @@ KOKKOS_INLINE_FUNCTION double find_predicted_slide(const ContactRow& row, const 
 }
 
 /// Impulses of all rows. scale: of the stiffness; dt_mean: time from the middle of the last step to that of this one.
+/// Returns by how much the deepest row would leave its cushion without them [length], 0: none would.
 template <class Space>
-void push_springs(const Space& space, double scale, double dt, double dt_mean, const RowSystem& system);
+double push_springs(const Space& space, double scale, double dt, double dt_mean, const RowSystem& system);
+
+/// More push, or less, for rows that end the step beyond their cushion with RowSystem::correction, never less than
+/// their spring has. D counts the rows beside each, so that none is thrown back.
+template <class Space>
+void push_stops(const Space& space, double dt, double dt_mean, const RowSystem& system);
 
 }  // namespace percuss

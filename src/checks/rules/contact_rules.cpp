@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kernels/contact/geometry/contact_limits.hpp"
+#include "kernels/contact/enforcement/springs.hpp"
 #include "src/checks/rules.hpp"
 
 namespace percuss {
@@ -77,7 +77,7 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
 // The pressure rho c v / 2 of a plane impact on springs of the stiffness scale M / h that a unit of area has on both
 // sides together.
 std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
-  constexpr double most = 0.1;  // of an element; contact is lost at 0.25, and springs overshoot by up to twice
+  constexpr double most = 0.1;  // of an element; beyond 0.05 springs give way to stops that dissipate
   const ContactDeck& contact = scene.deck.contact;
   if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, slowest = 0;
@@ -96,10 +96,11 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
   if (depth <= most) return {};
   return {warn_at(
       scene.deck, "penalty_speed", "contact.enforcement",
-      fmt::format(
-          "bodies may meet at {:.3g}, {:.3g} of the wave speed (they may penetrate by about {:.2g} of an element, and "
-          "contact is lost beyond {:g}): use enforcement kinematic, or a penalty_scale of {:.2g} at least",
-          closing, closing / slowest, depth, contact_limits::history_depth, contact.penalty_scale * depth / most))};
+      fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (springs alone would let them penetrate by "
+                  "about {:.2g} of "
+                  "an element; beyond {:g} they are stopped without springing back): use enforcement kinematic, or a "
+                  "penalty_scale of {:.2g} at least",
+                  closing, closing / slowest, depth, spring_cushion, contact.penalty_scale * depth / most))};
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {

@@ -96,7 +96,9 @@ void Run::begin() {
   warnings_.add(check_start(
       {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
   erode();
-  first_dt_ = state_.next_dt;
+  // What collapses is the step of elements.
+  const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;
+  first_dt_ = is_approach ? deck_.time.step_scale * state_.bound.step : state_.next_dt;
   note_limit();
   checkpoints_.begin(state_.time);  // none at time 0
 }

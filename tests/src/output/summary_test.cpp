@@ -84,6 +84,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "dt.estimate",
                                           "dt.estimates",
                                           "dt.gain",
+                                          "dt.approach",
                                           "mass.added",
                                           "mass.share",
                                           "mass.in_run",

@@ -86,7 +86,8 @@ TEST(Approach, BodiesMeetInStepsOfHalfAFaceAndTheBalanceHolds) {
 TEST(Approach, ARunAtSeventyWaveSpeedsEndsWithItsEnergy) {
   const Summary summary = run_scene(parse_deck(pieces, "deck.yaml"), {}).summary;
   EXPECT_EQ(summary.status, "completed");
-  EXPECT_LT(std::abs(summary.energy.error), 1e-2);  // from where a run tells it; without a bound a block turns inside out
+  EXPECT_LT(std::abs(summary.energy.error),
+            1e-2);  // from where a run tells it; without a bound a block turns inside out
   EXPECT_LT(summary.momentum.linear_error, 1e-13);
 }
 
