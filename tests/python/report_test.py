@@ -28,7 +28,8 @@ from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_ch
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.history import History  # noqa: E402
-from reporting.answers import find_peaks_of_forces, is_resolved, judge_trust, list_changes, suggest_forces, tell_events  # noqa: E402
+from reporting.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
+                               suggest_forces, tell_events, tell_force)
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
 from reporting.forces import find_balances, find_force, find_impulse, list_forces  # noqa: E402
@@ -327,6 +328,23 @@ class Findings(OfARun):
         self.assertFalse(is_shown([0, 8, 6, 5, 0]))
         self.assertFalse(is_shown([0, 5, 8, 3, 0]))
         self.assertTrue(is_shown([0, 5, 8]))
+
+    def test_of_forces_lead_to_what_to_change(self):
+        out = sample_run.run(PERCUSS, self.folder.name, "--set", "output.history.forces=[{name: hit, contact: [block, plate]}]", name="hit")
+        with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
+            names, *rows = (line.split(",") for line in file.read().splitlines())
+        for row, force in zip(rows, [0] * (len(rows) - 4) + [9, 2, 2, 2]):
+            for axis in "xyz":
+                row[names.index(f"f{axis}:hit")] = str(force if axis == "z" else 0)
+        with open(os.path.join(out, "history.csv"), "w", encoding="utf-8") as file:
+            file.write("\n".join(",".join(row) for row in [names, *rows]) + "\n")
+        run = percuss.read(out)
+        rows_more_often, to_the_end = list_changes_for_forces(run)
+        self.assertIn("Write rows more often (output.history.every)", rows_more_often)
+        self.assertIn("hit still acts", to_the_end)
+        self.assertIn("2 N in the last row: it still acts.", tell_force(run)[0])
+        self.assertIn("its true height is larger", tell_force(run)[-1])
+        self.assertEqual(list_changes_for_forces(percuss.read(self.out)), [])
 
     def test_tell_how_a_run_ended(self):
         findings = self.find(lambda summary: summary.update(status="failed", error="element 3 is inverted."))
