@@ -19,7 +19,7 @@ REFINE = "Nothing that this run shows. Repeat it with smaller elements and compa
 
 def make_answers(run, findings):
     """Four questions and their answers, as far as the files have them."""
-    changes = list_changes(findings)
+    changes = [*list_changes(findings), *list_changes_for_forces(run)]
     rows = [("What happened?", [escape(text) for text in tell_events(run)]),
             ("Largest force, and when?", tell_force(run)),
             ("May I trust it?", [escape(judge_trust(run, findings))]),
@@ -117,7 +117,7 @@ def tell_force(run):
             mean = np.linalg.norm(find_impulse(run.history, name)) / (run.history["time"][-1] - run.history["time"][0])
             text += f" Mean over the whole run {show(run, mean, 'force')}."
             last = float(np.linalg.norm(find_force(run.history, name)[-1]))
-            text += f" {show(run, last, 'force')} in the last row: it has not ended." if last > STILL_LOADED * value else ""
+            text += f" {show(run, last, 'force')} in the last row: it still acts." if last > STILL_LOADED * value else ""
         texts.append(escape(text))
     if not any(is_mean for *_, is_mean in peaks) and not list_forces(run.history):
         texts.append(escape("The history has no forces of contact, supports or sections. For forces whose integral is exact, add to the deck:")
@@ -127,12 +127,26 @@ def tell_force(run):
         unit, factor = choose_time_unit(run.units.name_of("time") if run.units else "", rows)
         text = f"Rows are {f'{rows * factor:.3g} {unit}'.rstrip()} apart; a shorter peak is averaged."
         if not is_resolved(run.history, peaks[0][0]):
-            text += (f" The peak of {peaks[0][0]} rises or falls by more than half from one row to the next: its true height is larger. "
-                     "Write rows more often (output.history.every).")
+            text += (f" The peak of {peaks[0][0]} rises or falls by more than half from one row to the next: its true height is larger.")
         if run.units and (run.history["time"][-1] - run.history["time"][0]) * run.units.time[1] > PERIODS * 0.6 / 1000:
             text += f" To compare with a filtered test signal: percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."
         texts.append(escape(text))
     return texts or [escape("All forces of the history are zero.")]
+
+
+def list_changes_for_forces(run):
+    """For the largest force that is a mean between rows: rows that show its peak, and a run to its end."""
+    peaks = find_peaks_of_forces(run) if run.has_history and len(run.history) > 1 else []
+    if not peaks or not peaks[0][-1]:
+        return []
+    name, kind, value, *_ = peaks[0]
+    found = []
+    if not is_resolved(run.history, name):
+        found.append(f"Write rows more often (output.history.every): they do not show the whole peak of {name}.")
+    last = float(np.linalg.norm(find_force(run.history, name)[-1]))
+    if last > STILL_LOADED * value and not kind.startswith(("support", "section")):
+        found.append(f"Raise time.end if the event should come to its end: {name} still acts. A later peak may be larger.")
+    return found
 
 
 def suggest_forces(run):

@@ -71,7 +71,7 @@ class Preview:
     def _make_facts(self):
         scene, trial = self.scene, self.trial
         size = " x ".join(f"{high - low:.3g}" for low, high in zip(scene["low"], scene["high"]))
-        facts = [(with_unit(float(f"{scene['mass']:.4g}"), self.unit("mass")), "mass"),
+        facts = [(with_unit(float(f"{scene['total_mass']:.4g}"), self.unit("mass")), "mass"),
                  (with_unit(size, self.unit("length")), "extent"),
                  (f"{scene['elements']:,}", "elements"), (f"{scene['bodies']:,}", "bodies"),
                  (with_unit(float(f"{scene['first_step']:.4g}"), self.unit("time")), "first step"),
@@ -101,7 +101,11 @@ class Preview:
         heading = ("part", "material", "elements", "nodes", "mass", "step", "controlled by")
         low, high = self.scene["low"], self.scene["high"]
         box = ", ".join(f"{axis} {low[i]:.6g} to {high[i]:.6g}" for i, axis in enumerate("xyz"))
-        return make_table(heading, rows, (2, 3, 4, 5)) + f"<p class=soft>Extent: {escape(with_unit(box, self.unit('length')))}.</p>"
+        given = ""
+        if abs(self.scene["total_mass"] - self.scene["mass"]) > 1e-12 * self.scene["mass"]:
+            total = with_unit(float(f"{self.scene['total_mass']:.5g}"), self.unit("mass"))
+            given = f"<p class=soft>Masses are those of elements. With what the deck adds, or gives to rigid bodies, the scene has {escape(total)}.</p>"
+        return make_table(heading, rows, (2, 3, 4, 5)) + given + f"<p class=soft>Extent: {escape(with_unit(box, self.unit('length')))}.</p>"
 
     def _make_costs(self):
         rows = self.trial.predict()

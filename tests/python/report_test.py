@@ -28,10 +28,11 @@ from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_ch
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.history import History  # noqa: E402
-from reporting.answers import find_peaks_of_forces, is_resolved, judge_trust, list_changes, suggest_forces, tell_events  # noqa: E402
+from reporting.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
+                               suggest_forces, tell_events, tell_force)
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
-from reporting.forces import find_balances, find_force, find_impulse, list_forces  # noqa: E402
+from reporting.forces import find_balances, find_force, find_given_masses, find_impulse, find_momentum_balances, list_forces  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.motion import find_motions  # noqa: E402
 from reporting.pictures import Worst, differ  # noqa: E402
@@ -318,6 +319,17 @@ class Findings(OfARun):
         np.testing.assert_allclose(rod.end, [4.5, 2, 1], atol=1e-12)
         self.assertEqual((wire.turned, rod.speeds), (0, None))
 
+    def test_balance_a_rigid_body_with_the_mass_that_the_deck_gives(self):
+        deck = {"parts": {"ram": {"rigid": {"mass": 300, "body": "sled"}}, "tube": {}, "base": {"rigid": True}},
+                "output.history.forces": [{"name": "hit", "contact": ["ram", "all"]}]}
+        self.assertEqual(find_given_masses(deck), {"ram": (300.0, "sled")})
+        names = ["time", "fx:hit", "fy:hit", "fz:hit", "body_vx:sled", "body_vy:sled", "body_vz:sled", "momentum_x:ram", "kinetic", "kinetic:ram"]
+        table = np.array([[0, 0, 0, 0, 0, 0, -10, 7, 8, 9], [2, 0, 0, 150, 0, 0, -9, 7, 8, 9]], dtype=float)
+        history = History(names, table)
+        found = find_momentum_balances(SimpleNamespace(history=history, deck=deck))
+        self.assertEqual(found, [("hit", 300, 300, 0, "in balance")])
+        self.assertEqual((len(find_balances(history)), find_balances(history, True)), (1, []))
+
     def test_tell_whether_rows_resolve_a_peak(self):
         def is_shown(force):
             table = np.column_stack([np.arange(len(force)), force, np.zeros((len(force), 2))])
@@ -327,6 +339,23 @@ class Findings(OfARun):
         self.assertFalse(is_shown([0, 8, 6, 5, 0]))
         self.assertFalse(is_shown([0, 5, 8, 3, 0]))
         self.assertTrue(is_shown([0, 5, 8]))
+
+    def test_of_forces_lead_to_what_to_change(self):
+        out = sample_run.run(PERCUSS, self.folder.name, "--set", "output.history.forces=[{name: hit, contact: [block, plate]}]", name="hit")
+        with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
+            names, *rows = (line.split(",") for line in file.read().splitlines())
+        for row, force in zip(rows, [0] * (len(rows) - 4) + [9, 2, 2, 2]):
+            for axis in "xyz":
+                row[names.index(f"f{axis}:hit")] = str(force if axis == "z" else 0)
+        with open(os.path.join(out, "history.csv"), "w", encoding="utf-8") as file:
+            file.write("\n".join(",".join(row) for row in [names, *rows]) + "\n")
+        run = percuss.read(out)
+        rows_more_often, to_the_end = list_changes_for_forces(run)
+        self.assertIn("Write rows more often (output.history.every)", rows_more_often)
+        self.assertIn("hit still acts", to_the_end)
+        self.assertIn("2 N in the last row: it still acts.", tell_force(run)[0])
+        self.assertIn("its true height is larger", tell_force(run)[-1])
+        self.assertEqual(list_changes_for_forces(percuss.read(self.out)), [])
 
     def test_tell_how_a_run_ended(self):
         findings = self.find(lambda summary: summary.update(status="failed", error="element 3 is inverted."))

@@ -242,6 +242,7 @@ std::string format_scene_json(const SceneReport& scene, const ChunkedMesh& chunk
                      {"contact_nodes", scene.contact_nodes},
                      {"contact_faces", scene.contact_faces},
                      {"mass", mass},
+                     {"total_mass", scene.total_mass},
                      {"low", scene.low},
                      {"high", scene.high},
                      {"end", deck.time.end},

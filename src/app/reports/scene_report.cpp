@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "comm/agreement.hpp"
@@ -19,6 +22,8 @@
 namespace percuss {
 namespace {
 
+constexpr double round_off = 1e-12;  // relative difference below which two masses are the same
+
 std::string format_parts(const SceneReport& scene) {
   std::size_t width = 4;
   for (const PartReport& part : scene.parts) width = std::max(width, part.name.size());
@@ -32,10 +37,13 @@ std::string format_parts(const SceneReport& scene) {
                                         part.nodes, part.mass, part.material));
     total += part.mass;
   }
-  return text + format_line("total", fmt::format("{}, {}, {}, mass {:.6g}{}",
-                                                 format_count(scene.elements, "element", "elements"),
+  std::string mass = fmt::format("mass {:.6g}{}", total, unit);
+  if (std::abs(scene.total_mass - total) > round_off * total)
+    mass = fmt::format("mass {:.6g}{} ({:.6g}{} of elements; the rest is added or given by the deck)", scene.total_mass,
+                       unit, total, unit);
+  return text + format_line("total", fmt::format("{}, {}, {}, {}", format_count(scene.elements, "element", "elements"),
                                                  format_count(scene.nodes, "node", "nodes"),
-                                                 format_count(scene.bodies, "body", "bodies"), total, unit));
+                                                 format_count(scene.bodies, "body", "bodies"), mass));
 }
 
 /// What the deck changes in the mesh.
@@ -176,6 +184,23 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   return parts;
 }
 
+/// Mass of the elements, where the deck gives none to their rigid body, and all that it adds.
+double find_total_mass(const Deck& deck, const std::vector<PartReport>& parts) {
+  std::map<std::string, double> of_elements, given;  // by the body that parts belong to
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const std::optional<RigidDeck>& rigid = deck.parts[p].rigid;
+    const std::string& body = rigid && !rigid->body.empty() ? rigid->body : parts[p].name;
+    of_elements[body] += parts[p].mass;
+    if (rigid && rigid->mass) given[body] = *rigid->mass;
+  }
+  given.merge(of_elements);  // keeps what is given
+  double total = 0;
+  for (const auto& [body, mass] : given) total += mass;
+  for (const AddedMassDeck& added : deck.added_masses) total += added.mass;
+  for (const RigidSetDeck& set : deck.rigid_sets) total += set.mass;
+  return total;
+}
+
 std::int64_t count_bodies(const Mesh& mesh, const Communicator& ranks) {
   int bodies = mesh.bodies.empty() ? 0 : *std::max_element(mesh.bodies.begin(), mesh.bodies.end()) + 1;
   all_reduce(ranks, Reduce::largest, bodies);
@@ -190,6 +215,7 @@ SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
   scene.elements = chunked.numbering.element_count();
   scene.nodes = chunked.numbering.node_count();
   scene.bodies = count_bodies(chunked.mesh, ranks);
+  scene.total_mass = find_total_mass(deck, scene.parts);
   scene.joints = describe_joints(chunked.mesh);
   scene.low = chunked.mesh.low;
   scene.high = chunked.mesh.high;

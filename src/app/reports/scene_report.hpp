@@ -21,6 +21,7 @@ struct SceneReport {
   const Deck& deck;
   std::vector<PartReport> parts = {};
   std::int64_t elements = 0, nodes = 0, bodies = 0;
+  double total_mass = 0;                 // with masses that the deck adds, or gives to rigid bodies [mass]
   Vec3 low{}, high{};                    // box of all nodes [length]
   std::vector<Warning> warnings = {};    // of everything; on rank 0
   double first_step = 0;                 // time unit of the deck

@@ -43,6 +43,22 @@ TEST(SceneReport, SumsTheMassOfEachPart) {
   EXPECT_NEAR(scene.parts[1].mass, 5 * 4, 1e-13);
 }
 
+TEST(SceneReport, TellsTheMassThatTheDeckAddsAndGives) {
+  const Deck deck = parse_deck(
+      "time: {end: 1}\nmaterials: {a: {model: elastic, density: 2, youngs_modulus: 1, poissons_ratio: 0}}\nparts:\n"
+      "  one: {box: {size: [1, 2, 3], cells: [2, 3, 4]}, material: a}\n"
+      "  two: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [5, 0, 0], material: a, rigid: {mass: 300}}\n"
+      "  hull: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [9, 0, 0], material: a, rigid: {body: ship, mass: 40}}\n"
+      "  mast: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [9, 3, 0], material: a, rigid: {body: ship}}\n"
+      "added_mass: [{nodes: one, mass: 7}]\n",
+      "deck.yaml");
+  SceneReport scene = describe_scene(deck, load_mesh(deck, Communicator(MPI_COMM_SELF)));
+  EXPECT_NEAR(scene.total_mass, 12 + 7 + 300 + 40, 1e-12);
+  scene.first_step = 1;
+  EXPECT_THAT(format_scene(scene),
+              testing::HasSubstr("mass 359 (18 of elements; the rest is added or given by the deck)\n"));
+}
+
 TEST(SceneReport, CountsPartsAndBodies) {
   const Deck deck = two_blocks();
   const ChunkedMesh chunked = load_mesh(deck, Communicator(MPI_COMM_SELF));
