@@ -15,7 +15,7 @@ std::string sense(const std::string& sensor, const std::string& more = "") {
 std::vector<WrongDeck> wrong_sensor_decks() {
   return {
       {"PressureWithoutValue", append("loads: {pressure: [{faces: rod}]}"), "6:20",
-       "loads.pressure.0 has no pressure (must have exactly one of value, blast)"},
+       "'loads.pressure.0' has no pressure (must have exactly one of value, blast)"},
       {"BlastWithoutUnits", append("loads: {pressure: [{faces: rod, blast: {charge: 1, center: [9, 0, 0]}}]}"), "6:33",
        "a blast needs the units of the deck"},
       {"BlastAlongADirection",
