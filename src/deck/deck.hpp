@@ -276,11 +276,19 @@ struct GravityDeck {
   bool any() const { return !is_constant() || at(0) != Vec3{}; }
 };
 
+/// A hemispherical charge of TNT on the ground.
+struct BlastDeck {
+  double charge = 0;  // [mass]
+  Vec3 center{};
+  double time = 0;  // of the detonation
+};
+
 /// Pressure on faces, positive acts against the outward normal, on the current area. With a direction (a unit vector):
 /// a dead load along it, on the area at the start.
 struct PressureDeck {
   Selector where;
   Curve value;
+  std::optional<BlastDeck> blast;  // instead of the value
   std::optional<Vec3> direction;
   SwitchDeck when;
 };

@@ -1,5 +1,8 @@
 #include "src/deck/make_material.hpp"
 
+#include <set>
+#include <string>
+
 namespace percuss {
 
 bool has_scalar(const MaterialDeck& material, HistoryScalar name) {
@@ -21,6 +24,13 @@ LameConstants find_moduli(const MaterialDeck& material) {
     });
   }
   return moduli;
+}
+
+bool grows_in_increments(const MaterialDeck& material) {
+  static const std::set<std::string> laws = {"elastic",         "j2_plasticity",        "power_law_plasticity",
+                                             "voce_plasticity", "tabulated_plasticity", "combined_hardening",
+                                             "johnson_cook"};
+  return laws.contains(material.law.model) && !material.equation_of_state;
 }
 
 }  // namespace percuss

@@ -152,7 +152,8 @@ class Writer {
       (*object_)[key] = to_json(member);
     } else if constexpr (std::is_same_v<T, std::vector<SensorSummary>>) {
       Json& list = (*object_)[key] = Json::array();
-      for (const SensorSummary& s : member) list.push_back({{"sensor", s.sensor}, {"time", s.time}, {"value", s.value}});
+      for (const SensorSummary& s : member)
+        list.push_back({{"sensor", s.sensor}, {"time", s.time}, {"value", s.value}});
     } else {
       (*object_)[key] = member;
     }

@@ -59,8 +59,8 @@ struct Summary {
   std::string version, backend, precision = precision_name;
   int ranks = 1, threads = 1;
   std::int64_t elements = 0, nodes = 0, contact_nodes = 0, contact_faces = 0, steps = 0;
-  double time = 0, end_time = 0;  // end_time: time.end of the deck; 0: not known
-  std::string ended_by;           // the sensor that has ended the run; empty: none
+  double time = 0, end_time = 0;       // end_time: time.end of the deck; 0: not known
+  std::string ended_by;                // the sensor that has ended the run; empty: none
   std::vector<SensorSummary> sensors;  // those whose events have come, in the order of the deck
   struct {
     double min = 0, max = 0, last = 0;
@@ -101,7 +101,8 @@ struct Summary {
 /// Writes the summary (write, sync, rename). Throws SystemError.
 void write_summary(const std::string& path, const Summary& summary);
 
-/// "stopped by time.max_steps at 2.9 % of time.end", or by a sensor; empty: the run came to its end, or did not complete.
+/// "stopped by time.max_steps at 2.9 % of time.end", or by a sensor; empty: the run came to its end, or did not
+/// complete.
 std::string describe_step_limit(const Summary& summary);
 
 /// "3 warnings: see DIR/summary.json", the last line of a run; empty: there were none.

@@ -347,8 +347,10 @@ void Stepper::apply_loads(State& state, double time) {
   if (springs_) springs_->apply(state);
   if (model_.pressure_faces.count == 0) return;
   const auto values = Kokkos::create_mirror_view(pressures_);
-  for (std::size_t i = 0; i < model_.pressures.size(); ++i)
-    values(i) = model_.switches.pressures[i].is_on(state.happened) ? model_.pressures[i](time) : 0;
+  for (std::size_t i = 0; i < model_.pressures.size(); ++i) {
+    const auto entry = static_cast<std::size_t>(model_.pressure_entries[i]);
+    values(i) = model_.switches.pressures[entry].is_on(state.happened) ? model_.pressures[i](time) : 0;
+  }
   Kokkos::deep_copy(pressures_, values);
   apply_pressure(space_, state.pressure_faces, pressures_, state.x, state.slot_force);
 }

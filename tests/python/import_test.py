@@ -665,6 +665,12 @@ class Scene(InFolder):
         self.assertNotIn("hourglass", self.read(full)[0].blocks[1].keys)
         self.accept(full)
 
+    def test_hourglass_control_of_shells_is_told(self):
+        text = decks.FORMS.replace("*PART\nplate\n         8         8         8\n", "*PART\nplate\n8,8,8,0,19\n")
+        ledger = self.read(text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END"))[1]
+        told = [row for row in ledger.list_rows() if row.card == "HOURGLASS" and "shells" in row.text]
+        self.assertEqual([row.status for row in told], [Status.APPROXIMATED])
+
     def test_friction_of_parts_becomes_rows(self):
         text = decks.TWO_PARTS.replace("*PART\nsecond\n4,4,3\n", "*PART_CONTACT\nsecond\n4,4,3\n0.4\n")
         text = text.replace("*END", "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-1.0\n0\n*END")

@@ -313,6 +313,8 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     for block, count in count_hexahedra(deck):
         row = find_hourglass(deck, block, general)
         if not count or block.keys.get("integration", "full" if all_full else "one_point") == "full":
+            if row:
+                deck.ledger.approximated(row.card, row.place, "2x2x2 points and other solids have no coefficient")
             continue
         key = judge_hourglass(row)
         counts[key] += count
@@ -326,6 +328,17 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     for block, key in chosen_by:
         if key != chosen:
             block.keys["hourglass"] = key[0] if key[0] == "assumed_strain" else {"kind": key[0], "coefficient": key[1]}
+
+
+def note_shell_hourglass(deck: KeywordDeck, general: Row | None) -> None:
+    """What becomes of hourglass control of shells."""
+    text = "shells have physical stabilisation without a coefficient, which is stiffer than small coefficients"
+    for block in deck.model.blocks:
+        if not block.shells or block.part in deck.rigid:
+            continue
+        row = deck.hourglass.get(deck.parts[block.part].hourglass, general)
+        if row:
+            deck.ledger.approximated(row.card, row.place, text)
 
 
 def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row | None:

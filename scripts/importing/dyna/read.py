@@ -19,7 +19,7 @@ from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_database, read_sensor
-from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
+from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .wall_cards import read_wall
@@ -147,6 +147,7 @@ def build(deck: KeywordDeck) -> None:
     rigid.mark_rigid_parts(deck)
     translate_integration(deck)
     translate_hourglass(deck, deck.general_hourglass)
+    note_shell_hourglass(deck, deck.general_hourglass)
     conditions.apply_fixed_nodes(deck)
 
 

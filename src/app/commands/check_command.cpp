@@ -18,7 +18,9 @@
 #include "src/step/model/state.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run_notes.hpp"
+#include "src/step/sensors/sensors.hpp"
 #include "src/step/springs/build_springs.hpp"
+#include "src/step/start/start_fields.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -101,6 +103,14 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
   scene.spring_notes.insert(scene.spring_notes.end(), model.welds.notes.begin(), model.welds.notes.end());
 }
 
+/// The state at time 0; throws what files of stresses and sensors have wrong. Collective.
+State make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  State state = make_initial_state(model);
+  set_start_stresses(deck, chunked, model, state);
+  if (!deck.sensors.empty()) Sensors(deck, model.ranks).find_columns(History::list_columns(deck, chunked, model));
+  return state;
+}
+
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
@@ -119,7 +129,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
-  State state = make_initial_state(model);
+  State state = make_checked_state(deck, chunked, model);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);

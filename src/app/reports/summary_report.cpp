@@ -72,7 +72,8 @@ std::string format_summary(const Summary& s) {
   text += format_line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time,
                                           s.steps, s.dt.min, s.dt.max, s.dt.last, controller));
   for (const SensorSummary& sensor : s.sensors)
-    text += format_line("sensor", fmt::format("'{}': event at t = {:.6g}, value {:.6g}", sensor.sensor, sensor.time, sensor.value));
+    text += format_line(
+        "sensor", fmt::format("'{}': event at t = {:.6g}, value {:.6g}", sensor.sensor, sensor.time, sensor.value));
   if (s.dt.estimates > 0) {
     text += format_line(
         "", fmt::format("{:.4g} times the element bound, from {} estimates of the largest eigenvalue of the mesh",

@@ -59,6 +59,24 @@ class TableFunction final : public Curve::Function {
   std::vector<std::pair<double, double>> points_;
 };
 
+class PulseFunction final : public Curve::Function {
+ public:
+  PulseFunction(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays)
+      : start_(start), duration_(duration), pulses_(peaks_and_decays) {}
+
+  double at(double t) const override {
+    const double share = (t - start_) / duration_;
+    if (!(share >= 0 && share <= 1)) return 0;
+    double sum = 0;
+    for (const auto& [peak, decay] : pulses_) sum += peak * (1 - share) * std::exp(-decay * share);
+    return sum;
+  }
+
+ private:
+  double start_, duration_;
+  std::array<std::array<double, 2>, 2> pulses_;
+};
+
 class ExpressionFunction final : public Curve::Function {
  public:
   explicit ExpressionFunction(const std::string& text) {
@@ -115,6 +133,10 @@ Curve Curve::table(std::vector<std::pair<double, double>> points) {
 Curve Curve::expression(const std::string& text) {
   check_expression(text);
   return Curve(std::make_shared<ExpressionFunction>(text));
+}
+
+Curve Curve::pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays) {
+  return Curve(std::make_shared<PulseFunction>(start, duration, peaks_and_decays));
 }
 
 double Curve::operator()(double t) const { return function_ ? function_->at(t) : 0.0; }

@@ -1,6 +1,7 @@
 #pragma once
 // A scalar function of time as a deck gives it: a constant, a table or an expression.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,6 +22,10 @@ class Curve {
   /// An expression of `t` (time in s) with the usual functions and the constants pi and e.
   /// Throws std::invalid_argument with the parser's reason and position in the text.
   static Curve expression(const std::string& text);
+
+  /// From `start` on, for a duration T, the sum of two pulses p (1 - t/T) exp(-b t/T), each with its peak p and its
+  /// decay b (Friedlander); zero before and after.
+  static Curve pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays);
 
   /// Value at time t [s].
   double operator()(double t) const;

@@ -261,6 +261,18 @@ void check_walls(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+/// The curves of blasts are in kg, m, kPa and ms.
+void check_blasts(const Deck& deck, const Node& root, Reading& reading) {
+  if (!deck.units.empty()) return;
+  const Node* loads = root.find("loads");
+  const Node* list = loads == nullptr ? nullptr : loads->find("pressure");
+  for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i)
+    if (const Node* blast = list->items[i].find("blast"))
+      reading.errors.add(blast->key,
+                         "a blast needs the units of the deck (its curves are in kg, m, kPa and ms): give "
+                         "the key units, for example units: m, kg, s");
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -295,6 +307,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_idle_contact(deck, root, reading);
   check_walls(deck, root, reading);
   check_frames(deck, root, reading);
+  check_blasts(deck, root, reading);
   check_points(deck, root, reading);
   check_forces(deck, root, reading);
   check_sensors(deck, root, reading);

@@ -48,10 +48,33 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
   return true;
 }
 
+const Keys<BlastDeck>& blast_keys() {
+  static const Keys<BlastDeck> keys = {
+      need("charge", &BlastDeck::charge, NumberValue{positive}),
+      need("center", &BlastDeck::center, vector3()),
+      may("time", &BlastDeck::time, NumberValue{}),
+  };
+  return keys;
+}
+
+bool check_pressure(const Reader& reader, const Node& node, PressureDeck& pressure) {
+  const Node *value = node.find("value"), *blast = node.find("blast");
+  if ((value == nullptr) == (blast == nullptr)) {
+    reader.error(node.spot, fmt::format("{} has {} (must have exactly one of value, blast)", reader.self(),
+                                        value == nullptr ? "no pressure" : "value and blast"));
+    return false;
+  }
+  if (!pressure.blast || !pressure.direction) return true;
+  reader.error(node.find("direction")->key,
+               fmt::format("{} has no effect (a blast acts against the normal)", reader.name_of("direction")));
+  return false;
+}
+
 const Keys<PressureDeck>& pressure_keys() {
   static const Keys<PressureDeck> keys = with_switch<PressureDeck>({
       need("faces", &PressureDeck::where, SelectorValue{}),
-      need("value", &PressureDeck::value, CurveValue{}),
+      may("value", &PressureDeck::value, CurveValue{}),
+      may("blast", &PressureDeck::blast, MapValue<BlastDeck>{blast_keys}),
       may("direction", &PressureDeck::direction, DirectionValue{}),
   });
   return keys;
@@ -362,7 +385,7 @@ bool check_wall(const Reader& reader, const Node& node, WallDeck& wall) {
 }  // namespace
 
 MapValue<InitialDeck> initial_value() { return {initial_keys, check_initial}; }
-MapValue<PressureDeck> pressure_value() { return {pressure_keys}; }
+MapValue<PressureDeck> pressure_value() { return {pressure_keys, check_pressure}; }
 MapValue<NodalLoadDeck> nodal_load_value() { return {nodal_load_keys, check_nodal_load}; }
 MapValue<DampingDeck> damping_value() { return {damping_keys, note_damping_place}; }
 MapValue<WallDeck> wall_value() { return {wall_keys, check_wall}; }

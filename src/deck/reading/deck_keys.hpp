@@ -25,6 +25,13 @@ MapValue<ErosionDeck> erosion_value();
 MapValue<InitialDeck> initial_value();
 MapValue<StartDeck> start_value();
 
+/// A file that the deck names: relative paths are relative to the deck.
+struct FileValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const;
+  std::string takes() const { return "a file, relative to the deck"; }
+  Form form() const { return TextValue{}.form(); }
+};
+
 /// `conditions`: each entry holds nodes in one way.
 struct ConditionValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const;

@@ -1,5 +1,6 @@
 // Keys of `failure` in a material, of `erosion`, and of `start`: dynamic relaxation and preloads.
 
+#include "src/deck/make_material.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 
 namespace percuss {
@@ -85,9 +86,23 @@ const Keys<PreloadDeck>& preload_keys() {
   return keys;
 }
 
+const Keys<StartFieldsDeck>& start_fields_keys() {
+  static const Keys<StartFieldsDeck> keys = {
+      need("file", &StartFieldsDeck::file, FileValue{}),
+      may("part", &StartFieldsDeck::part, PartNameValue{}),
+  };
+  return keys;
+}
+
+bool note_fields_place(const Reader&, const Node& node, StartFieldsDeck& fields) {
+  fields.place = node.spot.place;
+  return true;
+}
+
 const Keys<StartDeck>& start_keys() {
   static const Keys<StartDeck> keys = {
       may("relaxation", &StartDeck::relaxation, MapValue<RelaxationDeck>{relaxation_keys}),
+      may("fields", &StartDeck::fields, ListValue<MapValue<StartFieldsDeck>>{{start_fields_keys, note_fields_place}}),
       may("preload", &StartDeck::preloads,
           NamedMapValue<PreloadDeck, MapValue<PreloadDeck>>{"preload", {preload_keys}}),
   };
@@ -102,14 +117,6 @@ bool check_preloads(const Reader& reader, const Node& node, StartDeck& start) {
                            "example relaxation: {{}}",
                            reader.name_of("preload")));
   return false;
-}
-
-/// Laws whose stress at the end of a step is that at its beginning and an increment.
-bool takes_preload(const MaterialDeck& material) {
-  static const std::set<std::string> laws = {"elastic",         "j2_plasticity",        "power_law_plasticity",
-                                             "voce_plasticity", "tabulated_plasticity", "combined_hardening",
-                                             "johnson_cook"};
-  return laws.contains(material.law.model) && !material.equation_of_state;
 }
 
 }  // namespace
@@ -142,7 +149,7 @@ void check_start(const Deck& deck, const Node& root, Reading& reading) {
     if (part->rigid) refuse(fmt::format("is of part '{}' (which is rigid and has no stresses)", part->name));
     const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                        [&](const MaterialDeck& of) { return of.name == part->material; });
-    if (material == deck.materials.end() || takes_preload(*material)) continue;
+    if (material == deck.materials.end() || grows_in_increments(*material)) continue;
     refuse(
         fmt::format("is of part '{}' of material '{}' (whose stress does not grow in increments): use elastic or a "
                     "plastic law without an equation of state",

@@ -154,25 +154,6 @@ bool check_line(const Reader& reader, const Node& node, LineShape& line) {
   return false;
 }
 
-/// A file that the deck names: relative paths are relative to the deck.
-struct FileValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
-    if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
-    const std::filesystem::path path = std::filesystem::path(reader.reading().folder) / node.text;
-    std::error_code unreadable;
-    const bool is_folder = !node.text.empty() && std::filesystem::is_directory(path, unreadable);
-    if (is_folder || node.text.empty() || !std::filesystem::exists(path, unreadable)) {
-      const std::string why = is_folder ? path.string() + " is a folder" : "there is no file " + path.string();
-      reader.error(node.spot, fmt::format("{} is {}{} ({})", name, describe(node), reader.in(), why));
-      return false;
-    }
-    out = path.string();
-    return true;
-  }
-  std::string takes() const { return "a file, relative to the deck"; }
-  Form form() const { return TextValue{}.form(); }
-};
-
 const Keys<FileMesh>& file_keys() {
   static const Keys<FileMesh> keys = {
       need("file", &FileMesh::file, FileValue{}),
@@ -247,6 +228,20 @@ std::vector<std::string> side_names(const Shape& shape) {
     std::vector<std::string> operator()(const FileMesh&) const { return {}; }
   };
   return std::visit(Names{}, shape);
+}
+
+bool FileValue::read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+  if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+  const std::filesystem::path path = std::filesystem::path(reader.reading().folder) / node.text;
+  std::error_code unreadable;
+  const bool is_folder = !node.text.empty() && std::filesystem::is_directory(path, unreadable);
+  if (is_folder || node.text.empty() || !std::filesystem::exists(path, unreadable)) {
+    const std::string why = is_folder ? path.string() + " is a folder" : "there is no file " + path.string();
+    reader.error(node.spot, fmt::format("{} is {}{} ({})", name, describe(node), reader.in(), why));
+    return false;
+  }
+  out = path.string();
+  return true;
 }
 
 }  // namespace percuss

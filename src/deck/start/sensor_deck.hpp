@@ -13,11 +13,11 @@ namespace percuss {
 struct SensorDeck {
   std::string name;
   std::optional<double> time;
-  std::string value;                                // a column of the history
-  std::vector<std::string> distance;                // or two of its nodes: how far they are apart
-  std::optional<double> rises_above, falls_below;   // exactly one of them, with a value or a distance
-  bool from_start = false;                          // whether the value is that of the first row less
-  double delay = 0;                                 // from the event to what it switches [time]
+  std::string value;                               // a column of the history
+  std::vector<std::string> distance;               // or two of its nodes: how far they are apart
+  std::optional<double> rises_above, falls_below;  // exactly one of them, with a value or a distance
+  bool from_start = false;                         // whether the value is that of the first row less
+  double delay = 0;                                // from the event to what it switches [time]
   Place place;
 };
 

@@ -30,9 +30,17 @@ struct PreloadDeck {
   Place place;
 };
 
+/// A file of stresses of elements or velocities of nodes at time 0, by the user's ids.
+struct StartFieldsDeck {
+  std::string file;  // as found: relative paths are relative to the deck
+  std::string part;  // whose ids they are; empty: of any
+  Place place;
+};
+
 struct StartDeck {
   std::optional<RelaxationDeck> relaxation;
   std::vector<PreloadDeck> preloads;
+  std::vector<StartFieldsDeck> fields;
 };
 
 }  // namespace percuss

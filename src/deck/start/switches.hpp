@@ -19,7 +19,7 @@ struct Switch {
 };
 
 struct SwitchModel {
-  std::size_t sensors = 0;  // of the deck
+  std::size_t sensors = 0;                                 // of the deck
   std::vector<Switch> pressures, nodal_loads, conditions;  // by entry of the deck
   std::vector<int> held_by, spins_held_by;                 // [entries of the held directions] condition
   bool switches_conditions = false;

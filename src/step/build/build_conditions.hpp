@@ -45,8 +45,8 @@ MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& no
 
 /// Sets the velocity at time 0; of several that name a node the last one in the deck holds. A radial velocity leaves
 /// a node at its centre (within 1e-9 of the mesh's diagonal) at rest. Where the deck gives no
-/// center of rotation it is the center of mass of the selected nodes. mass: [node].
-void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
-                              Model& model);
+/// center of rotation it is the center of mass of the selected nodes. Velocities of files come after. mass: [node].
+void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
+                              const std::vector<double>& mass, Model& model);
 
 }  // namespace percuss

@@ -119,7 +119,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_welds(deck, chunked, model);
   build_switches(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
-  build_initial_velocities(deck, chunked, mass, model);
+  build_initial_velocities(deck, chunked, rigid, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);
   build_damping(deck, chunked, rigid, model);
   model.gravity = deck.gravity.along;

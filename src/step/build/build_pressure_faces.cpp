@@ -9,6 +9,7 @@
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_conditions.hpp"
+#include "src/step/loads/blast_pressure.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -77,6 +78,17 @@ void require_one_side(const Deck& deck, const Mesh& mesh, const PressureDeck& pr
                   pressure.direction ? "it would count them twice" : "on which it cancels", sides));
 }
 
+/// The curve of a load, or those of a blast on each of its faces.
+void add_pressures(const Deck& deck, const PressureDeck& pressure, const ChunkedMesh& chunked,
+                   const std::vector<ElementFace>& faces, Model& model) {
+  if (pressure.blast) require_blast_range(deck, pressure, chunked, faces);
+  const std::vector<Curve> curves =
+      pressure.blast ? list_blast_pressures(deck, pressure, chunked.mesh, faces) : std::vector<Curve>{pressure.value};
+  model.pressures.insert(model.pressures.end(), curves.begin(), curves.end());
+  const auto entry = static_cast<int>(&pressure - deck.pressures.data());
+  model.pressure_entries.insert(model.pressure_entries.end(), curves.size(), entry);
+}
+
 }  // namespace
 
 LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
@@ -89,21 +101,22 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
   std::vector<int> loads;
   std::vector<Vec3> dead_shares;
   for (const PressureDeck& pressure : deck.pressures) {
-    const auto load = static_cast<int>(model.pressures.size());
+    const auto entry = &pressure - deck.pressures.data();
     const std::vector<ElementFace> selected = select_faces(mesh, deck, pressure.where);
     require_one_side(deck, mesh, pressure, selected);
+    const auto first_load = static_cast<int>(model.pressures.size()), first_face = static_cast<int>(corners.size());
+    add_pressures(deck, pressure, chunked, selected, model);
     for (const ElementFace& face : selected) {
       const std::int64_t order =
           numbering.chunk_count() +
-          find_face_number(load * numbering.element_count() + find_element_number(chunked, face.element), face.face);
+          find_face_number(entry * numbering.element_count() + find_element_number(chunked, face.element), face.face);
       const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
       slots.nodes.insert(slots.nodes.end(), nodes.begin(), nodes.end());
       slots.orders.insert(slots.orders.end(), nodes.size(), order);
       corners.push_back(nodes);
-      loads.push_back(load);
+      loads.push_back(first_load + (pressure.blast ? static_cast<int>(corners.size()) - first_face - 1 : 0));
       dead_shares.push_back(pressure.direction ? find_dead_share(mesh, nodes, *pressure.direction) : Vec3{});
     }
-    model.pressures.push_back(pressure.value);
   }
   faces.count = static_cast<int>(corners.size());
   faces.load = to_view("percuss::pressure_load", loads);

@@ -3,6 +3,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_conditions.hpp"
+#include "src/step/start/start_fields.hpp"
 
 namespace percuss {
 namespace {
@@ -25,8 +26,8 @@ Vec3 find_radial_velocity(const RadialVelocityDeck& radial, const Vec3& point, d
 
 }  // namespace
 
-void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
-                              Model& model) {
+void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
+                              const std::vector<double>& mass, Model& model) {
   const Mesh& mesh = chunked.mesh;
   const Vec3 extent = subtract(mesh.high, mesh.low);
   const double least_radius = center_margin * std::hypot(extent[0], extent[1], extent[2]);
@@ -46,6 +47,11 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
       const Vec3 out = find_radial_velocity(*initial.radial_velocity, mesh.nodes[n], least_radius);
       for (std::size_t k = 0; k < 3; ++k) velocity[n][k] += out[k];
     }
+  }
+  if (!deck.start.fields.empty()) {
+    std::vector<char> is_rigid(mesh.nodes.size(), 0);
+    for (std::size_t n = 0; n < is_rigid.size(); ++n) is_rigid[n] = rigid.holds(static_cast<int>(n)) ? 1 : 0;
+    set_start_velocities(deck, chunked, is_rigid, velocity);
   }
   model.start_velocity = to_rows("percuss::start_velocity", velocity);
   model.start_spin = to_rows("percuss::start_spin", spin);

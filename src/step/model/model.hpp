@@ -134,7 +134,8 @@ struct Model {
   std::array<Curve, 3> gravity;  // acceleration along x, y, z
   bool gravity_varies = false;
   PressureFaces pressure_faces;
-  std::vector<Curve> pressures;  // by load
+  std::vector<Curve> pressures;       // by load; of a blast, by face
+  std::vector<int> pressure_entries;  // by the same: entry of the deck
   NodalLoads nodal_loads;
   std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
   std::vector<Curve> dampings;                     // by entry of the deck: coefficient [1 / time]

@@ -52,18 +52,20 @@ void Run::note_unsettled(const std::string& text) {
   warnings_.add({{"unsettled_relaxation", fmt::format("{}: {}", text, remedy), "", 0, 1}});
 }
 
-/// What elements hold at time 0 is initial energy. The work of gravity counts from there on. Call after the start of
-/// the stepper.
+/// What elements hold at time 0 is initial energy, also that of stresses from files. The work of gravity counts from
+/// there on. Call after the start of the stepper.
 void Run::begin_books() {
-  if (!deck_.start.relaxation) return;
+  if (!deck_.start.relaxation && deck_.start.fields.empty()) return;
   const EnergySummary held = Audit(model_)(state_).energy;
+  const Vec3 extent = subtract(chunked_.mesh.high, chunked_.mesh.low);
+  const double half_extent = 0.5 * std::sqrt(dot(extent, extent));
+  if (!deck_.start.relaxation) return audit_.note_scale(held.internal + held.kinetic, half_extent);
   if (ranks_.rank() == 0) {
     state_.books.external_work.add(-held.external);
     state_.books.external_work.normalize();
   }
   summary_.relaxation.energy = held.internal + held.hourglass + held.folding;
-  const Vec3 extent = subtract(chunked_.mesh.high, chunked_.mesh.low);
-  audit_.note_scale(summary_.relaxation.scale, 0.5 * std::sqrt(dot(extent, extent)));
+  audit_.note_scale(summary_.relaxation.scale, half_extent);
 }
 
 void Run::archive_relaxation(CheckpointArchive& archive) {

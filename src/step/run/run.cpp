@@ -20,6 +20,7 @@
 #include "src/step/restart/restart_removals.hpp"
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/stop_request.hpp"
+#include "src/step/start/start_fields.hpp"
 #include "src/step/totals/run_totals.hpp"
 #include "src/step/turned_corners.hpp"
 
@@ -84,6 +85,7 @@ ChunkedMesh Run::load_scene() {
 }
 
 void Run::begin() {
+  set_start_stresses(deck_, chunked_, model_, state_);
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
     warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 #include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
 
@@ -99,7 +98,8 @@ std::vector<SensorEvent> Sensors::list_events(double time) const {
   std::vector<SensorEvent> events;
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const double event = find_event(s, time);
-    if (event != never) events.push_back({deck_.sensors[s].name, event, deck_.sensors[s].time.value_or(states_[s].value)});
+    if (event != never)
+      events.push_back({deck_.sensors[s].name, event, deck_.sensors[s].time.value_or(states_[s].value)});
   }
   return events;
 }
@@ -119,7 +119,8 @@ void Sensors::archive(CheckpointArchive& archive) {
 std::vector<HistoryColumn> list_sensor_columns(const Deck& deck) {
   std::vector<HistoryColumn> columns;
   for (const SensorDeck& sensor : deck.sensors)
-    columns.push_back({"sensor:" + sensor.name, {}, fmt::format("state of sensor '{}', 1 once it has acted, else 0", sensor.name)});
+    columns.push_back(
+        {"sensor:" + sensor.name, {}, fmt::format("state of sensor '{}', 1 once it has acted, else 0", sensor.name)});
   return columns;
 }
 

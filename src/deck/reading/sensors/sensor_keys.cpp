@@ -101,8 +101,8 @@ void check_sensors(const Deck& deck, const Node& root, Reading& reading) {
   }
   for (const NameUse& use : reading.sensors)
     if (std::find(known.begin(), known.end(), use.name) == known.end())
-      reading.errors.add(use.spot, fmt::format("unknown sensor {}{}{}", quote(use.name), use.in,
-                                               name_hint(use.name, known)));
+      reading.errors.add(use.spot,
+                         fmt::format("unknown sensor {}{}{}", quote(use.name), use.in, name_hint(use.name, known)));
   const Node *loads = root.find("loads"), *conditions = root.find("conditions");
   const auto is_whole = [](const Node* list, std::size_t count) {
     return list != nullptr && list->kind == Node::Kind::list && list->items.size() == count;

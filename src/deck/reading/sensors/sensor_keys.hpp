@@ -17,11 +17,10 @@ struct SensorNameValue {
 template <class Owner>
 Keys<Owner> with_switch(Keys<Owner> keys) {
   const auto key = [](const char* name, std::string SwitchDeck::*member) {
-    return make_key<Owner>(name, false, SensorNameValue{},
-                           [member](const SensorNameValue& value, const Reader& reader, const std::string& full,
-                                    const Node& node, Owner& owner) {
-                             return value.read(reader, full, node, owner.when.*member);
-                           });
+    return make_key<Owner>(
+        name, false, SensorNameValue{},
+        [member](const SensorNameValue& value, const Reader& reader, const std::string& full, const Node& node,
+                 Owner& owner) { return value.read(reader, full, node, owner.when.*member); });
   };
   keys.push_back(key("from", &SwitchDeck::from));
   keys.push_back(key("until", &SwitchDeck::until));

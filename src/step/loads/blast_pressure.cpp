@@ -1,0 +1,103 @@
+#include "src/step/loads/blast_pressure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "src/deck/units.hpp"
+#include "src/error.hpp"
+#include "src/index.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/loads/blast_wave.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double kilo = 1e3;  // Pa in kPa, ms in s
+
+/// Middle and outward normal of a face at time 0.
+struct FacePlace {
+  Vec3 middle{}, normal{};
+};
+
+FacePlace find_place(const Mesh& mesh, const ElementFace& face) {
+  const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
+  FacePlace place;
+  std::array<Vec3, 4> corner;
+  double count = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corner[i] = mesh.nodes[at(nodes[i])];
+    if (nodes[i] == nodes[(i + 1) % 4]) continue;  // a triangle has one twice
+    for (std::size_t k = 0; k < 3; ++k) place.middle[k] += corner[i][k];
+    count += 1;
+  }
+  for (double& component : place.middle) component /= count;
+  const Vec3 twice = cross(subtract(corner[2], corner[0]), subtract(corner[3], corner[1]));
+  const double size = std::sqrt(dot(twice, twice));
+  for (std::size_t k = 0; k < 3 && size > 0; ++k) place.normal[k] = twice[k] / size;
+  return place;
+}
+
+double find_size(const Vec3& vector) { return std::sqrt(dot(vector, vector)); }
+
+/// Distance in m over the cube root of the charge in kg.
+double find_scaled_distance(const BlastDeck& blast, const Units& units, const Vec3& middle) {
+  return units.length.in_si * find_size(subtract(middle, blast.center)) / std::cbrt(units.mass.in_si * blast.charge);
+}
+
+}  // namespace
+
+Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
+  const Vec3 ray = subtract(middle, blast.center);
+  const double distance = find_size(ray), cosine = std::max(0.0, -dot(normal, ray) / distance);
+  const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance);
+  const double pressure = kilo / units.in_si(dimensions::stress), time = 1 / (kilo * units.time.in_si);
+  const double of_reflected = cosine * cosine, of_incident = 1 + of_reflected - 2 * cosine;
+  return Curve::pulse(blast.time + wave.arrival * time, wave.duration * time,
+                      {{{pressure * of_reflected * wave.reflected,
+                         find_decay(wave.reflected, wave.duration, wave.reflected_impulse)},
+                        {pressure * of_incident * wave.incident,
+                         find_decay(wave.incident, wave.duration, wave.incident_impulse)}}});
+}
+
+void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
+                         const std::vector<ElementFace>& faces) {
+  const Units units = *find_units(deck.units);
+  const Communicator ranks = find_ranks(chunked.mesh);
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t first = none;
+  std::string text;
+  for (const ElementFace& face : faces) {
+    const double z = find_scaled_distance(*load.blast, units, find_place(chunked.mesh, face).middle);
+    const std::int64_t number = find_element_number(chunked, face.element);
+    if ((z >= least_scaled_distance && z <= largest_scaled_distance) || number >= first) continue;
+    first = number;
+    text = fmt::format("{} is at a scaled distance of {:.3g} m/kg^(1/3) from the charge (the curves reach from {:g} to "
+                       "{:g}): move the charge, or select other faces",
+                       name_element(chunked.mesh, face.element), z, least_scaled_distance, largest_scaled_distance);
+  }
+  std::int64_t least = first;
+  all_reduce(ranks, Reduce::least, least);
+  if (least == none) return;
+  int rank = first == least ? ranks.rank() : std::numeric_limits<int>::max();
+  all_reduce(ranks, Reduce::least, rank);
+  throw InputError(fmt::format("{}: error: {}", deck.where(load.where.place), broadcast_text(ranks, text, rank)));
+}
+
+std::vector<Curve> list_blast_pressures(const Deck& deck, const PressureDeck& load, const Mesh& mesh,
+                                        const std::vector<ElementFace>& faces) {
+  const Units units = *find_units(deck.units);
+  std::vector<Curve> curves;
+  for (const ElementFace& face : faces) {
+    const FacePlace place = find_place(mesh, face);
+    curves.push_back(find_blast_pressure(*load.blast, units, place.middle, place.normal));
+  }
+  return curves;
+}
+
+}  // namespace percuss

@@ -1,0 +1,22 @@
+#pragma once
+// Stresses and velocities at time 0 that a deck takes from files.
+
+#include <vector>
+
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// Sets the velocities of the nodes that files name, after those of `initial`. velocity: [nodes of this rank]. is_rigid:
+/// [nodes] whether each is of a rigid body. Collective. Throws InputError, SystemError, the same on all ranks: a wrong
+/// file, an id that is not there, a node of a rigid body.
+void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
+                          std::vector<Vec3>& velocity);
+
+/// Sets the stresses of the elements that files name in a state at time 0, and books the elastic energy that they hold
+/// as internal energy. Collective. Throws likewise: an id that is not there, an element that is no solid, a material
+/// whose stress does not grow in increments.
+void set_start_stresses(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
+
+}  // namespace percuss
