@@ -58,11 +58,10 @@ Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3
   const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance);
   const double pressure = kilo / units.in_si(dimensions::stress), time = 1 / (kilo * units.time.in_si);
   const double of_reflected = cosine * cosine, of_incident = 1 + of_reflected - 2 * cosine;
-  return Curve::pulse(blast.time + wave.arrival * time, wave.duration * time,
-                      {{{pressure * of_reflected * wave.reflected,
-                         find_decay(wave.reflected, wave.duration, wave.reflected_impulse)},
-                        {pressure * of_incident * wave.incident,
-                         find_decay(wave.incident, wave.duration, wave.incident_impulse)}}});
+  return Curve::pulse(
+      blast.time + wave.arrival * time, wave.duration * time,
+      {{{pressure * of_reflected * wave.reflected, find_decay(wave.reflected, wave.duration, wave.reflected_impulse)},
+        {pressure * of_incident * wave.incident, find_decay(wave.incident, wave.duration, wave.incident_impulse)}}});
 }
 
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
@@ -77,9 +76,10 @@ void require_blast_range(const Deck& deck, const PressureDeck& load, const Chunk
     const std::int64_t number = find_element_number(chunked, face.element);
     if ((z >= least_scaled_distance && z <= largest_scaled_distance) || number >= first) continue;
     first = number;
-    text = fmt::format("{} is at a scaled distance of {:.3g} m/kg^(1/3) from the charge (the curves reach from {:g} to "
-                       "{:g}): move the charge, or select other faces",
-                       name_element(chunked.mesh, face.element), z, least_scaled_distance, largest_scaled_distance);
+    text = fmt::format(
+        "{} is at a scaled distance of {:.3g} m/kg^(1/3) from the charge (the curves reach from {:g} to "
+        "{:g}): move the charge, or select other faces",
+        name_element(chunked.mesh, face.element), z, least_scaled_distance, largest_scaled_distance);
   }
   std::int64_t least = first;
   all_reduce(ranks, Reduce::least, least);

@@ -17,8 +17,8 @@ namespace percuss {
 /// middle, normal (outward, of length 1): in the units of the deck.
 Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal);
 
-/// Faces that are too near or too far for the curves. Collective: throws InputError with the deck's place, on all ranks,
-/// if there is one. faces: of the load, on this rank.
+/// Faces that are too near or too far for the curves. Collective: throws InputError with the deck's place, on all
+/// ranks, if there is one. faces: of the load, on this rank.
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
                          const std::vector<ElementFace>& faces);
 

@@ -20,7 +20,7 @@ inline constexpr double least_scaled_distance = 0.2, largest_scaled_distance = 4
 /// Of a charge in kg at a distance in m, within these scaled distances.
 BlastWave find_blast_wave(double charge, double distance);
 
-/// The decay b of a pulse p (1 - t/T) exp(-b t/T), 0 < t < T, (Friedlander) with the impulse: 
+/// The decay b of a pulse p (1 - t/T) exp(-b t/T), 0 < t < T, (Friedlander) with the impulse:
 /// i / (p T) = 1/b - (1 - exp(-b)) / b^2.
 double find_decay(double peak, double duration, double impulse);
 

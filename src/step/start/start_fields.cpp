@@ -65,9 +65,10 @@ std::string find_obstacle(const Deck& deck, const Mesh& mesh, std::size_t elemen
   if (part.rigid) return "is rigid and has no stress";
   const MaterialDeck& material = find_material(deck, part);
   if (grows_in_increments(material)) return "";
-  return fmt::format("is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
-                     "without an equation of state",
-                     material.name);
+  return fmt::format(
+      "is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
+      "without an equation of state",
+      material.name);
 }
 
 /// Elastic energy of a stress per volume: (s:s - lambda / (3 lambda + 2 mu) (tr s)^2) / 4 mu.
@@ -95,10 +96,10 @@ class RecordWriter {
     const int strain = chunks.find_scalar(chunk, HistoryScalar::equivalent_plastic_strain);
     if (has_plastic_strain && values[6] > 0 && strain < 0) return false;
     for (int lane = i; lane < (i + 1 < count ? i + 1 : lanes); ++lane) {
-      Real* const record = &records_(chunks.first_state(chunk)) + lane / pack_width * size * pack_width + lane % pack_width;
+      Real* const record =
+          &records_(chunks.first_state(chunk)) + lane / pack_width * size * pack_width + lane % pack_width;
       for (int p = 0; p < points; ++p) {
-        for (int k = 0; k < 6; ++k)
-          record[(HexRecord::stress + 6 * p + k) * pack_width] = static_cast<Real>(values[k]);
+        for (int k = 0; k < 6; ++k) record[(HexRecord::stress + 6 * p + k) * pack_width] = static_cast<Real>(values[k]);
         if (has_plastic_strain && strain >= 0) record[(strain + p) * pack_width] = static_cast<Real>(values[6]);
       }
     }
@@ -151,8 +152,7 @@ void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, con
         obstacle = why;
       }
       if (!why.empty()) continue;
-      work(c, 0) += find_element_volume(mesh, at(e)) *
-                    find_energy(moduli[at(chunk.part)], values);
+      work(c, 0) += find_element_volume(mesh, at(e)) * find_energy(moduli[at(chunk.part)], values);
     }
   }
   require_each_once(model.ranks, fields, table, hits);

@@ -8,9 +8,9 @@
 
 namespace percuss {
 
-/// Sets the velocities of the nodes that files name, after those of `initial`. velocity: [nodes of this rank]. is_rigid:
-/// [nodes] whether each is of a rigid body. Collective. Throws InputError, SystemError, the same on all ranks: a wrong
-/// file, an id that is not there, a node of a rigid body.
+/// Sets the velocities of the nodes that files name, after those of `initial`. velocity: [nodes of this rank].
+/// is_rigid: [nodes] whether each is of a rigid body. Collective. Throws InputError, SystemError, the same on all
+/// ranks: a wrong file, an id that is not there, a node of a rigid body.
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity);
 

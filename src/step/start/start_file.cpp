@@ -48,15 +48,16 @@ void read_heading(std::string_view line, std::size_t number, const std::string& 
   table.is_of_nodes = heading == velocity_heading;
   table.has_plastic_strain = heading == std::string(stress_heading) + strain_heading;
   if (table.is_of_nodes || table.has_plastic_strain || heading == stress_heading) return;
-  refuse(path, number, fmt::format("the heading is not one of '{}', '{}' and '{}' (they say what the numbers are)",
-                                   stress_heading, std::string(stress_heading) + strain_heading, velocity_heading));
+  refuse(path, number,
+         fmt::format("the heading is not one of '{}', '{}' and '{}' (they say what the numbers are)", stress_heading,
+                     std::string(stress_heading) + strain_heading, velocity_heading));
 }
 
 void read_row(std::string_view line, std::size_t number, const std::string& path, StartTable& table) {
   const std::vector<std::string_view> cells = split_cells(line);
   if (cells.size() != at(table.columns() + 1))
-    refuse(path, number, fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(),
-                                     table.columns() + 1));
+    refuse(path, number,
+           fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(), table.columns() + 1));
   const auto id = read_integer(cells[0]);
   if (!std::holds_alternative<long long>(id) || std::get<long long>(id) < 1)
     refuse(path, number, fmt::format("the id is not a positive integer"));
@@ -76,7 +77,8 @@ void read_row(std::string_view line, std::size_t number, const std::string& path
 void sort_rows(const std::string& path, StartTable& table) {
   std::vector<std::size_t> order(table.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return table.ids[a] < table.ids[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return table.ids[a] < table.ids[b]; });
   StartTable sorted{table.is_of_nodes, table.has_plastic_strain, {}, {}, {}};
   for (const std::size_t row : order) {
     if (!sorted.ids.empty() && sorted.ids.back() == table.ids[row])
@@ -96,7 +98,8 @@ void sort_rows(const std::string& path, StartTable& table) {
 std::string read_start_file(const std::string& path) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(path, problem))
-    throw InputError(fmt::format("{}: error: this is no regular file (a table of stresses or velocities is expected)", path));
+    throw InputError(
+        fmt::format("{}: error: this is no regular file (a table of stresses or velocities is expected)", path));
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -120,7 +123,8 @@ StartTable parse_start_table(const std::string& text, const std::string& path) {
       read_heading(line, number, path, table);
     has_heading = true;
   }
-  if (table.ids.empty()) refuse(path, number + 1, "there are no rows (a heading and a row an element or node are expected)");
+  if (table.ids.empty())
+    refuse(path, number + 1, "there are no rows (a heading and a row an element or node are expected)");
   sort_rows(path, table);
   return table;
 }

@@ -101,7 +101,8 @@ TEST(Blast, TheAngleOfIncidenceDividesItIntoBothWaves) {
 
 TEST(Blast, ABodyGetsTheReflectedImpulse) {
   const Outcome run = run_deck(make_scene("cube/x_min"));
-  // Pa s on 0.01 m^2; half a step of the front is 0.1 %; the middles of the faces are off the axis by 0.025 sqrt(2) m in 10 m, whose square counts.
+  // Pa s on 0.01 m^2; half a step of the front is 0.1 %; the middles of the faces are off the axis by 0.025 sqrt(2) m
+  // in 10 m, whose square counts.
   const double impulse = find_blast_wave(8, 10).reflected_impulse * 0.01;
   fmt::print("impulse {:.6g}, of the curve {:.6g}\n", run.history.last("momentum_x"), impulse);
   EXPECT_NEAR(run.history.last("momentum_x"), impulse, 2e-3 * impulse);
