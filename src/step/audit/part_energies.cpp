@@ -10,6 +10,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/asked_for.hpp"
+#include "src/deck/rigid_bodies.hpp"
 #include "src/step/model/moving_nodes.hpp"
 
 namespace percuss {
@@ -62,16 +63,21 @@ constexpr PartQuantity part_quantities[] = {
     {"eroded_energy", dimensions::energy, "eroded energy", fails},
 };
 
-/// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere.
-void sum_chunks(const Model& model, const State& state, const Array<int>& listed, const ChunkSums& sums) {
+/// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere. has_own_mass: bodies
+/// whose nodes are left out; may be empty.
+void sum_chunks(const Model& model, const State& state, const Array<int>& listed, const Array<int>& has_own_mass,
+                const ChunkSums& sums) {
   const MovingNodes moving = find_translations(model, state);
   const MovingNodes turning = model.has_rotations ? find_rotations(model, state) : MovingNodes{};
   const bool turns = model.has_rotations;
   const NodeRuns owned = model.owned_nodes;
+  const bool leaves_out = has_own_mass.extent(0) > 0;
+  const Array<const int> left_out = has_own_mass, body_of_node = model.rigid.body_of_node;
   Kokkos::parallel_for(
       "percuss::sum_parts", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {
         double sum[ChunkSum::count] = {}, f[3];
         for (int n = owned.first(listed(i)); n < owned.end(listed(i)); ++n) {
+          if (leaves_out && body_of_node(n) >= 0 && left_out(body_of_node(n)) != 0) continue;
           moving.find_force(n, f);
           for (int k = 0; k < 3; ++k) {
             sum[ChunkSum::kinetic] += moving.find_energy(n, k, f[k]);
@@ -180,11 +186,46 @@ PartEnergies::PartEnergies(const Deck& deck, const ChunkedMesh& chunked)
   }
   listed_ = to_view("percuss::chunks_of_booked_parts", chunks_);
   node_sums_ = ChunkSums("percuss::part_sums", chunks_.size(), ChunkSum::count);
+  find_given_bodies(deck, place);
+}
+
+/// place: of a part of the deck among those with columns, -1: it has none.
+void PartEnergies::find_given_bodies(const Deck& deck, const std::vector<int>& place) {
+  const RigidNames names = name_rigid_bodies(deck);
+  std::vector<int> has_own(names.bodies.size(), 0), first_part(names.bodies.size(), -1);
+  bool any = false;
+  for (std::size_t p = deck.parts.size(); p-- > 0;) {
+    if (!deck.parts[p].rigid) continue;
+    const RigidDeck& rigid = *deck.parts[p].rigid;
+    const auto body = static_cast<std::size_t>(names.body_of_part[p]);
+    first_part[body] = place[p];
+    if (!rigid.mass && !rigid.center && !rigid.inertia) continue;
+    has_own[body] = 1;
+    any = true;
+  }
+  if (!any) return;
+  for (std::size_t b = 0; b < has_own.size(); ++b) part_of_body_.push_back(has_own[b] != 0 ? first_part[b] : -1);
+  has_own_mass_ = to_view("percuss::bodies_with_own_mass", has_own);
+}
+
+/// On the first rank, as all know the bodies.
+void PartEnergies::add_given_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums) {
+  if (part_of_body_.empty()) return;
+  if (!find_forces_) find_forces_.emplace(model);
+  const std::vector<BodyForces> forces = (*find_forces_)(state);
+  for (std::size_t b = 0; b < forces.size() && model.ranks.rank() == 0; ++b) {
+    if (part_of_body_[b] < 0) continue;
+    const RigidSums body = sum_rigid_body(model, state, b, forces[b]);
+    ExactSum* const part = &sums[P::count * static_cast<std::size_t>(part_of_body_[b])];
+    part[P::kinetic].add(body.kinetic);
+    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(get(body.momentum, k));
+    part[P::mass].add(model.rigid.bodies[b].mass);
+  }
 }
 
 /// The sums of this rank, part after part.
 std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& state) {
-  sum_chunks(model, state, listed_, node_sums_);
+  sum_chunks(model, state, listed_, has_own_mass_, node_sums_);
   const auto of_nodes = to_host(node_sums_);
   const auto work = to_host(state.results.work);
   std::optional<DeadElements> dead;
@@ -198,6 +239,7 @@ std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& s
     part[P::mass].add(of_nodes(i, ChunkSum::mass));
     add_chunk_work(work, dead, chunks_[i], part);
   }
+  add_given_bodies(model, state, sums);
   return sums;
 }
 

@@ -3,13 +3,16 @@
 //
 // A part consists of whole chunks; a node that parts share counts for the one of the lowest chunk. So the sums of the
 // audit, which are exact sums of those of the chunks, fall apart into sums of the parts: these have the same bits on
-// any number of ranks and threads, and add up to those of the scene.
+// any number of ranks and threads, and add up to those of the scene. A rigid body to which the deck gives other masses
+// than those of its elements counts for its first part.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "src/output/history_columns.hpp"
 #include "src/step/model/state.hpp"
+#include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
 
@@ -45,7 +48,9 @@ class PartEnergies {
   void append(const Model& model, const State& state, std::vector<double>& row);
 
  private:
+  void find_given_bodies(const Deck& deck, const std::vector<int>& place);
   std::vector<ExactSum> sum_parts(const Model& model, const State& state);
+  void add_given_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums);
 
   const ChunkedMesh& chunked_;
   std::vector<BookedPart> parts_;
@@ -53,6 +58,10 @@ class PartEnergies {
   std::vector<int> part_of_chunk_;                                   // [those] into parts_
   Array<int> listed_;                                                // the same chunks, for the kernel
   Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> node_sums_;  // [those][sums]
+  // Bodies with masses of their own, whose nodes do not count; empty: there are none.
+  std::vector<int> part_of_body_;  // [bodies] into parts_, -1: it counts by its nodes, or its part has no columns
+  Array<int> has_own_mass_;        // [bodies] 1: its nodes do not count
+  std::optional<BodyForceFinder> find_forces_;
 };
 
 }  // namespace percuss

@@ -103,6 +103,24 @@ void expect_sums(const Scene& scene, const AuditResult& audit) {
 
 }  // namespace
 
+TEST(PartEnergies, OfARigidBodyAreThoseOfItsGivenMass) {
+  Scene scene(R"(
+time: {end: 1, max_step: 1e-6}
+parts:
+  ram: {box: {size: [1, 2, 1], cells: [2, 2, 2]}, material: steel, rigid: {mass: 300}}
+  bar: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [3, 0, 0], material: steel}
+initial: [{part: ram, velocity: [10, 0, 0]}, {part: bar, velocity: [0, 2, 0]}]
+output: {history: {parts: all}}
+)" + steel_text);
+  scene.run(10);
+  const std::map<std::string, double> values = sum_parts(scene);
+  EXPECT_DOUBLE_EQ(values.at("mass:ram"), 300);
+  EXPECT_NEAR(values.at("kinetic:ram"), 15000, 1e-9);
+  EXPECT_NEAR(values.at("momentum_x:ram"), 3000, 1e-9);
+  EXPECT_NEAR(values.at("momentum_y:bar"), 2 * values.at("mass:bar"), 1e-9);
+  expect_sums(scene, Audit(scene.model)(scene.state));
+}
+
 TEST(PartEnergies, AreExactOfABlockThatFliesAndOneThatIsStretched) {
   // b is one element between a face at rest and one at speed u: uniaxial strain e = ln(1 + u t), Cauchy stress M e, and
   // W = integral of M e exp(e) de = M ((e - 1) exp(e) + 1) per volume at the start.
