@@ -1,6 +1,7 @@
 #include "src/step/start/start_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -43,8 +44,7 @@ std::vector<std::string_view> split_cells(std::string_view line) {
 }
 
 void read_heading(std::string_view line, std::size_t number, const std::string& path, StartTable& table) {
-  std::string heading;
-  for (const std::string_view cell : split_cells(line)) heading += (heading.empty() ? "" : ",") + std::string(cell);
+  const std::string heading = fmt::format("{}", fmt::join(split_cells(line), ","));
   table.is_of_nodes = heading == velocity_heading;
   table.has_plastic_strain = heading == std::string(stress_heading) + strain_heading;
   if (table.is_of_nodes || table.has_plastic_strain || heading == stress_heading) return;
