@@ -144,7 +144,7 @@ TEST_F(HaloSwapTest, KnowsWhichNodesAndChunksCanGoOnMeanwhile) {
   const Chunks chunks = make_chunks(world_.size(), 3);
   const RankPart part = take_part(chunks, world_.rank());
   const Halo halo = build_halo(exchange_, find_shared_nodes(exchange_, part.node_ids), part.slots);
-  std::vector<std::vector<char>> holds(static_cast<std::size_t>(world_.size()));  // [ranks][nodes] has a slot there
+  std::vector<std::vector<char>> holds(static_cast<std::size_t>(world_.size()));     // [ranks][nodes] has a slot there
   const auto node_count = static_cast<std::size_t>(std::max(chunks.node_count, 0));  // GCC 14 takes it for negative
   for (auto& row : holds) row.assign(node_count, 0);
   for (std::size_t c = 0; c < chunks.nodes.size(); ++c) {
