@@ -76,6 +76,8 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "steps",
                                           "time",
                                           "end_time",
+                                          "ended_by",
+                                          "sensors",
                                           "dt.min",
                                           "dt.max",
                                           "dt.last",
