@@ -108,7 +108,10 @@ struct ContactStage::Impl {
 
 /// (1.7) Search for potential contacts, if the candidate pairs may have become too few. Returns whether it searched.
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
-  if (!has_pairs()) return false;
+  if (!has_pairs()) {
+    approach = {};
+    return false;
+  }
   const Phase phase("percuss::contact_search", clocks.search);
   bound.enter_step(motion);
   const bool is_near = bound.covers_near(motion);

@@ -43,7 +43,8 @@ void Stepper::start(State& state, StepWishes wishes) {
   compute_forces(state, 0);
   judge_elements(state, 0);
   agree_on_step(state, wishes);
-  if (contact_.is_active()) contact_.watch_start(state.x, state.v, deck_.time.step_scale * state.bound.step);
+  const double dt = std::min(deck_.time.step_scale * state.bound.step, deck_.time.end);  // rigid bodies have no bound
+  if (contact_.is_active()) contact_.watch_start(state.x, state.v, dt);
   choose_step(state);
   bookkeeper_.start(state);
 }
@@ -68,11 +69,15 @@ void Stepper::set_switches(State& state) {
 
 /// The forces at n are new, and so is the half of their work that the last step has booked.
 void Stepper::switch_now(State& state, const std::vector<char>& happened) {
-  book_forces(state, -state.dt);
+  const auto book = [&](double dt) {
+    bookkeeper_.book_new_forces(state, dt, true);
+    rigid_.book_rest(state, dt);
+  };
+  book(-state.dt);
   state.happened = happened;
   set_switches(state);
   renew_loads(state);
-  book_forces(state, state.dt);
+  book(state.dt);
 }
 
 void Stepper::archive_masses(CheckpointArchive& archive) {

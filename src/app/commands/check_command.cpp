@@ -107,7 +107,10 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
 State make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
   State state = make_initial_state(model);
   set_start_stresses(deck, chunked, model, state);
-  if (!deck.sensors.empty()) Sensors(deck, model.ranks).find_columns(History::list_columns(deck, chunked, model));
+  if (deck.sensors.empty()) return state;
+  Sensors sensors(deck, model.ranks);
+  sensors.find_columns(History::list_columns(deck, chunked, model));
+  state.happened = sensors.find_happened(0);
   return state;
 }
 

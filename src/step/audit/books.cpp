@@ -262,8 +262,8 @@ void Bookkeeper::book_gravity_work(State& state, double dt) const {
   state.books.external_work.normalize();
 }
 
-void Bookkeeper::book_new_forces(State& state, double dt) {
-  const Gravity gravity = model_.gravity_varies ? state.gravity : Gravity{};
+void Bookkeeper::book_new_forces(State& state, double dt, bool takes_gravity) {
+  const Gravity gravity = model_.gravity_varies || takes_gravity ? state.gravity : Gravity{};
   book_rest_of_work(model_, held_force_sum_,
                     {state.held, state.owned_held, state.v, state.slot_force, state.mass, gravity}, dt, state.books);
   book_rest_of_work(model_, held_force_sum_,

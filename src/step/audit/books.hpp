@@ -43,8 +43,9 @@ class Bookkeeper {
   /// and forces at n. walls: this rank's share, moments about Model::mass_center. Collective.
   void book_impulses(State& state, double dt, double dt_mean, const WallSums& walls);
 
-  /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
-  void book_new_forces(State& state, double dt);
+  /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1. takes_gravity: constant
+  /// gravity on held directions counts too, which matters where what is held changes.
+  void book_new_forces(State& state, double dt, bool takes_gravity = false);
 
   /// Nodes of this rank vanish with what they have: momentum, energy, work of gravity. Call with the state that still
   /// has them; sets its total mass. Collective.

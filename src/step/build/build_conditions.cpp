@@ -85,6 +85,7 @@ class HeldDirectionFinder {
           {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
       model_.is_driven = true;
     }
+    model_.is_driven = model_.is_driven || condition.when.any();  // nodes move as it begins to hold them
     motions_.push_back({c, k, row});
     for (const int node : nodes) {
       if (rigid_.holds(node)) continue;

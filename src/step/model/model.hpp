@@ -145,7 +145,7 @@ struct Model {
   Array<int> owned_held;  // entries of `held` whose nodes this rank owns
   SwitchModel switches;
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
-  bool is_driven = false;       // whether a prescribed motion other than rest exists
+  bool is_driven = false;       // whether held nodes may move: by a prescribed motion, or when a sensor has them held
   RigidModel rigid;
   SpringModel springs;
   WeldModel welds;

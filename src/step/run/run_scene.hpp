@@ -60,7 +60,9 @@ class Run {
   void observe_last();
   void save_interrupted();
   void look_at_corners();
+  void start_sensors();
   void look_by_sensors(bool has_new_row);
+  void tell_events(const std::vector<char>& happened);
   void audit();
   void note_contact();
   void note_contact_gain();

@@ -56,8 +56,9 @@ void Sensors::look(double time, const std::vector<double>& row) {
     if (!deck_.sensors[s].time) see(deck_.sensors[s], time, values[s], states_[s]);
 }
 
-/// A level is crossed by a value that was on its other side before.
+/// A level is crossed by a value that was on its other side before. What is not finite crosses nothing.
 void Sensors::see(const SensorDeck& sensor, double time, double value, SensorState& state) const {
+  if (!std::isfinite(value)) return;  // it says nothing
   if (!state.has_start) state.start = value;
   state.has_start = true;
   if (state.event != never) return;

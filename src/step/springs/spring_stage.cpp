@@ -43,6 +43,8 @@ void SpringStage::gather(const State& state) {
   const auto mass = state.mass;
   const auto node = model_.springs.owned_node;
   const auto own = own_rows_;
+  const bool may_free = model_.switches.switches_conditions;  // what is held now may move in the next step
+  const Array<const int> body_of_node = model_.rigid.body_of_node;
   Kokkos::parallel_for(
       "percuss::gather_spring_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
@@ -53,6 +55,7 @@ void SpringStage::gather(const State& state) {
           own(i, NodeRow::velocity + k) = v(n, k);
           mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
         }
+        if (may_free && mass(n) > 0 && !RigidModel::holds(body_of_node, n)) mobility = 1 / mass(n);
         own(i, NodeRow::mobility) = mass(n) > 0 ? mobility : NodeRow::gone;
       });
   gather_rows(model_.ranks, own_rows_, model_.springs.owned_place, NodeRow::count, rows_);

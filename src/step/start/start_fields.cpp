@@ -126,8 +126,17 @@ void throw_obstacle(const Communicator& ranks, const StartFieldsDeck& fields, co
                                broadcast_text(ranks, text, rank)));
 }
 
-void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, const Deck& deck,
-                     const ChunkedMesh& chunked, const Model& model, State& state) {
+/// What gets stresses from files.
+struct StressTarget {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  const Model& model;
+  State& state;
+  std::vector<char> is_set;  // [elements] whether a file has given a stress
+};
+
+void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, StressTarget& target) {
+  auto& [deck, chunked, model, state, is_set] = target;
   const Mesh& mesh = chunked.mesh;
   RecordWriter records(model, state);
   const auto work = to_host(state.results.work);
@@ -144,7 +153,8 @@ void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, con
       if (row < 0) continue;
       hits[at(row)] += 1;
       const double* const values = &table.values[at(row * table.columns())];
-      std::string why = find_obstacle(deck, mesh, at(e));
+      std::string why = is_set[at(e)] != 0 ? "has a stress from another file" : find_obstacle(deck, mesh, at(e));
+      is_set[at(e)] = 1;
       if (why.empty() && !records.write(static_cast<int>(c), e, values, table.has_plastic_strain))
         why = "has a plastic strain (its material has none)";
       if (!why.empty() && row < obstacle_row) {
@@ -189,9 +199,10 @@ void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const st
 }
 
 void set_start_stresses(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
+  StressTarget target{deck, chunked, model, state, std::vector<char>(chunked.mesh.element_ids.size(), 0)};
   for (const StartFieldsDeck& fields : deck.start.fields) {
     const StartTable table = load_table(model.ranks, fields.file);
-    if (!table.is_of_nodes) set_stresses_of(fields, table, deck, chunked, model, state);
+    if (!table.is_of_nodes) set_stresses_of(fields, table, target);
   }
 }
 

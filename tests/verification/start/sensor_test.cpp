@@ -175,4 +175,59 @@ sensors: {go: {time: 2e-3}}
   }
 }
 
+TEST(Sensors, ALoadThatASensorSwitchesOnAtTimeZeroActsFromTheStart) {
+  const auto load = [](const std::string& sensor) {
+    return make_block("loads: {nodal: [{nodes: block, force: {x: 2}" + sensor + "}]}\noutput: {history: {every: 0}}\n");
+  };
+  const HistoryTable always = run_deck(load("")).history;
+  const Outcome switched = run_deck(load(", from: go") + "sensors: {go: {time: 0}}\n");
+  EXPECT_EQ(switched.history["momentum_x"], always["momentum_x"]);
+  EXPECT_LT(std::abs(switched.summary.energy.error), 1e-12);
+}
+
+TEST(Sensors, NodesThatAreCaughtUnderGravityKeepTheBalance) {
+  // A face at 3 m/s is held from 3 ms on: its kinetic energy goes, and with it what gravity had begun to do.
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-2, max_step: 1e-4}
+parts: {block: {box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, material: steel}}
+materials: {steel: {model: elastic, density: 1000, youngs_modulus: 1e6, poissons_ratio: 0.3}}
+loads: {gravity: [-10, 0, 0]}
+initial: [{nodes: block/x_max, velocity: [3, 0, 0]}]
+conditions: [{nodes: block/x_max, fixed: [x], from: catch}]
+sensors: {catch: {time: 3e-3}}
+output: {history: {every: 0}}
+)yaml");
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
+}
+
+TEST(Sensors, ARelaxationHoldsWhatItIsToldTo) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 1e-3}
+parts:
+  block: {box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, material: steel}
+  other: {box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [1, 0, 0], material: steel}
+materials: {steel: {model: elastic, density: 1000, youngs_modulus: 1e8, poissons_ratio: 0.3}}
+conditions: [{nodes: block/z_min, fixed: [x, y, z]}, {nodes: other/z_min, fixed: [z], from: go}]
+loads: {gravity: [0, 0, -10]}
+start: {relaxation: {hold: [other], ramp: 10}}
+sensors: {go: {time: 5e-4}}
+output: {history: {every: 0, nodes: [{name: tip, near: [1.2, 0, 0]}]}}
+)yaml");
+  EXPECT_EQ(run.history["tip_z"].front(), 0);
+  EXPECT_LT(run.history["tip_z"].back(), 0);  // it falls until it is caught
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
+TEST(Sensors, ASpringBetweenHeldNodesBoundsTheStepBeforeTheyAreReleased) {
+  const Outcome run = run_deck(make_block(R"yaml(
+conditions: [{nodes: block, fixed: [x, y, z], until: go}]
+springs: {s: {between: [{near: [0, 0, 0]}, {near: [0.2, 0, 0]}], stiffness: 1e8, rest_length: 0.1999}}
+sensors: {go: {time: 1e-3}}
+output: {history: {every: 0}}
+)yaml"));
+  EXPECT_LE(run.history["dt"][1], 5e-5);  // 2 sqrt(m / 2 k) of two corners of 1/8 kg each, before the release
+  EXPECT_LT(std::abs(run.summary.energy.error), 2e-2);  // the spring moves with the largest step
+  EXPECT_EQ(run.summary.status, "completed");
+}
+
 }  // namespace percuss::test

@@ -147,4 +147,14 @@ TEST(StartFields, ElementsThatCannotHaveAStressAreRefused) {
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a plastic strain (its material has none)"));
 }
 
+TEST(StartFields, AnElementHasAStressFromOneFileOnly) {
+  const FieldsScene scene;
+  scene.add_file("s.csv", std::string(heading) + "\n2,0,0,1,0,0,0\n3,0,0,1,0,0,0\n");
+  std::string twice = hang("");
+  const std::string once = "{file: s.csv";
+  ASSERT_NE(twice.find(once), std::string::npos) << twice;
+  twice.insert(twice.find(once), "{file: s.csv}, ");
+  EXPECT_THAT(scene.find_error(twice), HasSubstr("s.csv:2: error: element 2 has a stress from another file"));
+}
+
 }  // namespace percuss::test
