@@ -81,26 +81,22 @@ def _show(value, unit):
     return with_unit(float(f"{value:.4g}"), unit)
 
 
-def find_given_masses(deck):
-    """{part: (mass, body)} of rigid parts whose mass the deck gives: columns of parts count that of their elements."""
-    found = {}
-    for name, part in (deck.get("parts") or {}).items():
-        rigid = part.get("rigid") if isinstance(part, dict) else None
-        if isinstance(rigid, dict) and isinstance(rigid.get("mass"), (int, float)):
-            found[name] = float(rigid["mass"]), str(rigid.get("body") or name)
-    return found
+def have_sets_masses(deck):
+    """Whether rigid_sets bring mass or inertia, which no part has."""
+    sets = deck.get("rigid_sets")
+    return isinstance(sets, dict) and any(isinstance(one, dict) and (one.get("mass") or one.get("inertia")) for one in sets.values())
 
 
-def find_balances(history, gives_masses=False):
+def find_balances(history, sets_have_masses=False):
     """[(what, sum of the shares, the whole, difference over the largest magnitude)] of what must add up: the work of all pairs of
-    contact; energies, momenta of all parts, where there is a column for each. gives_masses: the deck gives masses to rigid bodies,
-    which columns of parts do not have."""
+    contact; energies, momenta of all parts, where there is a column for each. sets_have_masses: rigid_sets bring masses, which are
+    in no part."""
     found = []
     for whole in ("contact", "friction"):
         _add(found, history, whole, f"work of {whole} by all pairs", [n for n in history if n.startswith(f"{whole}:")])
     # Work between parts and from outside is in no part, and removed nodes are in none.
     if "vanished_mass" not in history:
-        for whole in ("internal",) if gives_masses else ("kinetic", "internal", "momentum_x", "momentum_y", "momentum_z"):
+        for whole in ("internal",) if sets_have_masses else ("kinetic", "internal", "momentum_x", "momentum_y", "momentum_z"):
             _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts", [n for n in history if n.startswith(f"{whole}:")])
     return found
 
@@ -122,8 +118,7 @@ def _add(found, history, whole, what, shares):
 
 def make_balance_table(run):
     rows = []
-    gives_masses = bool(find_given_masses(run.deck) or run.deck.get("rigid_sets"))
-    for what, total, whole, difference, column in find_balances(run.history, gives_masses):
+    for what, total, whole, difference, column in find_balances(run.history, have_sets_masses(run.deck)):
         unit = run.history.unit(column)
         verdict = "in balance" if difference <= ROUND_OFF else "not the same: not every share has a column"
         rows.append((what, _show(total, unit), _show(whole, unit), f"{difference:.2g}", verdict))
@@ -140,27 +135,27 @@ def make_balance_table(run):
 def find_momentum_balances(run):
     """[(force, impulse, change of momentum, difference, words)] of each contact force on parts from all others, whose momenta are in
     the history: they are the same where nothing else acts on the parts. Magnitudes of vectors."""
-    history, found, given = run.history, [], find_given_masses(run.deck)
+    history, found = run.history, []
+    others = "supports, loads and masses of rigid_sets" if have_sets_masses(run.deck) else "supports and loads"
     for name in list_forces(history):
         parts = _list_parts_acted_on(run, name)
-        if not parts or not all(part in given or f"momentum_x:{part}" in history for part in parts):
+        if not parts or not all(f"momentum_x:{part}" in history for part in parts):
             continue
-        change = sum(_find_change_of_momentum(history, part, given) for part in parts)
+        change = sum(_find_change_of_momentum(history, part) for part in parts)
         impulse = find_impulse(history, name)
         largest = max(np.linalg.norm(impulse), np.linalg.norm(change))
         if not largest > 0:
             continue
         difference = float(np.linalg.norm(impulse - change) / largest)
-        verdict = "in balance" if difference <= ROUND_OFF else "the rest is of supports and loads"
+        verdict = "in balance" if difference <= ROUND_OFF else f"the rest is of {others}"
         found.append((name, float(np.linalg.norm(impulse)), float(np.linalg.norm(change)), difference, verdict))
     return found
 
 
-def _find_change_of_momentum(history, part, given):
+def _find_change_of_momentum(history, part):
     """[3] between the first row and the last."""
-    mass, body = given.get(part, (1.0, ""))
-    columns = [f"body_v{axis}:{body}" if body else f"momentum_{axis}:{part}" for axis in "xyz"]
-    return np.array([mass * (history[name][-1] - history[name][0]) for name in columns])
+    columns = [history[f"momentum_{axis}:{part}"] for axis in "xyz"]
+    return np.array([column[-1] - column[0] for column in columns])
 
 
 def _list_parts_acted_on(run, name):

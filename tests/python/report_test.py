@@ -32,7 +32,7 @@ from reporting.answers import (find_peaks_of_forces, is_resolved, judge_trust, l
                                suggest_forces, tell_events, tell_force)
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
-from reporting.forces import find_balances, find_force, find_given_masses, find_impulse, find_momentum_balances, list_forces  # noqa: E402
+from reporting.forces import find_balances, find_force, find_impulse, find_momentum_balances, list_forces, make_balance_table  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.motion import find_motions  # noqa: E402
 from reporting.pictures import Worst, differ  # noqa: E402
@@ -321,14 +321,17 @@ class Findings(OfARun):
 
     def test_balance_a_rigid_body_with_the_mass_that_the_deck_gives(self):
         deck = {"parts": {"ram": {"rigid": {"mass": 300, "body": "sled"}}, "tube": {}, "base": {"rigid": True}},
-                "output.history.forces": [{"name": "hit", "contact": ["ram", "all"]}]}
-        self.assertEqual(find_given_masses(deck), {"ram": (300.0, "sled")})
-        names = ["time", "fx:hit", "fy:hit", "fz:hit", "body_vx:sled", "body_vy:sled", "body_vz:sled", "momentum_x:ram", "kinetic", "kinetic:ram"]
-        table = np.array([[0, 0, 0, 0, 0, 0, -10, 7, 8, 9], [2, 0, 0, 150, 0, 0, -9, 7, 8, 9]], dtype=float)
-        history = History(names, table)
-        found = find_momentum_balances(SimpleNamespace(history=history, deck=deck))
-        self.assertEqual(found, [("hit", 300, 300, 0, "in balance")])
-        self.assertEqual((len(find_balances(history)), find_balances(history, True)), (1, []))
+                "rigid_sets": {"rim": {"nodes": "tube/x_min"}}, "output.history.forces": [{"name": "hit", "contact": ["ram", "all"]}]}
+        names = ["time", "fx:hit", "fy:hit", "fz:hit", "momentum_x:ram", "momentum_y:ram", "momentum_z:ram", "kinetic", "kinetic:ram", "kinetic:tube"]
+        table = np.array([[0, 0, 0, 0, 0, 0, -3000, 15000, 15000, 0], [2, 0, 0, 150, 0, 0, -2700, 12650, 12150, 500]], dtype=float)
+        run = SimpleNamespace(history=History(names, table), deck=deck)
+        self.assertEqual(find_momentum_balances(run), [("hit", 300, 300, 0, "in balance")])
+        self.assertRegex(make_balance_table(run), "kinetic of all parts.*in balance")
+        # Masses of sets are in no part.
+        deck["rigid_sets"]["rim"]["mass"] = 20
+        table[1, 6] = -2720
+        self.assertEqual([words for *_, words in find_momentum_balances(run)], ["the rest is of supports, loads and masses of rigid_sets"])
+        self.assertNotIn("kinetic of all parts", make_balance_table(run))
 
     def test_tell_whether_rows_resolve_a_peak(self):
         def is_shown(force):

@@ -146,13 +146,14 @@ class Stop(unittest.TestCase):
         return subprocess.run([sys.executable, "-S", "-B", os.path.join(ROOT, "scripts/stop"), *arguments], capture_output=True,
                               text=True, timeout=120)
 
-    def start(self):
+    def start(self, *settings):
         """A run that only a request ends."""
         deck, out = os.path.join(self.folder, "deck.yaml"), os.path.join(self.folder, "out")
         with open(deck, "w", encoding="utf-8") as file:
             file.write(sample_run.DECK.format(units="m, kg, s").replace("velocity: [0, 0, -50]", "velocity: [0, 0, 0.001]"))
         run = subprocess.Popen([PERCUSS, "run", deck, "--out", out, "--quiet", "--set", "time.end=1e6", "--set", "output.fields.every=1e6",
-                                "--set", "output.history.every=1e6", "--set", "output.checkpoint.every=1e6"], stderr=subprocess.DEVNULL,
+                                "--set", "output.history.every=1e6", "--set", "output.checkpoint.every=1e6", *(word for setting in settings for word in ("--set", setting))],
+                               stderr=subprocess.DEVNULL,
                                env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"))
         self.addCleanup(lambda: run.poll() is None and (run.kill(), run.wait()))
         while not os.path.exists(os.path.join(out, "summary.json")) and run.poll() is None:
@@ -173,6 +174,18 @@ class Stop(unittest.TestCase):
         with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 4)  # heading, start, the frame's row, the end
         self.assertEqual(set(os.listdir(out)) & {"stop", "frame", "checkpoint"}, set())
+
+    def test_says_which_of_frame_and_row_a_run_does_not_write(self):
+        for settings, words, rows in ((["output={history: {every: 1e6}}"], "writes a row of the history without a frame (the deck has no", 4),
+                                      (["sensors={late: {time: 1e6}}"], "writes a frame\n", 3),
+                                      (["output={history: {every: 1e6}}", "sensors={late: {time: 1e6}}"], "writes no frame (the deck has no", 3)):
+            run, out = self.start(*settings)
+            self.assertIn(words, self.stop(out, "--frame").stdout)
+            self.assertEqual(self.stop(out).returncode, 0)
+            self.assertEqual(run.wait(timeout=60), 130)
+            with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
+                self.assertEqual(len(file.readlines()), rows)
+            shutil.rmtree(out)
 
     def test_says_that_there_is_no_run(self):
         out = sample_run.run(PERCUSS, self.folder)

@@ -19,6 +19,7 @@
 #include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run/run.hpp"
+#include "src/step/run/stop_request.hpp"
 
 namespace percuss {
 namespace {
@@ -75,10 +76,9 @@ std::unique_ptr<FolderLock> prepare_folder(const Command& command, const std::st
     if (ranks.rank() != 0) return;
     make_output_folder(out_dir);
     lock = std::make_unique<FolderLock>(out_dir);
-    if (options.goes_on_in_place)
-      check_results_to_go_on_with(out_dir, command.restart, command.allow_external);
-    else if (!command.force)
-      check_folder_is_empty(out_dir);
+    if (!options.goes_on_in_place && !command.force) return check_folder_is_empty(out_dir);
+    remove_stale_requests(out_dir, lock->path());
+    if (options.goes_on_in_place) check_results_to_go_on_with(out_dir, command.restart, command.allow_external);
   });
   const std::string text = broadcast_text(ranks, lock ? lock->text() : "", 0);
   do_before_abort([path = out_dir + "/" + lock_file_name, text] { remove_lock(path, text); });

@@ -11,15 +11,16 @@
 namespace percuss {
 namespace {
 
-constexpr std::array<const char*, 9> free_to_change{"title",
-                                                    "units",
-                                                    "silence",
-                                                    "output",
-                                                    "audit",
-                                                    "time.end",
-                                                    "time.max_steps",
-                                                    "time.collapse_ratio",
-                                                    "contact.rebalance"};
+constexpr std::array<const char*, 10> free_to_change{"title",
+                                                     "units",
+                                                     "silence",
+                                                     "output",
+                                                     "audit",
+                                                     "time.end",
+                                                     "time.max_steps",
+                                                     "time.until",
+                                                     "time.collapse_ratio",
+                                                     "contact.rebalance"};
 
 /// What sensors look at is part of the motion.
 bool is_watched(const std::string& path) { return path == "output" || path.starts_with("output.history"); }

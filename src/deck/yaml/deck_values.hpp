@@ -9,9 +9,9 @@
 namespace percuss {
 
 /// Every value on which the motion depends, "time.step_scale = 0.9", in ascending order of their paths; equal numbers
-/// have equal texts. Left out is what a run may change when it continues: output, audit, title, units, time.end,
-/// time.max_steps, time.collapse_ratio, contact.rebalance; and the names of mesh files, whose content counts. With
-/// sensors, which look at the history, output.history counts too.
+/// have equal texts. Left out is what a run may change when it continues: output, audit, title, units, silence,
+/// time.end, time.max_steps, time.until, time.collapse_ratio, contact.rebalance; and the names of mesh files, whose
+/// content counts. With sensors, which look at the history, output.history counts too.
 std::vector<std::string> list_motion_values(const Node& deck);
 
 /// What differs between two such lists, a text each: "time.step_scale is 0.5 (0.9 in the checkpoint)".

@@ -302,9 +302,10 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
   if (!differences.empty()) {
     throw InputError(
         fmt::format("{}: error: the deck differs from that of {} (a restart must have the same scene): {}; only title, "
-                    "units, output, audit, silence, paths of mesh files, time.end, time.max_steps, time.collapse_ratio "
-                    "and contact.rebalance may change",
-                    deck.file, path, join_first(differences)));
+                    "units, {}, audit, silence, paths of mesh files, time.end, time.max_steps, time.until, "
+                    "time.collapse_ratio and contact.rebalance may change",
+                    deck.file, path, join_first(differences),
+                    deck.sensors.empty() ? "output" : "output without output.history, which sensors look at"));
   }
   if (checkpoint.mesh != now.mesh) {
     throw InputError(fmt::format(

@@ -22,6 +22,13 @@ bool remove_request(const std::string& folder, const char* name) {
   return std::filesystem::is_regular_file(file, ignored) && std::filesystem::remove(file, ignored);
 }
 
+bool is_older(const std::filesystem::path& file, const std::filesystem::path& other) {
+  std::error_code missing, other_missing;
+  const auto written = std::filesystem::last_write_time(file, missing);
+  const auto other_written = std::filesystem::last_write_time(other, other_missing);
+  return !missing && !other_missing && written < other_written;
+}
+
 }  // namespace
 
 void request_stop() { stop_requested = 1; }
@@ -36,18 +43,18 @@ bool is_checkpoint_requested() { return checkpoint_requested != 0; }
 
 void forget_checkpoint_request() { checkpoint_requested = 0; }
 
-FolderRequests::FolderRequests(std::string folder) : folder_(std::move(folder)) { remove_files(); }
-
-FolderRequests::Found FolderRequests::remove_files() const {
-  if (folder_.empty()) return {};
-  return {remove_request(folder_, "stop"), remove_request(folder_, "checkpoint"), remove_request(folder_, "frame")};
+void remove_stale_requests(const std::string& folder, const std::string& lock) {
+  for (const char* name : {"stop", "checkpoint", "frame"})
+    if (is_older(std::filesystem::path(folder) / name, lock)) remove_request(folder, name);
 }
+
+FolderRequests::FolderRequests(std::string folder) : folder_(std::move(folder)) {}
 
 FolderRequests::Found FolderRequests::take() {
   const Clock::time_point now = Clock::now();
   if (folder_.empty() || now < next_) return {};
   next_ = now + between_looks;
-  return remove_files();
+  return {remove_request(folder_, "stop"), remove_request(folder_, "checkpoint"), remove_request(folder_, "frame")};
 }
 
 void stop_if_requested(const Communicator& ranks, const char* stage) {

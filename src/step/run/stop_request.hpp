@@ -32,14 +32,14 @@ bool is_checkpoint_requested();
 void forget_checkpoint_request();
 
 /// Requests by files, for users who cannot send a signal: DIR/stop ends the run with a checkpoint, DIR/checkpoint
-/// writes one, DIR/frame writes a frame of fields and a row of the history.
+/// writes one, DIR/frame writes a frame of fields and, without sensors, a row of the history.
 class FolderRequests {
  public:
   struct Found {
     bool stop = false, checkpoint = false, frame = false;
   };
 
-  /// What was left there before the run is no request to it. folder: empty for a run without files.
+  /// What was asked for during the start is found at the first look. folder: empty for a run without files.
   explicit FolderRequests(std::string folder);
 
   /// What has been asked for since the last call; the files are removed. Looks at most four times a second.
@@ -47,11 +47,13 @@ class FolderRequests {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Found remove_files() const;
 
   std::string folder_;
   Clock::time_point next_ = Clock::now();
 };
+
+/// Removes the requests in a folder that are older than the lock of its run: they were made to an earlier one.
+void remove_stale_requests(const std::string& folder, const std::string& lock);
 
 /// Throws Interruption on all ranks if any was asked to stop. stage: what was done, "the mesh was built". Collective.
 void stop_if_requested(const Communicator& ranks, const char* stage);

@@ -4,23 +4,27 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numeric>
-#include <sstream>
+#include <string>
 #include <string_view>
 #include <variant>
 
 #include "src/deck/text/number_text.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
+#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr const char* stress_heading = "element,stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
 constexpr const char* strain_heading = ",equivalent_plastic_strain";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::uintmax_t largest_table = std::numeric_limits<int>::max();  // MPI sends it, and counts with an int
 constexpr const char* velocity_heading = "node,velocity_x,velocity_y,velocity_z";
 
 [[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& what) {
@@ -97,21 +101,28 @@ void sort_rows(const std::string& path, StartTable& table) {
 
 std::string read_start_file(const std::string& path) {
   std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem))
-    throw InputError(
-        fmt::format("{}: error: this is no regular file (a table of stresses or velocities is expected)", path));
+  if (!std::filesystem::exists(path, problem) && !problem)
+    throw InputError(fmt::format("{}: error: no such file (a table of stresses or velocities is expected)", path));
+  if (const std::string kind = describe_irregular_file(path); !kind.empty())
+    throw InputError(fmt::format("{}: error: the table is {}", path, kind));
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw SystemError(fmt::format("{}: error: cannot read the file", path));
-  return text.str();
+  const std::uintmax_t bytes = std::filesystem::file_size(path, problem);
+  if (!file || problem) throw SystemError(fmt::format("{}: error: the file cannot be opened", path));
+  if (bytes > largest_table)
+    throw InputError(
+        fmt::format("{}: error: the table has {} bytes (must have less than 2 GiB): use several files", path, bytes));
+  std::string text(bytes, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(bytes));
+  if (static_cast<std::uintmax_t>(file.gcount()) != bytes)
+    throw SystemError(fmt::format("{}: error: the file cannot be read", path));
+  return text;
 }
 
 StartTable parse_start_table(const std::string& text, const std::string& path) {
   StartTable table;
   bool has_heading = false;
   std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
+  for (std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; begin < text.size();) {
     const auto end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = trim(std::string_view(text).substr(begin, end - begin));
     begin = end + 1;

@@ -20,10 +20,11 @@ struct StartTable {
   int columns() const { return is_of_nodes ? 3 : has_plastic_strain ? 7 : 6; }
 };
 
-/// The whole text of a file. Throws InputError, SystemError.
+/// The whole text of a file. Throws InputError for what is no regular file or has 2 GiB and more, SystemError.
 std::string read_start_file(const std::string& path);
 
-/// Throws InputError with file and line: another heading, a row that is short or long, what is no number, an id twice.
+/// A byte order mark is skipped. Throws InputError with file and line: another heading, a row that is short or long,
+/// what is no number, an id twice.
 StartTable parse_start_table(const std::string& text, const std::string& path);
 
 }  // namespace percuss

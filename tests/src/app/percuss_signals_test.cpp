@@ -84,6 +84,35 @@ TEST_F(PercussSignals, MayBeFilesInTheFolderOfResults) {
   EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 4);  // heading, start, what was asked for, the end
 }
 
+TEST_F(PercussSignals, ByFilesDuringStartUpActAtTheFirstLook) {
+  std::string text = blocks;
+  text.replace(text.find("cells: [8, 8, 8]"), 16, "cells: [40, 40, 40]");
+  const std::vector<std::string> large{
+      "run", folder_.write("large.yaml", text), "-o", out_, "--force", "--set", "time.max_steps=2000"};
+  const ProcessResult result =
+      disturb_percuss(large, out_ + "/run.lock", [&](int) { std::ofstream(out_ + "/stop").flush(); });
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_EQ(read_summary(out_ + "/summary.json").status, "interrupted");
+  EXPECT_FALSE(fs::exists(out_ + "/stop"));
+}
+
+TEST_F(PercussSignals, ByFilesToAnEarlierRunAreRemoved) {
+  fs::create_directory(out_);
+  for (const char* what : {"frame", "checkpoint", "stop"}) {
+    const std::string file = out_ + "/" + what;
+    std::ofstream(file).flush();
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
+  }
+  const std::vector<std::string> few{"run", deck_, "-o", out_, "--set", "time.max_steps=3"};
+  EXPECT_EQ(run_percuss(few).exit_code, 2);
+  EXPECT_TRUE(fs::exists(out_ + "/stop"));  // perhaps another program's
+  std::vector<std::string> forced = few;
+  forced.push_back("--force");
+  EXPECT_EQ(run_percuss(forced).exit_code, 0);
+  EXPECT_EQ(read_summary(out_ + "/summary.json").steps, 3);
+  for (const char* what : {"frame", "checkpoint", "stop", "checkpoint.h5"}) EXPECT_FALSE(fs::exists(out_ + "/" + what));
+}
+
 TEST_F(PercussSignals, DuringStartUpEndARunBeforeItHasChangedAFile) {
   for (const char* signal : {"INT", "TERM", "USR1", "HUP", "XCPU"}) {
     const ProcessResult result = run_percuss(run(), arrive_first(signal));

@@ -126,4 +126,26 @@ output: {history: {every: 1.0e-5}}
   EXPECT_LT(run.summary.momentum.angular_error, 1e-11);
 }
 
+// The ram weighs 300 and the cube 8; the set brings 20.
+TEST(RigidSet, ItsMassIsInNoPartUnlessItJoinsOneWithAGivenMass) {
+  const std::string two = R"(
+time: {end: 1.0e-3, max_step: 1.0e-4}
+parts:
+  ram: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: steel, rigid: {mass: 300}}
+  cube: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [3, 0, 0], material: steel}
+materials: {steel: {model: elastic, density: 8000, youngs_modulus: 200e6, poissons_ratio: 0}}
+initial: [{velocity: [2, 0, 0]}]
+output: {history: {every: 0, parts: all}}
+)";
+  const HistoryTable alone = run_deck(two + "rigid_sets: {rim: {nodes: cube/x_max, mass: 20}}\n").history;
+  EXPECT_NEAR(alone["momentum_x"].front(), 2 * 328, 1e-10);
+  EXPECT_NEAR(alone["mass:ram"].front(), 300, 1e-10);
+  EXPECT_NEAR(alone["mass:cube"].front(), 8, 1e-12);
+  EXPECT_NEAR(alone["momentum_x:cube"].front(), 2 * 8, 1e-12);
+  const HistoryTable joined = run_deck(two + "rigid_sets: {rim: {nodes: cube/x_max, body: ram, mass: 20}}\n").history;
+  EXPECT_NEAR(joined["mass:ram"].front() + joined["mass:cube"].front(), 328, 1e-10);
+  EXPECT_NEAR(joined["mass:cube"].front(), 6, 1e-12);  // the nodes of the set, a quarter, are of the body
+  EXPECT_NEAR(joined["momentum_x:ram"].front(), 2 * 322, 1e-10);
+}
+
 }  // namespace percuss::test

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
+#include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
@@ -42,6 +46,43 @@ output: {{history: {{every: 0, nodes: [{{name: tip, near: [0.2, 0, 0]}}, {{name:
 )yaml",
                                 sensor));
 }
+
+const std::string fall = make_block(R"yaml(
+initial: [{part: block, velocity: [0, 0, -1]}]
+walls: [{name: floor, point: [0, 0, -1e-4], normal: z}]
+contact: {surfaces: all}
+sensors: {gone: {value: "fz:floor", falls_below: 1}, late: {time: 1e-2}}
+output: {history: {every: 1e-4, forces: [{name: floor, wall: floor}]}, checkpoint: {every: 1}}
+)yaml");
+
+/// In a folder of its own, or on from the checkpoint that is there.
+class FallingBlock {
+ public:
+  Summary run(const std::vector<std::string>& more, bool goes_on = false) const {
+    std::vector<std::string> settings{"time.end=0.05"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    RunOptions options;
+    options.out_dir = folder_.path();
+    if (goes_on) options.restart = folder_.path() + "/checkpoint.h5";
+    options.goes_on_in_place = goes_on;
+    return run_scene(parse_deck(fall, "deck.yaml", settings), options).summary;
+  }
+  std::string find_refusal(const std::vector<std::string>& more) const {
+    try {
+      run(more, true);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no refusal";
+  }
+  std::string read_history() const {
+    std::ifstream file(folder_.path() + "/history.csv");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
 
 }  // namespace
 
@@ -117,6 +158,33 @@ output: {history: {every: 1e-4, forces: [{name: floor, wall: floor}]}}
   EXPECT_GE(force[force.size() - 2], 1);
   EXPECT_EQ(force.front(), 0);  // below from the start: no event
   EXPECT_GT(run.history["momentum_z"].back(), 0);
+}
+
+TEST(Sensors, ARunThatOneHasEndedGoesOnPastIt) {
+  const FallingBlock whole, parted;
+  const Summary end = whole.run({});
+  const Summary first = parted.run({"time.until=gone"});
+  EXPECT_EQ(first.ended_by, "gone");
+  EXPECT_LT(first.time, 0.01);
+  const Summary second = parted.run({"time.until=late"}, true);
+  EXPECT_EQ(second.ended_by, "late");
+  EXPECT_GE(second.time, 0.01);
+  EXPECT_LT(second.time, 0.0101);
+  const Summary last = parted.run({}, true);
+  EXPECT_EQ(last.ended_by, "");
+  EXPECT_EQ(last.steps, end.steps);
+  EXPECT_EQ(last.state_hash, end.state_hash);
+  EXPECT_EQ(last.sensors.size(), 2U);
+  EXPECT_EQ(parted.read_history(), whole.read_history());
+}
+
+TEST(Sensors, ARestartThatLooksAtOtherRowsIsRefused) {
+  const FallingBlock block;
+  block.run({"time.until=gone"});
+  const std::string refusal = block.find_refusal({"output.history.every=2e-4"});
+  EXPECT_THAT(refusal, HasSubstr("output.history.every is 0.0002 (0.0001 in the checkpoint)"));
+  EXPECT_THAT(refusal, HasSubstr("output without output.history, which sensors look at"));
+  EXPECT_THAT(refusal, HasSubstr("time.until"));
 }
 
 TEST(Sensors, ABlockFallsWhenItsSupportIsReleased) {

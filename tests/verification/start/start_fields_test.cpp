@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "src/deck/reading/read_deck.hpp"
@@ -25,6 +27,7 @@ class FieldsScene {
   void add_file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_.path() + "/" + name) << text;
   }
+  std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
   Outcome run(const std::string& text) const { return run_deck(parse_deck(text, folder_.path() + "/deck.yaml", {})); }
   std::string find_error(const std::string& text) const {
     try {
@@ -101,6 +104,23 @@ TEST(StartFields, ABarThatHasYieldedStaysAtRest) {
   const Outcome run = scene.run(deck);
   expect_rest(run);
   EXPECT_EQ(run.history["top_eps"].back(), 0.01);
+}
+
+TEST(StartFields, AByteOrderMarkIsSkipped) {
+  const FieldsScene scene;
+  scene.add_file("s.csv", "\xEF\xBB\xBF" + hang_stresses());
+  expect_rest(scene.run(hang("")));
+}
+
+TEST(StartFields, APipeAndATableThatIsTooLongAreRefused) {
+  const FieldsScene scene;
+  ASSERT_EQ(mkfifo(scene.path("s.csv").c_str(), 0600), 0);
+  EXPECT_THAT(scene.find_error(hang("")), HasSubstr("s.csv: error: the table is a pipe (a regular file is needed)"));
+  std::filesystem::remove(scene.path("s.csv"));
+  scene.add_file("s.csv", "");
+  std::filesystem::resize_file(scene.path("s.csv"), std::uintmax_t{1} << 31);  // without blocks on the disk
+  EXPECT_THAT(scene.find_error(hang("")),
+              HasSubstr("s.csv: error: the table has 2147483648 bytes (must have less than 2 GiB)"));
 }
 
 TEST(StartFields, AVelocityIsThatOfItsNodes) {
