@@ -78,8 +78,8 @@ def _make_pictures(runs, labels, options):
     """Of each run with fields; runs that show one field share the range of its colours."""
     drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
     names = [_choose_field(run.fields, options.field) for run, _ in drawn]
-    worsts = [Worst(run.fields, name) for (run, _), name in zip(drawn, names)]
-    frames = [[0, worst.frame, len(run.fields.times) - 1] for (run, _), worst in zip(drawn, worsts)]
+    worsts = [None if name in CATEGORIES else Worst(run.fields, name) for (run, _), name in zip(drawn, names)]
+    frames = [[0, *([] if worst is None else [worst.frame]), len(run.fields.times) - 1] for (run, _), worst in zip(drawn, worsts)]
     shared = None
     if options.pictures and len(set(names)) == 1 and names[0] not in CATEGORIES:
         shared = find_range([run.fields for run, _ in drawn], names[0], frames)
@@ -99,24 +99,31 @@ def _choose_field(fields, wanted):
 
 
 def _show_pictures(fields, name, worst, frames, options, shared):
-    unit, factor = choose_unit(fields.unit_of(name), abs(worst.value))
-    extreme = f"largest {label_of(name)}: {with_unit(float(f'{worst.value * factor:.4g}'), unit)} in {worst.text}"
-    sentence = f"<p>{escape(extreme[0].upper() + extreme[1:])}, frame {worst.frame}.</p>"
+    """worst: None of a field whose largest value says nothing, such as the number of the part."""
+    extreme = sentence = ""
+    if worst is not None:
+        unit, factor = choose_unit(fields.unit_of(name), abs(worst.value))
+        extreme = f"largest {label_of(name)}: {with_unit(float(f'{worst.value * factor:.4g}'), unit)} in {worst.text}"
+        sentence = f"<p>{escape(extreme[0].upper() + extreme[1:])}, frame {worst.frame}.</p>"
     if not options.pictures:
         return sentence
+    alone = {}
     try:
         pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared})
-        alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "part": worst.part}) if worst.part else {}
+        if worst is not None and worst.part:
+            alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "part": worst.part})
     except RuntimeError as error:
         note(f"no pictures: {error}")
         return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"
+    labels = ("start", "end") if worst is None else ("start", "worst", "end")
     shown = ""
     for frame in dict.fromkeys(frames):
-        words = " and ".join(word for word, other in zip(("start", "worst", "end"), frames) if other == frame)
+        words = " and ".join(word for word, other in zip(labels, frames) if other == frame)
         clock = format_time(fields.times[frame], fields.times[-1], fields.time_unit)
-        text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if frame == worst.frame else "")
+        is_worst = worst is not None and frame == worst.frame
+        text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if is_worst else "")
         shown += _show_picture(pictures[frame], text)
-        if frame == worst.frame and alone and differ(pictures[frame], alone[frame]):
+        if is_worst and alone and differ(pictures[frame], alone[frame]):
             shown += _show_picture(alone[frame], f"The same without other parts: {worst.part}")
     return f"<div class=pictures>{shown}</div>"
 

@@ -141,6 +141,10 @@ class Report(OfARun):
         self.assertNotEqual(pictures[0], pictures[-1])
         self.assertRegex(text, r"(?i)worst( and end)?: t = [\d.]+ \S+, frame \d+; largest speed: [\d.]+ m/s in node \d+")
 
+    def test_names_no_worst_frame_of_the_number_of_the_part(self):
+        text = self.make(self.out, "--no-view", "--no-pictures", "--field", "part")
+        self.assertNotIn("argest part", text)
+
     def test_shows_the_worst_part_alone_where_others_hide_it(self):
         if not (HAS_VTK and HAS_DISPLAY):
             self.skipTest("no VTK or no display")
