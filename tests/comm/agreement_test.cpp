@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "comm/first_finding.hpp"
+
 namespace percuss::test {
 
 namespace {
@@ -59,5 +61,15 @@ TEST(BroadcastValues, AreThoseOfTheRootEverywhere) {
   EXPECT_TRUE(none.empty());
 }
 
+TEST(FirstFinding, IsThatOfTheLowestNumberAndRank) {
+  const Communicator world = Communicator::world();
+  EXPECT_EQ(agree_on_first(world, no_finding, "nothing"), std::nullopt);
+  EXPECT_EQ(agree_on_first(world, 7, name_rank(world.rank())), name_rank(0));
+  const int last = world.size() - 1;
+  EXPECT_EQ(agree_on_first(world, 100 - world.rank(), name_rank(world.rank())), name_rank(last));
+  EXPECT_EQ(agree_on_first(world, world.rank() == last ? 3 : no_finding, "the last"), "the last");
+}
+
 }  // namespace
+
 }  // namespace percuss::test

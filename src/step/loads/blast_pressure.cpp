@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "comm/agreement.hpp"
-#include "comm/all_reduce.hpp"
+#include "comm/first_finding.hpp"
 #include "src/deck/units.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -28,7 +26,7 @@ struct FacePlace {
 FacePlace find_place(const Mesh& mesh, const ElementFace& face) {
   const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
   FacePlace place;
-  std::array<Vec3, 4> corner;
+  HexCorners corner{};
   double count = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     corner[i] = mesh.nodes[at(nodes[i])];
@@ -37,24 +35,22 @@ FacePlace find_place(const Mesh& mesh, const ElementFace& face) {
     count += 1;
   }
   for (double& component : place.middle) component /= count;
-  const Vec3 twice = cross(subtract(corner[2], corner[0]), subtract(corner[3], corner[1]));
-  const double size = std::sqrt(dot(twice, twice));
-  for (std::size_t k = 0; k < 3 && size > 0; ++k) place.normal[k] = twice[k] / size;
+  const Vec3 area = find_shell_area(corner);
+  const double size = find_shell_area_size(corner);
+  for (std::size_t k = 0; k < 3 && size > 0; ++k) place.normal[k] = area[k] / size;
   return place;
 }
 
-double find_size(const Vec3& vector) { return std::sqrt(dot(vector, vector)); }
-
 /// Distance in m over the cube root of the charge in kg.
 double find_scaled_distance(const BlastDeck& blast, const Units& units, const Vec3& middle) {
-  return units.length.in_si * find_size(subtract(middle, blast.center)) / std::cbrt(units.mass.in_si * blast.charge);
+  return units.length.in_si * find_distance(middle, blast.center) / std::cbrt(units.mass.in_si * blast.charge);
 }
 
 }  // namespace
 
 Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
   const Vec3 ray = subtract(middle, blast.center);
-  const double distance = find_size(ray), cosine = std::max(0.0, -dot(normal, ray) / distance);
+  const double distance = find_distance(middle, blast.center), cosine = std::max(0.0, -dot(normal, ray) / distance);
   const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance);
   const double pressure = kilo / units.in_si(dimensions::stress), time = 1 / (kilo * units.time.in_si);
   const double of_reflected = cosine * cosine, of_incident = 1 + of_reflected - 2 * cosine;
@@ -67,9 +63,7 @@ Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
                          const std::vector<ElementFace>& faces) {
   const Units units = *find_units(deck.units);
-  const Communicator ranks = find_ranks(chunked.mesh);
-  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-  std::int64_t first = none;
+  std::int64_t first = no_finding;
   std::string text;
   for (const ElementFace& face : faces) {
     const double z = find_scaled_distance(*load.blast, units, find_place(chunked.mesh, face).middle);
@@ -81,12 +75,8 @@ void require_blast_range(const Deck& deck, const PressureDeck& load, const Chunk
         "{:g}): move the charge, or select other faces",
         name_element(chunked.mesh, face.element), z, least_scaled_distance, largest_scaled_distance);
   }
-  std::int64_t least = first;
-  all_reduce(ranks, Reduce::least, least);
-  if (least == none) return;
-  int rank = first == least ? ranks.rank() : std::numeric_limits<int>::max();
-  all_reduce(ranks, Reduce::least, rank);
-  throw InputError(fmt::format("{}: error: {}", deck.where(load.where.place), broadcast_text(ranks, text, rank)));
+  if (const auto refused = agree_on_first(find_ranks(chunked.mesh), first, text))
+    throw InputError(fmt::format("{}: error: {}", deck.where(load.where.place), *refused));
 }
 
 std::vector<Curve> list_blast_pressures(const Deck& deck, const PressureDeck& load, const Mesh& mesh,

@@ -20,7 +20,6 @@
 #include "src/step/restart/restart_removals.hpp"
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/stop_request.hpp"
-#include "src/step/sensors/held_directions.hpp"
 #include "src/step/start/start_fields.hpp"
 #include "src/step/totals/run_totals.hpp"
 #include "src/step/turned_corners.hpp"
@@ -85,17 +84,8 @@ ChunkedMesh Run::load_scene() {
   return chunked;
 }
 
-/// What has happened at time 0 acts from the start on.
-void Run::start_sensors() {
-  const std::vector<char> happened = sensors_.find_happened(state_.time);
-  if (!sensors_.any() || happened == state_.happened) return;
-  tell_events(happened);
-  state_.happened = happened;
-}
-
 void Run::begin() {
   start_sensors();
-  set_held_directions(model_, state_);
   set_start_stresses(deck_, chunked_, model_, state_);
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
@@ -300,22 +290,6 @@ void Run::observe() {
   if (frame_due) look_at_corners();
   output_.advance(state_.time);
   look_by_sensors(row_due);
-}
-
-/// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
-void Run::look_by_sensors(bool has_new_row) {
-  if (!sensors_.any()) return;
-  if (has_new_row && output_.has_rows()) sensors_.look(state_.time, output_.last_row());
-  const std::vector<char> happened = sensors_.find_happened(state_.time);
-  if (happened == state_.happened) return;
-  tell_events(happened);
-  stepper_.switch_now(state_, happened);
-}
-
-void Run::tell_events(const std::vector<char>& happened) {
-  for (std::size_t s = 0; s < happened.size(); ++s)
-    if (happened[s] != state_.happened[s])
-      say({fmt::format("sensor '{}' acts at t = {:.6g}", deck_.sensors[s].name, state_.time)});
 }
 
 void Run::look_at_corners() {

@@ -7,6 +7,7 @@
 
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
+#include "comm/first_finding.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
@@ -114,18 +115,6 @@ class RecordWriter {
   decltype(to_host(std::declval<const Array<Real>&>())) records_;
 };
 
-/// The first obstacle of all ranks, by the row of the file.
-void throw_obstacle(const Communicator& ranks, const StartFieldsDeck& fields, const StartTable& table, int row,
-                    const std::string& text) {
-  int first = row;
-  all_reduce(ranks, Reduce::least, first);
-  if (first == std::numeric_limits<int>::max()) return;
-  int rank = row == first ? ranks.rank() : std::numeric_limits<int>::max();
-  all_reduce(ranks, Reduce::least, rank);
-  throw InputError(fmt::format("{}:{}: error: element {} {}", fields.file, table.lines[at(first)], table.ids[at(first)],
-                               broadcast_text(ranks, text, rank)));
-}
-
 /// What gets stresses from files.
 struct StressTarget {
   const Deck& deck;
@@ -143,7 +132,7 @@ void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, Str
   std::vector<LameConstants> moduli;
   for (const PartDeck& part : deck.parts) moduli.push_back(find_moduli(find_material(deck, part)));
   std::vector<int> hits(table.ids.size(), 0);
-  int obstacle_row = std::numeric_limits<int>::max();
+  std::int64_t obstacle_row = no_finding;
   std::string obstacle;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const Chunk& chunk = chunked.chunks[c];
@@ -159,14 +148,15 @@ void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, Str
         why = "has a plastic strain (its material has none)";
       if (!why.empty() && row < obstacle_row) {
         obstacle_row = row;
-        obstacle = why;
+        obstacle =
+            fmt::format("{}:{}: error: element {} {}", fields.file, table.lines[at(row)], table.ids[at(row)], why);
       }
       if (!why.empty()) continue;
       work(c, 0) += find_element_volume(mesh, at(e)) * find_energy(moduli[at(chunk.part)], values);
     }
   }
   require_each_once(model.ranks, fields, table, hits);
-  throw_obstacle(model.ranks, fields, table, obstacle_row, obstacle);
+  if (const auto refused = agree_on_first(model.ranks, obstacle_row, obstacle)) throw InputError(*refused);
   records.give_back(state);
   Kokkos::deep_copy(state.results.work, work);
 }

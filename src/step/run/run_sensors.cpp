@@ -1,0 +1,35 @@
+// The sensors of a run: what they see, and what acts from then on.
+
+#include <fmt/format.h>
+
+#include "src/step/run/run_scene.hpp"
+#include "src/step/sensors/held_directions.hpp"
+
+namespace percuss {
+
+/// What has happened at time 0 acts from the start on.
+void Run::start_sensors() {
+  if (!sensors_.any()) return;
+  const std::vector<char> happened = sensors_.find_happened(state_.time);
+  tell_events(happened);
+  state_.happened = happened;
+  set_held_directions(model_, state_);
+}
+
+/// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
+void Run::look_by_sensors(bool has_new_row) {
+  if (!sensors_.any()) return;
+  if (has_new_row && output_.has_rows()) sensors_.look(state_.time, output_.last_row());
+  const std::vector<char> happened = sensors_.find_happened(state_.time);
+  if (happened == state_.happened) return;
+  tell_events(happened);
+  stepper_.switch_now(state_, happened);
+}
+
+void Run::tell_events(const std::vector<char>& happened) {
+  for (std::size_t s = 0; s < happened.size(); ++s)
+    if (happened[s] != state_.happened[s])
+      say({fmt::format("sensor '{}' acts at t = {:.6g}", deck_.sensors[s].name, state_.time)});
+}
+
+}  // namespace percuss
