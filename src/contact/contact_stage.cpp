@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
@@ -17,12 +18,24 @@
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/start/part_gaps.hpp"
 #include "src/contact/start/start_overlap.hpp"
+#include "src/contact/ties/tie_failures.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
+namespace {
+
+/// Of the first tie that can fail.
+std::string find_failing_place(const Deck& deck) {
+  for (const TieDeck& tie : deck.contact.ties)
+    if (tie.normal_strength || tie.shear_strength) return deck.where(tie.place);
+  return "";
+}
+
+}  // namespace
+
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
       : ranks(world),
@@ -34,6 +47,7 @@ struct ContactStage::Impl {
         ties_of_start(find_ties(chunked, deck, world)),
         ties(ties_of_start),
         share(build_surface_share(chunked, deck, ties, exchange)),
+        failures(chunked, deck, ties, world),
         tie_rows(seen(), ties, deck.contact),
         walls(build_walls(chunked, deck, share)),
         has_walls(!deck.walls.empty()),
@@ -57,6 +71,7 @@ struct ContactStage::Impl {
   void search_again();
   int check(const SurfaceMotion& motion);
   RowMeeting meet(const ContactMotion& motion, int num_touches);
+  void judge_ties(double time, ContactReport& report);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
@@ -72,9 +87,10 @@ struct ContactStage::Impl {
   const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
-  const TiedSurfaces ties_of_start;
-  TiedSurfaces ties;  // those that erosion has left
+  TiedSurfaces ties_of_start;  // but those that have failed
+  TiedSurfaces ties;           // those that erosion has left
   SurfaceShare share;
+  TieFailures failures;
   TieRows tie_rows;
   WallPairs walls;
   const bool has_walls;
@@ -96,10 +112,13 @@ struct ContactStage::Impl {
   long searches = 0;            // steps that did
   bool is_step_counted = true;  // among these; the start is no step
   bool is_new_surface = false;  // since the last step
-  ContactReport last;           // of the last step
-  int touches_last = 0;         // of this rank in it
-  int same_steps = 0;           // in a row that found, on all ranks, what the step before did
-  long enforcements = 0;        // steps that looked for impulses
+  Array<double> tie_uses = Array<double>("contact::tie_uses", 0);
+  std::int64_t failing_now = 0;  // ties, on all ranks, until break_ties()
+  std::vector<Warning> warnings;
+  ContactReport last;     // of the last step
+  int touches_last = 0;   // of this rank in it
+  int same_steps = 0;     // in a row that found, on all ranks, what the step before did
+  long enforcements = 0;  // steps that looked for impulses
   ContactClocks clocks;
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
   Traffic sent_at_start;           // in steps before time 0
@@ -166,6 +185,22 @@ RowMeeting ContactStage::Impl::meet(const ContactMotion& motion, int num_touches
   return {acts_always || (candidates > 0 && meeting.any_rows), same_steps > 1};
 }
 
+/// Which ties have reached their strength. time: of the end of the step.
+void ContactStage::Impl::judge_ties(double time, ContactReport& report) {
+  if (!failures.any()) return;
+  report.failed_ties = failures.count();
+  if (!report.enforced) return;
+  reserve(tie_uses, static_cast<int>(ties.nodes.size()));
+  enforcer.find_tie_uses(failures.strengths(), tie_uses);
+  failing_now = failures.judge(tie_uses);
+  report.failed_ties += failing_now;
+  if (failing_now == 0) return;
+  warnings.push_back({"tie_failure",
+                      "ties fail (the stress on their nodes has come to what failure says): failed_ties in history.csv "
+                      "counts the nodes",
+                      find_failing_place(deck), time, 1});
+}
+
 /// The user's id of a node, which its owner knows.
 std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
   const int owner = numbering.find_node_owner(node);
@@ -207,6 +242,7 @@ void ContactStage::Impl::redefine_surface() {
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   areas.reset();
   share = build_surface_share(chunks, deck, ties, exchange);
+  failures.take(ties);
   tie_rows = TieRows(seen(), ties, contact);
   walls = build_walls(chunks, deck, share);
   bound.redefine();
@@ -280,6 +316,17 @@ void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
   seed_opened(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap, {before, now}, stage.history);
 }
 
+bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
+  Impl& stage = *impl_;
+  if (stage.failing_now == 0) return false;
+  stage.failing_now = 0;
+  stage.failures.let_go(stage.ties_of_start);
+  redefine(x, v);
+  return true;
+}
+
+std::vector<Warning> ContactStage::take_warnings() { return std::exchange(impl_->warnings, {}); }
+
 /// Pushes of the last step, for the contact_pressure of a frame that a restart writes before its first step. Nothing
 /// else needs them: only where the deck writes that field, and the checkpoint is of a deck that did.
 void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
@@ -326,6 +373,10 @@ void ContactStage::end_relaxation(Rows3<const double> x) {
 
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
+  if (stage.failures.archive(archive)) {
+    stage.failures.let_go(stage.ties_of_start);
+    restore_surface();
+  }
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
   archive_ties(archive, stage.chunks, stage.ties, stage.history);
@@ -363,6 +414,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   else
     stage.enforcer.rest(motion, stage.history);
   stage.enforcements += report.enforced ? 1 : 0;
+  stage.judge_ties(motion.time + motion.dt, report);
   stage.last = report;
   stage.refuse_torn_ties(report);
   return report;

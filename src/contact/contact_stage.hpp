@@ -67,6 +67,13 @@ class ContactStage {
   /// state.
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
+  /// After a step, with x and v of the state: ties whose failure it brought let go, and their surfaces may touch from
+  /// now on. Returns whether any did. Collective.
+  bool break_ties(Rows3<const double> x, Rows3<const double> v);
+
+  /// Of ties that have let go since this was last called.
+  std::vector<Warning> take_warnings();
+
   /// The same for a state from a checkpoint, before archive(): the surface alone.
   void restore_surface();
 

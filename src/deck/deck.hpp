@@ -359,6 +359,9 @@ struct PairFrictionDeck {
 struct TieDeck {
   Selector a, b;                   // nodes of a are tied to faces of b
   std::optional<double> distance;  // within which nodes are tied [length]; default: a share of the face
+  // Tension and shear stress at which a node lets go, each alone; none: it does not.
+  std::optional<double> normal_strength, shear_strength;
+  double normal_exponent = 2, shear_exponent = 2;
   Place place;
 };
 

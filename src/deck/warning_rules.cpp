@@ -94,6 +94,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"deep_penetration", "contact nodes deep in a face during the run"},
       {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
       {"weld_failure", "weld that has failed"},
+      {"tie_failure", "ties whose nodes have let go"},
       {"unsettled_welds", "welds in a chain whose nodes do not yet move as one"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact adds"},

@@ -212,6 +212,13 @@ Rows3<double> Enforcer::find_pushes() {
   return pushes;
 }
 
+void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>& use) const {
+  run_where_it_pays(static_cast<int>(strengths.law.extent(0)), [&](const auto& space) {
+    percuss::find_tie_uses(space, system_, strengths, last_dt_mean_, use);
+    space.fence();
+  });
+}
+
 template <class Space>
 SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
   const SolveQuery query{dt, dt_mean, deck_.tolerance, deck_.penalty_scale, node_numbers_};
@@ -326,6 +333,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   const double dt_mean = halves_first ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   starts_loaded_ = false;
   last_dt_ = motion.dt;
+  last_dt_mean_ = dt_mean;
   last_pushes_ = 0;
   remembers_ = true;
   exchange_.announce_foreign_nodes(system_);

@@ -7,6 +7,7 @@
 
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
+#include "kernels/contact/enforcement/tie_strength.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/moving_walls.hpp"
@@ -36,6 +37,9 @@ class Enforcer {
   /// the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                ContactHistory& history, ContactReport& report);
+
+  /// find_tie_uses() of the last step. Not collective.
+  void find_tie_uses(const TieStrengths& strengths, const Array<double>& use) const;
 
   /// The surface is another now: `walls` with the pairs of its nodes, the ties that are left.
   void redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
@@ -105,7 +109,7 @@ class Enforcer {
   Rows3<double> predicted_ = Rows3<double>("contact::predicted_velocity", 0);
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
   const double* last_impulse_ = nullptr;  // where they were written
-  double last_dt_ = 0;
+  double last_dt_ = 0, last_dt_mean_ = 0;
   bool starts_loaded_ = false;     // the next step is the first, from a state in which contacts push
   std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
   bool has_solved_ = false;        // system_ is that of the last step

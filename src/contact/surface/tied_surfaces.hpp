@@ -34,7 +34,8 @@ struct TiedSurfaces {
   // [ties] exterior faces of this rank, ascending: those of side a with a node in reach, and side b; of shells both
   // sides of each.
   std::vector<std::array<std::vector<ElementFace>, 2>> faces;
-  std::vector<TieCounts> counts;  // [ties]
+  std::vector<std::vector<std::int64_t>> known;  // [ties] numbers of tied nodes in this rank's mesh, ascending
+  std::vector<TieCounts> counts;                 // [ties]
 
   bool any() const { return !counts.empty(); }
 };

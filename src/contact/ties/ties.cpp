@@ -124,8 +124,10 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
     leave_out_what_lies_behind(chunked, nodes, tie.distance, answers, exchange);
     ties.faces.push_back({add_other_sides(mesh, keep_tied_faces(mesh, a.faces, nodes, answers)), sides_of_b});
     std::vector<int> owners;
+    std::vector<std::int64_t>& known = ties.known.emplace_back();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       answers[n].found.node = mesh.node_numbers[at(nodes[n])];
+      if (is_tied(answers[n])) known.push_back(answers[n].found.node);
       owners.push_back(chunked.numbering.find_node_owner(answers[n].found.node));
     }
     std::vector<ClosestFace> owned = exchange.send(owners, answers);
@@ -141,8 +143,8 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
 }
 
 TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ties, const Communicator& ranks) {
-  if (!ties.any()) return ties;
   const Mesh& mesh = chunked.mesh;
+  if (!ties.any() || !mesh.eroded.any) return ties;
   const auto is_dead = [&](const ElementFace& face) { return mesh.eroded.dead[at(face.element)] != 0; };
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
   std::vector<std::int64_t> dead_faces;

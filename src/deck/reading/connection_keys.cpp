@@ -38,11 +38,49 @@ struct PairValue {
   Form form() const { return any_form({TupleValue<SelectorValue, 2>{}.form(), form_of(pair_keys())}); }
 };
 
+/// Strengths of a connection, and how they act together.
+template <class Connection>
+Keys<Connection> strength_keys() {
+  return {
+      may("normal", &Connection::normal_strength, NumberValue{positive}),
+      may("shear", &Connection::shear_strength, NumberValue{positive}),
+      may("normal_exponent", &Connection::normal_exponent, NumberValue{positive}),
+      may("shear_exponent", &Connection::shear_exponent, NumberValue{positive}),
+  };
+}
+
+/// Exponents belong to a strength.
+template <class Connection>
+bool check_strengths(const Reader& reader, const Node& node, Connection& connection) {
+  bool good = true;
+  for (const auto& [key, strength] : {std::pair("normal_exponent", connection.normal_strength),
+                                      std::pair("shear_exponent", connection.shear_strength)}) {
+    const Node* exponent = node.find(key);
+    if (exponent == nullptr || strength) continue;
+    reader.error(exponent->key, fmt::format("{} has no effect{} (the strength that it belongs to is not given)",
+                                            reader.name_of(key), reader.in()));
+    good = false;
+  }
+  return good;
+}
+
+const Keys<TieDeck>& tie_failure_keys() {
+  static const Keys<TieDeck> keys = strength_keys<TieDeck>();
+  return keys;
+}
+
+bool check_tie_failure(const Reader& reader, const Node& node, TieDeck& tie) {
+  if (tie.normal_strength || tie.shear_strength) return check_strengths(reader, node, tie);
+  reader.error(node.spot, fmt::format("{} names no strength (must have normal or shear)", reader.self()));
+  return false;
+}
+
 const Keys<TieDeck>& tie_keys() {
   static const Keys<TieDeck> keys = {
       need("a", &TieDeck::a, SelectorValue{}),
       need("b", &TieDeck::b, SelectorValue{}),
       may("distance", &TieDeck::distance, NumberValue{positive}),
+      group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
   };
   return keys;
 }
@@ -269,35 +307,19 @@ bool check_spring(const Reader& reader, const Node& node, SpringDeck& spring) {
 // --- welds
 
 const Keys<WeldDeck>& weld_failure_keys() {
-  static const Keys<WeldDeck> keys = {
-      may("normal", &WeldDeck::normal_strength, NumberValue{positive}),
-      may("shear", &WeldDeck::shear_strength, NumberValue{positive}),
-      may("normal_exponent", &WeldDeck::normal_exponent, NumberValue{positive}),
-      may("shear_exponent", &WeldDeck::shear_exponent, NumberValue{positive}),
-      may("time", &WeldDeck::time, NumberValue{not_negative}),
-  };
+  static const Keys<WeldDeck> keys = [] {
+    Keys<WeldDeck> all = strength_keys<WeldDeck>();
+    all.push_back(may("time", &WeldDeck::time, NumberValue{not_negative}));
+    return all;
+  }();
   return keys;
-}
-
-/// Exponents belong to a strength.
-bool check_weld_failure(const Reader& reader, const Node& node, WeldDeck& weld) {
-  bool good = true;
-  for (const auto& [key, strength] :
-       {std::pair("normal_exponent", weld.normal_strength), std::pair("shear_exponent", weld.shear_strength)}) {
-    const Node* exponent = node.find(key);
-    if (exponent == nullptr || strength) continue;
-    reader.error(exponent->key, fmt::format("{} has no effect{} (the strength that it belongs to is not given)",
-                                            reader.name_of(key), reader.in()));
-    good = false;
-  }
-  return good;
 }
 
 const Keys<WeldDeck>& weld_keys() {
   static const Keys<WeldDeck> keys = {
       need("between", &WeldDeck::between, TupleValue<SpringEndValue, 2>{}),
       may("normal", &WeldDeck::normal, DirectionValue{}),
-      group<WeldDeck>("failure", MapValue<WeldDeck>{weld_failure_keys, check_weld_failure}),
+      group<WeldDeck>("failure", MapValue<WeldDeck>{weld_failure_keys, check_strengths<WeldDeck>}),
   };
   return keys;
 }

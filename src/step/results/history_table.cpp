@@ -19,6 +19,10 @@ bool removes_nodes(const Deck& deck) {
 }
 bool resists_folding(const Deck& deck) { return deck.elements.resist_folding; }
 bool is_damped(const Deck& deck) { return !deck.dampings.empty(); }
+bool ties_can_fail(const Deck& deck) {
+  const auto can_fail = [](const TieDeck& tie) { return tie.normal_strength || tie.shear_strength; };
+  return std::any_of(deck.contact.ties.begin(), deck.contact.ties.end(), can_fail);
+}
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
 bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
@@ -85,6 +89,8 @@ constexpr HistoryEntry before_pairs[] = {
      is_lagrange, [](const From& s) { return s.contact.complementarity; }},
     {"contact_stored", dim::energy, "energy in contact springs", is_penalty,
      [](const From& s) { return s.contact.stored; }},
+    {"failed_ties", no_dimension, "tied nodes that have let go", ties_can_fail,
+     [](const From& s) { return static_cast<double>(s.contact.failed_ties); }},
     {"eroded_elements", no_dimension, "eroded elements", can_fail,
      [](const From& s) { return static_cast<double>(s.audit.eroded.elements); }},
     {"eroded_mass", dim::mass, "eroded mass", can_fail, [](const From& s) { return s.audit.eroded.mass; }},

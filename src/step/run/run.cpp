@@ -215,6 +215,7 @@ void Run::advance() {
   summary_.dt.max = std::max(summary_.dt.max, state_.dt);
   note_contact();
   check_step_made();
+  if (contact_.is_active()) contact_.break_ties(state_.x, state_.v);
   erode();
   observe();
   if (stepper_.is_stop_agreed()) return;  // save_interrupted() writes the checkpoint, without a wait for other files
@@ -250,6 +251,7 @@ StepWishes Run::find_wishes() {
 void Run::note_contact() {
   warnings_.add(stepper_.take_warnings());
   if (!contact_.is_active()) return;
+  warnings_.add(contact_.take_warnings());
   warnings_.note_step(stepper_.contact_report(), state_.time);
   if (!warnings_.has_noted_gain()) note_contact_gain();
 }

@@ -1,0 +1,58 @@
+#pragma once
+// Ties that fail by the stress between a tied node and its face.
+
+#include "kernels/contact/rows/row_system.hpp"
+#include "kernels/core/small_space.hpp"
+
+namespace percuss {
+
+/// A node lets go where (tension / normal)^m + (shear stress / shear)^n reaches 1. Compression does not count.
+struct TieStrength {
+  double normal = 0, shear = 0;  // stresses; 0: none
+  double normal_exponent = 2, shear_exponent = 2;
+};
+
+/// What the tied nodes of a rank hold.
+struct TieStrengths {
+  Array<const int> law;             // [ties] -1: does not fail
+  Array<const TieStrength> laws{};  // by law
+  Array<const double> area{};       // [ties] of the node in the tied surface
+};
+
+/// How much of a strength stresses use up; 1: all. pull: tension, < 0 in compression.
+KOKKOS_INLINE_FUNCTION double find_tie_use(const TieStrength& strength, double pull, double shear) {
+  double use = 0;
+  if (strength.normal > 0 && pull > 0) use += std::pow(pull / strength.normal, strength.normal_exponent);
+  if (strength.shear > 0 && shear > 0) use += std::pow(shear / strength.shear, strength.shear_exponent);
+  return use;
+}
+
+/// Of the face of a tie at n, towards the node.
+KOKKOS_INLINE_FUNCTION Point3 find_tie_normal(const ContactRow& row) {
+  const Point3 normal = normalize(cross(row.rho[3] - row.rho[1], row.rho[4] - row.rho[2]));
+  return dot(normal, row.arm) < 0 ? -normal : normal;
+}
+
+/// find_tie_use() of the forces of this rank's tie rows, which are solved. dt_mean: from the middle of the last step to
+/// that of this one. use: out, [ties]; of those that do not fail 0.
+template <class Space>
+void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengths& strengths, double dt_mean,
+                   const Array<double>& use) {
+  const Array<const ContactRow> rows = system.rows;
+  const TieStrengths of = strengths;
+  const Array<double> out = use;
+  Kokkos::parallel_for(
+      "contact::clear_tie_uses", RangeOf<Space>(space, 0, static_cast<int>(of.law.extent(0))),
+      KOKKOS_LAMBDA(int t) { out(t) = 0; });
+  Kokkos::parallel_for(
+      "contact::find_tie_uses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        const ContactRow& row = rows(r);
+        if (!is_tie(row) || of.law(row.record) < 0) return;
+        const Point3 normal = find_tie_normal(row);
+        const Point3 stress = (1 / (dt_mean * of.area(row.record))) * row.force;
+        const double push = dot(stress, normal);
+        out(row.record) = find_tie_use(of.laws(of.law(row.record)), -push, norm(stress - push * normal));
+      });
+}
+
+}  // namespace percuss

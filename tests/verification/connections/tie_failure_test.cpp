@@ -1,0 +1,132 @@
+// Ties that let go: in which step, by which stress, and what the surfaces do then.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/error.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// Two elements one above the other. The lower one is held, and the lower face of the upper one is tied to it and
+/// pulled: it cannot move, so that each tie has the force of its load at n, to round-off. Every node has a quarter of
+/// the face. A third one moves, so that errors of momentum are compared with something.
+std::string pull_block(const std::string& failure, const std::string& load) {
+  return fmt::format(R"yaml(
+time: {{end: 1e-4, max_step: 1e-6}}
+parts:
+  low: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, material: steel}}
+  high: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 0, 0.01], material: steel}}
+  flyer: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 1, 0], material: steel}}
+materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
+contact: {{surfaces: none, ties: [{{a: high/z_min, b: low/z_max{}}}]}}
+conditions: [{{nodes: low, fixed: [x, y, z]}}]
+initial: [{{part: flyer, velocity: [0, 0, 1]}}]
+loads: {{nodal: [{{nodes: high/z_min, force: {}}}]}}
+output: {{history: {{every: 0, forces: [{{name: held, support: low}}]}}}}
+)yaml",
+                     failure, load);
+}
+
+constexpr double node_area = 0.25e-4;
+
+std::size_t find_failure(const HistoryTable& history) {
+  std::size_t row = 0;
+  while (row < history.rows() && history["failed_ties"][row] == 0) ++row;
+  return row;
+}
+
+}  // namespace
+
+// (tension / 2e8)^2 + (shear / 8e7)^1.5 reaches 1; pressure adds nothing. Row n has the force at n - 1.
+TEST(TieFailure, ComesInTheStepInWhichItsCriterionReachesOne) {
+  const struct {
+    const char* load;
+    double pull, shear;  // force of a node per time
+  } cases[] = {{"{z: {expression: 1e8 * t}}", 1e8, 0},
+               {"{x: {expression: 6e7 * t}}", 0, 6e7},
+               {"{x: {expression: -3e7 * t}, y: {expression: 4e7 * t}, z: {expression: 6e7 * t}}", 6e7, 5e7},
+               {"{x: {expression: 6e7 * t}, z: {expression: -9e7 * t}}", -9e7, 6e7}};
+  for (const auto& pulled : cases) {
+    const Outcome run = run_deck(pull_block(", failure: {normal: 2e8, shear: 8e7, shear_exponent: 1.5}", pulled.load));
+    const HistoryTable& history = run.history;
+    const std::size_t failed = find_failure(history);
+    ASSERT_LT(failed, history.rows());
+    for (std::size_t row = 1; row <= failed; ++row) {
+      const double t = history["time"][row - 1], n = pulled.pull * t, s = pulled.shear * t;
+      EXPECT_NEAR(history["fz:held"][row], -4 * n, 1e-9 * 5e3);
+      const double reached = std::pow(std::max(n, 0.0) / node_area / 2e8, 2) + std::pow(s / node_area / 8e7, 1.5);
+      EXPECT_EQ(reached >= 1, row == failed) << row;
+    }
+    EXPECT_EQ(history["failed_ties"][failed], 4);
+    EXPECT_EQ(history.last("contacts"), 0);
+    EXPECT_EQ(history.last("fz:held"), 0);
+    const auto& warnings = run.summary.warnings;
+    const auto told = std::find_if(warnings.begin(), warnings.end(),
+                                   [](const Warning& warning) { return warning.rule == "tie_failure"; });
+    ASSERT_NE(told, warnings.end());
+    EXPECT_EQ(told->place.substr(told->place.find(':')), ":8:34");
+  }
+}
+
+TEST(TieFailure, DoesNotComeOfPressureOrOfAStrengthThatIsNotGiven) {
+  for (const char* load : {"{z: {expression: -1e9 * t}}", "{x: {expression: 1e9 * t}}"}) {
+    const Outcome run = run_deck(pull_block(", failure: {normal: 2e8}", load));
+    EXPECT_EQ(run.history.last("failed_ties"), 0);
+    EXPECT_EQ(run.history.last("contacts"), 4);
+  }
+}
+
+// A glued block is torn off and comes back: it bounces on the surface that it was tied to.
+TEST(TieFailure, LeavesSurfacesInContact) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 4e-4, max_step: 3e-6}
+parts:
+  low: {box: {size: [0.02, 0.02, 0.02], cells: [4, 4, 4]}, material: m}
+  high: {box: {size: [0.02, 0.02, 0.02], cells: [3, 3, 3]}, at: [0, 0, 0.02], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}
+contact: {surfaces: all, ties: [{a: high/z_min, b: low/z_max, failure: {normal: 2e6}}]}
+conditions:
+  - {nodes: low/z_min, velocity: {z: 0}}
+  - {nodes: high/z_max, velocity: {z: {table: [[0, 0], [1e-4, 2], [1.5e-4, 2], [2.5e-4, -3]]}}}
+output: {history: {every: 0, forces: [{name: glue, contact: [high, low]}]}}
+)yaml");
+  const HistoryTable& history = run.history;
+  EXPECT_EQ(history.last("failed_ties"), 16);
+  double farthest_pull = 0, largest_push = 0;
+  for (std::size_t row = 0; row < history.rows(); ++row) {
+    farthest_pull = std::min(farthest_pull, history["fz:glue"][row]);
+    largest_push = std::max(largest_push, history["fz:glue"][row]);
+  }
+  EXPECT_LT(farthest_pull, -0.8 * 2e6 * 4e-4);  // of a uniform stress, which the corners' is above
+  EXPECT_GT(farthest_pull, -1.2 * 2e6 * 4e-4);
+  EXPECT_GT(largest_push, 1e6 * 4e-4);
+  EXPECT_LT(history.largest("residual"), 1e-4);  // of a face edge: it does not go through
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+}
+
+TEST(TieFailure, NeedsFacesThatAreTiedWhole) {
+  const std::string deck = R"yaml(
+time: {end: 1e-4}
+parts:
+  block: {box: {size: [1, 4, 4], cells: [1, 2, 2]}, at: [-1, 0, -2], material: m}
+  sheet: {shell_plate: {size: [2, 4], cells: [2, 3]}, thickness: 0.1, material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}
+contact: {ties: [{a: sheet, b: block/x_max, failure: {normal: 2e6}}]}
+)yaml";
+  try {
+    run_deck(deck);
+    ADD_FAILURE() << "an edge has an area";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("on no face of side a that is tied with all its corners"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace percuss::test
