@@ -44,6 +44,7 @@ struct RelaxationSummary {
   double frequency = 0;      // estimate of the lowest [1 / time]
   double energy = 0;         // that elements and springs hold at time 0
   double preload_error = 0;  // largest of a section, relative to its preload
+  double contact_stored = 0;  // energy in springs of penalty contact at time 0
 };
 
 /// The event of a sensor.
