@@ -4,9 +4,9 @@
 // The impulse of a step uses the mean of the velocities before and after it, so that no c makes the step shorter:
 // v(n+1/2) = [(1 - h) v(n-1/2) + dt_mean f / m] / (1 + h) with h = c dt_mean / 2.
 //
-// Forces that come later in the step, as those of penalty contact, are not divided by 1 + h. Damping of the old velocity
-// alone leaves all forces whole, so that they balance at rest: v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean f / m.
-// The largest stable step is then 2 / w / sqrt(1 + h), so that h is limited.
+// Forces that come later in the step, as those of penalty contact, are not divided by 1 + h. Damping of the old
+// velocity alone leaves all forces whole, so that they balance at rest: v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean
+// f / m. The largest stable step is then 2 / w / sqrt(1 + h), so that h is limited.
 
 #include "kernels/core/views.hpp"
 
@@ -20,7 +20,8 @@ struct DampedNodes {
 /// What the damping of a step acts on: the mean of v(n-1/2) and v(n+1/2), or v(n-1/2) alone.
 enum class DampedVelocity { mean, old };
 
-/// Largest share of the old velocity that a step takes: 1 + h = 2 / (2 - share), and steps are at most 0.9 of the bound.
+/// Largest share of the old velocity that a step takes: 1 + h = 2 / (2 - share), and steps are at most 0.9 of the
+/// bound.
 inline constexpr double largest_old_share = 0.3;
 
 /// Nodes in translation or in rotation, in a step.

@@ -157,6 +157,23 @@ what follows is not read
 
 FULL = _HEAD + BLOCK + PLATE + CONDITIONS + CONTACTS + OUTPUT
 SMALL = _HEAD + BLOCK + "*END\n"
+# A quadrilateral that is bent, by two points in the plane and two across, and a block that is stretched.
+STRESSED = FULL.replace(
+    "*END",
+    """\
+*INITIAL_STRESS_SHELL
+$      eid    nplane    nthick     nhisv    ntensr     large
+       500         2         2
+$        t     sigxx     sigyy     sigzz     sigxy     sigyz     sigzx       eps
+      -1.0    -9.0e6       0.0       0.0       0.0       0.0       0.0       0.0
+       1.0     9.0e6       0.0       0.0       0.0       0.0       0.0      0.02
+      -1.0   -11.0e6       0.0       0.0       0.0       0.0       0.0       0.0
+       1.0    11.0e6       0.0       0.0       0.0       0.0       0.0      0.02
+*INITIAL_STRESS_SOLID
+       500         1
+       0.0       0.0     5.0e6     1.0e6       0.0       0.0
+*END""",
+)
 
 
 # The block between a cylinder, a sphere and a plane that move; its cube is a tetrahedron of ten nodes.

@@ -27,9 +27,7 @@ constexpr double tolerated_lack = 1e-3;
 /// Of the bound, with penalty contact: what largest_old_share is stable with.
 constexpr double largest_step_scale = 0.9;
 
-bool has_contact_springs(const Deck& deck) {
-  return deck.contact.enforcement == ContactDeck::Enforcement::penalty;
-}
+bool has_contact_springs(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
 Deck make_relaxed_deck(const Deck& deck) {
   if (!deck.start.relaxation) throw std::logic_error("a relaxation that the deck does not ask for");

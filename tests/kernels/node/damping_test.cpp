@@ -46,8 +46,8 @@ TEST(Damping, NeverAddsEnergy) {
   }
 }
 
-// A spring without mass of its own, in steps of 0.9 of its largest one: from rest its force is whole, and it ends at the
-// deflection of its load, whatever c is.
+// A spring without mass of its own, in steps of 0.9 of its largest one: from rest its force is whole, and it ends at
+// the deflection of its load, whatever c is.
 TEST(Damping, OfTheOldVelocityLeavesForcesWhole) {
   constexpr double mass = 2, stiffness = 8, load = 3, dt = 0.9 * 2 / 2;  // frequency 2
   const DampedNodes nodes{Array<int>("entry", 1)};
