@@ -439,6 +439,13 @@ class Scene(InFolder):
             entries = [e for e in ledger.entries.values() if e.card.startswith("CONTROL_DYNAMIC_RELAXATION")]
             self.assertEqual([e.status.value for e in entries], [outcome])
 
+    def test_temperatures_count_where_a_law_depends_on_them(self):
+        card = "*INITIAL_TEMPERATURE_SET\n0,400.0\n*END"
+        self.assertEqual(self.refusals(decks.FULL.replace("*END", card)), {})
+        for law, refused in (("johnson_cook", ["INITIAL_TEMPERATURE_SET"]), ("simplified", [])):
+            _, cards, state, shells = decks.LAWS[law]
+            self.assertEqual(list(self.refusals(decks.make_block(cards, state, shells).replace("*END", card))), refused)
+
     def test_stresses_become_tables(self):
         model, ledger = self.read(decks.STRESSED)
         self.assertEqual(model.deck["start"], {"fields": [{"file": "shell_stresses.csv"}, {"file": "solid_stresses.csv"}]})

@@ -63,7 +63,7 @@ ACTIONS: dict[str, Handler] = {
     "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
-    "INITIAL_STRESS_": read_stresses, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "INITIAL_STRESS_": read_stresses, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.

@@ -77,8 +77,7 @@ void StartRecords::set(const StartElement& of, int place, double value) {
 double StartRecords::get(const StartElement& of, int place) const {
   const HexChunks& chunks = model_.chunks;
   const int lane = find_lanes(of).first, pack = lane / pack_width * chunks.record_size(of.chunk) * pack_width;
-  return static_cast<double>(
-      (&records_(chunks.first_state(of.chunk)))[pack + place * pack_width + lane % pack_width]);
+  return static_cast<double>((&records_(chunks.first_state(of.chunk)))[pack + place * pack_width + lane % pack_width]);
 }
 
 std::string StartRecords::find_obstacle(const StartElement& of, std::int64_t layer) const {

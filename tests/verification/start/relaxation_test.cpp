@@ -229,7 +229,10 @@ output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}, 
 )yaml");
   EXPECT_EQ(run.summary.relaxation.state, "settled");
   const double mass = 1;
-  for (std::size_t row = 1; row < run.history.rows(); ++row) {
+  // The first mean lacks the half step before time 0, and a mean is a force where steps do not change.
+  for (std::size_t row = 2; row < run.history.rows(); ++row) {
+    const double dt = run.history["dt"][row];
+    if (std::abs(dt - run.history["dt"][row - 1]) > 1e-9 * dt) continue;
     ASSERT_NEAR(run.history["fz:floor"][row], 2 * mass * 100, 2e-3);
     ASSERT_NEAR(run.history["fz:joint"][row], mass * 100, 2e-3);
     ASSERT_NEAR(run.history["fx:floor"][row], -2 * mass * 30, 6e-3);
