@@ -559,6 +559,17 @@ U,
 """
 
 # The block is rigid, and turns about a reference node; nodes of the plate are coupled, and beams of *MPC are one body.
+# Stresses and plastic strains at the start.
+ABAQUS_STRESSED = ABAQUS.replace(
+    "*STEP\n",
+    """\
+*INITIAL CONDITIONS, TYPE=STRESS
+block-1.all, 1., 2., 3., 4., 5., 6.
+*INITIAL CONDITIONS, TYPE=HARDENING
+plate-1.shell, 0.01
+*STEP
+""",
+)
 ABAQUS_BODIES = (
     ABAQUS.replace("*END ASSEMBLY\n", "*NODE\n900, 0.5, 0.5, -1.\n901, 0., 0., 3.\n*NSET, NSET=pair, INSTANCE=plate-1\n1, 4\n"
                    "*SURFACE, TYPE=NODE, NAME=coupled\npair,\n*RIGID BODY, REF NODE=900, ELSET=block-1.all\n"

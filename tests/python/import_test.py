@@ -869,9 +869,7 @@ class Abaqus(InFolder):
         self.accept(several, "deck.inp")
 
     def test_stresses_and_plastic_strains_of_abaqus_become_tables(self):
-        start = "*INITIAL CONDITIONS, TYPE=STRESS\nblock-1.all, 1., 2., 3., 4., 5., 6.\n"
-        strain = "*INITIAL CONDITIONS, TYPE=HARDENING\nplate-1.shell, 0.01\n"
-        text = decks.ABAQUS.replace("*STEP\n", start + strain + "*STEP\n")
+        text = decks.ABAQUS_STRESSED
         model, _ = self.read_abaqus(text)
         self.assertEqual(model.deck["start"], {"fields": [{"file": "stresses.csv"}, {"file": "plastic_strains.csv"}]})
         self.assertEqual([row.partition(",")[2] for row in model.tables["stresses.csv"][1:]], ["1.0,2.0,3.0,4.0,6.0,5.0"])
