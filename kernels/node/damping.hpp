@@ -3,6 +3,10 @@
 //
 // The impulse of a step uses the mean of the velocities before and after it, so that no c makes the step shorter:
 // v(n+1/2) = [(1 - h) v(n-1/2) + dt_mean f / m] / (1 + h) with h = c dt_mean / 2.
+//
+// Forces that come later in the step, as those of penalty contact, are not divided by 1 + h. Damping of the old
+// velocity alone leaves all forces whole, so that they balance at rest: v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean
+// f / m. The largest stable step is then 2 / w / sqrt(1 + h), so that h is limited.
 
 #include "kernels/core/views.hpp"
 
@@ -13,6 +17,13 @@ struct DampedNodes {
   Array<int> entry;  // [nodes] row of the coefficients; -1: not damped; empty: no node of this rank is
 };
 
+/// What the damping of a step acts on: the mean of v(n-1/2) and v(n+1/2), or v(n-1/2) alone.
+enum class DampedVelocity { mean, old };
+
+/// Largest share of the old velocity that a step takes: 1 + h = 2 / (2 - share), and steps are at most 0.9 of the
+/// bound.
+inline constexpr double largest_old_share = 0.3;
+
 /// Nodes in translation or in rotation, in a step.
 struct DampedMotion {
   Rows3<const double> before;        // v(n-1/2)
@@ -22,15 +33,27 @@ struct DampedMotion {
   Rows3<double> impulse;   // out: of the damping, 0 where there is none [mass x velocity]
 };
 
-/// Impulse over momentum at n: what a mean of the velocities before and after, without damping, is multiplied by.
-/// coefficient: c, at least 0 [1 / time].
-KOKKOS_INLINE_FUNCTION double find_damped_share(double coefficient, double dt_mean) {
-  const double both = coefficient * dt_mean;
-  return both / (1 + 0.5 * both);
+/// What takes part in the damping of a step.
+struct DampingStep {
+  Array<const double> coefficients;  // c by row, at least 0 [1 / time]
+  double dt_mean = 0;
+  DampedVelocity velocity = DampedVelocity::mean;
+};
+
+/// Impulse over momentum: what the damped velocity is multiplied by, of a mean that before and after it, without
+/// damping. coefficient: c, at least 0 [1 / time].
+KOKKOS_INLINE_FUNCTION double find_damped_share(double coefficient, double dt_mean, DampedVelocity velocity) {
+  const double both = coefficient * dt_mean, share = both / (1 + 0.5 * both);
+  return velocity == DampedVelocity::old && share > largest_old_share ? largest_old_share : share;
 }
 
-/// Damps the step. coefficients: c by row.
-void damp_velocities(const ExecSpace& space, const DampedNodes& nodes, const Array<const double>& coefficients,
-                     double dt_mean, const DampedMotion& motion);
+/// The velocity that is damped.
+KOKKOS_INLINE_FUNCTION double find_damped_velocity(double before, double after, DampedVelocity velocity) {
+  return velocity == DampedVelocity::old ? before : 0.5 * (before + after);
+}
+
+/// Damps the step.
+void damp_velocities(const ExecSpace& space, const DampedNodes& nodes, const DampingStep& step,
+                     const DampedMotion& motion);
 
 }  // namespace percuss

@@ -93,6 +93,9 @@ def write_files(arguments: argparse.Namespace, model: Model) -> str:
     except OverflowError as error:
         raise BadInput(clean(arguments.model), str(error)) from None
     write_mesh(model, os.path.join(arguments.out, "mesh.k"))
+    for name, lines in model.tables.items():
+        with open(os.path.join(arguments.out, name), "w", encoding="utf-8", newline="\n") as file:
+            file.writelines(f"{line}\n" for line in lines)
     with open(deck, "w", encoding="utf-8", newline="\n") as file:
         file.write(text)
     return deck

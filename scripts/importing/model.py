@@ -53,6 +53,7 @@ class Model:
     element_sets: dict[str, tuple[str, list[int]]] = field(default_factory=dict)  # kind "SHELL" or "SOLID", ids
     materials: dict[str, Deck] = field(default_factory=dict)
     deck: Deck = field(default_factory=dict)  # the other sections
+    tables: dict[str, list[str]] = field(default_factory=dict)  # files beside the deck, by name: their lines
     names: "Names" = field(default_factory=lambda: Names())
 
     def used_nodes(self) -> set[int]:
@@ -80,6 +81,13 @@ class Model:
     def add(self, section: str, entry: Deck) -> None:
         """Appends to a section of the deck that is a list."""
         self.deck.setdefault(section, []).append(entry)
+
+    def add_start_table(self, name: str, heading: str, lines: list[str]) -> None:
+        """A file beside the deck, and its entry of start.fields; more of the same name goes on in the same file."""
+        if name not in self.tables:
+            self.tables[name] = [heading]
+            self.deck.setdefault("start", {}).setdefault("fields", []).append({"file": name})
+        self.tables[name] += lines
 
     def add_node_set(self, wish: str, nodes: Iterable[int]) -> str:
         """A set of nodes under a name of its own."""

@@ -26,6 +26,16 @@ void add_range(const Curve& curve, bool is_velocity, double end, double& low, do
   }
 }
 
+/// Whether the deck holds a translation of the rigid body that a part is, alone or with others.
+bool is_fixed(const Deck& deck, const PartDeck& part, std::size_t axis) {
+  if (!part.rigid) return false;
+  return std::any_of(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& other) {
+    const bool is_same =
+        &other == &part || (!part.rigid->body.empty() && other.rigid && other.rigid->body == part.rigid->body);
+    return is_same && other.rigid->fixed[axis];
+  });
+}
+
 /// The first piece of a run in which `touches(from, to)`, looked for only if it does so in the run as a whole.
 template <class Touches>
 double find_first(double end, const Touches& touches) {
@@ -50,6 +60,11 @@ Flight::Flight(const CheckedScene& scene, std::size_t part) {
   velocity_low_ = measures.velocity_low;
   velocity_high_ = measures.velocity_high;
   if (deck.gravity.is_constant()) gravity_ = deck.gravity.at(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!is_fixed(deck, deck.parts[part], k)) continue;
+    is_held_ = true;
+    gravity_[k] = velocity_low_[k] = velocity_high_[k] = 0;
+  }
   const Vec3 range = subtract(velocity_high_, velocity_low_);
   is_uniform_ = dot(range, range) <= 1e-12 * measures.speed * measures.speed;
 }

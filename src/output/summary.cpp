@@ -99,6 +99,7 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("frequency", s.relaxation.frequency);
     v.value("energy", s.relaxation.energy);
     v.value("preload_error", s.relaxation.preload_error);
+    v.value("contact_stored", s.relaxation.contact_stored);
   });
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);

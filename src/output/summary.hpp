@@ -37,13 +37,14 @@ struct MomentumSummary {
 
 /// Dynamic relaxation before time 0; empty state: there was none.
 struct RelaxationSummary {
-  std::string state;         // settled, unsettled
-  std::int64_t steps = 0;    // that it took
-  double kinetic_ratio = 0;  // kinetic energy at its end over `scale`
-  double scale = 0;          // the larger of the largest kinetic energy and the energy that elements and springs hold
-  double frequency = 0;      // estimate of the lowest [1 / time]
-  double energy = 0;         // that elements and springs hold at time 0
-  double preload_error = 0;  // largest of a section, relative to its preload
+  std::string state;          // settled, unsettled
+  std::int64_t steps = 0;     // that it took
+  double kinetic_ratio = 0;   // kinetic energy at its end over `scale`
+  double scale = 0;           // the larger of the largest kinetic energy and the energy that elements and springs hold
+  double frequency = 0;       // estimate of the lowest [1 / time]
+  double energy = 0;          // that elements and springs hold at time 0
+  double preload_error = 0;   // largest of a section, relative to its preload
+  double contact_stored = 0;  // energy in springs of penalty contact at time 0
 };
 
 /// The event of a sensor.

@@ -157,6 +157,23 @@ what follows is not read
 
 FULL = _HEAD + BLOCK + PLATE + CONDITIONS + CONTACTS + OUTPUT
 SMALL = _HEAD + BLOCK + "*END\n"
+# A quadrilateral that is bent, by two points in the plane and two across, and a block that is stretched.
+STRESSED = FULL.replace(
+    "*END",
+    """\
+*INITIAL_STRESS_SHELL
+$      eid    nplane    nthick     nhisv    ntensr     large
+       500         2         2
+$        t     sigxx     sigyy     sigzz     sigxy     sigyz     sigzx       eps
+      -1.0    -9.0e6       0.0       0.0       0.0       0.0       0.0       0.0
+       1.0     9.0e6       0.0       0.0       0.0       0.0       0.0      0.02
+      -1.0   -11.0e6       0.0       0.0       0.0       0.0       0.0       0.0
+       1.0    11.0e6       0.0       0.0       0.0       0.0       0.0      0.02
+*INITIAL_STRESS_SOLID
+       500         1
+       0.0       0.0     5.0e6     1.0e6       0.0       0.0
+*END""",
+)
 
 
 # The block between a cylinder, a sphere and a plane that move; its cube is a tetrahedron of ten nodes.
@@ -542,6 +559,17 @@ U,
 """
 
 # The block is rigid, and turns about a reference node; nodes of the plate are coupled, and beams of *MPC are one body.
+# Stresses and plastic strains at the start.
+ABAQUS_STRESSED = ABAQUS.replace(
+    "*STEP\n",
+    """\
+*INITIAL CONDITIONS, TYPE=STRESS
+block-1.all, 1., 2., 3., 4., 5., 6.
+*INITIAL CONDITIONS, TYPE=HARDENING
+plate-1.shell, 0.01
+*STEP
+""",
+)
 ABAQUS_BODIES = (
     ABAQUS.replace("*END ASSEMBLY\n", "*NODE\n900, 0.5, 0.5, -1.\n901, 0., 0., 3.\n*NSET, NSET=pair, INSTANCE=plate-1\n1, 4\n"
                    "*SURFACE, TYPE=NODE, NAME=coupled\npair,\n*RIGID BODY, REF NODE=900, ELSET=block-1.all\n"

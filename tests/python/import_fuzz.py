@@ -105,7 +105,7 @@ def list_seeds() -> list[tuple[str, str]]:
 
     texts = [text for name, text in vars(decks).items() if name.isupper() and isinstance(text, str) and text.startswith("*KEYWORD")]
     texts += [decks.make_block(cards, state, shells) for _, cards, state, shells in decks.LAWS.values()]
-    return [(text, ".k") for text in texts] + [(decks.ABAQUS, ".inp")] * 4 + [(decks.ABAQUS_ROLLER, ".inp")]
+    return [(text, ".k") for text in texts] + [(decks.ABAQUS, ".inp")] * 4 + [(decks.ABAQUS_ROLLER, ".inp"), (decks.ABAQUS_STRESSED, ".inp")]
 
 
 def fuzz(count: int, seconds: float, first: int, keep: str) -> int:

@@ -439,6 +439,36 @@ class Scene(InFolder):
             entries = [e for e in ledger.entries.values() if e.card.startswith("CONTROL_DYNAMIC_RELAXATION")]
             self.assertEqual([e.status.value for e in entries], [outcome])
 
+    def test_temperatures_count_where_a_law_depends_on_them(self):
+        card = "*INITIAL_TEMPERATURE_SET\n0,400.0\n*END"
+        self.assertEqual(self.refusals(decks.FULL.replace("*END", card)), {})
+        for law, refused in (("johnson_cook", ["INITIAL_TEMPERATURE_SET"]), ("simplified", [])):
+            _, cards, state, shells = decks.LAWS[law]
+            self.assertEqual(list(self.refusals(decks.make_block(cards, state, shells).replace("*END", card))), refused)
+
+    def test_stresses_become_tables(self):
+        model, ledger = self.read(decks.STRESSED)
+        self.assertEqual(model.deck["start"], {"fields": [{"file": "shell_stresses.csv"}, {"file": "solid_stresses.csv"}]})
+        self.assertEqual(model.tables["solid_stresses.csv"][1:], ["500,0.0,0.0,5000000.0,1000000.0,0.0,0.0,0.0"])
+        rows = [[float(cell) for cell in line.split(",")] for line in model.tables["shell_stresses.csv"][1:]]
+        self.assertEqual([row[:2] for row in rows], [[1500, layer] for layer in range(1, 6)])  # solids have 500
+        for row, place in zip(rows, (-0.906179845938664, -0.538469310105683, 0, 0.538469310105683, 0.906179845938664)):
+            self.assertAlmostEqual(row[2], 10e6 * place, delta=1e-6)
+            self.assertAlmostEqual(row[8], 0.01 * (1 + place), delta=1e-15)
+        self.assertIn("INITIAL_STRESS_SHELL.T", [e.card for e in ledger.entries.values() if e.status.value == "approximated"])
+        self.accept(decks.STRESSED)
+
+    def test_stresses_that_are_refused(self):
+        for old, new, name in (
+            ("       500         2         2", "       500         2         2         0         0         1", "SHELL.LARGE"),
+            ("       500         2         2", "       500         2         2         3", "SHELL.NHISV"),
+            ("       500         1\n       0.0", "       777         1\n       0.0", "SOLID.EID"),
+            ("*INITIAL_STRESS_SOLID", "*INITIAL_STRESS_SOLID_SET", "SOLID_SET"),
+        ):
+            text = decks.STRESSED.replace(old, new)
+            self.assertNotEqual(text, decks.STRESSED)
+            self.assertEqual(list(self.refusals(text)), [f"INITIAL_STRESS_{name}"])
+
     def test_forms_of_sets_ties_and_spins(self):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
@@ -824,13 +854,33 @@ class Abaqus(InFolder):
             (cold.replace("*DYNAMIC, EXPLICIT", "*DYNAMIC, EXPLICIT, ADIABATIC"), (875, 0.8, 0), set()),
             (adiabatic, (875, 0.8, 40), set()),
             (coupled, (875, 0.8, 40), {"DYNAMIC TEMPERATURE-DISPLACEMENT"}),
-            (adiabatic.replace("plate-1.every, 40.", "plate-1.every, 50."), (875, 0.8, 0), {"INITIAL CONDITIONS"}),
+            (adiabatic.replace("plate-1.every, 40.", "plate-1.every, 50."), (875, 0.8, 50), set()),
         ):
             model, ledger = self.read_abaqus(text)
             self.assertEqual({entry.card for entry in ledger.list_refused()}, refused)
             (law,) = (law for law in model.materials.values() if law["model"] == "johnson_cook")
             self.assertEqual(tuple(law.get(key) for key in ("specific_heat", "heating_share", "start_temperature")), found)
         self.accept(adiabatic, "deck.inp")
+        several = adiabatic.replace("plate-1.every, 40.\n", "plate-1.every, 40.\ntip, 70.\n")
+        model, _ = self.read_abaqus(several)
+        rows = [row.split(",") for row in model.tables["temperatures.csv"]]
+        self.assertEqual(rows[0], ["element", "temperature"])
+        self.assertEqual(sorted(float(row[1]) for row in rows[1:]), [40.0, 50.0])  # the triangle has the tip
+        self.accept(several, "deck.inp")
+
+    def test_stresses_and_plastic_strains_of_abaqus_become_tables(self):
+        text = decks.ABAQUS_STRESSED
+        model, _ = self.read_abaqus(text)
+        self.assertEqual(model.deck["start"], {"fields": [{"file": "stresses.csv"}, {"file": "plastic_strains.csv"}]})
+        self.assertEqual([row.partition(",")[2] for row in model.tables["stresses.csv"][1:]], ["1.0,2.0,3.0,4.0,6.0,5.0"])
+        self.assertEqual([row.partition(",")[2] for row in model.tables["plastic_strains.csv"][1:]], ["0.01", "0.01"])
+        self.accept(text, "deck.inp")
+        for old, new, name in (
+            ("block-1.all, 1.", "plate-1.shell, 1.", "elements"),
+            ("shell, 0.01", "shell, 0.01, 1.e6", "back_stress"),
+        ):
+            _, ledger = self.read_abaqus(text.replace(old, new))
+            self.assertEqual({entry.card for entry in ledger.list_refused()}, {f"INITIAL CONDITIONS.{name}"})
 
     def test_a_deck_with_instances_is_accepted(self):
         done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")

@@ -45,6 +45,8 @@ class AbaqusDeck:
         self.amplitudes: dict[str, Curve] = {}
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
+        self.temperatures: dict[int, float] = {}  # likewise
+        self.temperature_place: Place | None = None  # the last card of them
         self.pairs: list[Deck] = []
         self.wall_pairs: list[tuple[str, str, float]] = []  # analytical surface, what it stops, friction
         self.whole: Deck | None = None  # contact of everything

@@ -1,5 +1,9 @@
 """Temperatures: of Johnson and Cook's law alone, heated by plastic work without conduction."""
 
+import math
+
+from ..ledger import Place
+from ..model import Block as ModelBlock
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
@@ -39,17 +43,43 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
 
 
 def read_temperature(deck: AbaqusDeck, block: Block) -> None:
-    """*INITIAL CONDITIONS, TYPE=TEMPERATURE: one for all nodes."""
-    laws = [law for law in deck.model.materials.values() if law["model"] == "johnson_cook"]
-    values = {block.number(line, 1) for line in block.lines}
-    nodes = {node for line in block.lines for node in deck.nodes_of(block.text(line, 0), block.at(line[0]))}
-    if not laws:
-        deck.ledger.ignored("INITIAL CONDITIONS", block.place, "a temperature, on which no law depends")
-    elif len(values) != 1 or not nodes >= deck.used_nodes():
-        deck.ledger.refuse(
-            "INITIAL CONDITIONS", block.place, "a temperature of some nodes alone, or several", "the start is at the reference temperature"
-        )
-    else:
-        for law in laws:
-            law["start_temperature"] = values.copy().pop()
-        deck.ledger.translated("INITIAL CONDITIONS", block.place, "start_temperature of johnson_cook")
+    """*INITIAL CONDITIONS, TYPE=TEMPERATURE: of nodes; apply_temperatures() does the rest."""
+    for line in block.lines:
+        value = block.number(line, 1)
+        deck.temperatures.update(dict.fromkeys(deck.nodes_of(block.text(line, 0), block.at(line[0])), value))
+    deck.temperature_place = block.place
+
+
+def apply_temperatures(deck: AbaqusDeck) -> None:
+    """One temperature is that of the laws; several are a table, of each element the mean of its nodes."""
+    place = deck.temperature_place
+    if place is None:
+        return
+    materials = deck.model.materials
+    warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] == "johnson_cook"]
+    nodes = {node for block in warm for _, corners in block.elements() for node in corners}
+    values = {deck.temperatures.get(node, 0.0) for node in nodes}  # 0 in Abaqus where none is given
+    if not warm:
+        deck.ledger.ignored("INITIAL CONDITIONS", place, "a temperature, on which no law depends")
+        return
+    for block in warm:
+        materials[block.keys["material"]]["start_temperature"] = min(values)
+    deck.ledger.translated("INITIAL CONDITIONS", place, "start_temperature of johnson_cook")
+    if len(values) > 1:
+        add_element_temperatures(deck, warm, place)
+
+
+def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Place) -> None:
+    rows = []
+    for block in warm:
+        for id, corners in block.elements():
+            if len(corners) == 10:
+                deck.ledger.refuse(
+                    "INITIAL CONDITIONS.ten_nodes", place, "temperatures that differ, of tetrahedra of ten nodes", "the lowest is used"
+                )
+                continue
+            value = math.fsum(deck.temperatures.get(node, 0.0) for node in corners) / len(corners)
+            rows.append(f"{id},{value!r}")
+    if rows:
+        deck.model.add_start_table("temperatures.csv", "element,temperature", rows)
+        deck.ledger.approximated("INITIAL CONDITIONS.several", place, "start.fields: of each element the mean of its nodes")

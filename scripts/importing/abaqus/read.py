@@ -263,6 +263,7 @@ def finish(deck: AbaqusDeck) -> None:
     bodies.finish_bodies(deck)
     add_springs(deck)
     steps.add_velocities(deck)
+    heat.apply_temperatures(deck)
     steps.finish_contact(deck)
     intervals = deck.model.deck.pop("intervals", {})
     every = {name: -deck.end_time / value if value < 0 else value for name, value in intervals.items()}

@@ -8,6 +8,7 @@ from .bodies import hold_reference
 from .deck import AbaqusDeck
 from .heat import read_temperature
 from .lines import Block
+from .stresses import read_hardening, read_stresses
 from .surfaces import is_profile
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
@@ -120,6 +121,12 @@ def read_initial(deck: AbaqusDeck, block: Block) -> None:
     """set, dof, velocity."""
     if block.option("TYPE") == "TEMPERATURE":
         read_temperature(deck, block)
+        return
+    if block.option("TYPE") == "STRESS":
+        read_stresses(deck, block)
+        return
+    if block.option("TYPE") == "HARDENING":
+        read_hardening(deck, block)
         return
     if block.option("TYPE") != "VELOCITY":
         deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"initial conditions of type {clip(block.option('TYPE'))}", INSTEAD)

@@ -22,6 +22,7 @@ from .output_cards import finish_output, finish_sensors, read_database, read_sen
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
+from .stress_cards import read_stresses
 from .wall_cards import read_wall
 from .weld_cards import add_welds, read_welds
 
@@ -62,7 +63,7 @@ ACTIONS: dict[str, Handler] = {
     "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
-    "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "INITIAL_STRESS_": read_stresses, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.

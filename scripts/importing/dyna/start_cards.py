@@ -6,6 +6,7 @@ from ..model import Deck
 from ..shapes import normalise, subtract
 from .cards import Card
 from .deck import KeywordDeck
+from .materials.shared import NEVER
 
 
 def add_velocity(deck: KeywordDeck, name: str, motion: Deck) -> None:
@@ -150,6 +151,14 @@ def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
         for name in deck.part_names([id]):
             add_velocity(deck, name, motion)
         deck.ledger.translated(card.keyword, row.place, "initial: velocity and angular_velocity")
+
+
+def read_temperature(deck: KeywordDeck, card: Card) -> None:
+    """*INITIAL_TEMPERATURE_: it counts where a law depends on it."""
+    if any(law.get("melt_temperature", NEVER) < NEVER for law in deck.model.materials.values()):
+        deck.ledger.refuse(card.keyword, card.place, "temperatures of nodes", "parts start at the room temperature of their law")
+    else:
+        deck.ledger.ignored(card.keyword, card.place, "no law of the deck depends on the temperature")
 
 
 def add_masses(deck: KeywordDeck) -> None:

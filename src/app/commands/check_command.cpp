@@ -106,7 +106,7 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
 /// The state at time 0; throws what files of stresses and sensors have wrong. Collective.
 State make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
   State state = make_initial_state(model);
-  set_start_stresses(deck, chunked, model, state);
+  set_start_states(deck, chunked, model, state);
   if (deck.sensors.empty()) return state;
   Sensors sensors(deck, model.ranks);
   sensors.find_columns(History::list_columns(deck, chunked, model));

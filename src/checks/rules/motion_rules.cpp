@@ -79,8 +79,9 @@ bool has_motion(const CheckedScene& scene) {
          deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
          std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) || !deck.start.preloads.empty() ||
-         std::any_of(deck.parts.begin(), deck.parts.end(),
-                     [&](const PartDeck& part) { return is_energetic(find_material(deck, part)); });
+         !deck.start.fields.empty() || std::any_of(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& part) {
+           return is_energetic(find_material(deck, part));
+         });
 }
 
 /// Pairs of parts whose boxes come to overlap before the end, the first of them the one that moves; a few. Not those

@@ -127,11 +127,6 @@ MapValue<ErosionDeck> erosion_value() { return {erosion_keys}; }
 MapValue<StartDeck> start_value() { return {start_keys, check_preloads}; }
 
 void check_start(const Deck& deck, const Node& root, Reading& reading) {
-  if (deck.start.relaxation && deck.contact.enforcement == ContactDeck::Enforcement::penalty) {
-    reading.errors.add(root.find("start")->find("relaxation")->key,
-                       "start.relaxation cannot be used with contact.enforcement: penalty (its springs would carry a "
-                       "part of the load only): use kinematic or lagrange");
-  }
   for (const PreloadDeck& preload : deck.start.preloads) {
     const Node& given = *root.find("start")->find("preload")->find(preload.name);
     if (given.find("part") == nullptr || given.find("force") == nullptr) continue;  // which is told already

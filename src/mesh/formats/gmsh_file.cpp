@@ -107,14 +107,16 @@ class GmshReader {
 
   void read_format() {
     const std::string version(scan_.next_word());
-    if (version != "2.2" && version != "4.1")
+    const bool is_2 = version == "2" || version == "2.0" || version == "2.1" || version == "2.2";
+    if (!is_2 && version != "4.1")
       scan_.refuse(
-          fmt::format("the version is {} (2.2 and 4.1 are read): save it as one of these", quote_field(version)));
+          fmt::format("the version is {} (2 to 2.2 and 4.1 are read): save it as one of these", quote_field(version)));
     if (version_ != 0) scan_.refuse("$MeshFormat comes again");
     const std::int64_t type = scan_.next_integer<int>("the file type"), size = scan_.next_integer<int>("the data size");
     if ((type != 0 && type != 1) || size != 8)
       scan_.refuse(fmt::format("the format is {} {} (0 8 or 1 8 is expected)", type, size));
     version_ = version == "4.1" ? 4 : 2;
+    names_have_dimensions_ = version != "2" && version != "2.0";
     if (type == 0) return;
     scan_.next_line();
     scan_.is_binary = true;
@@ -125,17 +127,23 @@ class GmshReader {
   void read_names() {
     const bool was_binary = std::exchange(scan_.is_binary, false);  // this section is always text
     const std::int64_t count = scan_.next_count<int>("the number of names", 5);
-    for (std::int64_t i = 0; i < count; ++i) {
-      const std::int64_t dimension = scan_.next_integer<int>("a dimension"), tag = scan_.next_integer<int>("a group");
-      const std::string_view rest = scan_.next_line();
-      const std::size_t first = rest.find('"'), last = rest.rfind('"');
-      if (first == std::string_view::npos || last == first || dimension < 0 || dimension > 3)
-        scan_.refuse("a name is not as: dimension group \"name\"");
-      std::string name;
-      for (const char c : rest.substr(first + 1, last - first - 1)) name += c >= ' ' || c < 0 ? c : ' ';
-      if (!name.empty()) names_[{dimension, tag}] = name;
-    }
+    for (std::int64_t i = 0; i < count; ++i) read_name();
     scan_.is_binary = was_binary;
+  }
+
+  /// In version 2.0 a name has no dimension, and counts for groups of any.
+  void read_name() {
+    const std::int64_t dimension = names_have_dimensions_ ? scan_.next_integer<int>("a dimension") : 0;
+    const std::int64_t tag = scan_.next_integer<int>("a group");
+    const std::string_view rest = scan_.next_line();
+    const std::size_t first = rest.find('"'), last = rest.rfind('"');
+    if (first == std::string_view::npos || last == first || dimension < 0 || dimension > 3)
+      scan_.refuse(fmt::format("a name is not as: {}group \"name\"", names_have_dimensions_ ? "dimension " : ""));
+    std::string name;
+    for (const char c : rest.substr(first + 1, last - first - 1)) name += c >= ' ' || c < 0 ? c : ' ';
+    if (name.empty()) return;
+    for (int d = 0; d <= 3; ++d)
+      if (d == dimension || !names_have_dimensions_) names_[{d, tag}] = name;
   }
 
   void read_entities() {
@@ -296,6 +304,7 @@ class GmshReader {
   TextSource source_;
   GmshScanner scan_;
   int version_ = 0;
+  bool names_have_dimensions_ = true;
   std::map<DimTag, std::string> names_;
   std::map<DimTag, std::vector<std::int64_t>> groups_;  // of each entity
   std::vector<std::int64_t> nodes_, groups_of_element_;

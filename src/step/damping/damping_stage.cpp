@@ -26,13 +26,13 @@ void DampingStage::begin_step(double time) {
 
 void DampingStage::damp(State& state, double dt_mean) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, coefficients_, dt_mean,
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, dt_mean, model_.damped_velocity},
                   {state.v_before, state.inverse_mass, state.mass, state.v, impulse_});
 }
 
 void DampingStage::damp_spins(State& state, double dt_mean) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, coefficients_, dt_mean,
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, dt_mean, model_.damped_velocity},
                   {state.w_before, state.inverse_inertia, state.inertia, state.w, spin_impulse_});
 }
 

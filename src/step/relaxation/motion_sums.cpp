@@ -7,15 +7,23 @@
 
 namespace percuss {
 
-MotionSums::MotionSums(const Model& model)
+MotionSums::MotionSums(const Model& model, ContactForce contact)
     : model_(model), force_("percuss::force_before", static_cast<std::size_t>(model.node_count)) {
   if (model.has_rotations)
     moment_ = Rows3<double>("percuss::moment_before", static_cast<std::size_t>(model.node_count));
+  if (contact == ContactForce::spring)
+    contact_ = Rows3<double>("percuss::contact_before", static_cast<std::size_t>(model.node_count));
 }
 
-void MotionSums::keep(const State& state) {
+void MotionSums::keep(const State& state, double dt_mean) {
   Kokkos::deep_copy(force_, state.force);
   if (model_.has_rotations) Kokkos::deep_copy(moment_, state.moment);
+  if (contact_.extent(0) == 0) return;
+  const auto contact = contact_, impulse = state.impulse;
+  Kokkos::parallel_for(
+      "percuss::keep_contact", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+        for (int k = 0; k < 3; ++k) contact(n, k) = impulse(n, k) / dt_mean;
+      });
 }
 
 /// Twice the energy of rigid bodies, which every rank knows. Their velocities hardly change in a step.
@@ -39,11 +47,12 @@ ExactSum MotionSums::sum_stored(const State& state) {
   return sum;
 }
 
-MotionTotals MotionSums::find(const State& state) {
+MotionTotals MotionSums::find(const State& state, double dt_mean) {
   const auto v = state.v, before = state.v_before, force = state.force, force_before = force_;
   const auto w = state.w, w_before = state.w_before, moment = state.moment, moment_before = moment_;
   const auto mass = state.mass, inertia = state.inertia;
-  const bool turns = model_.has_rotations;
+  const auto impulse = state.impulse, contact_before = contact_;
+  const bool turns = model_.has_rotations, has_springs = contact_.extent(0) > 0;
   const Array<const int> body_of_node = model_.rigid.body_of_node;
   auto sums = sums_(
       ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
@@ -53,6 +62,7 @@ MotionTotals MotionSums::find(const State& state) {
           sum[0] += 0.5 * m * v(n, k) * v(n, k);
           sum[1] -= before(n, k) * (force(n, k) - force_before(n, k));
           sum[2] += m * before(n, k) * before(n, k);
+          if (has_springs) sum[1] -= before(n, k) * (impulse(n, k) / dt_mean - contact_before(n, k));
         }
         for (int k = 0; turns && k < 3; ++k) {
           sum[0] += 0.5 * i * w(n, k) * w(n, k);

@@ -13,25 +13,29 @@ struct MotionTotals {
   double stored = 0;   // by elements and springs
 };
 
+/// What contact does to the motion: an impulse that follows the gaps, as a spring does, or one that keeps them.
+enum class ContactForce { spring, constraint };
+
 /// Call keep() after one step and find() after the next. Over dt, the quotient of power and inertia is v . K v / v . M
 /// v, the square of a frequency that the motion has (Underwood, Dynamic relaxation, in Computational methods for
 /// transient analysis, 1983).
 class MotionSums {
  public:
-  explicit MotionSums(const Model& model);
+  /// Forces of contact count where they are those of springs.
+  MotionSums(const Model& model, ContactForce contact);
 
-  /// Keeps the forces of a step.
-  void keep(const State& state);
+  /// Keeps the forces of a step. dt_mean: between the middles of it and of the step before.
+  void keep(const State& state, double dt_mean);
 
   /// Collective; the same on all ranks.
-  MotionTotals find(const State& state);
+  MotionTotals find(const State& state, double dt_mean);
 
  private:
   MotionTotals sum_bodies(const State& state) const;
   static ExactSum sum_stored(const State& state);
 
   const Model& model_;
-  Rows3<double> force_, moment_;  // of the step before
+  Rows3<double> force_, moment_, contact_;  // of the step before; contact_: empty where it has no springs
   OwnedNodeSums<3> sums_{"percuss::motion_sums"};
 };
 

@@ -24,6 +24,10 @@ constexpr double fading = 0.8;
 constexpr long least_quiet_steps = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
 constexpr double tolerated_lack = 1e-3;
+/// Of the bound, with penalty contact: what largest_old_share is stable with.
+constexpr double largest_step_scale = 0.9;
+
+bool has_contact_springs(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
 Deck make_relaxed_deck(const Deck& deck) {
   if (!deck.start.relaxation) throw std::logic_error("a relaxation that the deck does not ask for");
@@ -31,6 +35,7 @@ Deck make_relaxed_deck(const Deck& deck) {
   relaxed.time.end = std::numeric_limits<double>::infinity();
   relaxed.time.step_estimate = TimeDeck::StepEstimate::element;
   relaxed.output.forces.clear();
+  if (has_contact_springs(deck)) relaxed.time.step_scale = std::min(deck.time.step_scale, largest_step_scale);
   return relaxed;
 }
 
@@ -57,7 +62,7 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
       state_(state),
       inverse_mass_(state.inverse_mass),
       inverse_inertia_(state.inverse_inertia),
-      sums_(model),
+      sums_(model, has_contact_springs(deck) ? ContactForce::spring : ContactForce::constraint),
       preloads_(deck, chunked, model) {
   if (model.rigid.is_all)
     throw InputError(fmt::format("{}: error: start.relaxation has nothing to relax (all parts are rigid): leave it out",
@@ -86,6 +91,7 @@ void Relaxation::make_model(const Deck& deck) {
   for (WeldLaw& law : relaxed_.welds.laws) law.normal_strength = law.shear_strength = law.time = WeldLaw::unbreakable;
   for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false};
   relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
+  relaxed_.damped_velocity = has_contact_springs(deck) ? DampedVelocity::old : DampedVelocity::mean;
   relaxed_.damped_nodes.entry = Array<int>("percuss::relaxed_nodes", at(model_.node_count));
   relaxed_.damped_bodies.assign(model_.rigid.bodies.size(), 0);
   relaxed_.gravity_varies = rules_.ramp > 0 && deck.gravity.any();
@@ -133,14 +139,16 @@ void Relaxation::advance() {
   state_.time = 0;
   if (state_.bound.failed_element >= 0 || state_.bound.broken_chunk >= 0) return;
   if (preloads_.any()) preloads_.tighten(state_, find_share(state_.step));
-  if (state_.step % look_steps == look_steps - 1) sums_.keep(state_);
-  if (state_.step % look_steps == 0) look(dt);
+  const double dt_mean = 0.5 * (dt + state_.dt);
+  if (state_.step % look_steps == look_steps - 1) sums_.keep(state_, dt_mean);
+  if (state_.step % look_steps == 0) look(dt, dt_mean);
   report_.steps = state_.step;
 }
 
-/// dt: between the forces of the last two steps.
-void Relaxation::look(double dt) {
-  const MotionTotals totals = sums_.find(state_);
+/// dt: between the forces of the last two steps; dt_mean: what the last of them acted.
+void Relaxation::look(double dt, double dt_mean) {
+  MotionTotals totals = sums_.find(state_, dt_mean);
+  totals.stored += find_contact_stored();
   power_ = fading * power_ + std::max(totals.power, 0.0) / dt;
   inertia_ = fading * inertia_ + totals.inertia;
   frequency_ = inertia_ > 0 ? std::sqrt(power_ / inertia_) : 0;

@@ -6,6 +6,9 @@
 // automatic evaluation of the dynamic relaxation parameters, Comput. Methods Appl. Mech. Eng. 25, 1981). w comes from
 // the Rayleigh quotient of the motion itself, which tends to the lowest frequency as the others die out
 // (motion_sums.hpp).
+//
+// Penalty contact is a spring whose impulse comes after the damping of a step. Damping then acts on the old velocities
+// alone, so that at rest the springs carry all of the load (kernels/node/damping.hpp).
 
 #include <memory>
 
@@ -40,6 +43,9 @@ class Relaxation {
   /// "kinetic energy 2.1e-07 of the scale, section 'bolt' 19999.8".
   std::string describe() const;
 
+  /// Energy that springs of penalty contact hold; the same on all ranks.
+  double find_contact_stored() const { return stepper_->contact_report().stored; }
+
   /// What the steps are made with.
   const Deck& deck() const { return relaxed_deck_; }
   const Model& model() const { return relaxed_; }
@@ -50,7 +56,7 @@ class Relaxation {
   void make_model(const Deck& deck);
   void set_loads(long step);
   double find_share(long step) const;
-  void look(double dt);
+  void look(double dt, double dt_mean);
   void judge(const MotionTotals& totals);
 
   const RelaxationDeck& rules_;

@@ -79,11 +79,13 @@ void RigidStage::upload(const State& state, double dt) {
 void RigidStage::damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean) {
   const RigidBody& body = model_.rigid.bodies[index];
   const int entry = model_.damped_bodies[index];
-  const double share = entry < 0 ? 0 : find_damped_share(damping[static_cast<std::size_t>(entry)], dt_mean);
+  const DampedVelocity damped = model_.damped_velocity;
+  const double share = entry < 0 ? 0 : find_damped_share(damping[static_cast<std::size_t>(entry)], dt_mean, damped);
   const RigidState& now = state.bodies[index];
   RigidState& next = next_[index];
-  Wrench lost{(-0.5 * share * body.mass) * (now.velocity + next.velocity),
-              (-0.5 * share) * (now.spin_momentum + next.spin_momentum)};
+  const RigidState& after = damped == DampedVelocity::old ? now : next;
+  Wrench lost{(-0.5 * share * body.mass) * (now.velocity + after.velocity),
+              (-0.5 * share) * (now.spin_momentum + after.spin_momentum)};
   for (int k = 0; k < 3; ++k) {
     if (body.holds(static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
     if (body.holds(3 + static_cast<std::size_t>(k))) set(lost.moment, k, 0);

@@ -39,6 +39,7 @@ void Run::relax() {
     throw RunError(fmt::format("in the relaxation before time 0: {}", error.what()));
   }
   summary_.relaxation = relaxation.report();
+  summary_.relaxation.contact_stored = relaxation.find_contact_stored();
   if (!relaxation.is_settled()) note_unsettled(describe_unsettled(relaxation, *deck_.start.relaxation));
   say({fmt::format("relaxation: {} after {} steps: {}", summary_.relaxation.state, summary_.relaxation.steps,
                    relaxation.describe())});
@@ -80,6 +81,7 @@ void Run::archive_relaxation(CheckpointArchive& archive) {
   archive.number("relaxation/frequency", report.frequency);
   archive.number("relaxation/energy", report.energy);
   archive.number("relaxation/preload_error", report.preload_error);
+  archive.number("relaxation/contact_stored", report.contact_stored);
 }
 
 }  // namespace percuss

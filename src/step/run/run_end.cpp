@@ -56,6 +56,7 @@ EnergyScales Run::find_scales() const {
   scales.resolved = std::max(scales.resolved, scales.granted);
   if (warnings_.pushed_square() > 0)
     scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
+  scales.granted += summary_.relaxation.contact_stored;
   return scales;
 }
 

@@ -13,10 +13,9 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
-#include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/start/start_file.hpp"
+#include "src/step/start/start_records.hpp"
 
 namespace percuss {
 namespace {
@@ -30,10 +29,15 @@ StartTable load_table(const Communicator& ranks, const std::string& path) {
   return parse_start_table(broadcast_text(ranks, text, 0), path);
 }
 
-/// The row of an id; -1: there is none.
-int find_row(const StartTable& table, std::int64_t id) {
-  const auto found = std::lower_bound(table.ids.begin(), table.ids.end(), id);
-  return found != table.ids.end() && *found == id ? static_cast<int>(found - table.ids.begin()) : -1;
+/// The rows of an id.
+struct Rows {
+  int first = 0, last = 0;
+  bool any() const { return first < last; }
+};
+
+Rows find_rows(const StartTable& table, std::int64_t id) {
+  const auto [first, last] = std::equal_range(table.ids.begin(), table.ids.end(), id);
+  return {static_cast<int>(first - table.ids.begin()), static_cast<int>(last - table.ids.begin())};
 }
 
 /// Throws, on all ranks, unless each row is of one element or node. hits: [rows] those of this rank.
@@ -59,107 +63,105 @@ const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
                        [&](const MaterialDeck& material) { return material.name == part.material; });
 }
 
-/// Why an element cannot have a stress; empty: it can.
-std::string find_obstacle(const Deck& deck, const Mesh& mesh, std::size_t element) {
-  if (mesh.topology_of(element).dimension != 3) return "is no solid (shells and beams begin without stress)";
-  const PartDeck& part = deck.parts[at(mesh.part_of(element))];
+/// Why an element cannot have what a file gives it; empty: its record tells.
+std::string find_obstacle(const Deck& deck, const PartDeck& part, const StartTable& table, const StartRow& row) {
   if (part.rigid) return "is rigid and has no stress";
   const MaterialDeck& material = find_material(deck, part);
-  if (grows_in_increments(material)) return "";
-  return fmt::format(
-      "is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
-      "without an equation of state",
-      material.name);
+  if (table.stress != StartTable::absent && !grows_in_increments(material))
+    return fmt::format(
+        "is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
+        "without an equation of state",
+        material.name);
+  if (row.temperature == nullptr || !material.equation_of_state || material.law.model != JohnsonCook::name) return "";
+  const double zero = find_constants<JohnsonCook>(material.law).absolute_zero;
+  if (*row.temperature > zero) return "";
+  return fmt::format("has a temperature that is not above absolute_zero of material '{}' ({:g})", material.name, zero);
 }
 
-/// Elastic energy of a stress per volume: (s:s - lambda / (3 lambda + 2 mu) (tr s)^2) / 4 mu.
-double find_energy(const LameConstants& moduli, const double* s) {
-  const double trace = s[0] + s[1] + s[2];
-  double square = 0;
-  for (int k = 0; k < 6; ++k) square += (k < 3 ? 1 : 2) * s[k] * s[k];
-  return (square - moduli.lambda / (3 * moduli.lambda + 2 * moduli.mu) * trace * trace) / (4 * moduli.mu);
+/// Quantities that files have given an element, as bits.
+int list_quantities(const StartTable& table) {
+  return (table.stress != StartTable::absent ? 1 : 0) | (table.plastic_strain != StartTable::absent ? 2 : 0) |
+         (table.temperature != StartTable::absent ? 4 : 0);
 }
 
-/// The records of elements on the host, of which each has its place in a chunk.
-class RecordWriter {
- public:
-  RecordWriter(const Model& model, const State& state)
-      : model_(model), first_element_(to_host(model.chunks.first_element)), records_(to_host(state.elements)) {}
+const char* name_quantity(int bits) {
+  return (bits & 1) != 0 ? "stress" : (bits & 2) != 0 ? "plastic strain" : "temperature";
+}
 
-  /// Lanes past the last element of a chunk repeat it. values: a row of the table. Returns whether there is a place for
-  /// all of them.
-  bool write(int chunk, int element, const double* values, bool has_plastic_strain) {
-    const HexChunks& chunks = model_.chunks;
-    const auto c = static_cast<std::size_t>(chunk);
-    const int size = chunks.record_size(chunk), points = chunks.points(chunk);
-    const int count = first_element_(c + 1) - first_element_(c), i = element - first_element_(c);
-    const int lanes = (chunks.first_pack(chunk + 1) - chunks.first_pack(chunk)) * pack_width;
-    const int strain = chunks.find_scalar(chunk, HistoryScalar::equivalent_plastic_strain);
-    if (has_plastic_strain && values[6] > 0 && strain < 0) return false;
-    for (int lane = i; lane < (i + 1 < count ? i + 1 : lanes); ++lane) {
-      Real* const record =
-          &records_(chunks.first_state(chunk)) + lane / pack_width * size * pack_width + lane % pack_width;
-      for (int p = 0; p < points; ++p) {
-        for (int k = 0; k < 6; ++k) record[(HexRecord::stress + 6 * p + k) * pack_width] = static_cast<Real>(values[k]);
-        if (has_plastic_strain && strain >= 0) record[(strain + p) * pack_width] = static_cast<Real>(values[6]);
-      }
-    }
-    return true;
-  }
+StartRow read_row(const StartTable& table, int row) {
+  const auto value = [&](int first) { return first == StartTable::absent ? nullptr : table.row(row) + first; };
+  return {table.layers[at(row)], value(table.stress), value(table.plastic_strain), value(table.temperature)};
+}
 
-  void give_back(const State& state) const { Kokkos::deep_copy(state.elements, records_); }
-
- private:
-  const Model& model_;
-  decltype(to_host(std::declval<const Array<int>&>())) first_element_;
-  decltype(to_host(std::declval<const Array<Real>&>())) records_;
-};
-
-/// What gets stresses from files.
-struct StressTarget {
+/// What gets its state from files.
+struct StartTarget {
   const Deck& deck;
   const ChunkedMesh& chunked;
   const Model& model;
   State& state;
-  std::vector<char> is_set;  // [elements] whether a file has given a stress
+  std::vector<int> given;             // [elements] list_quantities() of the files so far
+  std::vector<LameConstants> moduli;  // by part
 };
 
-void set_stresses_of(const StartFieldsDeck& fields, const StartTable& table, StressTarget& target) {
-  auto& [deck, chunked, model, state, is_set] = target;
-  const Mesh& mesh = chunked.mesh;
-  RecordWriter records(model, state);
-  const auto work = to_host(state.results.work);
-  std::vector<LameConstants> moduli;
-  for (const PartDeck& part : deck.parts) moduli.push_back(find_moduli(find_material(deck, part)));
-  std::vector<int> hits(table.ids.size(), 0);
-  std::int64_t obstacle_row = no_finding;
-  std::string obstacle;
-  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    const Chunk& chunk = chunked.chunks[c];
-    if (!is_of_part(deck, fields, chunk.part)) continue;
-    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      const int row = find_row(table, mesh.element_ids[at(e)]);
-      if (row < 0) continue;
-      hits[at(row)] += 1;
-      const double* const values = &table.values[at(row * table.columns())];
-      std::string why = is_set[at(e)] != 0 ? "has a stress from another file" : find_obstacle(deck, mesh, at(e));
-      is_set[at(e)] = 1;
-      if (why.empty() && !records.write(static_cast<int>(c), e, values, table.has_plastic_strain))
-        why = "has a plastic strain (its material has none)";
-      if (!why.empty() && row < obstacle_row) {
-        obstacle_row = row;
-        obstacle =
-            fmt::format("{}:{}: error: element {} {}", fields.file, table.lines[at(row)], table.ids[at(row)], why);
+/// Sets what a table has of this rank's elements.
+class TableSetter {
+ public:
+  TableSetter(const StartFieldsDeck& fields, const StartTable& table, StartTarget& target)
+      : fields_(fields),
+        table_(table),
+        target_(target),
+        records_(target.chunked.mesh, target.model, target.state),
+        work_(to_host(target.state.results.work)),
+        hits_(table.ids.size(), 0) {}
+
+  void set_chunk(int c) {
+    const Chunk& chunk = target_.chunked.chunks[at(c)];
+    if (!is_of_part(target_.deck, fields_, chunk.part)) return;
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
+      set_element({c, e, target_.moduli[at(chunk.part)]}, target_.deck.parts[at(chunk.part)]);
+  }
+
+  /// Collective. Throws InputError, the same on all ranks.
+  void finish() {
+    const Communicator& ranks = target_.model.ranks;
+    require_each_once(ranks, fields_, table_, hits_);
+    if (const auto refused = agree_on_first(ranks, obstacle_row_, obstacle_)) throw InputError(*refused);
+    records_.give_back(target_.state);
+    Kokkos::deep_copy(target_.state.results.work, work_);
+  }
+
+ private:
+  void set_element(const StartElement& of, const PartDeck& part) {
+    const Rows rows = find_rows(table_, target_.chunked.mesh.element_ids[at(of.element)]);
+    if (!rows.any()) return;
+    int& given = target_.given[at(of.element)];
+    const int twice = given & list_quantities(table_);
+    given |= list_quantities(table_);
+    for (int r = rows.first; r < rows.last; ++r) {
+      hits_[at(r)] += 1;
+      const StartRow row = read_row(table_, r);
+      double energy = 0;
+      std::string why = twice != 0 ? fmt::format("has a {} from another file", name_quantity(twice))
+                                   : find_obstacle(target_.deck, part, table_, row);
+      if (why.empty()) why = records_.write(of, row, energy);
+      if (!why.empty() && r < obstacle_row_) {
+        obstacle_row_ = r;
+        obstacle_ =
+            fmt::format("{}:{}: error: element {} {}", fields_.file, table_.lines[at(r)], table_.ids[at(r)], why);
       }
-      if (!why.empty()) continue;
-      work(c, 0) += find_element_volume(mesh, at(e)) * find_energy(moduli[at(chunk.part)], values);
+      work_(at(of.chunk), 0) += energy;
     }
   }
-  require_each_once(model.ranks, fields, table, hits);
-  if (const auto refused = agree_on_first(model.ranks, obstacle_row, obstacle)) throw InputError(*refused);
-  records.give_back(state);
-  Kokkos::deep_copy(state.results.work, work);
-}
+
+  const StartFieldsDeck& fields_;
+  const StartTable& table_;
+  StartTarget& target_;
+  StartRecords records_;
+  decltype(to_host(std::declval<const WorkRows&>())) work_;
+  std::vector<int> hits_;
+  std::int64_t obstacle_row_ = no_finding;
+  std::string obstacle_;
+};
 
 }  // namespace
 
@@ -174,11 +176,12 @@ void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const st
     int rigid = std::numeric_limits<int>::max();
     const std::vector<int> nodes = select_nodes(mesh, deck, {fields.part, {}, fields.place});
     for (const int node : nodes) {
-      const int row = find_row(table, mesh.node_ids[at(node)]);
-      if (row < 0) continue;
+      const Rows rows = find_rows(table, mesh.node_ids[at(node)]);
+      if (!rows.any()) continue;
+      const int row = rows.first;
       if (owns_node(chunked, node)) hits[at(row)] += 1;
       if (is_rigid[at(node)] != 0) rigid = std::min(rigid, row);
-      for (std::size_t k = 0; k < 3; ++k) velocity[at(node)][k] = table.values[at(3 * row) + k];
+      for (std::size_t k = 0; k < 3; ++k) velocity[at(node)][k] = table.row(row)[k];
     }
     require_each_once(ranks, fields, table, hits);
     all_reduce(ranks, Reduce::least, rigid);
@@ -188,11 +191,16 @@ void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const st
   }
 }
 
-void set_start_stresses(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
-  StressTarget target{deck, chunked, model, state, std::vector<char>(chunked.mesh.element_ids.size(), 0)};
+void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
+  if (deck.start.fields.empty()) return;
+  StartTarget target{deck, chunked, model, state, std::vector<int>(chunked.mesh.element_ids.size(), 0), {}};
+  for (const PartDeck& part : deck.parts) target.moduli.push_back(find_moduli(find_material(deck, part)));
   for (const StartFieldsDeck& fields : deck.start.fields) {
     const StartTable table = load_table(model.ranks, fields.file);
-    if (!table.is_of_nodes) set_stresses_of(fields, table, target);
+    if (table.is_of_nodes) continue;
+    TableSetter setter(fields, table, target);
+    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) setter.set_chunk(static_cast<int>(c));
+    setter.finish();
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Stresses and velocities at time 0 that a deck takes from files.
+// States of elements and velocities of nodes at time 0 that a deck takes from files.
 
 #include <vector>
 
@@ -14,9 +14,9 @@ namespace percuss {
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity);
 
-/// Sets the stresses of the elements that files name in a state at time 0, and books the elastic energy that they hold
-/// as internal energy. Collective. Throws likewise: an id that is not there, an element that is no solid, a material
-/// whose stress does not grow in increments.
-void set_start_stresses(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
+/// Sets the stresses, plastic strains and temperatures of the elements that files name in a state at time 0, and books
+/// the elastic energy that they hold as internal energy. Collective. Throws likewise: an id that is not there, a beam,
+/// a material whose stress does not grow in increments, or that has no such history.
+void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
 
 }  // namespace percuss

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "src/deck/text/number_text.hpp"
@@ -21,11 +22,12 @@
 namespace percuss {
 namespace {
 
-constexpr const char* stress_heading = "element,stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
-constexpr const char* strain_heading = ",equivalent_plastic_strain";
+constexpr std::string_view stress_heading = "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
+constexpr std::string_view strain_heading = "equivalent_plastic_strain";
+constexpr std::string_view temperature_heading = "temperature";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::uintmax_t largest_table = std::numeric_limits<int>::max();  // MPI sends it, and counts with an int
-constexpr const char* velocity_heading = "node,velocity_x,velocity_y,velocity_z";
+constexpr std::string_view velocity_heading = "node,velocity_x,velocity_y,velocity_z";
 
 [[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& what) {
   throw InputError(fmt::format("{}:{}: error: {}", path, line, what));
@@ -47,52 +49,94 @@ std::vector<std::string_view> split_cells(std::string_view line) {
   return cells;
 }
 
+/// Takes a word, or some, and the comma before it from the front of a text.
+bool take_heading(std::string_view& text, std::string_view words) {
+  const std::string front = fmt::format(",{}", words);
+  if (!text.starts_with(front) || (text.size() > front.size() && text[front.size()] != ',')) return false;
+  text.remove_prefix(front.size());
+  return true;
+}
+
+/// Each quantity at most once, in any order. Returns whether there is nothing else.
+bool read_quantities(std::string_view text, StartTable& table) {
+  const auto take = [&](std::string_view words, int count, int& first) {
+    if (first != StartTable::absent || !take_heading(text, words)) return false;
+    first = table.columns;
+    table.columns += count;
+    return true;
+  };
+  while (take(stress_heading, 6, table.stress) || take(strain_heading, 1, table.plastic_strain) ||
+         take(temperature_heading, 1, table.temperature)) {
+  }
+  return text.empty() && table.columns > 0;
+}
+
 void read_heading(std::string_view line, std::size_t number, const std::string& path, StartTable& table) {
   const std::string heading = fmt::format("{}", fmt::join(split_cells(line), ","));
   table.is_of_nodes = heading == velocity_heading;
-  table.has_plastic_strain = heading == std::string(stress_heading) + strain_heading;
-  if (table.is_of_nodes || table.has_plastic_strain || heading == stress_heading) return;
+  table.columns = table.is_of_nodes ? 3 : 0;
+  if (table.is_of_nodes) return;
+  const std::string with_comma = "," + heading;
+  std::string_view rest = with_comma;
+  if (take_heading(rest, "element")) {
+    table.has_layers = take_heading(rest, "layer");
+    if (read_quantities(rest, table)) return;
+  }
   refuse(path, number,
-         fmt::format("the heading is not one of '{}', '{}' and '{}' (they say what the numbers are)", stress_heading,
-                     std::string(stress_heading) + strain_heading, velocity_heading));
+         fmt::format("the heading is neither '{}' nor 'element', perhaps 'layer', and one or more of '{}', '{}' and "
+                     "'{}' (it says what the numbers are)",
+                     velocity_heading, stress_heading, strain_heading, temperature_heading));
+}
+
+std::int64_t read_positive(std::string_view cell, std::size_t number, const std::string& path, const char* what) {
+  const auto value = read_integer(cell);
+  if (!std::holds_alternative<long long>(value) || std::get<long long>(value) < 1)
+    refuse(path, number, fmt::format("the {} is not a positive integer", what));
+  return std::get<long long>(value);
 }
 
 void read_row(std::string_view line, std::size_t number, const std::string& path, StartTable& table) {
   const std::vector<std::string_view> cells = split_cells(line);
-  if (cells.size() != at(table.columns() + 1))
+  const std::size_t first = table.has_layers ? 2 : 1;
+  if (cells.size() != first + at(table.columns))
     refuse(path, number,
-           fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(), table.columns() + 1));
-  const auto id = read_integer(cells[0]);
-  if (!std::holds_alternative<long long>(id) || std::get<long long>(id) < 1)
-    refuse(path, number, fmt::format("the id is not a positive integer"));
-  table.ids.push_back(std::get<long long>(id));
+           fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(), first + at(table.columns)));
+  table.ids.push_back(read_positive(cells[0], number, path, "id"));
+  table.layers.push_back(table.has_layers ? read_positive(cells[1], number, path, "layer") : 0);
   table.lines.push_back(static_cast<int>(number));
-  for (std::size_t c = 1; c < cells.size(); ++c) {
+  for (std::size_t c = first; c < cells.size(); ++c) {
     const auto value = read_number(cells[c]);
     if (const auto* problem = std::get_if<NumberProblem>(&value))
       refuse(path, number, fmt::format("number {} of the row must be {}", c + 1, problem->must_be));
     table.values.push_back(std::get<double>(value));
   }
-  if (table.has_plastic_strain && table.values.back() < 0)
+  const int strain = table.plastic_strain;
+  if (strain != StartTable::absent && table.row(static_cast<int>(table.ids.size()) - 1)[strain] < 0)
     refuse(path, number, "the equivalent plastic strain is negative (must be zero or positive)");
 }
 
-/// Rows by ascending ids.
+/// Rows by ascending ids and layers.
 void sort_rows(const std::string& path, StartTable& table) {
   std::vector<std::size_t> order(table.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return table.ids[a] < table.ids[b]; });
-  StartTable sorted{table.is_of_nodes, table.has_plastic_strain, {}, {}, {}};
+  const auto key = [&](std::size_t row) { return std::pair(table.ids[row], table.layers[row]); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  StartTable sorted = table;
+  sorted.ids.clear();
+  sorted.layers.clear();
+  sorted.lines.clear();
+  sorted.values.clear();
   for (const std::size_t row : order) {
-    if (!sorted.ids.empty() && sorted.ids.back() == table.ids[row])
+    if (!sorted.ids.empty() && std::pair(sorted.ids.back(), sorted.layers.back()) == key(row))
       refuse(path, static_cast<std::size_t>(table.lines[row]),
-             fmt::format("{} {} is there twice (first in line {})", table.is_of_nodes ? "node" : "element",
-                         table.ids[row], sorted.lines.back()));
+             fmt::format("{} {} is there twice{} (first in line {})", table.is_of_nodes ? "node" : "element",
+                         table.ids[row], table.has_layers ? fmt::format(" with layer {}", table.layers[row]) : "",
+                         sorted.lines.back()));
     sorted.ids.push_back(table.ids[row]);
+    sorted.layers.push_back(table.layers[row]);
     sorted.lines.push_back(table.lines[row]);
-    const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(row) * table.columns();
-    sorted.values.insert(sorted.values.end(), first, first + table.columns());
+    const double* const first = table.row(static_cast<int>(row));
+    sorted.values.insert(sorted.values.end(), first, first + table.columns);
   }
   table = std::move(sorted);
 }

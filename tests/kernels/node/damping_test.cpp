@@ -22,7 +22,7 @@ TEST(Damping, IsTheImpulseOfTheMeanVelocity) {
       inverse(n, k) = k == 2 ? 0 : 1 / mass;
     }
   }
-  damp_velocities(ExecSpace(), nodes, coefficients, dt, {v_before, inverse, masses, v, impulse});
+  damp_velocities(ExecSpace(), nodes, {coefficients, dt}, {v_before, inverse, masses, v, impulse});
   const double damped = ((1 - h) * before + gain) / (1 + h);
   for (int k = 0; k < 2; ++k) {
     EXPECT_NEAR(v(0, k), damped, 1e-15);
@@ -40,9 +40,35 @@ TEST(Damping, IsTheImpulseOfTheMeanVelocity) {
 // However large c is, the velocity goes to zero or turns, and never grows.
 TEST(Damping, NeverAddsEnergy) {
   for (const double both : {1e-8, 0.1, 2.0, 50.0, 1e12}) {
-    const double kept = 1 - find_damped_share(both, 1);
+    const double kept = 1 - find_damped_share(both, 1, DampedVelocity::mean);
     EXPECT_LE(kept, 1);
     EXPECT_GE(kept, -1);
+  }
+}
+
+// A spring without mass of its own, in steps of 0.9 of its largest one: from rest its force is whole, and it ends at
+// the deflection of its load, whatever c is.
+TEST(Damping, OfTheOldVelocityLeavesForcesWhole) {
+  constexpr double mass = 2, stiffness = 8, load = 3, dt = 0.9 * 2 / 2;  // frequency 2
+  const DampedNodes nodes{Array<int>("entry", 1)};
+  const Array<double> coefficients("c", 1), masses("m", 1);
+  masses(0) = mass;
+  const Rows3<double> before("before", 1), v("v", 1), inverse("inverse", 1), impulse("impulse", 1);
+  for (int k = 0; k < 3; ++k) inverse(0, k) = 1 / mass;
+  for (const double c : {0.2, 1e9}) {
+    coefficients(0) = c;
+    double x = 0;
+    v(0, 0) = 0;
+    for (int step = 0; step < 500; ++step) {
+      before(0, 0) = v(0, 0);
+      v(0, 0) += dt * load / mass;  // the spring comes after the damping, as contact does
+      damp_velocities(ExecSpace(), nodes, {coefficients, dt, DampedVelocity::old},
+                      {before, inverse, masses, v, impulse});
+      if (step == 0) EXPECT_EQ(v(0, 0), dt * load / mass);
+      v(0, 0) -= dt * stiffness * x / mass;
+      x += dt * v(0, 0);
+    }
+    EXPECT_NEAR(x, load / stiffness, 1e-12);
   }
 }
 

@@ -408,8 +408,6 @@ std::vector<WrongDeck> wrong_starts() {
       {"PreloadOfRubber", change("model: elastic", "model: neo_hookean") + start("part: rod, force: 1"), "6:35",
        "preload 'b' is of part 'rod' of material 'steel' (whose stress does not grow in increments)"},
       {"PreloadThatLacksItsForce", append(start("part: rod")), "6:35", "force is missing"},
-      {"RelaxationWithPenaltySprings", append("start: {relaxation: {}}\ncontact: {enforcement: penalty}"), "6:9",
-       "start.relaxation cannot be used with contact.enforcement: penalty"},
       {"RelaxationToNothing", append("start: {relaxation: {tolerance: 0}}"), "6:33", "must be above 0 and below 1"},
   };
 }

@@ -98,6 +98,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "relaxation.frequency",
                                           "relaxation.energy",
                                           "relaxation.preload_error",
+                                          "relaxation.contact_stored",
                                           "setup_s",
                                           "loop_s",
                                           "grind_ns",

@@ -212,6 +212,40 @@ output: {history: {every: 5e-5, nodes: [{name: ball, near: [0.05, 0.05, 0.3]}], 
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
 }
 
+// Springs of contact come after the damping of a step; at rest they carry the whole weight, tangents included. What the
+// relaxation leaves moves the forces by the root of its share of kinetic energy.
+TEST(Relaxation, SpringsOfPenaltyContactCarryTheWholeWeight) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-3}
+parts:
+  base: {box: {size: [0.14, 0.14, 0.02], cells: [3, 3, 1]}, at: [-0.02, -0.02, -0.02], material: m, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  block: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, material: m}
+  ram: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [0, 0, 0.1], material: m, rigid: true}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+loads: {gravity: [30, 0, -100]}
+contact: {friction: 0.5, enforcement: penalty}
+start: {relaxation: {tolerance: 1e-10}}
+output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}, {name: joint, contact: [ram, block]}]}}
+)yaml");
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  const double mass = 1;
+  // The first mean lacks the half step before time 0, and a mean is a force where steps do not change.
+  for (std::size_t row = 2; row < run.history.rows(); ++row) {
+    const double dt = run.history["dt"][row];
+    if (std::abs(dt - run.history["dt"][row - 1]) > 1e-9 * dt) continue;
+    ASSERT_NEAR(run.history["fz:floor"][row], 2 * mass * 100, 2e-3);
+    ASSERT_NEAR(run.history["fz:joint"][row], mass * 100, 2e-3);
+    ASSERT_NEAR(run.history["fx:floor"][row], -2 * mass * 30, 6e-3);
+    ASSERT_NEAR(run.history["fx:joint"][row], -mass * 30, 6e-3);
+  }
+  // What springs hold is no energy that contact gives.
+  EXPECT_GT(run.summary.relaxation.contact_stored, 0);
+  EXPECT_NEAR(run.history.last("contact_stored"), run.summary.relaxation.contact_stored,
+              1e-4 * run.summary.relaxation.contact_stored);
+  for (const Warning& warning : run.summary.warnings) EXPECT_NE(warning.rule, "contact_energy");
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
 TEST(Relaxation, ThatDoesNotSettleIsRefusedOrWarnedOf) {
   const std::string text = hang("");
   try {

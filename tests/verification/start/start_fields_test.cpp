@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
@@ -146,12 +148,18 @@ TEST(StartFields, AWrongFileIsRefusedWithItsLine) {
     EXPECT_THAT(scene.find_error(hang("")), HasSubstr("s.csv:" + line + ": error: " + text));
   };
   const std::string top = std::string(heading) + "\n";
-  refuse("element,xx\n1,2\n", "1", "the heading is not one of");
+  refuse("element,xx\n1,2\n", "1", "the heading is neither 'node,velocity_x,velocity_y,velocity_z' nor 'element'");
+  refuse("element,layer\n1,2\n", "1", "the heading is neither");
+  refuse("element,temperature,temperature\n1,2,3\n", "1", "the heading is neither");
+  refuse("element,temperatures\n1,2\n", "1", "the heading is neither");
   refuse(top + "1,0,0,0,0,0\n", "2", "the row has 6 numbers (must be 7, as the heading)");
   refuse(top + "1,0,0,0,0,0,nan\n", "2", "number 7 of the row must be");
   refuse(top + "0,0,0,0,0,0,0\n", "2", "the id is not a positive integer");
   refuse(top + "1,0,0,0,0,0,0\n\n1,0,0,0,0,0,0\n", "4", "element 1 is there twice (first in line 2)");
   refuse(top + "99,0,0,0,0,0,0\n", "2", "there is no element 99 in the mesh");
+  refuse("element,layer,temperature\n1,0,0\n", "2", "the layer is not a positive integer");
+  refuse("element,layer,temperature\n1,2,0\n1,1,0\n1,2,0\n", "4", "element 1 is there twice with layer 2");
+  refuse("element,equivalent_plastic_strain,temperature\n1,-1,0\n", "2", "the equivalent plastic strain is negative");
   refuse(top, "2", "there are no rows");
 }
 
@@ -165,6 +173,128 @@ TEST(StartFields, ElementsThatCannotHaveAStressAreRefused) {
   EXPECT_THAT(scene.find_error(rigid), HasSubstr("element 3 is rigid and has no stress"));
   scene.add_file("s.csv", std::string(heading) + ",equivalent_plastic_strain\n3,0,0,1,0,0,0,0.1\n");
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a plastic strain (its material has none)"));
+  scene.add_file("s.csv", "element,temperature\n3,300\n");
+  EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a temperature (its material has none)"));
+  scene.add_file("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n3,1,0,0,1,0,0,0\n");
+  EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 is no shell and has no layers"));
+}
+
+namespace {
+
+/// A plate of shells in a plane that is along no axis of space; by default it is free and flies nowhere.
+std::string plate(const std::string& more, const std::string& material, const std::string& rest) {
+  return fmt::format(R"yaml(
+time: {{end: 1e-3}}
+parts:
+  plate:
+    shell_plate: {{size: [1.0, 0.1], cells: [20, 2]}}
+    rotate: [{{axis: [1, 2, 3], angle: 40}}]
+    thickness: 0.01
+    material: steel
+{}
+materials: {{steel: {{model: {}, density: {}, youngs_modulus: {}, poissons_ratio: 0}}}}
+start: {{fields: [{{file: s.csv}}]}}
+{}
+)yaml",
+                     more, material, density, young, rest);
+}
+
+/// The stress s along the plate's x in axes of space, by Rodrigues' formula.
+std::array<double, 6> turn_stress(double s) {
+  const double root = std::sqrt(14), c = std::cos(40 * std::numbers::pi / 180),
+               sine = std::sin(40 * std::numbers::pi / 180);
+  const double k[3] = {1 / root, 2 / root, 3 / root};
+  // c e + sin k x e + (1 - c) (k . e) k of the first axis e
+  const double x[3] = {c + (1 - c) * k[0] * k[0], sine * k[2] + (1 - c) * k[0] * k[1],
+                       -sine * k[1] + (1 - c) * k[0] * k[2]};
+  return {s * x[0] * x[0], s * x[1] * x[1], s * x[2] * x[2], s * x[0] * x[1], s * x[1] * x[2], s * x[2] * x[0]};
+}
+
+std::string join(const std::array<double, 6>& s) {
+  return fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", s[0], s[1], s[2], s[3], s[4], s[5]);
+}
+
+constexpr const char* held_ends = R"yaml(conditions:
+  - {nodes: plate/x_min, fixed: [x, y, z, rx, ry, rz]}
+  - {nodes: plate/x_max, fixed: [x, y, z, rx, ry, rz]}
+output: {history: {every: 1e-5, elements: [{name: one, id: 7}]}})yaml";
+
+/// At rest with this energy from beginning to end.
+void expect_held(const Outcome& run, double energy) {
+  EXPECT_NEAR(run.history["internal"][0], energy, 1e-9 * energy);
+  EXPECT_NEAR(run.history["internal"].back(), energy, 1e-9 * energy);
+  EXPECT_LT(run.history.largest("kinetic"), 1e-18 * energy);
+}
+
+}  // namespace
+
+// Between two ends that hold it, a stretched plate is at rest, and so is one that is bent by a constant moment.
+TEST(StartFields, APlateThatIsStretchedOrBentStaysAtRest) {
+  const FieldsScene scene;
+  const double s = 80e6, volume = 0.1 * 0.01;
+  std::string stretched = std::string(heading) + "\n";
+  std::string bent = std::string("element,layer") + std::string(heading).substr(7) + "\n";
+  for (int e = 1; e <= 40; ++e) {
+    stretched += fmt::format("{},{}\n", e, join(turn_stress(s)));
+    // Points of Gauss' rule at -z, 0, z with z^2 = 3/5 and weights 5/18, 8/18, 5/18; the middle has no stress.
+    for (const int side : {1, -1})
+      bent += fmt::format("{},{},{}\n", e, side + 2, join(turn_stress(side * std::sqrt(0.6) * s)));
+  }
+  scene.add_file("s.csv", stretched);
+  expect_held(scene.run(plate("", "elastic", held_ends)), volume * s * s / (2 * young));
+  scene.add_file("s.csv", bent);
+  const Outcome run = scene.run(plate("    points: 3", "elastic", held_ends));
+  expect_held(run, volume * s * s / (6 * young));
+}
+
+TEST(StartFields, AShellHasTheStressOfItsFile) {
+  const FieldsScene scene;
+  // In the plane of the plate and across it: a turned stress without a part normal to the surface.
+  scene.add_file("s.csv",
+                 std::string(heading) + ",equivalent_plastic_strain\n7," + join(turn_stress(50e6)) + ",0.02\n");
+  const Outcome run = scene.run(plate("", "j2_plasticity, yield_stress: 40e6, hardening_modulus: 2e9", held_ends));
+  EXPECT_NEAR(run.history["one_eps"][0], 0.02, 1e-16);  // the mean of all layers
+  EXPECT_NEAR(run.history["one_von_mises"][0], 50e6, 1e-9 * 50e6);
+  const std::array<double, 6> s = turn_stress(50e6);
+  const char* const names[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_NEAR(run.history[std::string("one_stress_") + names[k]][0], s[k], 1e-9 * 50e6) << names[k];
+}
+
+TEST(StartFields, ShellsRefuseLayersAndStressesThatTheyDoNotHave) {
+  const FieldsScene scene;
+  scene.add_file("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n7,4,0,0,0,0,0,0\n");
+  EXPECT_THAT(scene.find_error(plate("    points: 3", "elastic", held_ends)),
+              HasSubstr("s.csv:2: error: element 7 has no layer 4 (it has 3)"));
+  scene.add_file("s.csv", std::string(heading) + "\n7,0,0,1e6,0,0,0\n");
+  EXPECT_THAT(scene.find_error(plate("", "elastic", held_ends)), HasSubstr("across its surface (shells have none)"));
+}
+
+// A hot bar yields at A (1 - t^m), with t = (400 - 300) / (800 - 300) and m = 1: at 80 of 100 MPa. The law's own start
+// temperature is that of the room. Without heat and hardening the stress stays there.
+TEST(StartFields, AHotBodyYieldsAtItsTemperature) {
+  const FieldsScene scene;
+  scene.add_file("s.csv", "element,temperature\n1,400\n");
+  const std::string law =
+      "johnson_cook, a: 100e6, b: 0, n: 1, melt_temperature: 800, room_temperature: 300, start_temperature: 300, "
+      "specific_heat: 500, heating_share: 0";
+  const std::string shapes[] = {"box: {size: [1, 1, 1], cells: [1, 1, 1]}",
+                                "shell_plate: {size: [1, 1], cells: [1, 1]}, thickness: 0.1"};
+  for (const std::string& shape : shapes) {
+    const Outcome run = scene.run(fmt::format(R"yaml(
+time: {{end: 1e-2}}
+parts: {{cube: {{{}, material: steel}}}}
+materials: {{steel: {{model: {}, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}}}}
+conditions: [{{nodes: cube/x_min, velocity: {{x: 0}}}}, {{nodes: cube/x_max, velocity: {{x: 0.2}}}}]
+start: {{fields: [{{file: s.csv, part: cube}}]}}
+output: {{history: {{every: 1e-4, elements: [{{name: one, id: 1}}]}}}}
+)yaml",
+                                              shape, law));
+    EXPECT_NEAR(run.history["one_temperature"][0], 400, 1e-12);  // the mean of all points
+    EXPECT_NEAR(run.history["one_temperature"].back(), 400, 1e-12);
+    // Waves across are left by the sudden start; plastic flow has them die out.
+    EXPECT_NEAR(run.history.mean(5e-3, 1e-2, "one_von_mises"), 80e6, 1e-3 * 80e6) << shape;
+  }
 }
 
 TEST(StartFields, AnElementHasAStressFromOneFileOnly) {
