@@ -15,6 +15,18 @@
 
 namespace percuss {
 
+namespace contact_limits {
+
+/// New pairs whose wedges a plane parts but for this sine, in place of reach_through, touch where they have crossed by
+/// crossed_depth: what only runs past, as bricks in line do, stays above it.
+inline constexpr double wide_reach_through = history_reach_through;
+inline constexpr double crossed_depth = 5e-3;
+/// Edges that crossed deeper than new_depth without a row are kept from going deeper, down to this depth: unlike a node
+/// behind a face, a pair tells by its wedges from which side it came.
+inline constexpr double new_edge_depth = 0.25;
+
+}  // namespace contact_limits
+
 /// Edge A on edge B.
 struct EdgeTouch {
   int record = -1;       // history record that this contact continues; -1: new
@@ -89,21 +101,38 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
   return found;
 }
 
-/// Turns a crossing so that its normal points out of B's wedge and into A's; false if the plane that it is square to
-/// does not part the wedges. side: the distance at the start along c.normal of edges with thickness between them, whose
-/// lines are apart when they touch: if either way parts the wedges it says which; 0 of edges of solids.
-KOKKOS_INLINE_FUNCTION bool orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
-                                   Crossing& c) {
+/// Turns a crossing so that its normal points out of B's wedge and into A's. Returns how far the plane that it is
+/// square to is from parting the wedges: find_reach_through(). side: the distance at the start along c.normal of edges
+/// with thickness between them, whose lines are apart when they touch: if either way parts the wedges it says which; 0
+/// of edges of solids.
+KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
+                                     Crossing& c) {
+  namespace limits = contact_limits;
   const double reach = find_reach_through(a, b, c.normal), back = find_reach_through(a, b, -c.normal);
-  const double limit = last_normal != nullptr ? contact_limits::history_reach_through : contact_limits::reach_through;
   bool flips = back < reach;
-  if (side != 0 && reach <= limit && back <= limit) flips = side < 0;
+  if (side != 0 && reach <= limits::reach_through && back <= limits::reach_through) flips = side < 0;
   if (last_normal != nullptr) flips = dot(*last_normal, c.normal) < 0;
   if (flips) {
     c.normal = -c.normal;
     c.gap = -c.gap;
   }
-  return (flips ? back : reach) <= limit;
+  return flips ? back : reach;
+}
+
+/// Whether wedges that a plane parts but for `reach` may push each other. gap: predicted; size: h.
+KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool known, double gap, double size) {
+  namespace limits = contact_limits;
+  const bool is_wide = known || gap < -limits::crossed_depth * size;
+  return reach <= (is_wide ? limits::wide_reach_through : limits::reach_through);
+}
+
+/// How deep a pair may be inside one another at n. Only a plane that parts it tells from which side a new one came, and
+/// edges of shells may be nearer than their thickness around a fold.
+KOKKOS_INLINE_FUNCTION double find_deepest_start(double reach, bool known, double size, double offset) {
+  namespace limits = contact_limits;
+  if (known) return limits::history_depth * size + offset;
+  const bool tells_side = offset == 0 && reach <= limits::reach_through;
+  return (tells_side ? limits::new_edge_depth : limits::new_depth) * size;
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
@@ -213,8 +242,9 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const Point3 along_cross = end.normal;
   // Edges that turn over through being parallel are left to the next step.
   if (dot(start.normal, along_cross) < 0) return false;
-  if (!orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end)) return false;
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
+  const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
+  if (!are_parted(reach, known, end.gap - offset, h)) return false;
   touch.normal = end.normal;
   touch.gap_end = end.gap - offset;
   touch.gap_start = measure_line_gap(start, end.normal) - offset;
@@ -223,8 +253,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > find_edge_row_gap(known, h)) return false;
-  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
-  if (touch.gap_start < -deepest) return false;
+  if (touch.gap_start < -find_deepest_start(reach, known, h, offset)) return false;
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
@@ -239,7 +268,8 @@ KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const 
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
   const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
   touch.offset = static_cast<float>(offset);
-  if (!orient(of_a.wedge, of_b.wedge, nullptr, offset > 0 ? c.gap : 0, c)) return 0;
+  const double reach = orient(of_a.wedge, of_b.wedge, nullptr, offset > 0 ? c.gap : 0, c);
+  if (reach > contact_limits::reach_through) return 0;
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double gap = c.gap - offset, half = deepest * touch.size;

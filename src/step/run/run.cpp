@@ -252,7 +252,7 @@ void Run::note_contact() {
   warnings_.add(stepper_.take_warnings());
   if (!contact_.is_active()) return;
   warnings_.add(contact_.take_warnings());
-  warnings_.note_step(stepper_.contact_report(), state_.time);
+  warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(seen()); });
   if (!warnings_.has_noted_gain()) note_contact_gain();
 }
 

@@ -95,17 +95,8 @@ std::string describe_broken_chunk(const CheckedRun& run) {
 
 /// Empty if no contact node lies deep. Collective.
 std::string describe_deepest_node(const CheckedRun& run) {
-  const ContactReport& contact = run.stepper.contact_report();
-  if (contact.deepest_node < 0) return "";
-  const int node = find_local_node(run.chunked, contact.deepest_node);
-  std::string text;
-  if (node >= 0) {
-    const auto x = to_host(run.state.x);
-    const auto n = static_cast<std::size_t>(node);
-    text = fmt::format("; the deepest contact node is {} at ({:.6g}, {:.6g}, {:.6g}), {:.3g} of a face edge",
-                       run.chunked.mesh.node_ids[n], x(n, 0), x(n, 1), x(n, 2), contact.deepest);
-  }
-  return broadcast_text(run.model.ranks, text, run.chunked.numbering.find_node_owner(contact.deepest_node));
+  const std::string node = name_deepest_node(run);
+  return node.empty() ? node : "; the deepest contact node is " + node;
 }
 
 std::string describe_step(const State& state) {
@@ -161,6 +152,20 @@ void check_balance(const CheckedRun& run, const AuditResult& audit) {
   check_energy(run, audit.energy);
   check_momentum(run, "linear", audit.momentum.linear_error);
   check_momentum(run, "angular", audit.momentum.angular_error);
+}
+
+std::string name_deepest_node(const CheckedRun& run) {
+  const ContactReport& contact = run.stepper.contact_report();
+  if (contact.deepest_node < 0) return "";
+  const int node = find_local_node(run.chunked, contact.deepest_node);
+  std::string text;
+  if (node >= 0) {
+    const auto x = to_host(run.state.x);
+    const auto n = static_cast<std::size_t>(node);
+    text = fmt::format("node {} at ({:.6g}, {:.6g}, {:.6g}), {:.3g} of a face edge", run.chunked.mesh.node_ids[n],
+                       x(n, 0), x(n, 1), x(n, 2), contact.deepest);
+  }
+  return broadcast_text(run.model.ranks, text, run.chunked.numbering.find_node_owner(contact.deepest_node));
 }
 
 GainPlace find_gain_place(const CheckedRun& run) {

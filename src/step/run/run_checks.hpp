@@ -26,6 +26,10 @@ void check_step(const CheckedRun& run, double first_dt);
 /// Throws RunError, on all ranks, if the balance of energy or of momentum is off. Collective.
 void check_balance(const CheckedRun& run, const AuditResult& audit);
 
+/// "node 17 at (1, 2, 3), 0.2 of a face edge": the deepest contact node of the step just made; empty if none is deep.
+/// Collective.
+std::string name_deepest_node(const CheckedRun& run);
+
 /// Where contact gave most energy in the step just made. Collective.
 GainPlace find_gain_place(const CheckedRun& run);
 

@@ -61,7 +61,8 @@ std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& ch
   return warnings;
 }
 
-std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time) {
+std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time,
+                                        const std::string& deepest) {
   std::vector<Warning> warnings;
   if (!contact.converged) {
     warnings.push_back({"unconverged_contact",
@@ -71,10 +72,10 @@ std::vector<Warning> find_step_warnings(const ContactReport& contact, double acc
   }
   if (contact.deepest > accepted_depth + noted_depth) {
     warnings.push_back(
-        {"deep_penetration",
-         fmt::format("a contact node penetrates deeper than {:g} of a face edge (contact is lost at {:g}): use a finer "
-                     "mesh there, a smaller time.step_scale, or with penalty a larger contact.penalty_scale",
-                     noted_depth, contact_limits::history_depth),
+        {deep_penetration,
+         fmt::format("a contact node penetrates deeper than {:g} of a face edge{}{} (contact is lost at {:g}): use a "
+                     "finer mesh there, a smaller time.step_scale, or with penalty a larger contact.penalty_scale",
+                     noted_depth, deepest.empty() ? "" : ", first ", deepest, contact_limits::history_depth),
          "", time, 1});
   }
   return warnings;

@@ -21,8 +21,11 @@ namespace percuss {
 std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& chunked);
 
 /// Contact that was not enforced to its tolerance, or that is deep. accepted_depth: the deepest at the start / face
-/// edge.
-std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time);
+/// edge; deepest: names the node that is deepest, or empty.
+std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time,
+                                        const std::string& deepest);
+
+constexpr const char* deep_penetration = "deep_penetration";  // the rule of these that names a node
 
 /// What the energies of a run are judged by at its end [energy].
 struct EnergyScales {

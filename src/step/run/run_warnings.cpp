@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
 #include "src/step/run/run_notes.hpp"
@@ -22,9 +24,20 @@ void RunWarnings::renew(const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) log_.renew(warning);
 }
 
-void RunWarnings::note_step(const ContactReport& report, double time) {
+void RunWarnings::note_step(const ContactReport& report, double time,
+                            const std::function<std::string()>& name_deepest) {
   if (accepted_depth_ < 0) accepted_depth_ = report.deepest;
-  log_.add(find_step_warnings(report, accepted_depth_, time));
+  for (Warning& warning : find_step_warnings(report, accepted_depth_, time, "")) {
+    if (warning.rule == deep_penetration) {
+      const auto& told = log_.list();
+      const auto first =
+          std::find_if(told.begin(), told.end(), [](const Warning& w) { return w.rule == deep_penetration; });
+      warning.text = first != told.end()
+                         ? first->text
+                         : find_step_warnings(report, accepted_depth_, time, name_deepest()).back().text;
+    }
+    log_.add(warning);
+  }
 }
 
 void RunWarnings::note_gain(double given, const EnergyScales& scales, const GainPlace& where,

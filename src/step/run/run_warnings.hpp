@@ -1,6 +1,7 @@
 #pragma once
 // The warnings of a run: told on rank 0 as they are found, kept over restarts, listed in the summary.
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,8 +36,8 @@ class RunWarnings {
 
   /// Overlap at the start that is pushed out: find_pushed_square().
   void note_pushed(double pushed_square) { pushed_square_ = pushed_square; }
-  /// Contact of a step.
-  void note_step(const ContactReport& report, double time);
+  /// Contact of a step. name_deepest: of the deepest node, called on all ranks where a warning first names it.
+  void note_step(const ContactReport& report, double time, const std::function<std::string()>& name_deepest);
 
   /// Contact that has given too much energy: tells it once, with where that was, and keeps its figures up to date.
   void note_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units);

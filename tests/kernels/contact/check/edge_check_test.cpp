@@ -51,9 +51,10 @@ TEST(EdgeGeometry, EdgesThatRunPastEachOtherAreNotParted) {
   EXPECT_GT(find_reach_through(upright, level, {0, -1, 0}), 0.9);
 }
 
-/// Two roofs of one triangle-like wedge each: A hangs at `height` over B and moves down by `fall` in the step.
+/// Two roofs of one triangle-like wedge each: A hangs at `height` over B and moves down by `fall` in the step. B's
+/// first face ends at `eave`.
 struct Roofs {
-  Roofs(double height, double fall, double shift = 0) {
+  Roofs(double height, double fall, double shift = 0, double eave = -1) {
     const std::vector<Point3> x = {{-0.5 + shift, 0, height},
                                    {0.5 + shift, 0, height},
                                    {0, -0.5, 0},
@@ -62,8 +63,8 @@ struct Roofs {
                                    {0.5 + shift, 1, height + 1},
                                    {-0.5 + shift, -1, height + 1},
                                    {0.5 + shift, -1, height + 1},
-                                   {1, -0.5, -1},
-                                   {1, 0.5, -1},
+                                   {1, -0.5, eave},
+                                   {1, 0.5, eave},
                                    {-1, -0.5, -1},
                                    {-1, 0.5, -1}};
     std::vector<Point3> v(x.size());
@@ -103,11 +104,35 @@ TEST(EdgeCheck, NoSpeedIsTooHigh) {
   EXPECT_NEAR(r.touch.gap_end, -49.7, 1e-12);
 }
 
-TEST(EdgeCheck, EdgesDeepInsideAtTheStartDidNotComeThroughEachOther) {
-  EXPECT_FALSE(Roofs(-0.1, 0.01).check());
+TEST(EdgeCheck, EdgesThatHaveCrossedWithoutARowAreKeptFromGoingDeeper) {
+  Roofs r(-0.1, 0.01);
+  ASSERT_TRUE(r.check());  // a plane parts the roofs and says from which side A came
+  EXPECT_NEAR(r.touch.normal.z, 1, tight);
+  EXPECT_NEAR(r.touch.gap_start, -0.1, tight);
+  EXPECT_TRUE(Roofs(-0.24, 0.01).check());
+  EXPECT_FALSE(Roofs(-0.26, 0.01).check());
+}
+
+TEST(EdgeCheck, ARememberedContactIsHeldToItsLargestDepth) {
   const Point3 up{0, 0, 1};
-  EXPECT_TRUE(Roofs(-0.1, 0.01).check(&up));   // unless they are remembered
-  EXPECT_FALSE(Roofs(-0.3, 0.01).check(&up));  // and not too deep for that
+  EXPECT_TRUE(Roofs(-0.1, 0.01).check(&up));
+  EXPECT_FALSE(Roofs(-0.3, 0.01).check(&up));
+}
+
+// One face of B rises through the plane of the crossing: so bricks in line run past each other, and so a stiff edge
+// lies across a ridge that it has bent.
+TEST(EdgeCheck, EdgesBesideAFaceThatRisesThroughTheirPlaneTouchOnlyOnceTheyHaveCrossed) {
+  const double rising = 0.2, steep = 0.4;  // sines 0.196 and 0.371
+  EXPECT_TRUE(Roofs(0.01, 0.014).check());
+  EXPECT_FALSE(Roofs(0.01, 0.014, 0, rising).check());
+  EXPECT_TRUE(Roofs(0.01, 0.016, 0, rising).check());
+  EXPECT_FALSE(Roofs(0.01, 0.016, 0, steep).check());
+}
+
+TEST(EdgeCheck, EdgesBesideAFaceThatRisesThroughTheirPlaneDoNotSayWhereTheyCameFrom) {
+  const double rising = 0.2;
+  EXPECT_TRUE(Roofs(-0.015, 0.01, 0, rising).check());
+  EXPECT_FALSE(Roofs(-0.025, 0.01, 0, rising).check());
 }
 
 TEST(EdgeCheck, EndsBelongToNodesAndFaces) {

@@ -100,15 +100,18 @@ TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
 TEST(StepWarnings, TellContactThatDidNotConvergeOrIsDeep) {
   ContactReport report;
   report.deepest = 0.09;
-  EXPECT_THAT(find_step_warnings(report, 0, 0.5), IsEmpty());
+  EXPECT_THAT(find_step_warnings(report, 0, 0.5, ""), IsEmpty());
   report.converged = false;
   EXPECT_THAT(
-      format_all(find_step_warnings(report, 0, 0.5)),
+      format_all(find_step_warnings(report, 0, 0.5, "")),
       ElementsAre(AllOf(HasSubstr("did not converge in a step"), HasSubstr("[unconverged_contact] (t = 0.5)"))));
   report.converged = true;
   report.deepest = 0.2;
-  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5)), ElementsAre(HasSubstr("[deep_penetration]")));
-  EXPECT_THAT(find_step_warnings(report, 0.15, 0.5), IsEmpty());  // 0.15 were accepted at the start
+  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5, "")), ElementsAre(HasSubstr("[deep_penetration]")));
+  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5, "node 17 at (1, 2, 3), 0.2 of a face edge")),
+              ElementsAre(HasSubstr(
+                  "deeper than 0.1 of a face edge, first node 17 at (1, 2, 3), 0.2 of a face edge (contact")));
+  EXPECT_THAT(find_step_warnings(report, 0.15, 0.5, ""), IsEmpty());  // 0.15 were accepted at the start
 }
 
 TEST(ResolvedEnergy, IsThatOfAMotionByTheRoundOffOfContact) {
