@@ -7,14 +7,6 @@
 
 namespace percuss {
 
-/// Stands for the remainder that a double does not need.
-template <class Value>
-struct NoRest {};
-
-/// The rest of a Value on T: of the same kind for a float, nothing for a double.
-template <class T, class Value>
-using RestOf = std::conditional_t<is_short<T>, Value, NoRest<Value>>;
-
 /// value + rest += more. The remainder is at most half of the value's last digit unless `more` is larger than the
 /// value.
 template <class T>

@@ -33,6 +33,18 @@ KOKKOS_INLINE_FUNCTION bool has_same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
+/// Whether `count` numbers have the bits of so many others.
+template <class Scalar>
+KOKKOS_INLINE_FUNCTION bool have_same_bits(const Scalar* a, const Scalar* b, int count) {
+#ifdef PERCUSS_HAS_SIMD
+  return std::memcmp(a, b, static_cast<std::size_t>(count) * sizeof(Scalar)) == 0;
+#else  // a device has no memcmp
+  for (int i = 0; i < count; ++i)
+    if (!has_same_bits(a[i], b[i])) return false;
+  return true;
+#endif
+}
+
 /// Order-preserving map from doubles to unsigned integers (-0 and +0 are the same).
 KOKKOS_INLINE_FUNCTION std::uint64_t make_sort_key(double value) {
   const double normal = value + 0.0;  // -0 becomes +0

@@ -23,14 +23,14 @@ struct ScalarOf<std::experimental::simd<Scalar, Abi>> {
 template <class T>
 inline constexpr bool is_short = std::is_same_v<typename ScalarOf<T>::type, float>;
 
-/// A number as a T: packs of floats take no double by themselves.
+/// A number as a T: packs of floats take no double by themselves. By value, as a device has no address of a constant.
 template <class T, class Number>
-PERCUSS_FORCE_INLINE T number(const Number& a) {
-  if constexpr (std::is_same_v<T, Number>) {
-    return a;
-  } else {
-    return T(static_cast<typename ScalarOf<T>::type>(a));
-  }
+requires std::is_arithmetic_v<Number> PERCUSS_FORCE_INLINE T number(Number a) {
+  return T(static_cast<typename ScalarOf<T>::type>(a));
+}
+template <class T>
+PERCUSS_FORCE_INLINE T number(const T& a) requires(!std::is_arithmetic_v<T>) {
+  return a;
 }
 
 /// Beside it any number of a scene is large: a divisor that must not vanish. And a number beyond any of a scene.

@@ -8,9 +8,11 @@
 
 #include <cmath>
 
+#if defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP) || defined(KOKKOS_ENABLE_SYCL)
+#define PERCUSS_ON_DEVICE 1
+#endif
 // PERCUSS_SCALAR_PACKS (preset `scalar`) gives hosts the packs of a GPU, so that a compiler without one tries them.
-#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL) && \
-    !defined(PERCUSS_SCALAR_PACKS)
+#if !defined(PERCUSS_ON_DEVICE) && !defined(PERCUSS_SCALAR_PACKS)
 #define PERCUSS_HAS_SIMD 1
 #include <experimental/simd>
 #if defined(__clang__) && defined(__AVX512F__)
@@ -31,8 +33,13 @@
 #define PERCUSS_FLATTEN
 #endif
 // PERCUSS_FLATTEN: a function into which everything that it calls is inlined, packs or not.
-// A function whose packs go through memory anyhow, and which has all registers to itself as a call.
+// A function whose packs go through memory anyhow, and which has all registers to itself as a call. On a device a call
+// would send what the caller holds in registers through memory.
+#ifdef PERCUSS_ON_DEVICE
+#define PERCUSS_NO_INLINE KOKKOS_FUNCTION
+#else
 #define PERCUSS_NO_INLINE [[gnu::noinline]] KOKKOS_FUNCTION
+#endif
 
 namespace percuss {
 

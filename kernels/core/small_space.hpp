@@ -1,13 +1,15 @@
 #pragma once
-// Where a contact kernel runs: little work runs in the calling thread, because waking threads would cost more.
+// Where a contact kernel runs: little work runs in the calling thread, because waking threads would cost more. On a
+// device all work runs there, because the calling thread does not see its memory.
 //
 // Every contact kernel gives the same bits in either space.
 
 #include <string>
 
+#include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 
-#if defined(KOKKOS_ENABLE_SERIAL) && !defined(PERCUSS_BACKEND_SERIAL)
+#if defined(KOKKOS_ENABLE_SERIAL) && !defined(PERCUSS_BACKEND_SERIAL) && !defined(PERCUSS_ON_DEVICE)
 #define PERCUSS_SMALL_SPACE 1
 #endif
 

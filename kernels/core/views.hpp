@@ -15,10 +15,17 @@ namespace percuss {
 using ExecSpace = Kokkos::OpenMP;
 #elif defined(PERCUSS_BACKEND_SERIAL)
 using ExecSpace = Kokkos::Serial;
+#elif defined(PERCUSS_BACKEND_CUDA)
+using ExecSpace = Kokkos::Cuda;
 #else
 using ExecSpace = Kokkos::DefaultExecutionSpace;
 #endif
+#ifdef PERCUSS_PINNED_MEMORY
+// Of the host, read by the device too: for tests that look into views.
+using MemSpace = Kokkos::SharedHostPinnedSpace;
+#else
 using MemSpace = ExecSpace::memory_space;
+#endif
 
 /// One value an item: shape [n].
 template <class T>

@@ -230,8 +230,7 @@ struct AdvanceChunk {
       folding.resist(parameters, nodes, corners, s.mass, f, result);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
-      if (watched)
-        changed = changed || std::memcmp(before, record, static_cast<std::size_t>(record_size) * sizeof(Real)) != 0;
+      if (watched) changed = changed || !have_same_bits(before, record, record_size);
       take_lanes(result, e - first, lanes, step);
       if (watches_step) {
         const int pack = chunks.first_pack(c) + (e - first) / width;

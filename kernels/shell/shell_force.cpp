@@ -152,16 +152,15 @@ struct AdvanceShellChunk {
     [[maybe_unused]] LivingShells<Lanes> living(motion.failing, motion.lives, c, parameters.points.count);
     for (int e = first; e < end; e += width, record += record_size, corners += corners_of_pack) {
       const int lanes = end - e < width ? end - e : width;
-      const auto bytes = static_cast<std::size_t>(record_size) * sizeof(double);
       const std::uint16_t* gathered = corners;
       if constexpr (CanFail) {
         if (living.can_fail() && !living.take_pack(gathered)) continue;
       }
-      if (watched) std::memcpy(before, record, bytes);
+      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(double));
       const ShellResult<Lanes> result = advance_pack(parameters, scratch, gathered, lanes, record, living);
       sums.take(result, e, lanes);
       if (motion.bound.extent(0) > 0) store_bounds(result.stable_step, lanes, &motion.bound(e));
-      if (watched) changed = changed || std::memcmp(before, record, bytes) != 0;
+      if (watched) changed = changed || !have_same_bits(before, record, record_size);
     }
     results.stable_step(c) = sums.step;
     results.controlling_element(c) = sums.controlling < 0 ? first : sums.controlling;

@@ -2,12 +2,11 @@
 // refitting, the query, the list sorted by node and face. Arguments: numbers of nodes (default 40000 250000 1000000);
 // names of surfaces (default all); --blocks: only blocks whose order is kept, many times, for profiles.
 //
-// "kept": the order of the last search serves, as it nearly always does in a run; "ordered": a new order is made.
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+// On a device: nanoseconds that pass, instead of those of a core. "kept": the order of the last search serves, as it
+// nearly always does in a run; "ordered": a new order is made.
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string>
@@ -49,11 +48,15 @@ Scene make_scene(const Cloud& cloud) {
   scene.x = to_rows("perf::x", cloud.nodes);
   scene.boxes = Boxes("perf::boxes", cloud.faces.size());
   const SurfaceMotion at_rest{scene.x, scene.x, 0};
-  for (int f = 0; f < s.num_faces; ++f) {
-    constexpr double reach = 0.15;
-    bound_face(
-        at_rest, [&](int i) { return s.face_corners(f, i); }, reach, scene.boxes, f);
-  }
+  const Rows4<const int> corners = s.face_corners;
+  const Boxes boxes = scene.boxes;
+  Kokkos::parallel_for(
+      "perf::boxes", Range(0, s.num_faces), KOKKOS_LAMBDA(const int f) {
+        constexpr double reach = 0.15;
+        bound_face(
+            at_rest, [&](int i) { return corners(f, i); }, reach, boxes, f);
+      });
+  Kokkos::fence();
   return scene;
 }
 
@@ -65,8 +68,11 @@ double time_searches(const Scene& scene, std::size_t repeats, SearchScratch& scr
   for (std::size_t i = 0; i <= repeats; ++i) {
     prepare();
     const std::clock_t start = std::clock();
+    const Kokkos::Timer timer;
     find_candidate_pairs(ExecSpace(), scene.surface, {scene.x, scene.boxes}, 1'000'000'000, scratch, list);
-    const double passed = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    Kokkos::fence();
+    const double passed =
+        1e9 * (is_host_memory ? static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC : timer.seconds());
     if (i > 0) times.push_back(passed / scene.surface.num_nodes);
   }
   std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(repeats / 2), times.end());
@@ -79,8 +85,8 @@ void report_blocks(const std::string& name, int num_nodes) {
   SearchScratch blocks;
   CandidateList list;
   const double kept = time_searches(scene, 8'000'000 / static_cast<std::size_t>(num_nodes), blocks, list, [] {});
-  fmt::print("{:8} {:9} {:11.1f} {:14} {:7.0f}\n", name, scene.surface.num_nodes,
-             static_cast<double>(list.num_pairs) / scene.surface.num_nodes, "", kept);
+  std::printf("%-8s %9d %11.1f %14s %7.1f\n", name.c_str(), scene.surface.num_nodes,
+              static_cast<double>(list.num_pairs) / scene.surface.num_nodes, "", kept);
 }
 
 void report(const std::string& name, int num_nodes) {
@@ -93,9 +99,10 @@ void report(const std::string& name, int num_nodes) {
   const int pairs = list.num_pairs;
   const double kept = time_searches(scene, repeats, blocks, list, [] {});
   const double ordered = time_searches(scene, repeats, blocks, list, [&] { blocks.blocks.is_worn = true; });
-  fmt::print("{:8} {:9} {:11.1f} {:14.0f} {:7.0f} {:9.0f} {}\n", name, scene.surface.num_nodes,
-             static_cast<double>(pairs) / scene.surface.num_nodes, by_lists, kept, ordered,
-             pairs == list.num_pairs ? "" : "NOT THE SAME PAIRS");
+  std::printf("%-8s %9d %11.1f %14.1f %7.1f %9.1f %s\n", name.c_str(), scene.surface.num_nodes,
+              static_cast<double>(pairs) / scene.surface.num_nodes, by_lists, kept, ordered,
+              pairs == list.num_pairs ? "" : "NOT THE SAME PAIRS");
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -116,14 +123,14 @@ int main(int argc, char** argv) {
     } else if (const int nodes = std::atoi(argv[i]); nodes > 0) {
       sizes.push_back(nodes);
     } else {
-      fmt::print(stderr, "compare_searches: error: '{}' is no number of nodes and none of {}\n", argument,
-                 fmt::join(all, ", "));
+      std::fprintf(stderr, "compare_searches: error: '%s' is no number of nodes and none of", argv[i]);
+      for (const std::string& name : all) std::fprintf(stderr, " %s", name.c_str());
+      std::fprintf(stderr, "\n");
       return 2;
     }
   }
   if (sizes.empty()) sizes = {40'000, 250'000, 1'000'000};
-  fmt::print("{:8} {:>9} {:>11} {:>14} {:>7} {:>9}\n", "cloud", "nodes", "pairs/node", "points-in-box", "kept",
-             "ordered");
+  std::printf("%-8s %9s %11s %14s %7s %9s\n", "cloud", "nodes", "pairs/node", "points-in-box", "kept", "ordered");
   for (const std::string& name : names.empty() ? all : names)
     for (const int nodes : sizes)
       only_blocks ? percuss::perf::report_blocks(name, nodes) : percuss::perf::report(name, nodes);

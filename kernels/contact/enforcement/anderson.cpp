@@ -57,6 +57,18 @@ void subtract_differences(const std::vector<double>& gamma, const Vectors& dg, c
       });
 }
 
+/// to(slot, i) = now(i) - last(i).
+void set_difference(const Vectors& to, int slot, const Array<const double>& now, const Array<const double>& last) {
+  Kokkos::parallel_for(
+      "contact::anderson_difference", Range(0, static_cast<int>(last.extent(0))),
+      KOKKOS_LAMBDA(int i) { to(slot, i) = now(i) - last(i); });
+}
+
+void copy_values(const Array<const double>& from, const Array<double>& to) {
+  Kokkos::parallel_for(
+      "contact::anderson_last", Range(0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) { to(i) = from(i); });
+}
+
 }  // namespace
 
 AndersonWindow::AndersonWindow(int n, const Array<const double>& weight)
@@ -71,20 +83,12 @@ AndersonWindow::AndersonWindow(int n, const Array<const double>& weight)
       gram_(static_cast<std::size_t>(width * width)) {}
 
 void AndersonWindow::store_difference(const Array<const double>& f, const Array<const double>& g) {
-  const int slot = next_;
-  const Vectors df = df_, dg = dg_;
-  const Array<double> f_last = f_last_, g_last = g_last_;
-  if (has_last_)
-    Kokkos::parallel_for(
-        "contact::anderson_difference", Range(0, n_), KOKKOS_LAMBDA(int i) {
-          df(slot, i) = f(i) - f_last(i);
-          dg(slot, i) = g(i) - g_last(i);
-        });
-  Kokkos::parallel_for(
-      "contact::anderson_last", Range(0, n_), KOKKOS_LAMBDA(int i) {
-        f_last(i) = f(i);
-        g_last(i) = g(i);
-      });
+  if (has_last_) {
+    set_difference(df_, next_, f, f_last_);
+    set_difference(dg_, next_, g, g_last_);
+  }
+  copy_values(f, f_last_);
+  copy_values(g, g_last_);
 }
 
 /// gamma of the normal equations by Cholesky; differences that depend on earlier ones get none.

@@ -119,6 +119,16 @@ ColouredBlocks colour_blocks(const HostProblem& problem, const std::vector<RowTw
   return coloured;
 }
 
+/// The block of each row, and the weight of each unknown.
+void fill_blocks(const ConeProblem& p, const Array<ConeBlock>& blocks, const Array<double>& weight) {
+  Kokkos::parallel_for(
+      "contact::cone_blocks", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) {
+        blocks(r) = find_block(p, r);
+        const int f = p.first(r);
+        for (int i = f; i < p.first(r + 1); ++i) weight(i) = i == f ? blocks(r).push : blocks(r).rub;
+      });
+}
+
 /// What the sweeps need besides the problem.
 struct Sweeper {
   Sweeper(const ConeProblem& of, double tolerance)
@@ -137,15 +147,7 @@ struct Sweeper {
     }
     problem.leader = to_view("contact::leaders", leader);
     problem.follower = to_view("contact::followers", follower);
-    const ConeProblem p = of;
-    const Array<ConeBlock> out = blocks;
-    const Array<double> w = weight;
-    Kokkos::parallel_for(
-        "contact::cone_blocks", Range(0, of.num_rows), KOKKOS_LAMBDA(int r) {
-          out(r) = find_block(p, r);
-          const int f = p.first(r);
-          for (int i = f; i < p.first(r + 1); ++i) w(i) = i == f ? out(r).push : out(r).rub;
-        });
+    fill_blocks(of, blocks, weight);
   }
 
   template <class Space>

@@ -92,7 +92,7 @@ ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners,
   const Rows4<const int> list = corners;
   const Rows3<const double> places = x;
   ExactSums<1> sum("contact::edge_sums");
-  return sum(space, static_cast<int>(list.extent(0)), [list, places] KOKKOS_FUNCTION(int f, const auto& add) {
+  return sum(space, static_cast<int>(list.extent(0)), [list, places] KOKKOS_FUNCTION(int f, const ExactAdder& add) {
     add(0, find_shortest_edge(load_face(list, places, f)));
   })[0];
 }

@@ -14,9 +14,17 @@ namespace percuss {
 
 template <class T>
 struct Polar {
-  Matrix3<T> rotation;                                          // R, orthogonal
-  Symmetric3<T> stretch;                                        // V
-  [[no_unique_address]] RestOf<T, Matrix3<T>> rotation_rest{};  // of R, in float
+  Matrix3<T> rotation;    // R, orthogonal
+  Symmetric3<T> stretch;  // V
+};
+/// In float with the rest of R. No member of no size does without it in double: behind one at the end of a member nvcc
+/// 13.0 takes the wrong place for the members that follow.
+template <class T>
+requires is_short<T>
+struct Polar<T> {
+  Matrix3<T> rotation;
+  Symmetric3<T> stretch;
+  Matrix3<T> rotation_rest{};
 };
 
 /// The rotation of the quaternion (d, n) of any length: exactly orthogonal.

@@ -31,14 +31,14 @@ PERCUSS_FORCE_INLINE void add_edge_forces(const ShellGeometry<T>& g, const T (&o
     u[j] = u[j] + by;
   };
   for (int k = 0; k < 4; ++k) {
-    const int i = shell_shear_edges[k][0], j = shell_shear_edges[k][1];
+    const int i = find_shear_edge(k, 0), j = find_shear_edge(k, 1);
     const T quarter = T(0.25) * on_edge[k];
     pull(quarter * (g.px[i] + g.px[j]), i, j, f.x);
     pull(quarter * (g.py[i] + g.py[j]), i, j, f.y);
     pull(quarter * (g.pz[i] + g.pz[j]), i, j, f.z);
     turn_both(quarter * (g.x[j] - g.x[i]), i, j, c.x);
     turn_both(quarter * (g.y[j] - g.y[i]), i, j, c.y);
-    turn_both(quarter * (T(shell_warp_sign[j] - shell_warp_sign[i]) * g.z), i, j, c.z);
+    turn_both(quarter * (T(find_warp_sign(j) - find_warp_sign(i)) * g.z), i, j, c.z);
   }
 }
 
@@ -48,7 +48,7 @@ PERCUSS_FORCE_INLINE void balance_moments(const ShellGeometry<T>& g, ShellCorner
                                           const ShellCornerField<T>& m) {
   Vector3<T> left{T(0), T(0), T(0)};
   for (int i = 0; i < 4; ++i) {
-    const Vector3<T> place{g.x[i], g.y[i], T(shell_warp_sign[i]) * g.z};
+    const Vector3<T> place{g.x[i], g.y[i], T(find_warp_sign(i)) * g.z};
     left = left + Vector3<T>{m.x[i], m.y[i], m.z[i]} + cross(place, Vector3<T>{f.x[i], f.y[i], f.z[i]});
   }
   const T half = T(0.5);

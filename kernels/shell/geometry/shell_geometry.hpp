@@ -51,7 +51,7 @@ struct MixedShapes {
 };
 
 /// Signs of the hourglass mode, which are also those of the corners' heights.
-inline constexpr int shell_warp_sign[4] = {1, -1, 1, -1};
+KOKKOS_INLINE_FUNCTION constexpr int find_warp_sign(int i) { return 1 - 2 * (i % 2); }
 
 template <class T>
 struct ShellGeometry {

@@ -25,7 +25,10 @@ struct ShellRates {
 };
 
 /// The four edges whose shear is sampled, each along xi or eta: 1-2, 4-3, 1-4, 2-3.
-inline constexpr int shell_shear_edges[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+KOKKOS_INLINE_FUNCTION constexpr int find_shear_edge(int k, int end) {
+  constexpr int corners[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+  return corners[k][end];
+}
 
 /// Corner fields in the frame, by component.
 template <class T>
@@ -46,7 +49,7 @@ PERCUSS_FORCE_INLINE void remove_rigid_motion(const ShellGeometry<T>& g, const S
   find_corner_values(velocity.r.y, velocity.s.y, velocity.h.y, v.y);
   const T warping = T(0.25) * (velocity.h.z - g.hx * v_x.z - g.hy * v_y.z);
   for (int i = 0; i < 4; ++i) {
-    const T sign = T(shell_warp_sign[i]), height = sign * g.z;
+    const T sign = T(find_warp_sign(i)), height = sign * g.z;
     v.x[i] = v.x[i] - (w.y * height - w.z * g.y[i]);
     v.y[i] = v.y[i] - (w.z * g.x[i] - w.x * height);
     v.z[i] = sign * warping;
@@ -62,7 +65,7 @@ PERCUSS_FORCE_INLINE void remove_rigid_motion(const ShellGeometry<T>& g, const S
 template <class T>
 PERCUSS_FORCE_INLINE T find_edge_shear(const ShellGeometry<T>& g, const ShellCornerField<T>& v,
                                        const ShellCornerField<T>& beta, int i, int j) {
-  const T rise = T(shell_warp_sign[j] - shell_warp_sign[i]) * g.z;
+  const T rise = T(find_warp_sign(j) - find_warp_sign(i)) * g.z;
   return T(0.25) * ((v.x[j] - v.x[i]) * (g.px[i] + g.px[j]) + (v.y[j] - v.y[i]) * (g.py[i] + g.py[j]) +
                     (v.z[j] - v.z[i]) * (g.pz[i] + g.pz[j]) + (g.x[j] - g.x[i]) * (beta.x[i] + beta.x[j]) +
                     (g.y[j] - g.y[i]) * (beta.y[i] + beta.y[j]) + rise * (beta.z[i] + beta.z[j]));
@@ -132,7 +135,9 @@ struct Drilling {
   T mean, beyond[2];
 };
 
-inline constexpr double drilling_field_size[2] = {0.40824829046386302, 0.23570226039551584};  // 1/sqrt 6, 1/sqrt 18
+KOKKOS_INLINE_FUNCTION constexpr double find_drilling_field_size(int i) {
+  return i == 0 ? 0.40824829046386302 : 0.23570226039551584;  // 1/sqrt 6, 1/sqrt 18
+}
 
 template <class T, class Shapes>
 PERCUSS_FORCE_INLINE Drilling<T> join_drills(const T (&drill)[4], [[maybe_unused]] const Shapes& shapes) {
@@ -142,8 +147,8 @@ PERCUSS_FORCE_INLINE Drilling<T> join_drills(const T (&drill)[4], [[maybe_unused
     const auto& is_triangle = shapes.is_triangle;
     const T last = drill[2] + drill[3];  // twice the third corner's
     joined.mean = select(is_triangle, T(1.0 / 3.0) * (first + T(0.5) * last), joined.mean);
-    joined.beyond[0] = select(is_triangle, T(drilling_field_size[0]) * (drill[1] - drill[0]), T(0));
-    joined.beyond[1] = select(is_triangle, T(drilling_field_size[1]) * (last - first), T(0));
+    joined.beyond[0] = select(is_triangle, T(find_drilling_field_size(0)) * (drill[1] - drill[0]), T(0));
+    joined.beyond[1] = select(is_triangle, T(find_drilling_field_size(1)) * (last - first), T(0));
   }
   return joined;
 }
@@ -157,7 +162,8 @@ PERCUSS_FORCE_INLINE void spread_drilling(const Drilling<T>& on, [[maybe_unused]
   if constexpr (Shapes::has_triangles) {
     const auto& is_triangle = shapes.is_triangle;
     const T third = T(1.0 / 3.0) * on.mean;
-    const T between = T(drilling_field_size[0]) * on.beyond[0], against = T(drilling_field_size[1]) * on.beyond[1];
+    const T between = T(find_drilling_field_size(0)) * on.beyond[0],
+            against = T(find_drilling_field_size(1)) * on.beyond[1];
     moment[0] = select(is_triangle, third - between - against, quarter);
     moment[1] = select(is_triangle, third + between - against, quarter);
     moment[2] = moment[3] = select(is_triangle, T(0.5) * third + against, quarter);
@@ -180,7 +186,7 @@ PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, c
   const T bx_x = along_x(beta.x), bx_y = along_y(beta.x), by_x = along_x(beta.y), by_y = along_y(beta.y);
   T edge[4];
   for (int k = 0; k < 4; ++k) {
-    edge[k] = find_edge_shear(g, v, beta, shell_shear_edges[k][0], shell_shear_edges[k][1]);
+    edge[k] = find_edge_shear(g, v, beta, find_shear_edge(k, 0), find_shear_edge(k, 1));
   }
   const EdgeShear<T> shear = join_edges(edge, shapes);
   const T &along_xi = shear.along[0], &along_eta = shear.along[1];

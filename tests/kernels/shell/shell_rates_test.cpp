@@ -52,7 +52,7 @@ TEST(ShellGeometry, CornersLieAtAlternatingHeightsAndFrameIsOrthonormal) {
       const Vec local = g.frame * (x[i] - center);
       EXPECT_NEAR(local.x, g.x[i], 1e-14);
       EXPECT_NEAR(local.y, g.y[i], 1e-14);
-      EXPECT_NEAR(local.z, shell_warp_sign[i] * g.z, 1e-14);
+      EXPECT_NEAR(local.z, find_warp_sign(static_cast<int>(i)) * g.z, 1e-14);
       const Vec normal = g.frame * cross(x[(i + 1) % 4] - x[i], x[(i + 3) % 4] - x[i]);
       EXPECT_NEAR(norm(1 / norm(normal) * normal - Vec{g.px[i], g.py[i], g.pz[i]}), 0, 1e-13);
     }
