@@ -216,7 +216,7 @@ std::vector<WrongDeck> unknown_names() {
        "output.history.forces.0.section.point is missing"},
       {"SectionByPlaneAndSets",
        append("output: {history: {forces: [{name: f, section: {point: [0, 0, 0], normal: x, nodes: rod}}]}}"), "6:39",
-       "output.history.forces.0.section has keys of a plane and of sets"},
+       "'output.history.forces.0.section' has keys of a plane and of sets"},
       {"SectionByNodesAlone", append("output: {history: {forces: [{name: f, section: {nodes: rod}}]}}"), "6:39",
        "output.history.forces.0.section.elements is missing"},
       {"SectionOfAllElements", append("output: {history: {forces: [{name: f, section: {nodes: rod, elements: all}}]}}"),

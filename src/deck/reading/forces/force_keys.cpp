@@ -106,8 +106,8 @@ bool check_section(const Reader& reader, const Node& node, ForceDeck&) {
   }
   for (const char* key : is_of_sets ? std::array{"nodes", "elements"} : std::array{"point", "normal"}) {
     if (has(key)) continue;
-    reader.error(node.key, fmt::format("{}.{} is missing (a section has point and normal, or nodes and elements)",
-                                       reader.self(), key));
+    reader.error(node.key, fmt::format("{} is missing (a section has point and normal, or nodes and elements)",
+                                       reader.name_of(key)));
     return false;
   }
   return true;
