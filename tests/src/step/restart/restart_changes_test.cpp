@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "src/deck/reading/read_deck.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
@@ -55,18 +59,21 @@ TEST(FramesBeforeFailure, AreTheLastTwoThatWereKept) {
   // The moving side is where its speed has brought it: all frames are those of their times.
   const std::size_t numbers = with.displacement.size() / with.steps.size();
   for (std::size_t i = 0; i <= last; ++i) {
-    double lowest = 0;
-    for (std::size_t k = 2; k < numbers; k += 3) lowest = std::min(lowest, with.displacement[i * numbers + k]);
-    EXPECT_NEAR(lowest, -3 * with.times[i], 1e-12) << i;
+    double nearest = 1;
+    for (std::size_t k = 2; k < numbers; k += 3)
+      nearest = std::min(nearest, std::abs(with.displacement[i * numbers + k] + 3 * with.times[i]));
+    EXPECT_LT(nearest, 1e-12) << i;
   }
 }
 
 TEST(FramesBeforeFailure, AreNotWrittenTwice) {
   const SharedFolder folder;
   std::string deck = make_crushed(", before_failure: 1");
-  deck.replace(deck.find("every: 0.3"), 10, "every: 1e-9");
+  deck.replace(deck.find("every: 0.3"), 10, "every: 1e-5");
+  deck += "audit: {max_energy_error: 1e-4}\n";  // soon broken
   const Written all = run_to_failure(deck, folder.path());
   if (Communicator::world().rank() != 0) return;
+  ASSERT_GE(all.steps.size(), 2u);
   for (std::size_t i = 1; i < all.steps.size(); ++i) EXPECT_EQ(all.steps[i], all.steps[i - 1] + 1);
 }
 
