@@ -59,6 +59,7 @@ struct ContactStage::Impl {
         enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
+    forces.set_surface(seen(), share);
     is_active = has_pairs() || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
   }
@@ -252,6 +253,7 @@ void ContactStage::Impl::redefine_surface() {
   next->take_over(*finder);
   finder = std::move(next);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
+  forces.set_surface(seen(), share);
   candidates = 0;
 }
 

@@ -14,6 +14,8 @@ namespace percuss {
 struct HistoryPoint {
   std::string name;  // heading in history.csv
   bool is_element = false;
+  bool is_inside = false;    // a material point inside the element that holds `near` at time 0, no node
+  std::optional<int> layer;  // of an element: one of the points across the thickness of shells, from 1, the lowest
   std::optional<Vec3> near;  // closest node or element centre at time 0
   std::optional<long> id;    // or the id of an Exodus mesh (1-based)
   std::string part;          // searched part; empty: the whole mesh
@@ -33,19 +35,22 @@ inline constexpr std::size_t most_forces_of_contact = 32;
 /// A force in the history; exactly one of the kinds.
 struct ForceDeck {
   enum class Kind {
-    contact,  // on parts, from other parts or from all that they touch
+    contact,  // on parts or surfaces, from others or from all that they touch
     wall,     // on all bodies, from a rigid wall
     support,  // on nodes, from the conditions that hold them
-    section,  // on the material behind a plane, from that ahead of it
+    section,  // on the material behind a plane, from that ahead of it; or on nodes, from elements
   };
   std::string name;  // heading in history.csv
   Kind kind = Kind::contact;
-  std::vector<std::string> on, from;  // contact: parts; no `from`: all other parts and the walls
-  std::string wall;                   // its name
-  Selector where;                     // support
-  std::string part;                   // section; empty: every part
-  Vec3 point{}, normal{1, 0, 0};      // section: a unit normal
-  std::optional<Vec3> about;          // point of the moments; default: that of a section, else the origin
+  std::vector<Selector> on, from;  // contact: parts and surfaces; no `from`: all that is not of `on`, and the walls
+  std::string wall;                // its name
+  Selector where;                  // support
+  std::string part;                // section; empty: every part
+  Vec3 point{}, normal{1, 0, 0};   // section: a unit normal
+  std::optional<Selector> nodes;   // section: those on which `elements` act; none: a plane cuts it
+  std::vector<Selector> elements;  // section by nodes: parts and element sets
+  // Point of the moments; default: that of a section, of one by nodes their centre at time 0, else the origin.
+  std::optional<Vec3> about;
   Place place;
 
   /// Whether it is a sum over contacts, walls among them.
@@ -59,7 +64,8 @@ std::string identify(const ForceDeck& force);
 enum class FieldsFormat { vtkhdf, exodus };
 
 struct OutputDeck {
-  std::optional<double> fields_every;  // s; the first and last state are always written when set
+  std::optional<double> fields_every;         // s; the first and last state are always written when set
+  std::optional<long> fields_before_failure;  // steps between the frames kept in memory for a run that fails
   std::vector<FieldsFormat> fields_formats = {FieldsFormat::vtkhdf};  // each once, at least one
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
   std::optional<double> history_every;  // s; 0: every step

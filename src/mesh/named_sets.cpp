@@ -29,7 +29,12 @@ void add_surfaces(const Deck& deck, Names& names) {
     names.insert(pair.a.name);
     if (pair.b) names.insert(pair.b->name);
   }
-  for (const ForceDeck& force : deck.output.forces) names.insert(force.where.name);
+  for (const ForceDeck& force : deck.output.forces) {
+    names.insert(force.where.name);
+    for (const Selector& side : force.on) names.insert(side.name);
+    for (const Selector& side : force.from) names.insert(side.name);
+    if (force.nodes) names.insert(force.nodes->name);
+  }
   for (const SpringDeck& spring : deck.springs) {
     for (const SpringEndDeck& end : spring.between) names.insert(end.where.name);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -85,17 +86,18 @@ std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked) {
   return numbers;
 }
 
-ElementOrder bisect_elements(const PartMesh& mesh) {
+ElementOrder bisect_elements(const PartMesh& mesh, const std::vector<int>& groups) {
   ElementOrder order{std::vector<int>(mesh.elements.size()), {0}};
   std::iota(order.elements.begin(), order.elements.end(), 0);
-  const auto family_of = [&](int e) { return mesh.elements.topology_of(at(e)).family; };
-  std::stable_sort(order.elements.begin(), order.elements.end(),
-                   [&](int a, int b) { return family_of(a) < family_of(b); });
+  const auto kind_of = [&](int e) {
+    return std::pair(mesh.elements.topology_of(at(e)).family, groups.empty() ? 0 : groups[at(e)]);
+  };
+  std::stable_sort(order.elements.begin(), order.elements.end(), [&](int a, int b) { return kind_of(a) < kind_of(b); });
   const std::vector<Vec3> centers = find_element_centers(mesh);
   Bisection bisection(centers, order);
   for (std::size_t first = 0, last = 0; first < order.elements.size(); first = last) {
-    const ElementFamily family = family_of(order.elements[first]);
-    while (last < order.elements.size() && family_of(order.elements[last]) == family) ++last;
+    const auto kind = kind_of(order.elements[first]);
+    while (last < order.elements.size() && kind_of(order.elements[last]) == kind) ++last;
     const auto limit = static_cast<std::size_t>(find_chunk_limit(static_cast<std::int64_t>(last - first)));
     const std::size_t units = Bisection::divide_up(last - first, chunk_granularity);
     bisection.cut(first, last, Bisection::divide_up(units, limit / chunk_granularity));

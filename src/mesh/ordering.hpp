@@ -62,6 +62,7 @@ struct ElementOrder {
 /// widest extent, into the fewest chunks of at most find_chunk_limit() elements, near-equal in size; within a chunk
 /// elements keep their order. Equal coordinates are told apart by the other two coordinates and then by element index:
 /// which elements share a chunk does not depend on the order of the input unless centres coincide. O(n log n).
-ElementOrder bisect_elements(const PartMesh& mesh);
+/// groups: [elements] of which no two share a chunk either; empty: all are one.
+ElementOrder bisect_elements(const PartMesh& mesh, const std::vector<int>& groups = {});
 
 }  // namespace percuss

@@ -217,6 +217,37 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
   return faces;
 }
 
+std::vector<int> list_whole_elements(const Elements& elements, const std::vector<ElementFace>& faces) {
+  std::vector<int> whole;
+  for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
+    const int element = faces[first].element;
+    while (last < faces.size() && faces[last].element == element) ++last;
+    const int count = elements.topology_of(static_cast<std::size_t>(element)).face_count;
+    if (static_cast<int>(last - first) == count) whole.push_back(element);
+  }
+  return whole;
+}
+
+std::vector<char> mark_elements(const Mesh& mesh, const Deck& deck, const std::vector<Selector>& selectors) {
+  std::vector<char> marks(mesh.elements.size(), 0);
+  for (const Selector& selector : selectors) {
+    std::vector<int> elements;
+    const auto is_it = [&](const MeshPart& part) { return part.name == selector.name; };
+    const auto part = std::find_if(mesh.parts.begin(), mesh.parts.end(), is_it);
+    if (part != mesh.parts.end()) {
+      for (std::size_t e = 0; e < marks.size(); ++e)
+        if (mesh.part_of(e) == part - mesh.parts.begin()) elements.push_back(static_cast<int>(e));
+    } else if (const auto set = find_set(mesh.side_sets, deck, selector)) {
+      elements = list_whole_elements(mesh.elements, *set);
+    } else {
+      refuse_unknown(deck, selector, "part or element set", list_names(mesh.side_sets));
+    }
+    require_some(mesh, elements, deck, selector, "elements (an element set of a mesh file or a part is needed)");
+    for (const int e : elements) marks[static_cast<std::size_t>(e)] = 1;
+  }
+  return marks;
+}
+
 SurfaceNodes select_surface_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
   SurfaceNodes selected;
   selected.is_node_set = names_nodes_alone(mesh, deck, selector);

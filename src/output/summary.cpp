@@ -68,6 +68,7 @@ void visit_head(S& s, Visitor&& v) {
   v.value("time", s.time);
   v.later_value("end_time", s.end_time);
   v.later_value("ended_by", s.ended_by);
+  v.later_value("restart_changes", s.restart_changes);
   v.later_value("sensors", s.sensors);
 }
 
@@ -232,6 +233,10 @@ class Reader {
   void read(const char* key, const Json& found, std::string& member) const {
     if (!found.is_string()) fail(key, "is not a text");
     member = found.get<std::string>();
+  }
+  void read(const char* key, const Json& found, std::vector<std::string>& member) const {
+    if (!found.is_array()) fail(key, "is not a list of texts");
+    for (const Json& item : found) read(key, item, member.emplace_back());
   }
   void read(const char* key, const Json& found, std::vector<SensorSummary>& member) const {
     if (!found.is_array()) fail(key, "is not a list of sensors");

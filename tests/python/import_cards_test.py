@@ -92,6 +92,27 @@ class Cards(InFolder):
         text = decks.make_block(decks.LAWS["table"][1], "", True)
         self.assertEqual(self.refusals(text.replace("*END", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n*END")), {})
 
+    def test_a_section_by_sets_is_a_force(self):
+        sets = "*SET_NODE_LIST\n81\n1,2,3,4\n*SET_SOLID_LIST\n82\n500\n*SET_BEAM\n83\n7\n"
+        card = "*DATABASE_CROSS_SECTION_SET_ID\n5,foot of the block\n81,82\n*DATABASE_CROSS_SECTION_SET\n81,0,83\n*END"
+        text = decks.FULL.replace("*END", sets + card)
+        model, ledger = self.read(text)
+        self.assertEqual(
+            [force for force in model.deck["output"]["history"]["forces"] if "section" in force],
+            [{"name": "foot_of_the_block", "section": {"nodes": "nodes_81", "elements": ["elements_82"]}}],
+        )
+        self.assertIn("DATABASE_CROSS_SECTION_SET", outcomes(ledger, Status.IGNORED))
+        self.accept(text)
+
+    def test_forces_of_surfaces_are_written(self):
+        faces = "*SET_SEGMENT\n84\n11,12,13,14\n"
+        contact = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n84,8,0,3\n0\n0\n*DATABASE_RCFORC\n1e-6\n*END"
+        text = decks.FULL.replace("*END", faces + contact)
+        model, _ = self.read(text)
+        sides = [force["contact"] for force in model.deck["output"]["history"]["forces"] if "contact" in force]
+        self.assertIn("sides_84", [side[0] for side in sides])
+        self.accept(text)
+
     def test_beams_are_turned_by_a_vector(self):
         text = decks.BEAMS
         first = text.index("*ELEMENT_BEAM")

@@ -34,12 +34,19 @@ struct RowNodeChunks {
 /// Slots of the pushed point.
 KOKKOS_INLINE_FUNCTION int count_pushed_slots(const ContactRow& row) { return row.kind == RowKind::edges ? 2 : 1; }
 
-KOKKOS_INLINE_FUNCTION RowSides find_sides(const ContactRow& row, const ForceSides& sides,
+/// Of a chunk and of the surface that one side of a row lies on.
+KOKKOS_INLINE_FUNCTION SideBits join_sides(const ForceSides& sides, int chunk, const SideBits& surface) {
+  const std::uint32_t one = sides.one(chunk) | surface.one;
+  return {one, sides.other(chunk) | surface.other | (sides.from_all & ~one)};
+}
+
+KOKKOS_INLINE_FUNCTION RowSides find_sides(const ContactRow& row, const ForceSides& sides, const RowSurfaces& surfaces,
                                            const RowNodeChunks& chunks) {
-  const int pushed = chunks.find_chunk(row.place[0]);
-  if (row.kind == RowKind::wall) return {sides.one(pushed) & sides.walls(find_key_wall(row.key)), 0};
-  const int pushing = chunks.find_chunk(row.place[count_pushed_slots(row)]);
-  return {sides.one(pushed) & sides.other(pushing), sides.one(pushing) & sides.other(pushed)};
+  const SideBits pushed = join_sides(sides, chunks.find_chunk(row.place[0]), surfaces.pushed);
+  if (row.kind == RowKind::wall) return {pushed.one & sides.walls(find_key_wall(row.key)), 0};
+  const int place = row.place[count_pushed_slots(row)];
+  const SideBits pushing = join_sides(sides, chunks.find_chunk(place), surfaces.pushing);
+  return {pushed.one & pushing.other, pushing.one & pushed.other};
 }
 
 KOKKOS_INLINE_FUNCTION void add(const Point3& v, ExactSum (&sums)[3]) {
@@ -222,18 +229,20 @@ void sum_pushes(const Space& space, const MarkedRows& rows, const Rows3<double>&
 }
 
 template <class Space>
-void mark_rows(const Space& space, const ForceSides& sides, const Array<const std::int64_t>& node_numbers,
+void mark_rows(const Space& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
                const RowSystem& system, Array<RowSides>& marks) {
   reserve(marks, system.num_rows);
   const Array<const ContactRow> rows = system.rows;
   const Array<RowSides> out = marks;
-  const RowNodeChunks chunks{system.nodes, system.foreign_number, node_numbers, sides.first_node, system.num_nodes};
-  const ForceSides given = sides;
+  const ForceSides given = sides.chunks;
+  const Array<const RowSurfaces> surfaces = sides.rows;
+  const bool has_surfaces = surfaces.extent(0) > 0;
+  const RowNodeChunks chunks{system.nodes, system.foreign_number, node_numbers, given.first_node, system.num_nodes};
   Kokkos::parallel_for(
       "contact::mark_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         const bool acts = row.force.x != 0 || row.force.y != 0 || row.force.z != 0;
-        out(r) = acts ? find_sides(row, given, chunks) : RowSides{};
+        out(r) = acts ? find_sides(row, given, has_surfaces ? surfaces(r) : RowSurfaces{}, chunks) : RowSides{};
       });
 }
 
@@ -252,7 +261,7 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                  \
-  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,      \
+  template void mark_rows(const Space&, const GivenSides&, const Array<const std::int64_t>&, const RowSystem&,      \
                           Array<RowSides>&);                                                                        \
   template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                          \
                                        const Array<const RowSides>&, Array<ForceSums>&);                            \

@@ -29,6 +29,17 @@ struct ForceSides {
   Array<const std::uint32_t> one;        // [chunks] the side that the force acts on
   Array<const std::uint32_t> other;      // [chunks] the side that it comes from
   Array<const std::uint32_t> walls;      // [walls] likewise
+  std::uint32_t from_all = 0;            // forces that come from all that is not of their first side
+};
+
+/// Sides to which a face or an edge belongs by the surface that it lies on: bit f.
+struct SideBits {
+  std::uint32_t one = 0, other = 0;
+};
+
+/// Of both sides of a row.
+struct RowSurfaces {
+  SideBits pushed, pushing;
 };
 
 /// To which forces a row adds: bit f. Forward: its pushed point is of the first side.
@@ -36,9 +47,15 @@ struct RowSides {
   std::uint32_t forward = 0, backward = 0;
 };
 
+/// The sides as chunks have them, and as rows have them.
+struct GivenSides {
+  const ForceSides& chunks;
+  Array<const RowSurfaces> rows;  // [rows]; empty: no force names a surface
+};
+
 /// marks: out, [rows]. node_numbers: [mesh nodes].
 template <class Space>
-void mark_rows(const Space& space, const ForceSides& sides, const Array<const std::int64_t>& node_numbers,
+void mark_rows(const Space& space, const GivenSides& sides, const Array<const std::int64_t>& node_numbers,
                const RowSystem& system, Array<RowSides>& marks);
 
 /// Force f of this rank's rows, after they are solved; moments about `about`, with the places at n.

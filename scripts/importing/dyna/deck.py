@@ -166,6 +166,7 @@ class KeywordDeck:
         self.friction_by_part = False  # whether a contact takes FS of its parts
         self.contacts: list[dict] = []  # a, b, friction, title
         self.forces: list[dict] = []  # entries of output.history.forces
+        self.sections_by_sets: list[dict] = []  # likewise, of which there may be any number
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None

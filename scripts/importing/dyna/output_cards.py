@@ -21,6 +21,8 @@ def read_database(deck: KeywordDeck, card: Card) -> None:
         if step > 0:
             deck.output.rows = min(deck.output.rows or step, step)
         deck.ledger.translated(card.keyword, card.place, "output.history, all at the shortest interval")
+    elif name == "CROSS_SECTION_SET":
+        read_section(deck, card)
     elif name.startswith("HISTORY_"):
         read_points(deck, card, name.removeprefix("HISTORY_"))
     else:
@@ -51,6 +53,30 @@ def read_frames(deck: KeywordDeck, card: Card) -> None:
         deck.output.frames = max(step, deck.end_time / 1e5)
     more.finish(deck.ledger)
     deck.ledger.translated(card.keyword, card.place, "output.fields.every")
+
+
+def read_section(deck: KeywordDeck, card: Card) -> None:
+    """A section by sets: the force of elements on nodes."""
+    reader = card.reader()
+    wish = reader.row("CSID TITLE", (10, 70)).text("TITLE") if card.has_id else ""
+    row = reader.row("NSID HSID BSID TSID DSID ID ITYPE")
+    if row.integer("BSID") or row.integer("DSID"):
+        deck.ledger.ignored(card.keyword, card.place, "a section through beams or discrete elements")
+        return
+    kinds = [(kind, row.integer(field)) for kind, field in (("SOLID", "HSID"), ("SHELL", "TSID"))]
+    elements = [deck.element_set_name(kind, id, card.place) for kind, id in kinds if id]
+    nodes = deck.node_set_name(row.integer("NSID"), card.place)
+    known = [name for name in elements if name]
+    if not nodes or not known:
+        deck.ledger.ignored(card.keyword, card.place, "a section without elements or nodes")
+        return
+    name = deck.model.names.take(wish or f"section_{row.integer('NSID')}")
+    deck.sections_by_sets.append({"name": name, "section": {"nodes": nodes, "elements": known}})
+    text = "output.history.forces, moments about the mean of the nodes at time 0"
+    if row.integer("ID"):
+        deck.ledger.approximated(card.keyword, card.place, text + "; along global axes")
+    else:
+        deck.ledger.translated(card.keyword, card.place, text)
 
 
 def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
@@ -92,15 +118,17 @@ def finish_output(deck: KeywordDeck) -> None:
         forces.append({"name": "supports", "support": "all"})
     if "RCFORC" in found.asked:
         forces += pair_forces(deck)
+    forces = forces[:32] + deck.sections_by_sets
     if forces:
-        history["forces"] = forces[:32]
+        history["forces"] = forces
     output["history"] = history
     deck.model.deck["output"] = output
 
 
 def pair_forces(deck: KeywordDeck) -> list[Deck]:
-    """Forces of pairs of parts."""
+    """Forces of pairs of parts and surfaces."""
     names = {block.name for block in deck.model.blocks} | set(deck.model.block_sets)
+    names |= set(deck.model.side_sets) | set(deck.model.element_sets)
     members = {name: [b.name for b in deck.model.blocks if b.id in ids] for name, ids in deck.model.block_sets.items()}
     forces = []
     for contact in deck.contacts:

@@ -26,7 +26,7 @@ double integrate(const Curve& curve, double end) {
   return sum;
 }
 
-/// Whether contact or a tie can act between any of two lists of parts; others: all parts besides the first.
+/// Whether contact or a tie can act between any of two lists of parts and surfaces; empty: all.
 class PossibleContact {
  public:
   explicit PossibleContact(const Deck& deck) : deck_(deck) {}
@@ -38,11 +38,12 @@ class PossibleContact {
   }
 
  private:
-  bool names(const Selector& where, const std::vector<std::string>& parts) const {
-    if (parts.empty()) return true;
+  bool names(const Selector& where, const std::vector<Selector>& sides) const {
+    if (sides.empty()) return true;
     const std::vector<std::size_t> named = find_named_parts(deck_, where);
-    return std::any_of(named.begin(), named.end(), [&](std::size_t p) {
-      return std::find(parts.begin(), parts.end(), deck_.parts[p].name) != parts.end();
+    return std::any_of(sides.begin(), sides.end(), [&](const Selector& side) {
+      const std::vector<std::size_t> of_side = find_named_parts(deck_, side);
+      return std::find_first_of(named.begin(), named.end(), of_side.begin(), of_side.end()) != named.end();
     });
   }
 

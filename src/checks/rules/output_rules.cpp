@@ -114,7 +114,7 @@ std::vector<Warning> check_history_points(const CheckedScene& scene) {
   constexpr double most = 0.1;  // of the longest edge of the box: a point beside the surface is meant
   std::vector<Warning> warnings;
   for (const HistoryPoint& point : scene.deck.output.points) {
-    if (!point.near) continue;
+    if (!point.near || point.is_inside) continue;
     Vec3 low = scene.measures->low, high = scene.measures->high;
     for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
       if (scene.deck.parts[p].name != point.part) continue;

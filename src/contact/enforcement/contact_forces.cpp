@@ -28,8 +28,9 @@ std::vector<int> find_parts_of_chunks(const ChunkedMesh& chunked, const Communic
   return parts;
 }
 
-bool names(const std::vector<std::string>& parts, const std::string& part) {
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
+/// Whether a side names the whole part.
+bool names(const std::vector<Selector>& side, const std::string& part) {
+  return std::any_of(side.begin(), side.end(), [&](const Selector& s) { return !s.inside && s.name == part; });
 }
 
 /// Whether the force acts on a part, and whether it comes from it.
@@ -38,8 +39,7 @@ struct PartSides {
 };
 PartSides find_part_sides(const ForceDeck& force, const std::string& part) {
   if (force.kind == ForceDeck::Kind::wall) return {true, false};
-  const bool one = names(force.on, part);
-  return {one, force.from.empty() ? !one : names(force.from, part)};
+  return {names(force.on, part), names(force.from, part)};
 }
 
 bool comes_from_wall(const ForceDeck& force, const WallDeck& wall) {
@@ -65,15 +65,18 @@ void normalize(ForceSums& sums) {
 
 }  // namespace
 
-ContactForces::ContactForces(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) : ranks_(ranks) {
-  const std::vector<ForceDeck> forces = list_contact_forces(deck);
+ContactForces::ContactForces(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks)
+    : deck_(deck), chunked_(chunked), ranks_(ranks), forces_(list_contact_forces(deck)) {
+  const std::vector<ForceDeck>& forces = forces_;
   if (forces.empty()) return;
   sums_.resize(forces.size());
   const std::vector<int> parts = find_parts_of_chunks(chunked, ranks_);
   std::vector<std::uint32_t> one(parts.size(), 0), other(parts.size(), 0), walls(deck.walls.size(), 0);
+  std::uint32_t from_all = 0;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     const std::uint32_t bit = std::uint32_t{1} << f;
     const Vec3 about = forces[f].about.value_or(Vec3{});
+    if (forces[f].kind == ForceDeck::Kind::contact && forces[f].from.empty()) from_all |= bit;
     names_.push_back("contact/force/" + identify(forces[f]) + "/");
     about_.push_back({about[0], about[1], about[2]});
     for (std::size_t c = 0; c < parts.size(); ++c) {
@@ -86,21 +89,43 @@ ContactForces::ContactForces(const Deck& deck, const ChunkedMesh& chunked, const
     }
   }
   sides_ = {to_view("contact::first_nodes", chunked.numbering.first_node), to_view("contact::force_on", one),
-            to_view("contact::force_from", other), to_view("contact::force_walls", walls)};
-  lay_out(chunked, one);
+            to_view("contact::force_from", other), to_view("contact::force_walls", walls), from_all};
+  part_of_chunk_ = parts;
+  one_ = one;
+  if (!names_surfaces()) lay_out(one_);
+}
+
+bool ContactForces::names_surfaces() const {
+  const auto is_it = [&](const Selector& side) { return is_surface(deck_, side); };
+  return std::any_of(forces_.begin(), forces_.end(), [&](const ForceDeck& force) {
+    return std::any_of(force.on.begin(), force.on.end(), is_it) ||
+           std::any_of(force.from.begin(), force.from.end(), is_it);
+  });
+}
+
+void ContactForces::set_surface(const ContactRanks& ranks, const SurfaceShare& share) {
+  if (!names_surfaces()) return;
+  const bool is_first = !surfaces_;
+  surfaces_.reset();
+  surfaces_.emplace(ranks, chunked_, deck_, share, forces_);
+  if (!is_first) return;
+  // Faces that erosion will expose belong to nodes of these parts.
+  for (std::size_t c = 0; c < one_.size(); ++c)
+    one_[c] |= surfaces_->parts()[static_cast<std::size_t>(part_of_chunk_[c])];
+  lay_out(one_);
 }
 
 /// The books of the pushes.
-void ContactForces::lay_out(const ChunkedMesh& chunked, const std::vector<std::uint32_t>& one) {
+void ContactForces::lay_out(const std::vector<std::uint32_t>& one) {
   const std::size_t forces = sums_.size();
   std::vector<int> first(one.size() * forces, -1);
   int next = 0;
   for (std::size_t f = 0; f < forces; ++f) {
     ChunkRows rows;
-    for (const Chunk& chunk : chunked.chunks) {
+    for (const Chunk& chunk : chunked_.chunks) {
       const auto c = static_cast<std::size_t>(chunk.number);
       const bool is_of_side = (one[c] >> f & 1) != 0;
-      const std::int64_t nodes = chunked.numbering.first_node[c + 1] - chunked.numbering.first_node[c];
+      const std::int64_t nodes = chunked_.numbering.first_node[c + 1] - chunked_.numbering.first_node[c];
       rows.counts.push_back(is_of_side ? nodes : 0);
       if (is_of_side) first[c * forces + f] = next;
       next += static_cast<int>(rows.counts.back());
@@ -115,7 +140,9 @@ template <class Space>
 void ContactForces::book(const Space& space, const SolvedRows& solved) {
   if (is_empty()) return;
   const RowSystem& system = solved.system;
-  mark_rows(space, sides_, solved.node_numbers, system, marks_);
+  Array<const RowSurfaces> surfaces;
+  if (surfaces_) surfaces = surfaces_->find(system, solved.node_numbers, solved.x);
+  mark_rows(space, {sides_, surfaces}, solved.node_numbers, system, marks_);
   list_sent_pushes(space, system, marks_, sent_);
   space.fence();
   solved.exchange.send_pushes(sent_, system, remote_);

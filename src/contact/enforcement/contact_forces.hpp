@@ -1,9 +1,11 @@
 #pragma once
 // Forces of contact and of walls that the deck asks for, booked step by step until they are taken.
 
+#include <optional>
 #include <vector>
 
 #include "kernels/contact/enforcement/force_sums.hpp"
+#include "src/contact/enforcement/force_surfaces.hpp"
 #include "src/contact/enforcement/node_areas.hpp"
 #include "src/contact/enforcement/row_exchange.hpp"
 #include "src/deck/deck.hpp"
@@ -25,6 +27,7 @@ struct SolvedRows {
   const RowSystem& system;
   const Array<const std::int64_t>& node_numbers;  // [mesh nodes]
   RowExchange& exchange;
+  const Rows3<const double> x;  // [mesh nodes] at n
   double dt;
 };
 
@@ -32,7 +35,12 @@ class ContactForces {
  public:
   /// Collective over `ranks`, which hold the mesh together. A node that parts share belongs to the part of the lowest
   /// chunk that uses it.
+  /// Both outlive this.
   ContactForces(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks);
+
+  /// The contact surface, before the first step and whenever it is redefined. Throws InputError, on all ranks, for
+  /// unknown surfaces. Collective.
+  void set_surface(const ContactRanks& ranks, const SurfaceShare& share);
 
   bool is_empty() const { return sums_.empty(); }
 
@@ -47,15 +55,22 @@ class ContactForces {
   std::vector<ContactImpulse> take(const AreaNodes& nodes);
 
  private:
-  void lay_out(const ChunkedMesh& chunked, const std::vector<std::uint32_t>& one);
+  void lay_out(const std::vector<std::uint32_t>& one);
+  bool names_surfaces() const;
   void archive_books(CheckpointArchive& archive, std::size_t force);
   void sum_areas(const AreaNodes& nodes, std::vector<ContactImpulse>& taken);
 
+  const Deck& deck_;
+  const ChunkedMesh& chunked_;
   Communicator ranks_;
   ForceSides sides_;
-  std::vector<std::string> names_;  // identify() of each force
-  std::vector<Point3> about_;       // likewise
-  std::vector<ForceSums> sums_;     // likewise; this rank's share
+  std::vector<ForceDeck> forces_;
+  std::vector<std::uint32_t> one_;         // [chunks of the whole mesh] ForceSides::one
+  std::vector<int> part_of_chunk_;         // likewise
+  std::optional<ForceSurfaces> surfaces_;  // none: no force names a surface
+  std::vector<std::string> names_;         // identify() of each force
+  std::vector<Point3> about_;              // likewise
+  std::vector<ForceSums> sums_;            // likewise; this rank's share
   Array<RowSides> marks_ = Array<RowSides>("contact::row_sides", 0);
   PushBooks books_;
   std::vector<ChunkRows> book_rows_;  // [forces] of the books

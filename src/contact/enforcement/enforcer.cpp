@@ -350,7 +350,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     if (meeting_.any_rows) {
       report_outcome(space, motion, num_touches, solved, report);
       book_pairs(space);
-      forces_.book(space, {system_, node_numbers_, exchange_, motion.dt});
+      forces_.book(space, {system_, node_numbers_, exchange_, motion.x, motion.dt});
       update_copies(motion);
       was_pushed_ = true;
     }

@@ -1,6 +1,7 @@
 #pragma once
 // Areas of the contact surface by node, at any positions: of faces around the owned contact nodes, on whatever ranks.
 
+#include <utility>
 #include <vector>
 
 #include "comm/exchange/data_exchange.hpp"
@@ -18,6 +19,22 @@ class NodeAreas {
 
   /// At positions x: [mesh nodes].
   void update(const Rows3<const double>& x);
+
+  /// What each face around the owned nodes has, of_own: [faces of the share] of this rank's. Returns [faces of the
+  /// share, told faces]; particles have T{}. Collective.
+  template <class T>
+  std::vector<T> tell_faces(std::vector<T> of_own) {
+    std::vector<T> all = std::move(of_own), sent;
+    all.resize(areas_.extent(0));
+    if (!has_many_ranks_) return all;
+    for (const int face : told_.all().published) sent.push_back(all[static_cast<std::size_t>(face)]);
+    const std::vector<T> received = data_.exchange(reverse(told_.all().request), sent);
+    for (std::size_t k = 0; k < received.size(); ++k) {
+      const auto asked = static_cast<std::size_t>(told_.all().asked[k]);
+      all[static_cast<std::size_t>(places_[asked])] = received[k];
+    }
+    return all;
+  }
 
   /// [owned contact nodes] as updated last.
   const AreaNodes& nodes() const { return nodes_; }

@@ -9,6 +9,7 @@
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/forces/force_keys.hpp"
 #include "src/deck/reading/sensors/sensor_keys.hpp"
 
 namespace percuss {

@@ -86,18 +86,8 @@ Keys<PartElementDeck> part_element_keys();
 void check_element_settings(const Deck& deck, const Node& root, Reading& reading);
 MapValue<OutputDeck> output_value();
 
-/// An entry of `output.history.forces`: a name and one kind of force.
-struct ForceValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const;
-  Form form() const;
-  std::string takes() const { return "a map"; }
-};
-
 /// Preloads of parts that can have them.
 void check_start(const Deck& deck, const Node& root, Reading& reading);
-
-/// Names of forces and of the walls that they name.
-void check_forces(const Deck& deck, const Node& root, Reading& reading);
 
 MapValue<AuditDeck> audit_value();
 

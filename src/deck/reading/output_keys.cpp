@@ -8,6 +8,7 @@
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/forces/force_keys.hpp"
 
 namespace percuss {
 namespace {
@@ -70,19 +71,47 @@ const Keys<OutputDeck>& field_keys() {
   static const Keys<OutputDeck> keys = {
       need("every", &OutputDeck::fields_every, NumberValue{positive}),
       may("write", &OutputDeck::fields, FieldsValue{}),
+      may("before_failure", &OutputDeck::fields_before_failure, IntegerValue{1, 1000000}),
       may("format", &OutputDeck::fields_formats, FormatsValue{}),
   };
   return keys;
 }
 
-const Keys<HistoryPoint>& point_keys() {
-  static const Keys<HistoryPoint> keys = {
+Keys<HistoryPoint> make_point_keys() {
+  return {
       need("name", &HistoryPoint::name, NameValue{}),
       may("near", &HistoryPoint::near, vector3()),
       may("id", &HistoryPoint::id, IntegerValue{1, std::numeric_limits<long>::max()}),
       may("part", &HistoryPoint::part, PartNameValue{}),
   };
+}
+
+const Keys<HistoryPoint>& node_keys() {
+  static const Keys<HistoryPoint> keys = make_point_keys();
   return keys;
+}
+
+const Keys<HistoryPoint>& element_keys() {
+  static const Keys<HistoryPoint> keys = [] {
+    Keys<HistoryPoint> more = make_point_keys();
+    more.push_back(may("point", &HistoryPoint::layer, IntegerValue{1, most_thickness_points}));
+    return more;
+  }();
+  return keys;
+}
+
+const Keys<HistoryPoint>& material_point_keys() {
+  static const Keys<HistoryPoint> keys = {
+      need("name", &HistoryPoint::name, NameValue{}),
+      need("at", &HistoryPoint::near, vector3()),
+      may("part", &HistoryPoint::part, PartNameValue{}),
+  };
+  return keys;
+}
+
+bool check_material_point(const Reader&, const Node& node, HistoryPoint& point) {
+  point.place = node.spot.place;
+  return true;
 }
 
 bool check_point(const Reader& reader, const Node& node, HistoryPoint& point) {
@@ -93,22 +122,26 @@ bool check_point(const Reader& reader, const Node& node, HistoryPoint& point) {
   return false;
 }
 
-/// history.nodes or history.elements.
+/// history.nodes, history.elements or history.points.
 struct PointsValue {
-  bool elements;
+  enum class Kind { nodes, elements, inside } kind;
 
   bool read(const Reader& reader, const std::string& name, const Node& node, OutputDeck& out) const {
     std::vector<HistoryPoint> points;
     const bool good = value().read(reader, name, node, points);
     for (HistoryPoint& point : points) {
-      point.is_element = elements;
+      point.is_element = kind == Kind::elements;
+      point.is_inside = kind == Kind::inside;
       out.points.push_back(std::move(point));
     }
     return good;
   }
   std::string takes() const { return value().takes(); }
   Form form() const { return value().form(); }
-  static ListValue<MapValue<HistoryPoint>> value() { return {{point_keys, check_point}}; }
+  ListValue<MapValue<HistoryPoint>> value() const {
+    if (kind == Kind::inside) return {{material_point_keys, check_material_point}};
+    return {{kind == Kind::elements ? element_keys : node_keys, check_point}};
+  }
 };
 
 /// history.parts: each a point without a place, that of `all` without a part.
@@ -161,8 +194,9 @@ struct PartsValue {
 const Keys<OutputDeck>& history_keys() {
   static const Keys<OutputDeck> keys = {
       may("every", &OutputDeck::history_every, NumberValue{not_negative}),
-      group<OutputDeck>("nodes", PointsValue{false}),
-      group<OutputDeck>("elements", PointsValue{true}),
+      group<OutputDeck>("nodes", PointsValue{PointsValue::Kind::nodes}),
+      group<OutputDeck>("elements", PointsValue{PointsValue::Kind::elements}),
+      group<OutputDeck>("points", PointsValue{PointsValue::Kind::inside}),
       group<OutputDeck>("parts", PartsValue{}),
       may("forces", &OutputDeck::forces, ListValue<ForceValue>{}),
   };
@@ -205,154 +239,9 @@ const Keys<OutputDeck>& output_keys() {
   return keys;
 }
 
-/// Parts of one side of a contact: a name or a list of names. all: an empty list, where that is allowed.
-struct SideValue {
-  bool takes_all;
-
-  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
-    if (node.kind != Node::Kind::list) {
-      if (!takes_all && node.text == "all") {
-        reader.refuse(node, name, takes());
-        return false;
-      }
-      std::string part;
-      if (!PartNameValue{}.read(reader, name, node, part)) return false;
-      if (!part.empty()) out.push_back(std::move(part));
-      return true;
-    }
-    if (node.items.empty()) {
-      reader.refuse(node, name, "at least one part");
-      return false;
-    }
-    bool good = true;
-    for (std::size_t i = 0; i < node.items.size(); ++i)
-      good = SideValue{false}.read(reader, fmt::format("{}.{}", name, i), node.items[i], out) && good;
-    return good;
-  }
-  std::string takes() const { return takes_all ? "a part, a list of parts or all" : "a part or a list of parts"; }
-  Form form() const { return any_form({Form::Kind::text, list_form(Form::Kind::text, 1)}); }
-};
-
-/// [a, b]: the force on a that comes from b.
-struct ContactSidesValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const {
-    if (node.kind != Node::Kind::list || node.items.size() != 2) {
-      reader.refuse(node, name, takes());
-      return false;
-    }
-    const bool on = SideValue{false}.read(reader, name + ".0", node.items[0], out.on);
-    return SideValue{true}.read(reader, name + ".1", node.items[1], out.from) && on;
-  }
-  std::string takes() const { return "a pair [a, b]: on a part or a list of parts, from others or from all"; }
-  Form form() const { return tuple_form({SideValue{false}.form(), SideValue{true}.form()}); }
-};
-
-const Keys<ForceDeck>& section_keys() {
-  static const Keys<ForceDeck> keys = {
-      may("part", &ForceDeck::part, PartNameValue{}),
-      need("point", &ForceDeck::point, vector3()),
-      need("normal", &ForceDeck::normal, DirectionValue{}),
-  };
-  return keys;
-}
-
-struct ForceKind {
-  const char* key;
-  ForceDeck::Kind kind;
-};
-constexpr ForceKind kinds[] = {{"contact", ForceDeck::Kind::contact},
-                               {"wall", ForceDeck::Kind::wall},
-                               {"support", ForceDeck::Kind::support},
-                               {"section", ForceDeck::Kind::section}};
-
-const Keys<ForceDeck>& force_keys() {
-  static const Keys<ForceDeck> keys = {
-      need("name", &ForceDeck::name, NameValue{}),
-      group<ForceDeck>("contact", ContactSidesValue{}),
-      may("wall", &ForceDeck::wall, NameValue{}),
-      may("support", &ForceDeck::where, SelectorValue{}),
-      group<ForceDeck>("section", MapValue<ForceDeck>{section_keys}),
-      may("about", &ForceDeck::about, vector3()),
-  };
-  return keys;
-}
-
 }  // namespace
 
 MapValue<OutputDeck> output_value() { return {output_keys}; }
-
-bool ForceValue::read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const {
-  if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
-  const bool good = read_keys(reader.inside(name), node, force_keys(), out);
-  out.place = node.spot.place;
-  std::vector<std::string> given, known;
-  for (const ForceKind& kind : kinds) {
-    known.emplace_back(kind.key);
-    if (node.find(kind.key) == nullptr) continue;
-    given.emplace_back(kind.key);
-    out.kind = kind.kind;
-  }
-  if (given.size() == 1 || (given.empty() && !good)) return good;  // a wrong key may have been meant to be the kind
-  const std::string what = given.empty() ? "no kind of force" : fmt::format("{}", fmt::join(given, " and "));
-  reader.error(node.spot, fmt::format("{} has {} (must have exactly one of {})", name, what, fmt::join(known, ", ")));
-  return false;
-}
-
-Form ForceValue::form() const {
-  Form form = form_of(force_keys());
-  for (const ForceKind& kind : kinds) form.exactly_one.emplace_back(kind.key);
-  return form;
-}
-
-namespace {
-
-/// Names of walls that are wrong too, whose messages tell already why no force can be theirs.
-std::set<std::string> list_given_walls(const Node& root) {
-  std::set<std::string> names;
-  const Node* walls = root.find("walls");
-  if (walls == nullptr) return names;
-  for (const Node& wall : walls->items)
-    if (const Node* name = wall.find("name")) names.insert(name->text);
-  return names;
-}
-
-}  // namespace
-
-void check_forces(const Deck& deck, const Node& root, Reading& reading) {
-  const std::set<std::string> given = list_given_walls(root);
-  std::vector<std::string> walls;
-  for (const WallDeck& wall : deck.walls) {
-    if (wall.name.empty()) continue;
-    if (std::find(walls.begin(), walls.end(), wall.name) != walls.end())
-      reading.errors.add({wall.place, -1}, fmt::format("two walls have the name '{}'", wall.name));
-    walls.push_back(wall.name);
-  }
-  std::set<std::string_view> names;
-  std::size_t contacts = 0;
-  for (const ForceDeck& force : deck.output.forces) {
-    const Spot spot{force.place, -1};
-    if (!names.insert(force.name).second)
-      reading.errors.add(spot, fmt::format("name '{}' is given twice in output.history.forces", force.name));
-    if (force.kind == ForceDeck::Kind::wall && !given.contains(force.wall))
-      reading.errors.add(spot, fmt::format("force '{}' is of the wall {} (no wall has this name){}", force.name,
-                                           quote(force.wall), name_hint(force.wall, walls)));
-    if (force.is_of_contact()) ++contacts;
-  }
-  if (contacts > most_forces_of_contact)
-    reading.errors.add({deck.output.forces.front().place, -1},
-                       fmt::format("output.history.forces has {} forces of contact and walls (at most {})", contacts,
-                                   most_forces_of_contact));
-}
-
-std::string identify(const ForceDeck& force) {
-  std::string text =
-      fmt::format("{}:{}:{}>{}:{}:{}:{}", force.name, static_cast<int>(force.kind), fmt::join(force.on, "+"),
-                  fmt::join(force.from, "+"), force.wall, force.where.name, force.part);
-  if (force.where.inside)
-    text += fmt::format(":{},{}", fmt::join((*force.where.inside)[0], ","), fmt::join((*force.where.inside)[1], ","));
-  text += fmt::format(":{}:{}", fmt::join(force.point, ","), fmt::join(force.normal, ","));
-  return force.about ? text + fmt::format(":{}", fmt::join(*force.about, ",")) : text;
-}
 
 std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
   if (field.substr(0, quantity.size()) != quantity) return std::nullopt;

@@ -61,6 +61,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();
   deck.motion_values = list_motion_values(root);
+  for (std::string& value : list_free_values(root)) deck.motion_values.push_back(std::move(value));
   deck.places = KeyPlaces(root);
   deck.warnings = reading.errors.warnings();
   return deck;

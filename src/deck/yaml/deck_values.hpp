@@ -14,8 +14,16 @@ namespace percuss {
 /// content counts. With sensors, which look at the history, output.history counts too.
 std::vector<std::string> list_motion_values(const Node& deck);
 
-/// What differs between two such lists, a text each: "time.step_scale is 0.5 (0.9 in the checkpoint)".
+/// The values that are left out there: "? output.fields.every = 1". They stand behind those in a checkpoint.
+std::vector<std::string> list_free_values(const Node& deck);
+
+/// What differs between two such lists, a text each: "time.step_scale is 0.5 (0.9 in the checkpoint)". Values that are
+/// free to change do not count.
 std::vector<std::string> compare_motion_values(const std::vector<std::string>& now,
                                                const std::vector<std::string>& checkpoint);
+
+/// The same of the values that are free to change; nothing, if the checkpoint has none of them (an older one).
+std::vector<std::string> compare_free_values(const std::vector<std::string>& now,
+                                             const std::vector<std::string>& checkpoint);
 
 }  // namespace percuss

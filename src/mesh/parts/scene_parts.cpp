@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include "comm/agreement.hpp"
@@ -16,6 +17,7 @@
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/quality/mesh_doubts.hpp"
 #include "src/mesh/reading/part_reader.hpp"
+#include "src/mesh/surface_nodes.hpp"
 #include "src/mesh/topology/connectivity.hpp"
 
 namespace percuss {
@@ -47,10 +49,45 @@ int find_material(const Deck& deck, const std::string& name) {
   return static_cast<int>(found - deck.materials.begin());
 }
 
+/// Element sets of sections by nodes (ForceDeck::elements), without the part's name: their elements share no chunk with
+/// others, because forces of elements are added up by chunk.
+std::vector<std::string> list_section_sets(const Deck& deck, const std::string& part) {
+  std::vector<std::string> sets;
+  for (const ForceDeck& force : deck.output.forces) {
+    for (const Selector& elements : force.elements) {
+      const bool has_part = elements.name.starts_with(part + "/");
+      sets.push_back(has_part ? elements.name.substr(part.size() + 1) : elements.name);
+    }
+  }
+  return sets;
+}
+
+/// [elements] equal where they are of the same of these sets; empty: no element is of any.
+std::vector<int> group_elements(const PartMesh& mesh, const std::vector<std::string>& sets) {
+  std::vector<std::vector<int>> memberships(mesh.elements.size());
+  bool is_any = false;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const auto set = mesh.side_sets.find(sets[s]);
+    if (set == mesh.side_sets.end()) continue;
+    for (const int e : list_whole_elements(mesh.elements, set->second)) {
+      memberships[static_cast<std::size_t>(e)].push_back(static_cast<int>(s));
+      is_any = true;
+    }
+  }
+  if (!is_any) return {};
+  std::map<std::vector<int>, int> numbers;
+  for (const std::vector<int>& of : memberships) numbers[of] = 0;
+  int next = 0;
+  for (auto& [of, number] : numbers) number = next++;
+  std::vector<int> groups;
+  for (const std::vector<int>& of : memberships) groups.push_back(numbers[of]);
+  return groups;
+}
+
 /// Puts the elements of the part, their ids and its side sets in chunk order.
-void order_elements(FilePart& file) {
+void order_elements(FilePart& file, const std::vector<std::string>& section_sets) {
   PartMesh& mesh = file.mesh;
-  const ElementOrder order = bisect_elements(mesh);
+  const ElementOrder order = bisect_elements(mesh, group_elements(mesh, section_sets));
   file.first_of_chunk = order.first_of_chunk;
   std::vector<int> new_place(order.elements.size());
   std::vector<std::int64_t> ids(order.elements.size());
@@ -108,7 +145,7 @@ void check_section(const PartDeck& deck, const PartMesh& mesh) {
   if (!has_beams && deck.section) throw InputError("it has a section (the file has no beams, which alone have one)");
 }
 
-void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files, ScenePart& part) {
+void read_file_part(const Deck& scene, const PartDeck& deck, const Totals& so_far, MeshFiles& files, ScenePart& part) {
   auto file = std::make_unique<FilePart>();
   PartMesh& mesh = file->mesh;
   mesh = files.read(std::get<FileMesh>(deck.shape));
@@ -124,7 +161,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files
   findings.warn(mesh.warnings);
   warn_of_doubts(mesh, own_elements, mesh.warnings);
   add_side_nodes(mesh);
-  order_elements(*file);
+  order_elements(*file, list_section_sets(scene, deck.name));
   file->exterior = mark_exterior_faces(mesh.elements, mesh.nodes.size());
   file->bodies = find_bodies(mesh.elements, mesh.nodes.size());
   part.nodes = static_cast<std::int64_t>(mesh.nodes.size());
@@ -165,7 +202,7 @@ ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so
     if (!std::holds_alternative<FileMesh>(from.shape)) {
       describe_generated_part(from, part);
     } else if (files != nullptr) {
-      read_file_part(from, so_far, *files, part);
+      read_file_part(deck, from, so_far, *files, part);
     }
   } catch (const InputError& error) {
     part.error = error.what();

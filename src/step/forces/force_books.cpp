@@ -13,11 +13,20 @@ using Kind = ForceDeck::Kind;
 
 constexpr double not_begun = -1;  // of a force that the checkpoint does not have
 
+std::string describe_side(const std::vector<Selector>& side) {
+  std::vector<std::string> names;
+  for (const Selector& where : side) {
+    const std::string name = where.name.empty() ? "the surface" : where.name;
+    names.push_back(where.inside ? name + " inside a box" : name);
+  }
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 std::string describe(const ForceDeck& force) {
   switch (force.kind) {
     case Kind::contact:
-      return fmt::format("on {} from {}", fmt::join(force.on, " and "),
-                         force.from.empty() ? "all others" : fmt::format("{}", fmt::join(force.from, " and ")));
+      return fmt::format("on {} from {}", describe_side(force.on),
+                         force.from.empty() ? "all others" : describe_side(force.from));
     case Kind::wall:
       return fmt::format("from wall '{}' on the bodies", force.wall);
     case Kind::support:
@@ -25,6 +34,9 @@ std::string describe(const ForceDeck& force) {
     case Kind::section:
       break;
   }
+  if (force.nodes)
+    return fmt::format("on nodes of {} from elements of {}", describe_side({*force.nodes}),
+                       describe_side(force.elements));
   return fmt::format("on the material behind the section of {} from that ahead",
                      force.part.empty() ? "all parts" : force.part);
 }

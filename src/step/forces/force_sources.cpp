@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/mesh/surface_nodes.hpp"
 #include "src/step/model/impulses.hpp"
+#include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -27,6 +30,20 @@ void require_some(const Communicator& ranks, std::size_t own, const std::string&
   int some = own > 0 ? 1 : 0;
   all_reduce(ranks, Reduce::largest, some);
   if (some == 0) throw InputError(otherwise);
+}
+
+/// Mean place of the selected nodes at time 0, of all ranks.
+Vec3 find_mean_place(const Deck& deck, const Selector& where, const ChunkedMesh& chunked, const Model& model) {
+  std::array<ExactSum, 4> sums{};
+  const auto start = to_host(model.start);
+  for (const int node : select_nodes(chunked.mesh, deck, where)) {
+    if (!owns_node(chunked, node)) continue;
+    for (std::size_t k = 0; k < 3; ++k) sums[k].add(start(static_cast<std::size_t>(node), k));
+    sums[3].add(1);
+  }
+  sum_over_ranks(model.ranks, sums);
+  const double count = sums[3].round();
+  return {sums[0].round() / count, sums[1].round() / count, sums[2].round() / count};
 }
 
 }  // namespace
@@ -81,8 +98,8 @@ ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean) {
   return sums;
 }
 
-SectionForce::SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model)
-    : about_(force.about.value_or(force.point)) {
+SectionForce::Slots SectionForce::list_cut(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked,
+                                           const Model& model) {
   const auto first_slot = to_host(model.chunks.first_slot), slots_to_nodes = to_host(model.chunks.slots_to_nodes);
   const auto start = to_host(model.start);
   const auto is_behind = [&](int node) {
@@ -91,27 +108,56 @@ SectionForce::SectionForce(const Deck& deck, const ForceDeck& force, const Chunk
       ahead += (start(static_cast<std::size_t>(node), k) - force.point[k]) * force.normal[k];
     return ahead < 0;
   };
-  std::vector<int> slots, nodes;
+  Slots cut;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const std::string& part = deck.parts[static_cast<std::size_t>(chunked.chunks[c].part)].name;
     if (!force.part.empty() && part != force.part) continue;
-    const std::size_t before = slots.size();
+    const std::size_t before = cut.slots.size();
     for (int s = first_slot(c); s < first_slot(c + 1); ++s) {
       const int node = slots_to_nodes(static_cast<std::size_t>(s));
       if (!is_behind(node)) continue;
-      slots.push_back(s);
-      nodes.push_back(node);
+      cut.slots.push_back(s);
+      cut.nodes.push_back(node);
     }
-    if (static_cast<int>(slots.size() - before) < first_slot(c + 1) - first_slot(c)) continue;
-    slots.resize(before);  // all of it is behind: nothing is cut
-    nodes.resize(before);
+    if (static_cast<int>(cut.slots.size() - before) < first_slot(c + 1) - first_slot(c)) continue;
+    cut.slots.resize(before);  // all of it is behind: nothing is cut
+    cut.nodes.resize(before);
   }
-  require_some(model.ranks, slots.size(),
-               fmt::format("{}: error: force '{}' is of a section that cuts no element (its plane lies beside {})",
-                           deck.where(force.place), force.name,
-                           force.part.empty() ? "all parts" : fmt::format("part '{}'", force.part)));
-  slots_ = to_view("percuss::section_slots", slots);
-  nodes_ = to_view("percuss::section_nodes", nodes);
+  return cut;
+}
+
+SectionForce::Slots SectionForce::list_of_sets(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked,
+                                               const Model& model) {
+  const Mesh& mesh = chunked.mesh;
+  const std::vector<char> elements = mark_elements(mesh, deck, force.elements);
+  std::vector<char> is_of_nodes(mesh.nodes.size(), 0);
+  for (const int node : select_nodes(mesh, deck, *force.nodes)) is_of_nodes[static_cast<std::size_t>(node)] = 1;
+  const auto first_slot = to_host(model.chunks.first_slot), slots_to_nodes = to_host(model.chunks.slots_to_nodes);
+  Slots of;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    if (elements[static_cast<std::size_t>(chunked.chunks[c].first_element)] == 0) continue;
+    for (int s = first_slot(c); s < first_slot(c + 1); ++s) {
+      const int node = slots_to_nodes(static_cast<std::size_t>(s));
+      if (is_of_nodes[static_cast<std::size_t>(node)] == 0) continue;
+      of.slots.push_back(s);
+      of.nodes.push_back(node);
+    }
+  }
+  return of;
+}
+
+SectionForce::SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model)
+    : about_(force.about.value_or(force.point)) {
+  const Slots found = force.nodes ? list_of_sets(deck, force, chunked, model) : list_cut(deck, force, chunked, model);
+  const std::string why = force.nodes
+                              ? "whose elements have none of its nodes (they share none)"
+                              : fmt::format("that cuts no element (its plane lies beside {})",
+                                            force.part.empty() ? "all parts" : fmt::format("part '{}'", force.part));
+  require_some(model.ranks, found.slots.size(),
+               fmt::format("{}: error: force '{}' is of a section {}", deck.where(force.place), force.name, why));
+  if (force.nodes && !force.about) about_ = find_mean_place(deck, *force.nodes, chunked, model);
+  slots_ = to_view("percuss::section_slots", found.slots);
+  nodes_ = to_view("percuss::section_nodes", found.nodes);
 }
 
 ImpulseSums SectionForce::find_impulse(const State& state, double dt_mean) {

@@ -41,16 +41,25 @@ class SupportForce {
 ///
 /// Forces of an element on its nodes sum to zero, so those of all elements of a chunk on its nodes behind the plane are
 /// those of the cut ones.
+///
+/// Or what some elements give to some nodes. They are whole parts, or sets whose elements share no chunk with others
+/// (src/mesh/parts).
 class SectionForce {
  public:
-  /// Collective. Throws InputError, on all ranks, if the plane cuts no element.
+  /// Collective. Throws InputError, on all ranks, if the plane cuts no element, or the elements have none of the nodes.
   SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
 
   /// Of this rank's elements in a step. Call with x and forces at n.
   ImpulseSums find_impulse(const State& state, double dt_mean);
 
  private:
-  Array<const int> slots_, nodes_;  // of cut chunks, behind the plane
+  struct Slots {
+    std::vector<int> slots, nodes;
+  };
+  static Slots list_cut(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
+  static Slots list_of_sets(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
+
+  Array<const int> slots_, nodes_;  // of cut chunks, behind the plane; of chunks of the elements, of the nodes
   Vec3 about_;
   ExactSums<6> sums_{"percuss::section_sums"};
 };

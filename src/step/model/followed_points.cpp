@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -13,6 +14,7 @@
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/points/material_place.hpp"
 
 namespace percuss {
 namespace {
@@ -89,6 +91,74 @@ class SearchedItems {
   std::unordered_map<std::int64_t, std::int64_t> numbers_of_ids_;
 };
 
+/// Nodes of an element, of a shell the first four, as corners of a hexahedron or quadrilateral that coincide.
+std::array<int, kernel_corner_count> list_shape_nodes(const Mesh& mesh, std::size_t element) {
+  using Corners = std::array<std::size_t, kernel_corner_count>;
+  constexpr Corners hex{0, 1, 2, 3, 4, 5, 6, 7}, wedge{0, 1, 2, 2, 3, 4, 5, 5}, pyramid{0, 1, 2, 3, 4, 4, 4, 4},
+      tet{0, 1, 2, 2, 3, 3, 3, 3}, quad{0, 1, 2, 3, 0, 0, 0, 0}, triangle{0, 1, 2, 2, 0, 0, 0, 0};
+  const Topology& topology = mesh.topology_of(element);
+  const Corners& corners = topology.is_surface()        ? (topology.corner_count == 4 ? quad : triangle)
+                           : topology.corner_count == 8 ? hex
+                           : topology.corner_count == 6 ? wedge
+                           : topology.corner_count == 5 ? pyramid
+                                                        : tet;
+  std::array<int, kernel_corner_count> nodes{};
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = mesh.corners(element)[corners[i]];
+  return nodes;
+}
+
+/// Whether a place may be inside an element, or nearest to it on the middle surface of a shell; its distance from it,
+/// 0 where it is inside. Beams have no inside.
+struct Holder {
+  bool is_held = false;
+  double distance = 0;
+  MaterialPlace place;
+};
+Holder find_held(const Mesh& mesh, std::size_t element, const Vec3& place) {
+  constexpr double round_off = 1e-6;  // of the diagonal of the element
+  const Topology& topology = mesh.topology_of(element);
+  if (topology.is_line()) return {};
+  HexCorners x;
+  const auto nodes = list_shape_nodes(mesh, element);
+  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = mesh.nodes[static_cast<std::size_t>(nodes[i])];
+  Vec3 low = x[0], high = x[0];
+  for (const Vec3& corner : x) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], corner[d]);
+      high[d] = std::max(high[d], corner[d]);
+    }
+  }
+  const double near = round_off * find_distance(low, high);
+  const double margin = near + (topology.is_surface() ? 0.5 * mesh.thickness_of(element) : 0);
+  for (std::size_t d = 0; d < 3; ++d)
+    if (place[d] < low[d] - margin || place[d] > high[d] + margin) return {};
+  const MaterialPlace found = find_material_place(x, topology.is_surface(), place);
+  return {found.distance <= margin, found.distance <= near ? 0 : found.distance, found};
+}
+
+/// The element of this rank that holds a material point.
+Nearest find_holder(const ChunkedMesh& chunked, const HistoryPoint& point) {
+  const Mesh& mesh = chunked.mesh;
+  Nearest nearest;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const std::string& part = mesh.parts[static_cast<std::size_t>(mesh.part_of(e))].name;
+    if (!point.part.empty() && part != point.part) continue;
+    const Holder held = find_held(mesh, e, *point.near);
+    if (held.is_held) nearest.merge({held.distance, find_element_number(chunked, static_cast<int>(e))});
+  }
+  return nearest;
+}
+
+/// The corners of the element that holds it, with their weights.
+std::vector<std::pair<int, double>> list_shares(const Mesh& mesh, std::size_t element, const HistoryPoint& point) {
+  const MaterialPlace place = find_held(mesh, element, *point.near).place;
+  std::vector<std::pair<int, double>> shares;
+  const auto nodes = list_shape_nodes(mesh, element);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (place.weights[i] != 0) shares.emplace_back(nodes[i], place.weights[i]);
+  return shares;
+}
+
 /// What a point is found for.
 struct Search {
   const Deck& deck;
@@ -99,6 +169,12 @@ struct Search {
 /// Why nothing was found for a point.
 [[noreturn]] void refuse(const Search& search, const HistoryPoint& point) {
   const char* const item = point.is_element ? "element" : "node";
+  if (point.is_inside)
+    throw InputError(
+        fmt::format("{}: error: no element {}holds the place [{:g}, {:g}, {:g}] at time 0 ({} '{}'): "
+                    "correct it, or follow a node",
+                    search.deck.where(point.place), point.part.empty() ? "" : "of part '" + point.part + "' ",
+                    (*point.near)[0], (*point.near)[1], (*point.near)[2], search.kind, point.name));
   const std::string what = point.near ? fmt::format("no {} is near [{:g}, {:g}, {:g}]", item, (*point.near)[0],
                                                     (*point.near)[1], (*point.near)[2])
                                       : fmt::format("no {} has the id {}", item, point.id.value_or(0));
@@ -109,8 +185,12 @@ struct Search {
 FollowedPoint follow(const Search& search, const HistoryPoint& point, const Nearest& nearest) {
   const ChunkedMesh& chunked = search.chunked;
   if (nearest.score == std::numeric_limits<double>::infinity()) refuse(search, point);
-  FollowedPoint found{point.name, point.is_element, nearest.number, -1};
-  if (point.is_element) {
+  FollowedPoint found{point.name, point.is_element, nearest.number, -1, point.layer ? *point.layer - 1 : -1};
+  found.is_inside = point.is_inside;
+  if (point.is_inside) {
+    found.index = find_local_element(chunked, nearest.number);
+    if (found.index >= 0) found.shares = list_shares(chunked.mesh, static_cast<std::size_t>(found.index), point);
+  } else if (point.is_element) {
     found.index = find_local_element(chunked, nearest.number);
   } else if (chunked.numbering.find_node_owner(nearest.number) == find_ranks(chunked.mesh).rank()) {
     found.index = find_local_node(chunked, nearest.number);
@@ -125,6 +205,10 @@ std::vector<FollowedPoint> find_points(const Deck& deck, const ChunkedMesh& chun
   std::map<std::pair<bool, std::string>, SearchedItems> searched;  // by kind and part
   std::vector<Nearest> nearest;
   for (const HistoryPoint& point : points) {
+    if (point.is_inside) {
+      nearest.push_back(find_holder(chunked, point));
+      continue;
+    }
     const std::pair key(point.is_element, point.part);
     auto items = searched.find(key);
     if (items == searched.end()) items = searched.try_emplace(key, chunked, deck, point, kind).first;

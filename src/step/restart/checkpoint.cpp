@@ -310,9 +310,13 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
   if (checkpoint.mesh != now.mesh) {
     throw InputError(fmt::format(
         "{}: error: the mesh differs from that of {} ({} elements, {} nodes, hash {}; in the checkpoint {} elements, "
-        "{} nodes, hash {}): was a mesh file changed?",
+        "{} nodes, hash {}): was a mesh file changed, or a section by elements?",
         deck.file, path, now.elements, now.nodes, now.mesh, checkpoint.elements, checkpoint.nodes, checkpoint.mesh));
   }
+}
+
+std::vector<std::string> list_changed_values(const CheckpointHeader& checkpoint, const Deck& deck) {
+  return compare_free_values(deck.motion_values, split_lines(checkpoint.deck));
 }
 
 }  // namespace percuss

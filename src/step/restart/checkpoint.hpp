@@ -2,6 +2,7 @@
 // What a checkpoint holds of model and state, and whether it belongs to the scene at hand.
 
 #include <string>
+#include <vector>
 
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/step/model/state.hpp"
@@ -23,5 +24,8 @@ CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chu
 /// the header of the scene at hand.
 void check_checkpoint_header(const std::string& path, const CheckpointHeader& checkpoint, const CheckpointHeader& now,
                              const Deck& deck);
+
+/// Values of the deck that differ from those of the checkpoint, a text each; all of them may.
+std::vector<std::string> list_changed_values(const CheckpointHeader& checkpoint, const Deck& deck);
 
 }  // namespace percuss

@@ -61,6 +61,7 @@ struct ReadStress {
   ShellTables shells;
   BeamTables beams;
   int point = ShellPoint::mean;
+  bool is_of_solids = false;  // whether hexahedra have points, too
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
       read_shell_stress(shells, {chunks, c, e, record}, point, row);
@@ -73,8 +74,13 @@ struct ReadStress {
     const Real* s = record + HexRecord::stress * pack_width;
     const Real* r = record + HexRecord::rotation * pack_width;
     const int points = chunks.points(c);
+    const bool is_one = is_of_solids && point >= 0 && point < points;
     double mean[6];
     for (int k = 0; k < 6; ++k) {
+      if (is_one) {
+        mean[k] = s[(6 * point + k) * pack_width];
+        continue;
+      }
       double sum = s[k * pack_width];
       for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * pack_width];
       mean[k] = sum / points;
@@ -103,6 +109,7 @@ struct ReadScalar {
   BeamMarks is_beam;
   HistoryScalar name;
   int point = ShellPoint::mean;
+  bool is_of_solids = false;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
       const auto& rule = shells.rules(chunks.points(c));
@@ -120,6 +127,10 @@ struct ReadScalar {
     const int place = chunks.find_scalar(c, name);
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
+    if (is_of_solids && point >= 0 && point < points) {
+      row[0] = record[(place + point) * pack_width];
+      return;
+    }
     for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * pack_width]} / points;
   }
 };
@@ -298,6 +309,26 @@ std::vector<double> find_von_mises(const std::vector<double>& stresses) {
     out[e] = std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
   }
   return out;
+}
+
+std::vector<double> find_point_stress(const Model& model, const State& state, const ElementPoint& of) {
+  return read_some(model, state, {of.element}, ReadStress{{model, state}, {model, state}, of.point, true});
+}
+
+double find_point_plastic_strain(const Model& model, const State& state, const ElementPoint& of) {
+  const ReadScalar read{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, of.point, true};
+  return read_some(model, state, {of.element}, read)[0];
+}
+
+int count_points(const Model& model, int element) {
+  const HexChunks& chunks = model.chunks;
+  const auto first_element = to_host(chunks.first_element);
+  int chunk = 0;
+  while (first_element(static_cast<std::size_t>(chunk) + 1) <= element) ++chunk;
+  const int points = to_host(chunks.points)(static_cast<std::size_t>(chunk));
+  const auto shells = to_host(chunks.is_shell);  // empty in a scene without any
+  const bool has_rule = shells.extent(0) > 0 && shells(static_cast<std::size_t>(chunk)) != 0;
+  return has_rule ? to_host(model.thickness_rules)(static_cast<std::size_t>(points)).count : points;
 }
 
 }  // namespace percuss

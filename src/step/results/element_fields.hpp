@@ -55,6 +55,17 @@ std::vector<double> find_damage(const Model& model, const State& state);
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements);
 
+/// One point of an element, from 0: across the thickness of a shell from the lowest, or of 2x2x2 of a hexahedron like
+/// its corners. 0 where it has no such point.
+struct ElementPoint {
+  int element = 0, point = 0;
+};
+std::vector<double> find_point_stress(const Model& model, const State& state, const ElementPoint& of);
+double find_point_plastic_strain(const Model& model, const State& state, const ElementPoint& of);
+
+/// How many points an element has.
+int count_points(const Model& model, int element);
+
 /// Pressure -tr(stress)/3 of each row.
 std::vector<double> find_pressures(const std::vector<double>& stresses);
 

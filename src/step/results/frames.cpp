@@ -227,27 +227,42 @@ std::vector<double> find_field(const std::string& name, const FrameSource& of, F
 
 }  // namespace
 
-void Frames::write(const State& state) {
+Frames::Frame Frames::collect(const State& state) const {
+  Frame frame;
+  frame.time = state.time;
+  frame.step = state.step;
   FrameSource source{model_, state, contact_, body_, chunk_, {}};
   if (has(names_, "stress") || has(names_, "pressure") || has(names_, "von_mises"))
     source.stresses = find_stresses(model_, state);
-  std::map<std::string, std::vector<double>> values;  // keeps what the frame's spans point to
-  std::vector<FieldData> frame;
   for (const std::string& name : names_) {
     if (name == "displacement") continue;  // the file always has it
     FieldData field;
     std::vector<double> found = find_field(name, source, field);
-    field.values = values.emplace(name, std::move(found)).first->second;
-    frame.push_back(field);
+    field.values = frame.values.emplace(name, std::move(found)).first->second;
+    frame.fields.push_back(field);
   }
-  const auto x = to_host(state.x);
-  const std::span<const double> positions{x.data(), x.extent(0) * 3};
+  frame.positions = list_rows(state.x);
   const std::vector<double> motions = contact_.list_wall_motions();  // displacement and speed of each
-  std::vector<double> walls;
-  for (const std::size_t i : drawn_walls_) walls.push_back(motions[2 * i]);
-  if (vtkhdf_) vtkhdf_->write_frame(state.time, state.step, positions, frame, walls);
-  if (exodus_) exodus_->write_frame(state.time, state.step, positions, frame);
+  for (const std::size_t i : drawn_walls_) frame.walls.push_back(motions[2 * i]);
+  return frame;
+}
+
+void Frames::put(const Frame& frame) {
+  const std::span<const double> positions(frame.positions);
+  if (vtkhdf_) vtkhdf_->write_frame(frame.time, frame.step, positions, frame.fields, frame.walls);
+  if (exodus_) exodus_->write_frame(frame.time, frame.step, positions, frame.fields);
   ++count_;
+}
+
+void Frames::keep(const State& state) {
+  if (kept_.size() == 2) kept_.erase(kept_.begin());
+  kept_.push_back(collect(state));
+}
+
+void Frames::write_kept(std::int64_t after_step, std::int64_t before_step) {
+  for (const Frame& frame : kept_)
+    if (frame.step > after_step && frame.step < before_step) put(frame);
+  kept_.clear();
 }
 
 }  // namespace percuss

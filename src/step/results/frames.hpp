@@ -1,6 +1,7 @@
 #pragma once
 // Writes frames of the fields that the deck asks for, in one file or in two of different formats.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,11 @@ class Frames {
   static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                     std::int64_t frames);
 
-  void write(const State& state);
+  void write(const State& state) { put(collect(state)); }
+  /// Keeps the frame of a state in memory, and that kept before.
+  void keep(const State& state);
+  /// Writes those kept of states after this step, if they are older than the other. Forgets all.
+  void write_kept(std::int64_t after_step, std::int64_t before_step);
   /// Waits until the disk has the frames written so far.
   void sync();
   void close();
@@ -38,7 +43,19 @@ class Frames {
   std::int64_t count() const { return count_; }
 
  private:
+  /// All that a frame is written from.
+  struct Frame {
+    double time = 0;
+    std::int64_t step = 0;
+    std::vector<double> positions;
+    std::map<std::string, std::vector<double>> values;  // by field
+    std::vector<FieldData> fields;                      // of these values
+    std::vector<double> walls;
+  };
+
   void note_constant_fields(const ChunkedMesh& chunked);
+  Frame collect(const State& state) const;
+  void put(const Frame& frame);
 
   const Model& model_;
   const ContactStage& contact_;
@@ -47,6 +64,7 @@ class Frames {
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
   std::optional<FieldsFile> vtkhdf_;
   std::optional<ExodusResults> exodus_;
+  std::vector<Frame> kept_;  // two at most, the later one last
   std::int64_t count_ = 0;
 };
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/asked_for.hpp"
@@ -159,6 +161,21 @@ std::vector<HistoryColumn> History::list_columns(const Deck& deck, const Chunked
   return percuss::list_columns(HistoryTable(deck), find_history_points(deck, chunked), model, deck);
 }
 
+void History::check_points(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  for (const FollowedPoint& point : find_history_points(deck, chunked)) {
+    if (point.layer < 0) continue;
+    int points = point.index < 0 ? 0 : count_points(model, point.index);
+    all_reduce(find_ranks(chunked.mesh), Reduce::largest, points);
+    if (point.layer < points) continue;
+    const auto entry = std::find_if(deck.output.points.begin(), deck.output.points.end(),
+                                    [&](const HistoryPoint& p) { return p.name == point.name; });
+    throw InputError(
+        fmt::format("{}: error: history point '{}' is point {} of an element that has {} (of shells it "
+                    "counts across the thickness)",
+                    deck.where(entry->place), point.name, point.layer + 1, points));
+  }
+}
+
 void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                     std::int64_t bytes) {
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
@@ -170,16 +187,56 @@ void History::check(const std::string& directory, const Deck& deck, const Chunke
   });
 }
 
+namespace {
+
+/// Place and velocity of a material point; zeros where this rank does not have its element.
+template <class HostRows>
+std::array<double, 6> find_point_motion(const FollowedPoint& point, const HostRows& x, const HostRows& v) {
+  std::array<double, 6> motion{};
+  for (const auto& [node, weight] : point.shares) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      motion[k] += weight * x(static_cast<std::size_t>(node), k);
+      motion[3 + k] += weight * v(static_cast<std::size_t>(node), k);
+    }
+  }
+  return motion;
+}
+
+/// The followed elements of this rank.
+std::vector<int> list_elements(const std::vector<FollowedPoint>& points) {
+  std::vector<int> elements;
+  for (const FollowedPoint& p : points) {
+    if (p.is_element && p.index >= 0) elements.push_back(p.index);
+  }
+  return elements;
+}
+
+/// Puts the values of one point in the place of the element's, where the deck asks for it. stresses, strains: in and
+/// out, of the followed elements of this rank.
+void put_points(const Model& model, const State& state, const std::vector<FollowedPoint>& points,
+                std::vector<double>& stresses, std::vector<double>& strains) {
+  std::size_t e = 0;
+  for (const FollowedPoint& p : points) {
+    if (!p.is_element || p.index < 0) continue;
+    if (p.layer >= 0) {
+      const std::vector<double> stress = find_point_stress(model, state, {p.index, p.layer});
+      std::copy(stress.begin(), stress.end(), stresses.begin() + static_cast<std::ptrdiff_t>(6 * e));
+      strains[e] = find_point_plastic_strain(model, state, {p.index, p.layer});
+    }
+    ++e;
+  }
+}
+
+}  // namespace
+
 /// Appends the values of the followed points on rank 0. Each is known to one rank; the others give zeros, and their
 /// bits are put together.
 void History::gather_points(const Model& model, const State& state, std::vector<double>& row) const {
   if (points_.empty()) return;
-  std::vector<int> elements;
-  for (const FollowedPoint& p : points_) {
-    if (p.is_element && p.index >= 0) elements.push_back(p.index);
-  }
-  const std::vector<double> stresses = find_stresses(model, state, elements);
-  const std::vector<double> strains = find_plastic_strains(model, state, elements);
+  const std::vector<int> elements = list_elements(points_);
+  std::vector<double> stresses = find_stresses(model, state, elements);
+  std::vector<double> strains = find_plastic_strains(model, state, elements);
+  put_points(model, state, points_, stresses, strains);
   const std::vector<double> sections =
       has_sections_ ? find_section_results(model, state, elements) : std::vector<double>();
   std::vector<std::vector<double>> thermal;
@@ -189,7 +246,10 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   std::vector<double> values;
   std::size_t e = 0;  // of the elements of this rank
   for (const FollowedPoint& p : points_) {
-    if (p.index < 0) {
+    if (p.is_inside) {
+      const std::array<double, 6> place = find_point_motion(p, x, v);
+      values.insert(values.end(), place.begin(), place.end());
+    } else if (p.index < 0) {
       values.insert(values.end(), p.is_element ? 9 + (has_sections_ ? 6U : 0U) + thermal.size() : 6, 0.0);
     } else if (p.is_element) {
       values.insert(values.end(), &stresses[6 * e], &stresses[6 * e] + 6);

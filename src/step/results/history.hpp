@@ -27,6 +27,9 @@ class History {
   static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                     std::int64_t bytes);
 
+  /// Throws InputError, on all ranks, for a point of the deck that the mesh does not have. Collective.
+  static void check_points(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+
   /// The columns of a deck. Collective.
   static std::vector<HistoryColumn> list_columns(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 

@@ -101,6 +101,15 @@ void RunOutput::write_frame(const State& state) {
   last_frame_ = state.step;
 }
 
+void RunOutput::keep_frame(const State& state) {
+  const auto every = deck_.output.fields_before_failure;
+  if (frames_ && every && state.step % *every == 0) frames_->keep(state);
+}
+
+void RunOutput::write_kept_frames(const State& failed) {
+  if (frames_) frames_->write_kept(last_frame_, failed.step);
+}
+
 void RunOutput::advance(double time) {
   rows_.advance(time);
   frames_due_.advance(time);

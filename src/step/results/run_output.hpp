@@ -71,6 +71,10 @@ class RunOutput {
   /// Writes the state, unless it was written.
   void write_row(const State& state, const AuditResult& audit, Stepper& stepper);
   void write_frame(const State& state);
+  /// Keeps the frame of a state in memory, where the deck asks for it and it is due.
+  void keep_frame(const State& state);
+  /// Before that of a failed state: the frames kept that are not in the file.
+  void write_kept_frames(const State& failed);
   void advance(double time);
 
   /// Hands all to the system and notes how long the files are: call before saving.

@@ -111,6 +111,7 @@ void Run::restart() {
   check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
                           deck_);
   archive(reader);
+  summary_.restart_changes = list_changed_values(reader.header(), deck_);
   warnings_.restore(reader.header(), options_.restart);
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
     throw InputError(
@@ -123,6 +124,7 @@ void Run::restart() {
   start_step_ = state_.step;
   checkpoints_.note(options_.restart, state_);
   if (speaks()) print_quietly(stderr, "continuing from step {}, t = {:.6g}\n", state_.step, state_.time);
+  for (const std::string& change : summary_.restart_changes) say({"note: changed since the checkpoint: " + change});
 }
 
 void Run::say(const std::vector<std::string>& lines) const {
@@ -137,7 +139,7 @@ void Run::open_files() {
 
 void Run::open_results() {
   if (!options_.out_dir.empty() && deck_.output.history_every) {
-    find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
+    History::check_points(deck_, chunked_, model_);  // an unknown id is told before earlier results go
   }
   if (options_.goes_on_in_place) {
     output_.check_earlier();
@@ -218,6 +220,7 @@ void Run::advance() {
   if (contact_.is_active()) contact_.break_ties(state_.x, state_.v);
   erode();
   observe();
+  keep_frame();
   if (stepper_.is_stop_agreed()) return;  // save_interrupted() writes the checkpoint, without a wait for other files
   if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
   if (!is_finished()) progress_->report(find_progress());  // finish() has the last word

@@ -59,6 +59,7 @@ class Run {
   void observe();
   void observe_last();
   void save_interrupted();
+  void keep_frame();
   void look_at_corners();
   void start_sensors();
   void look_by_sensors(bool has_new_row);

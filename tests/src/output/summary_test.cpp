@@ -77,6 +77,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "time",
                                           "end_time",
                                           "ended_by",
+                                          "restart_changes",
                                           "sensors",
                                           "dt.min",
                                           "dt.max",

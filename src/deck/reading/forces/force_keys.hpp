@@ -1,0 +1,19 @@
+#pragma once
+// Keys of `output.history.forces`.
+
+#include "src/deck/deck.hpp"
+#include "src/deck/keys/values.hpp"
+
+namespace percuss {
+
+/// An entry of `output.history.forces`: a name and one kind of force.
+struct ForceValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const;
+  Form form() const;
+  std::string takes() const { return "a map"; }
+};
+
+/// Names of forces and of the walls that they name.
+void check_forces(const Deck& deck, const Node& root, Reading& reading);
+
+}  // namespace percuss
