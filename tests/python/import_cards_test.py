@@ -55,6 +55,18 @@ class Rates(InFolder):
 
 
 class Cards(InFolder):
+    def test_ties_that_break_by_stress_are_translated(self):
+        sides = "3,8,3,3\n0,0,0,0,0,0\n1\n"
+        for card in ("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n" + sides + "2e7,1.5e7\n",
+                     "*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK\n" + sides + "2,2e7,1.5e7\n"):  # fmt: skip
+            model, ledger = self.read(decks.FULL.replace("*END", card + "*END"))
+            tie = model.deck["contact"]["ties"][-1]
+            self.assertEqual(tie["failure"], {"normal": 2e7, "shear": 1.5e7})
+            self.assertEqual(ledger.list_refused(), [])
+        for line in ("9,2e7,1.5e7", "2,2e7,1.5e7,0,1.0"):  # a damage law; energies of cracks
+            text = decks.FULL.replace("*END", card.replace("2,2e7,1.5e7", line) + "*END")
+            self.assertNotEqual(self.refusals(text), {})
+
     def test_slopes_have_steps(self):
         rows = differentiate([(0.0, 0.0), (1.0, 2.0), (3.0, 0.0)])
         self.assertEqual([y for _, y in rows], [2.0, 2.0, -1.0, -1.0])

@@ -9,6 +9,7 @@ from .cards import Card, Lines
 from .deck import KeywordDeck
 
 EXTRA_LINES = {"ERODING": 1, "TIEBREAK": 1, "FAILURE": 1, "THERMAL": 1, "DRAWBEAD": 1}
+BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM~ ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF~"}
 INSTEAD = "it is left out"
 
 
@@ -21,6 +22,7 @@ class Contact:
     sides: Row
     law: Row
     scale: Row
+    failure: Row | None = None  # of a tie that breaks by stress
 
     @property
     def place(self) -> Place:
@@ -48,10 +50,14 @@ def read_cards(deck: KeywordDeck, card: Card, reader: Lines, words: list[str]) -
     sides = reader.row("SSID MSID SSTYP MSTYP SBOXID MBOXID SPR~ MPR~")
     law = reader.row("FS FD DC VC VDC~ PENCHK~ BT DT=1e20")
     scale = reader.row("SFS~ SFM~ SST MST SFST=1 SFMT=1 FSF=1 VSF~")
+    failure = None
     for word, count in EXTRA_LINES.items():
         for _ in range(count if word in words and reader else 0):
-            reader.take()
-    return Contact(card.keyword, title, sides, law, scale)
+            if word == "TIEBREAK" and "SURFACE" in words:
+                failure = reader.row(BREAKS["AUTOMATIC" if "AUTOMATIC" in words else "TIEBREAK"])
+            else:
+                reader.take()
+    return Contact(card.keyword, title, sides, law, scale, failure)
 
 
 def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
@@ -71,6 +77,8 @@ def translate_contact(deck: KeywordDeck, card: Card, contact: Contact) -> None:
     name = card.keyword
     if "FORCE_TRANSDUCER" in name:
         transduce(deck, contact)
+    elif find_strengths(contact):
+        tie(deck, contact)
     elif "TIEBREAK" in name or "TIED" in name and "FAILURE" in name:
         if deck.ledger.refuse(name, contact.place, "ties that fail", "they do not fail"):
             tie(deck, contact)
@@ -185,6 +193,14 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
         deck.ledger.approximated(contact.keyword, contact.place, text + ", both faces of shells, at half their thickness")
 
 
+def find_strengths(contact: Contact) -> Deck:
+    """Of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
+    row = contact.failure
+    if row is None or ("AUTOMATIC" in contact.keyword and row.integer("OPTION") not in (2, 3)):
+        return {}
+    return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
+
+
 def tie(deck: KeywordDeck, contact: Contact) -> None:
     if contact.law.number("BT") > 0:
         deck.ledger.refuse(
@@ -197,7 +213,8 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     contact.law.skip("FS", "FD")
     if 0 < contact.law.number("DT") < deck.end_time:
         deck.ledger.refuse("CONTACT.BT", contact.place, "a tie with a birth or death time", "it acts during the whole run")
-    for row in (contact.sides, contact.law, contact.scale):
+    strengths = find_strengths(contact)
+    for row in (contact.sides, contact.law, contact.scale, *([contact.failure] if strengths else [])):
         row.finish(deck.ledger)
     if not a or not b:
         deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
@@ -206,6 +223,8 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     reach = 0.6 * sum(abs(t) for t in thicknesses)
     if reach:
         entry["distance"] = reach
+    if strengths:
+        entry["failure"] = strengths
     deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
     deck.ledger.approximated(
         contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is percuss', or 0.6 (SST + MST)"
