@@ -64,7 +64,9 @@ TEST(Damping, OfTheOldVelocityLeavesForcesWhole) {
       v(0, 0) += dt * load / mass;  // the spring comes after the damping, as contact does
       damp_velocities(ExecSpace(), nodes, {coefficients, dt, DampedVelocity::old},
                       {before, inverse, masses, v, impulse});
-      if (step == 0) EXPECT_EQ(v(0, 0), dt * load / mass);
+      if (step == 0) {
+        EXPECT_EQ(v(0, 0), dt * load / mass);
+      }
       v(0, 0) -= dt * stiffness * x / mass;
       x += dt * v(0, 0);
     }
