@@ -25,17 +25,6 @@
 #include "src/index.hpp"
 
 namespace percuss {
-namespace {
-
-/// Of the first tie that can fail.
-std::string find_failing_place(const Deck& deck) {
-  for (const TieDeck& tie : deck.contact.ties)
-    if (tie.normal_strength || tie.shear_strength) return deck.where(tie.place);
-  return "";
-}
-
-}  // namespace
-
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
       : ranks(world),
@@ -80,6 +69,7 @@ struct ContactStage::Impl {
   void forget_last_step();
   void archive_pushes(CheckpointArchive& archive);
   void redefine_surface();
+  void redefine(Rows3<const double> x, Rows3<const double> v, const ReleasedTies& released);
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
 
   const Communicator ranks;
@@ -114,7 +104,8 @@ struct ContactStage::Impl {
   bool is_step_counted = true;  // among these; the start is no step
   bool is_new_surface = false;  // since the last step
   Array<double> tie_uses = Array<double>("contact::tie_uses", 0);
-  std::int64_t failing_now = 0;  // ties, on all ranks, until break_ties()
+  std::int64_t failing_now = 0;  // tied nodes, on all ranks, until break_ties()
+  bool is_relaxing = false;      // steps before time 0, in which ties do not fail
   std::vector<Warning> warnings;
   ContactReport last;     // of the last step
   int touches_last = 0;   // of this rank in it
@@ -188,18 +179,23 @@ RowMeeting ContactStage::Impl::meet(const ContactMotion& motion, int num_touches
 
 /// Which ties have reached their strength. time: of the end of the step.
 void ContactStage::Impl::judge_ties(double time, ContactReport& report) {
-  if (!failures.any()) return;
   report.failed_ties = failures.count();
-  if (!report.enforced) return;
+  if (!failures.any_left() || !report.enforced || is_relaxing) return;
   reserve(tie_uses, static_cast<int>(ties.nodes.size()));
   enforcer.find_tie_uses(failures.strengths(), tie_uses);
-  failing_now = failures.judge(tie_uses);
+  const std::vector<std::int64_t> counts = failures.judge(tie_uses);
+  failing_now = 0;
+  for (std::size_t t = 0; t < counts.size(); ++t) {
+    if (counts[t] == 0) continue;
+    failing_now += counts[t];
+    const TieDeck& tie = contact.ties[t];
+    warnings.push_back({"tie_failure",
+                        fmt::format("nodes of the tie of '{}' and '{}' let go (the stress on them has come to what "
+                                    "failure says): failed_ties in history.csv counts them",
+                                    tie.a.name, tie.b.name),
+                        deck.where(tie.place), time, static_cast<long>(counts[t])});
+  }
   report.failed_ties += failing_now;
-  if (failing_now == 0) return;
-  warnings.push_back({"tie_failure",
-                      "ties fail (the stress on their nodes has come to what failure says): failed_ties in history.csv "
-                      "counts the nodes",
-                      find_failing_place(deck), time, 1});
 }
 
 /// The user's id of a node, which its owner knows.
@@ -243,7 +239,7 @@ void ContactStage::Impl::redefine_surface() {
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   areas.reset();
   share = build_surface_share(chunks, deck, ties, exchange);
-  failures.take(ties);
+  failures.use(ties);
   tie_rows = TieRows(seen(), ties, contact);
   walls = build_walls(chunks, deck, share);
   bound.redefine();
@@ -303,27 +299,28 @@ void ContactStage::restore_surface() {
   stage.history.ties = Rows3<double>("contact::history_ties", stage.ties.nodes.size());
 }
 
-void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
-  Impl& stage = *impl_;
-  const Phase phase("percuss::contact_redefine", stage.clocks.search);
-  const HistoryOwners before = stage.list_owners();
-  stage.redefine_surface();
-  const HistoryOwners now = stage.list_owners();
-  stage.history = carry_history(stage.ranks, stage.history, before, now, stage.share, stage.walls);
-  if (!stage.has_pairs()) return;
+void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine(x, v, {}); }
+
+/// released: ties that let go, whose surfaces may touch from now on.
+void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, const ReleasedTies& released) {
+  const Phase phase("percuss::contact_redefine", clocks.search);
+  const HistoryOwners before = list_owners();
+  redefine_surface();
+  const HistoryOwners now = list_owners();
+  history = carry_history(ranks, history, before, now, share, walls);
+  if (!has_pairs()) return;
   // One search for both: where opened surfaces overlap, and the pairs of the next steps.
   const SurfaceMotion here{x, v, 0};
-  stage.candidates = stage.finder->search(here, stage.bound.restart(here, true));
-  stage.count_search();
-  seed_opened(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap, {before, now}, stage.history);
+  candidates = finder->search(here, bound.restart(here, true));
+  count_search();
+  seed_opened(look_for_overlap(*finder), here, contact.overlap, {before, now, released.nodes, released.faces}, history);
 }
 
 bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   if (stage.failing_now == 0) return false;
   stage.failing_now = 0;
-  stage.failures.let_go(stage.ties_of_start);
-  redefine(x, v);
+  stage.redefine(x, v, stage.failures.release(stage.ties_of_start));
   return true;
 }
 
@@ -359,11 +356,15 @@ void ContactStage::watch_start(Rows3<const double> x, Rows3<const double> v, dou
 
 const Approach& ContactStage::approach() const { return impl_->approach; }
 
-void ContactStage::begin_relaxation() { impl_->enforcer.hold_walls(); }
+void ContactStage::begin_relaxation() {
+  impl_->is_relaxing = true;
+  impl_->enforcer.hold_walls();
+}
 
 void ContactStage::end_relaxation(Rows3<const double> x) {
   Impl& stage = *impl_;
   stage.forget_last_step();
+  stage.is_relaxing = false;
   stage.enforcer.begin_anew();
   take_forces(x);
   stage.searches = stage.enforcements = 0;
@@ -375,10 +376,7 @@ void ContactStage::end_relaxation(Rows3<const double> x) {
 
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
-  if (stage.failures.archive(archive)) {
-    stage.failures.let_go(stage.ties_of_start);
-    restore_surface();
-  }
+  if (stage.failures.archive(archive, stage.ties_of_start)) restore_surface();
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
   archive_ties(archive, stage.chunks, stage.ties, stage.history);

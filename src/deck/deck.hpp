@@ -363,6 +363,8 @@ struct TieDeck {
   std::optional<double> normal_strength, shear_strength;
   double normal_exponent = 2, shear_exponent = 2;
   Place place;
+
+  bool can_fail() const { return normal_strength || shear_strength; }
 };
 
 struct ContactDeck {

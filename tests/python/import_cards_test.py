@@ -63,6 +63,8 @@ class Cards(InFolder):
             tie = model.deck["contact"]["ties"][-1]
             self.assertEqual(tie["failure"], {"normal": 2e7, "shear": 1.5e7})
             self.assertEqual(ledger.list_refused(), [])
+            goes_on = any("TIEBREAK" in name for name in outcomes(ledger, Status.TRANSLATED))  # as contact
+            self.assertEqual(goes_on, "AUTOMATIC" in card)
         for line in ("9,2e7,1.5e7", "2,2e7,1.5e7,0,1.0"):  # a damage law; energies of cracks
             text = decks.FULL.replace("*END", card.replace("2,2e7,1.5e7", line) + "*END")
             self.assertNotEqual(self.refusals(text), {})

@@ -17,6 +17,7 @@ struct TieStrengths {
   Array<const int> law;             // [ties] -1: does not fail
   Array<const TieStrength> laws{};  // by law
   Array<const double> area{};       // [ties] of the node in the tied surface
+  Array<const int> side{};          // [ties] of the face on which the node lies: 1 or -1; 0: either
 };
 
 /// How much of a strength stresses use up; 1: all. pull: tension, < 0 in compression.
@@ -27,10 +28,11 @@ KOKKOS_INLINE_FUNCTION double find_tie_use(const TieStrength& strength, double p
   return use;
 }
 
-/// Of the face of a tie at n, towards the node.
-KOKKOS_INLINE_FUNCTION Point3 find_tie_normal(const ContactRow& row) {
-  const Point3 normal = normalize(cross(row.rho[3] - row.rho[1], row.rho[4] - row.rho[2]));
-  return dot(normal, row.arm) < 0 ? -normal : normal;
+/// Tension of a push along the outward normal of the face, on a node at this side of it. At neither side either
+/// direction pulls.
+KOKKOS_INLINE_FUNCTION double find_tension(double push, int side) {
+  if (side == 0) return push < 0 ? -push : push;
+  return -push * side;
 }
 
 /// find_tie_use() of the forces of this rank's tie rows, which are solved. dt_mean: from the middle of the last step to
@@ -48,10 +50,11 @@ void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengt
       "contact::find_tie_uses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         if (!is_tie(row) || of.law(row.record) < 0) return;
-        const Point3 normal = find_tie_normal(row);
+        const Point3 normal = normalize(cross(row.rho[3] - row.rho[1], row.rho[4] - row.rho[2]));
         const Point3 stress = (1 / (dt_mean * of.area(row.record))) * row.force;
         const double push = dot(stress, normal);
-        out(row.record) = find_tie_use(of.laws(of.law(row.record)), -push, norm(stress - push * normal));
+        const double tension = find_tension(push, of.side(row.record));
+        out(row.record) = find_tie_use(of.laws(of.law(row.record)), tension, norm(stress - push * normal));
       });
 }
 

@@ -78,6 +78,8 @@ def translate_contact(deck: KeywordDeck, card: Card, contact: Contact) -> None:
     if "FORCE_TRANSDUCER" in name:
         transduce(deck, contact)
     elif find_strengths(contact):
+        if "AUTOMATIC" in name:  # contact goes on where the tie has failed
+            add_pairs(deck, contact, is_single=False)
         tie(deck, contact)
     elif "TIEBREAK" in name or "TIED" in name and "FAILURE" in name:
         if deck.ledger.refuse(name, contact.place, "ties that fail", "they do not fail"):

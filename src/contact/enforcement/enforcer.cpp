@@ -213,7 +213,7 @@ Rows3<double> Enforcer::find_pushes() {
 }
 
 void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>& use) const {
-  run_where_it_pays(static_cast<int>(strengths.law.extent(0)), [&](const auto& space) {
+  run_where_it_pays(system_.num_rows / 8, [&](const auto& space) {
     percuss::find_tie_uses(space, system_, strengths, last_dt_mean_, use);
     space.fence();
   });

@@ -180,14 +180,17 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
     return fresh;
   };
   const std::vector<std::int64_t> nodes = list_new(change.before.nodes, change.now.nodes);
-  std::vector<std::int64_t> faces = gather_items(search.ranks, list_new(change.before.faces, change.now.faces));
+  std::vector<std::int64_t> own_faces = list_new(change.before.faces, change.now.faces);
+  own_faces.insert(own_faces.end(), change.released_faces.begin(), change.released_faces.end());
+  std::vector<std::int64_t> faces = gather_items(search.ranks, own_faces);
   std::sort(faces.begin(), faces.end());
   const auto history_face = to_host(history.face);
   const auto reference = to_host(history.reference);
   for (const Penetration& p : search.finder.find_penetrations(motion)) {
-    const bool is_new =
-        std::binary_search(faces.begin(), faces.end(), p.face) ||
-        std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);
+    const std::int64_t number = search.share.nodes.numbers[static_cast<std::size_t>(p.node)];
+    const bool is_new = std::binary_search(faces.begin(), faces.end(), p.face) ||
+                        std::binary_search(nodes.begin(), nodes.end(), number) ||
+                        std::binary_search(change.released_nodes.begin(), change.released_nodes.end(), number);
     const int record = contact_limits::max_touches * p.node;
     if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
     if (history_face(record) >= 0) continue;  // a contact that continues

@@ -44,10 +44,12 @@ struct OverlapSearch {
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                           ContactHistory& history);
 
-/// The surface before and after erosion has redefined it.
+/// The surface before and after erosion, or ties that let go, have redefined it.
 struct SurfaceChange {
   const HistoryOwners& before;
   const HistoryOwners& now;
+  const std::vector<std::int64_t>& released_nodes;  // numbers of nodes that were tied, of all ranks, ascending
+  const std::vector<std::int64_t>& released_faces;  // numbers of this rank's faces that were
 };
 
 /// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
@@ -61,9 +63,9 @@ std::string describe_overlap_left(const StartOverlap& left);
 /// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
 
-/// Of overlap at the positions of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
-/// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
-/// Collective.
+/// Of overlap at the positions of `motion`, whose dt is 0, takes into the history what a new node or a new face has, or
+/// one that was tied, as seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs
+/// that the finder has. Collective.
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                  const SurfaceChange& change, ContactHistory& history);
 

@@ -244,6 +244,18 @@ std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const Surf
   return sets;
 }
 
+/// Nodes that have let go of a tie may touch what they were tied to, though a face of theirs is still tied.
+void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& numbers,
+                   std::vector<SurfaceSet>& sets) {
+  for (std::size_t t = 0; t < ties.released.size(); ++t) {
+    const int side_a = 2 * static_cast<int>(deck.contact.pairs.size() + t);
+    for (const std::int64_t number : ties.released[t]) {
+      const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
+      if (place != numbers.end() && *place == number) std::erase(sets[at(place - numbers.begin())], side_a);
+    }
+  }
+}
+
 /// Surfaces of each edge: those of its two faces.
 std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
   std::vector<SurfaceSet> sets;
@@ -377,7 +389,8 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
              tell_nodes(chunked, find_face_springs(mesh, deck, faces), list_particles(mesh, deck, part_classes),
                         exchange, share),
              share, particle_classes);
-  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
+  std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
+  release_nodes(deck, ties, share.nodes.numbers, node_sets);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());
   std::vector<FoundEdge> edges;

@@ -16,6 +16,7 @@ struct TiedNode {
   std::int64_t face = -1;     // number
   std::int64_t corners[4]{};  // of the face: node numbers
   int tie = 0;                // index into ContactDeck::ties
+  int side = 1;               // on which the node lies of a face: 1 outside, -1 behind a shell; 0: in a shell's middle
   TieGeometry geometry;
 };
 
@@ -36,6 +37,8 @@ struct TiedSurfaces {
   std::vector<std::array<std::vector<ElementFace>, 2>> faces;
   std::vector<std::vector<std::int64_t>> known;  // [ties] numbers of tied nodes in this rank's mesh, ascending
   std::vector<TieCounts> counts;                 // [ties]
+  std::vector<std::vector<std::int64_t>>
+      released{};  // [ties] numbers of nodes that have let go, of all ranks, ascending
 
   bool any() const { return !counts.empty(); }
 };

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "comm/all_reduce.hpp"
-#include "comm/exchange/item_exchange.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/contact/surface/node_areas.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -24,30 +23,44 @@ struct AreaItem {
   double area = 0;
 };
 
-bool has_failure(const TieDeck& tie) { return tie.normal_strength || tie.shear_strength; }
+/// A node that lets go.
+struct ReleasedNode {
+  std::int64_t node = 0;  // number
+  std::int64_t tie = 0;   // of the deck
+};
 
-/// Shares of this rank's faces of side a that are tied with all corners: sides of a body at the rim do not count.
+bool holds(const std::vector<std::int64_t>& ascending, std::int64_t number) {
+  return std::binary_search(ascending.begin(), ascending.end(), number);
+}
+
+/// Whether the face before this one is the other side of the same shell.
+bool is_second_side(const Mesh& mesh, const std::vector<ElementFace>& faces, std::size_t f) {
+  return f > 0 && faces[f - 1].element == faces[f].element && mesh.topology_of(at(faces[f].element)).is_surface();
+}
+
+/// Shares of this rank's faces of side a that are tied with all corners: sides of a body at the rim do not count, a
+/// shell counts once.
 void list_shares(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces,
                  const std::vector<std::int64_t>& tied, std::vector<AreaItem>& items) {
   const Mesh& mesh = chunked.mesh;
   const std::vector<std::int64_t> elements = list_element_numbers(chunked);
-  for (const ElementFace& face : faces) {
-    const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::array<int, 4> nodes = mesh.elements.face_nodes(faces[f]);
     Point3 corners[4];
     std::int64_t numbers[4];
-    bool is_whole = true, is_triangle = false;
+    bool is_whole = !is_second_side(mesh, faces, f), is_triangle = false;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3& x = mesh.nodes[at(nodes[i])];
       corners[i] = {x[0], x[1], x[2]};
       numbers[i] = mesh.node_numbers[at(nodes[i])];
-      is_whole = is_whole && std::binary_search(tied.begin(), tied.end(), numbers[i]);
+      is_whole = is_whole && holds(tied, numbers[i]);
       is_triangle = is_triangle || nodes[i] == nodes[(i + 1) % 4];
     }
     if (!is_whole) continue;
     const double area = norm(find_corner_area(corners, is_triangle));
+    const std::int64_t number = find_face_number(elements[at(faces[f].element)], faces[f].face);
     for (std::size_t i = 0; i < 4; ++i)
-      if (nodes[i] != nodes[(i + 1) % 4])
-        items.push_back({numbers[i], find_face_number(elements[at(face.element)], face.face), area});
+      if (nodes[i] != nodes[(i + 1) % 4]) items.push_back({numbers[i], number, area});
   }
 }
 
@@ -56,100 +69,136 @@ void list_shares(const ChunkedMesh& chunked, const std::vector<ElementFace>& fac
 TieFailures::TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                          const Communicator& ranks)
     : chunked_(chunked), ranks_(ranks) {
-  const std::vector<TieDeck>& decks = deck.contact.ties;
-  if (std::none_of(decks.begin(), decks.end(), has_failure)) return;
+  for (const TieDeck& tie : deck.contact.ties) {
+    law_of_tie_.push_back(tie.can_fail() ? static_cast<int>(laws_.size()) : -1);
+    if (!tie.can_fail()) continue;
+    laws_.push_back(
+        {tie.normal_strength.value_or(0), tie.shear_strength.value_or(0), tie.normal_exponent, tie.shear_exponent});
+  }
+  if (laws_.empty()) return;
+  sum_areas(deck, ties);
+  refuse_bare(deck, ties);
+  use(ties);
+}
+
+/// Areas of the nodes, each added up in the order of its faces.
+void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties) {
   std::vector<AreaItem> items;
-  for (std::size_t t = 0; t < decks.size(); ++t) {
-    law_of_tie_.push_back(has_failure(decks[t]) ? static_cast<int>(laws_.size()) : -1);
-    if (!has_failure(decks[t])) continue;
-    laws_.push_back({decks[t].normal_strength.value_or(0), decks[t].shear_strength.value_or(0),
-                     decks[t].normal_exponent, decks[t].shear_exponent});
-    list_shares(chunked, select_surface_nodes(chunked.mesh, deck, decks[t].a).faces, ties.known[t], items);
+  for (std::size_t t = 0; t < law_of_tie_.size(); ++t) {
+    if (law_of_tie_[t] >= 0)
+      list_shares(chunked_, select_surface_nodes(chunked_.mesh, deck, deck.contact.ties[t].a).faces, ties.known[t],
+                  items);
   }
   std::vector<int> owners;
-  for (const AreaItem& item : items) owners.push_back(chunked.numbering.find_node_owner(item.node));
-  items = ItemExchange(ranks).send(owners, items);
+  for (const AreaItem& item : items) owners.push_back(chunked_.numbering.find_node_owner(item.node));
+  items = ItemExchange(ranks_).send(owners, items);
   std::sort(items.begin(), items.end(),
             [](const AreaItem& a, const AreaItem& b) { return a.node != b.node ? a.node < b.node : a.face < b.face; });
-  std::vector<std::int64_t> bare(decks.size(), 0);
   for (const TiedNode& tied : ties.nodes) {
     if (law_of_tie_[at(tied.tie)] < 0) continue;
-    double area = 0;
     auto item = std::lower_bound(items.begin(), items.end(), tied.node,
                                  [](const AreaItem& i, std::int64_t number) { return i.node < number; });
-    for (; item != items.end() && item->node == tied.node; ++item) area += item->area;
     numbers_.push_back(tied.node);
-    areas_.push_back(area);
-    if (!(area > 0)) ++bare[at(tied.tie)];
+    areas_.push_back(0);
+    for (; item != items.end() && item->node == tied.node; ++item) areas_.back() += item->area;
   }
   has_failed_.assign(numbers_.size(), 0);
-  all_reduce(ranks, Reduce::sum, bare);
-  for (std::size_t t = 0; t < decks.size(); ++t) {
+}
+
+void TieFailures::refuse_bare(const Deck& deck, const TiedSurfaces& ties) const {
+  std::vector<std::int64_t> bare(law_of_tie_.size(), 0);
+  std::size_t next = 0;
+  for (const TiedNode& tied : ties.nodes)
+    if (law_of_tie_[at(tied.tie)] >= 0 && !(areas_[next++] > 0)) ++bare[at(tied.tie)];
+  all_reduce(ranks_, Reduce::sum, bare);
+  for (std::size_t t = 0; t < bare.size(); ++t) {
     if (bare[t] == 0) continue;
+    const TieDeck& tie = deck.contact.ties[t];
     throw InputError(fmt::format(
         "{}: error: tie of '{}' and '{}' cannot fail by stress ({} of its nodes are on no face of side a that is tied "
         "with all its corners): tie a surface of whole faces, or leave out failure",
-        deck.where(decks[t].place), decks[t].a.name, decks[t].b.name, bare[t]));
+        deck.where(tie.place), tie.a.name, tie.b.name, bare[t]));
   }
-  take(ties);
 }
 
-void TieFailures::take(const TiedSurfaces& ties) {
-  if (!any()) return;
-  taken_.clear();
-  std::vector<int> law;
+void TieFailures::use(const TiedSurfaces& ties) {
+  if (laws_.empty()) return;
+  in_use_.clear();
+  tie_in_use_.clear();
+  std::vector<int> law, side;
   std::vector<double> area;
   for (const TiedNode& tied : ties.nodes) {
-    taken_.push_back(tied.node);
+    in_use_.push_back(tied.node);
+    tie_in_use_.push_back(tied.tie);
+    side.push_back(tied.side);
     law.push_back(law_of_tie_[at(tied.tie)]);
     area.push_back(law.back() < 0 ? 1 : areas_[at(find_number(numbers_, tied.node))]);
   }
   strengths_ = {to_view("contact::tie_laws", law), to_view("contact::tie_strengths", laws_),
-                to_view("contact::tie_areas", area)};
+                to_view("contact::tie_areas", area), to_view("contact::tie_sides", side)};
+  int some = std::any_of(law.begin(), law.end(), [](int l) { return l >= 0; }) ? 1 : 0;
+  all_reduce(ranks_, Reduce::largest, some);
+  any_left_ = some != 0;
 }
 
-std::int64_t TieFailures::judge(const Array<const double>& use) {
-  failing_.clear();
+std::vector<std::int64_t> TieFailures::judge(const Array<const double>& use) {
+  noted_.clear();
+  std::vector<std::int64_t> counts(law_of_tie_.size(), 0);
   const auto host = to_host(use);
-  for (std::size_t t = 0; t < taken_.size(); ++t)
-    if (host(t) >= 1) failing_.push_back(taken_[t]);
-  auto count = static_cast<std::int64_t>(failing_.size());
-  all_reduce(ranks_, Reduce::sum, count);
-  return count;
+  for (std::size_t t = 0; t < in_use_.size(); ++t) {
+    if (!(host(t) >= 1)) continue;
+    noted_.push_back(at(find_number(numbers_, in_use_[t])));
+    ++counts[at(tie_in_use_[t])];
+  }
+  all_reduce(ranks_, Reduce::sum, counts);
+  return counts;
 }
 
-void TieFailures::let_go(TiedSurfaces& ties) {
-  for (const std::int64_t number : failing_) has_failed_[at(find_number(numbers_, number))] = 1;
-  std::vector<std::int64_t> gone = gather_items(ranks_, failing_);
-  std::sort(gone.begin(), gone.end());
-  count_ += static_cast<std::int64_t>(gone.size());
-  failing_.clear();
-  const auto is_gone = [&](std::int64_t number) { return std::binary_search(gone.begin(), gone.end(), number); };
+ReleasedTies TieFailures::release(TiedSurfaces& ties) {
+  std::vector<ReleasedNode> own;
+  for (const std::size_t n : noted_) {
+    has_failed_[n] = 1;
+    const auto tied = std::lower_bound(ties.nodes.begin(), ties.nodes.end(), numbers_[n],
+                                       [](const TiedNode& t, std::int64_t number) { return t.node < number; });
+    own.push_back({tied->node, tied->tie});
+  }
+  noted_.clear();
+  ReleasedTies free;
+  ties.released.resize(ties.known.size());
+  for (const ReleasedNode& node : gather_items(ranks_, own)) {
+    free.nodes.push_back(node.node);
+    ties.released[at(node.tie)].push_back(node.node);
+  }
+  std::sort(free.nodes.begin(), free.nodes.end());
+  count_ += static_cast<std::int64_t>(free.nodes.size());
+  std::erase_if(ties.nodes, [&](const TiedNode& tied) { return holds(free.nodes, tied.node); });
   const Mesh& mesh = chunked_.mesh;
-  std::erase_if(ties.nodes, [&](const TiedNode& tied) { return is_gone(tied.node); });
+  const std::vector<std::int64_t> elements = list_element_numbers(chunked_);
   for (std::size_t t = 0; t < ties.known.size(); ++t) {
-    std::vector<std::int64_t>& known = ties.known[t];
-    std::erase_if(known, is_gone);
+    std::sort(ties.released[t].begin(), ties.released[t].end());
+    std::vector<std::int64_t>& tied = ties.known[t];
+    std::erase_if(tied, [&](std::int64_t number) { return holds(free.nodes, number); });
     std::erase_if(ties.faces[t][0], [&](const ElementFace& face) {
       const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
-      return std::none_of(nodes.begin(), nodes.end(), [&](int node) {
-        return std::binary_search(known.begin(), known.end(), mesh.node_numbers[at(node)]);
-      });
+      const bool is_free =
+          std::none_of(nodes.begin(), nodes.end(), [&](int node) { return holds(tied, mesh.node_numbers[at(node)]); });
+      if (is_free) free.faces.push_back(find_face_number(elements[at(face.element)], face.face));
+      return is_free;
     });
   }
+  return free;
 }
 
-bool TieFailures::archive(CheckpointArchive& archive) {
-  if (!any()) return false;
+bool TieFailures::archive(CheckpointArchive& archive, TiedSurfaces& ties) {
+  if (laws_.empty()) return false;
   archive.rows("contact/ties/failed", find_rows_of_nodes(chunked_, numbers_), 1, std::span<double>(has_failed_));
   if (!archive.is_loading()) return false;
-  failing_.clear();
+  noted_.clear();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
-    if (has_failed_[n] != 0) failing_.push_back(numbers_[n]);
-  auto count = static_cast<std::int64_t>(failing_.size());
-  all_reduce(ranks_, Reduce::sum, count);
+    if (has_failed_[n] != 0) noted_.push_back(n);
   count_ = 0;
-  return count > 0;
+  release(ties);
+  return count_ > 0;
 }
 
 }  // namespace percuss

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "comm/exchange/item_exchange.hpp"
 #include "kernels/contact/enforcement/tie_strength.hpp"
 #include "src/contact/surface/tied_surfaces.hpp"
 #include "src/deck/deck.hpp"
@@ -12,31 +13,41 @@
 
 namespace percuss {
 
+/// What ties that let go set free.
+struct ReleasedTies {
+  std::vector<std::int64_t> nodes;  // numbers, of all ranks, ascending
+  std::vector<std::int64_t> faces;  // numbers of this rank's faces of which no corner is tied any more
+};
+
 class TieFailures {
  public:
   /// ties: those of the start. Throws InputError, on all ranks, where a node has no area. Collective.
   TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties, const Communicator& ranks);
 
-  /// Whether any tie of the deck can fail.
-  bool any() const { return !laws_.empty(); }
+  /// Whether ties are left, on any rank, that can fail.
+  bool any_left() const { return any_left_; }
 
-  /// From now on ties are these.
-  void take(const TiedSurfaces& ties);
+  /// The ties in use from now on. Collective.
+  void use(const TiedSurfaces& ties);
   const TieStrengths& strengths() const { return strengths_; }
 
-  /// Notes the ties, as they were taken last, whose use has reached 1. Returns how many these are on all ranks.
-  /// Collective.
-  std::int64_t judge(const Array<const double>& use);
+  /// Notes the nodes of the ties in use whose use of their strength has reached 1. Returns how many nodes of each tie
+  /// of the deck these are, on all ranks. Collective.
+  std::vector<std::int64_t> judge(const Array<const double>& use);
   /// Takes the nodes noted last out of the ties of the start. Collective.
-  void let_go(TiedSurfaces& ties);
+  ReleasedTies release(TiedSurfaces& ties);
 
   /// Nodes that have let go, on all ranks.
   std::int64_t count() const { return count_; }
 
-  /// Loading: let_go() is then to be called if this returns true. Collective.
-  bool archive(CheckpointArchive& archive);
+  /// Loading: takes the nodes that have let go out of the ties of the start, and returns whether there are any.
+  /// Collective.
+  bool archive(CheckpointArchive& archive, TiedSurfaces& ties);
 
  private:
+  void sum_areas(const Deck& deck, const TiedSurfaces& ties);
+  void refuse_bare(const Deck& deck, const TiedSurfaces& ties) const;
+
   const ChunkedMesh& chunked_;
   const Communicator ranks_;
   std::vector<TieStrength> laws_;      // [failing ties]
@@ -44,9 +55,11 @@ class TieFailures {
   std::vector<std::int64_t> numbers_;  // of the nodes that this rank owned in failing ties at the start, ascending
   std::vector<double> areas_;          // [numbers]
   std::vector<double> has_failed_;     // [numbers] 1 or 0
-  std::vector<std::int64_t> taken_;    // nodes of the ties as taken last
-  std::vector<std::int64_t> failing_;  // noted last
+  std::vector<std::int64_t> in_use_;   // nodes of the ties in use
+  std::vector<int> tie_in_use_;        // [in use] of the deck
+  std::vector<std::size_t> noted_;     // places in numbers_, by judge()
   TieStrengths strengths_;
+  bool any_left_ = false;
   std::int64_t count_ = 0;
 };
 

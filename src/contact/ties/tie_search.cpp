@@ -86,6 +86,15 @@ Box find_reach(const Mesh& mesh, const Face& face) {
   return box;
 }
 
+/// TiedNode::side. Nodes on a solid are outside of it, wherever the gap or the overlap of the start puts them.
+int find_side(const TieGeometry& tie, bool is_shell) {
+  constexpr double least = 1e-6;  // of the face
+  if (!is_shell) return 1;
+  const double height = dot(find_face_normal(tie.face), tie.offset);
+  if (height > least * tie.size) return 1;
+  return height < -least * tie.size ? -1 : 0;
+}
+
 /// Judges one node by one face; the face must not belong to an element of the node.
 void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& best) {
   for (const int corner : face.corners)
@@ -109,6 +118,7 @@ void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& 
   answer.found.geometry.offset = -interpolate(points, closest.weight);
   answer.found.geometry.face = center_face(points);
   answer.found.geometry.size = face.size;
+  answer.found.side = find_side(answer.found.geometry, face.thickness > 0);
   answer.joined = best.joined;
   best = answer;
 }

@@ -70,7 +70,7 @@ const Keys<TieDeck>& tie_failure_keys() {
 }
 
 bool check_tie_failure(const Reader& reader, const Node& node, TieDeck& tie) {
-  if (tie.normal_strength || tie.shear_strength) return check_strengths(reader, node, tie);
+  if (tie.can_fail()) return check_strengths(reader, node, tie);
   reader.error(node.spot, fmt::format("{} names no strength (must have normal or shear)", reader.self()));
   return false;
 }

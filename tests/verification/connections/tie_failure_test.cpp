@@ -110,6 +110,99 @@ output: {history: {every: 0, forces: [{name: glue, contact: [high, low]}]}}
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 
+// Meshes that do not match, turned, flush or overlapping by 0.02 of a face: the side of a node is that of its body,
+// whatever round-off makes of the gap.
+TEST(TieFailure, TellsTensionFromPressureWhereNodesLieInTheFaceOrBehindIt) {
+  const auto press = [](double overlap, double speed) {
+    const double z = 0.02 - overlap;
+    return run_deck(fmt::format(R"yaml(
+time: {{end: 2e-5}}
+parts:
+  low: {{box: {{size: [0.02, 0.02, 0.02], cells: [4, 4, 4]}}, material: m, rotate: [{{axis: y, angle: 33}}]}}
+  high: {{box: {{size: [0.02, 0.02, 0.02], cells: [3, 3, 3]}}, material: m, rotate: [{{axis: y, angle: 33}}], at: [{}, 0, {}]}}
+materials: {{m: {{model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}}}
+contact: {{surfaces: all, ties: [{{a: high/z_min, b: low/z_max, failure: {{normal: 1e5}}}}]}}
+initial: [{{part: high, velocity: [{}, 0, {}]}}]
+output: {{history: {{every: 0}}}}
+)yaml",
+                                z * std::sin(33 * M_PI / 180), z * std::cos(33 * M_PI / 180),
+                                speed * std::sin(33 * M_PI / 180), speed * std::cos(33 * M_PI / 180)));
+  };
+  for (const double overlap : {0.0, 1e-4}) {
+    EXPECT_EQ(press(overlap, -2).history.last("failed_ties"), 0) << overlap;
+    EXPECT_EQ(press(overlap, 2).history.last("failed_ties"), 16) << overlap;
+  }
+}
+
+// A shell has the area of one side, also where its part is named.
+TEST(TieFailure, CountsAShellOnce) {
+  const auto pull = [](const char* side) {
+    const Outcome run = run_deck(fmt::format(R"yaml(
+time: {{end: 4e-4, max_step: 1e-6}}
+parts:
+  low: {{box: {{size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}}, material: m}}
+  plate: {{shell_plate: {{size: [0.02, 0.02], cells: [3, 3]}}, thickness: 0.002, at: [0, 0, 0.021], material: m}}
+  flyer: {{box: {{size: [0.02, 0.02, 0.02], cells: [1, 1, 1]}}, at: [0, 1, 0], material: m}}
+materials: {{m: {{model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}}}
+contact: {{surfaces: all, ties: [{{a: {}, b: low/z_max, distance: 1e-4, failure: {{normal: 1e6}}}}]}}
+conditions: [{{nodes: low, fixed: [x, y, z]}}]
+initial: [{{part: flyer, velocity: [0, 0, 10]}}]
+loads: {{pressure: [{{faces: plate/top, value: {{expression: "-4e9 * t"}}}}]}}
+output: {{history: {{every: 0}}}}
+)yaml",
+                                             side));
+    return run.history["time"][find_failure(run.history)];
+  };
+  EXPECT_EQ(pull("plate"), pull("plate/bottom"));
+  EXPECT_NEAR(pull("plate"), 2.5e-4, 1e-5);
+}
+
+// A block that overlaps another by 0.045 of a face slides off its tie and moves on into it: contact takes it up.
+TEST(TieFailure, LeavesOverlapToContact) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-4, max_step: 1e-6}
+parts:
+  low: {box: {size: [0.04, 0.02, 0.02], cells: [4, 2, 2]}, material: m}
+  high: {box: {size: [0.02, 0.02, 0.02], cells: [3, 3, 3]}, at: [0.003, 0, 0.0197], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}
+contact:
+  surfaces: all
+  ties: [{a: high/z_min, b: low/z_max, distance: 6e-4, failure: {shear: 1e5}}]
+initial: [{part: high, velocity: [5, 0, -10]}]
+output: {history: {every: 0, forces: [{name: push, contact: [high, low]}], nodes: [{name: foot, near: [0.013, 0.01, 0.0197], part: high}]}}
+conditions: [{nodes: low/z_min, fixed: [x, y, z]}]
+)yaml");
+  EXPECT_EQ(run.history.last("failed_ties"), 16);
+  EXPECT_GT(run.history.largest("fz:push"), 0.1 * 10 * 1e6 * 4e-4);  // of the force of two bars that meet at 10 m/s
+  EXPECT_GT(run.history.last("foot_vz"), 0);                         // it comes back
+}
+
+// Two ties: only that which fails is named.
+TEST(TieFailure, IsToldOfTheTieThatFails) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 1e-4}
+parts:
+  low: {box: {size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}, material: m}
+  high: {box: {size: [0.02, 0.02, 0.02], cells: [3, 3, 3]}, at: [0, 0, 0.02], material: m}
+  low2: {box: {size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}, at: [1, 0, 0], material: m}
+  high2: {box: {size: [0.02, 0.02, 0.02], cells: [3, 3, 3]}, at: [1, 0, 0.02], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0}}
+contact:
+  surfaces: all
+  ties:
+    - {a: high/z_min, b: low/z_max, failure: {normal: 1e9}}
+    - {a: high2/z_min, b: low2/z_max, failure: {normal: 1e5}}
+initial: [{part: high2, velocity: [0, 0, 2]}]
+output: {history: {every: 0}}
+)yaml");
+  EXPECT_EQ(run.history.last("failed_ties"), 16);
+  for (const Warning& warning : run.summary.warnings) {
+    if (warning.rule != "tie_failure") continue;
+    EXPECT_NE(warning.text.find("'high2/z_min' and 'low2/z_max'"), std::string::npos) << warning.text;
+    EXPECT_EQ(warning.count, 16);
+  }
+}
+
 TEST(TieFailure, NeedsFacesThatAreTiedWhole) {
   const std::string deck = R"yaml(
 time: {end: 1e-4}
