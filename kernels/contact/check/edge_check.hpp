@@ -17,13 +17,10 @@ namespace percuss {
 
 namespace contact_limits {
 
-/// New pairs whose wedges a plane parts but for this sine, in place of reach_through, touch where they have crossed by
-/// crossed_depth: what only runs past, as bricks in line do, stays above it.
+/// New pairs may be parted less well than reach_through, by this sine, once they have crossed by crossed_depth. Pairs
+/// that only run past each other, as of bricks in line, do not come so deep.
 inline constexpr double wide_reach_through = history_reach_through;
 inline constexpr double crossed_depth = 5e-3;
-/// Edges that crossed deeper than new_depth without a row are kept from going deeper, down to this depth: unlike a node
-/// behind a face, a pair tells by its wedges from which side it came.
-inline constexpr double new_edge_depth = 0.25;
 
 }  // namespace contact_limits
 
@@ -103,8 +100,8 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
 
 /// Turns a crossing so that its normal points out of B's wedge and into A's. Returns how far the plane that it is
 /// square to is from parting the wedges: find_reach_through(). side: the distance at the start along c.normal of edges
-/// with thickness between them, whose lines are apart when they touch: if either way parts the wedges it says which; 0
-/// of edges of solids.
+/// with thickness; 0 of edges of solids. Their lines are apart when they touch. If either way parts the wedges, it says
+/// which.
 KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
                                      Crossing& c) {
   namespace limits = contact_limits;
@@ -124,15 +121,6 @@ KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool known, double gap, dou
   namespace limits = contact_limits;
   const bool is_wide = known || gap < -limits::crossed_depth * size;
   return reach <= (is_wide ? limits::wide_reach_through : limits::reach_through);
-}
-
-/// How deep a pair may be inside one another at n. Only a plane that parts it tells from which side a new one came, and
-/// edges of shells may be nearer than their thickness around a fold.
-KOKKOS_INLINE_FUNCTION double find_deepest_start(double reach, bool known, double size, double offset) {
-  namespace limits = contact_limits;
-  if (known) return limits::history_depth * size + offset;
-  const bool tells_side = offset == 0 && reach <= limits::reach_through;
-  return (tells_side ? limits::new_edge_depth : limits::new_depth) * size;
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
@@ -253,7 +241,8 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > find_edge_row_gap(known, h)) return false;
-  if (touch.gap_start < -find_deepest_start(reach, known, h, offset)) return false;
+  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
+  if (touch.gap_start < -deepest) return false;
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
