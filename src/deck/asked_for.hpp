@@ -25,9 +25,4 @@ inline bool can_fail(const Deck& deck) {
                      [](const MaterialDeck& material) { return material.failure.has_value(); });
 }
 
-/// Whether any tie can fail.
-inline bool can_ties_fail(const ContactDeck& contact) {
-  return std::any_of(contact.ties.begin(), contact.ties.end(), [](const TieDeck& tie) { return tie.can_fail(); });
-}
-
 }  // namespace percuss

@@ -4,6 +4,7 @@
 // docs/deck.md documents every key with unit, default and range; read_deck.cpp is the one place that maps keys to
 // these members.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -390,6 +391,10 @@ struct ContactDeck {
   /// When contact nodes and faces are divided again over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
+
+  bool has_failing_ties() const {
+    return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.can_fail(); });
+  }
 };
 
 struct TimeDeck {

@@ -3,7 +3,6 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/deck/asked_for.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/sensors/held_directions.hpp"
 
@@ -109,7 +108,7 @@ void Stepper::archive(CheckpointArchive& archive) {
     archive.number("contact/report/stored", report_.stored);
   if (deck_.contact.enforcement == ContactDeck::Enforcement::lagrange)
     archive.number_or_infinity("contact/report/complementarity", report_.complementarity);
-  if (can_ties_fail(deck_.contact)) archive.number("contact/report/failed_ties", report_.failed_ties);
+  if (deck_.contact.has_failing_ties()) archive.number("contact/report/failed_ties", report_.failed_ties);
   archive.number("contact/report/deepest", report_.deepest);
   archive.number("contact/report/deepest_node", report_.deepest_node);
   contact_.archive(archive);

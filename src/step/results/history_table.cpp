@@ -19,7 +19,7 @@ bool removes_nodes(const Deck& deck) {
 }
 bool resists_folding(const Deck& deck) { return deck.elements.resist_folding; }
 bool is_damped(const Deck& deck) { return !deck.dampings.empty(); }
-bool ties_can_fail(const Deck& deck) { return can_ties_fail(deck.contact); }
+bool ties_can_fail(const Deck& deck) { return deck.contact.has_failing_ties(); }
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
 bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
