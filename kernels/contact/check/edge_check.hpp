@@ -1,11 +1,11 @@
 #pragma once
 // The detailed check of one pair of edges: do they touch in this step, where, how deep?
 //
-// Ways into contact as for a node and a face (pair_check.hpp): crossing near one another at the end of the step
-// (touching), going through one another within it (swept), or left far behind after touching at its start (held). The
-// push direction is square to both edges; a plane square to it must part the two wedges of faces, so that edges that
-// only run past each other, as those of bricks in line do, never touch. Ends of edges belong to nodes and faces, nearly
-// parallel edges too.
+// Ways into contact are those of a node and a face (pair_check.hpp). Touching: they cross near one another at the end
+// of the step. Swept: they go through one another within it. Held: they touched at its start, and are left far behind.
+// The push direction is square to both edges. A plane square to it must part the two wedges of faces, so that edges
+// that only run past each other never touch, as those of bricks in line. Ends of edges belong to nodes and faces,
+// nearly parallel edges too.
 
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/edge_geometry.hpp"
@@ -17,12 +17,12 @@ namespace percuss {
 
 namespace contact_limits {
 
-/// New pairs whose wedges a plane parts but for this sine, in place of reach_through, touch where they have crossed by
-/// crossed_depth: what only runs past, as bricks in line do, stays above it.
+/// New pairs may have wedges that a plane parts only but for this sine, in place of reach_through. They touch once they
+/// have crossed by crossed_depth. What only runs past crosses by less, as bricks in line do.
 inline constexpr double wide_reach_through = history_reach_through;
 inline constexpr double crossed_depth = 5e-3;
-/// Edges that crossed deeper than new_depth without a row are kept from going deeper, down to this depth: unlike a node
-/// behind a face, a pair tells by its wedges from which side it came.
+/// Down to this depth edges that crossed deeper than new_depth without a row are kept from going deeper. A pair tells
+/// by its wedges from which side it came, unlike a node behind a face.
 inline constexpr double new_edge_depth = 0.25;
 
 }  // namespace contact_limits
@@ -101,10 +101,10 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
   return found;
 }
 
-/// Turns a crossing so that its normal points out of B's wedge and into A's. Returns how far the plane that it is
-/// square to is from parting the wedges: find_reach_through(). side: the distance at the start along c.normal of edges
-/// with thickness between them, whose lines are apart when they touch: if either way parts the wedges it says which; 0
-/// of edges of solids.
+/// Turns a crossing so that its normal points out of B's wedge and into A's. Returns how far the plane square to it is
+/// from parting the wedges: find_reach_through(). side: the distance along c.normal at the start, of edges with
+/// thickness between them; 0 of edges of solids. Lines of the former are apart when they touch: if either way parts the
+/// wedges, side says which.
 KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
                                      Crossing& c) {
   namespace limits = contact_limits;
@@ -126,8 +126,8 @@ KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool known, double gap, dou
   return reach <= (is_wide ? limits::wide_reach_through : limits::reach_through);
 }
 
-/// How deep a pair may be inside one another at n. Only a plane that parts it tells from which side a new one came, and
-/// edges of shells may be nearer than their thickness around a fold.
+/// How deep a pair may be inside one another at n. Only a plane that parts it tells from which side a new one came.
+/// Edges of shells may be nearer than their thickness around a fold.
 KOKKOS_INLINE_FUNCTION double find_deepest_start(double reach, bool known, double size, double offset) {
   namespace limits = contact_limits;
   if (known) return limits::history_depth * size + offset;
@@ -257,9 +257,9 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
-/// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
-/// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
-/// that side.
+/// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not. Also 0 below
+/// half of h, or with thickness between them below their lines: there an edge is no longer said to have come from that
+/// side.
 KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                               EdgeTouch& touch) {
   constexpr double deepest = 0.5;
