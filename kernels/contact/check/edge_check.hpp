@@ -3,9 +3,9 @@
 //
 // Ways into contact are those of a node and a face (pair_check.hpp). Touching: they cross near one another at the end
 // of the step. Swept: they go through one another within it. Held: they touched at its start, and are left far behind.
-// The push direction is square to both edges. A plane square to it must part the two wedges of faces, so that edges
-// that only run past each other never touch, as those of bricks in line. Ends of edges belong to nodes and faces,
-// nearly parallel edges too.
+// The push direction is square to both edges. A plane square to it must part the two wedges of faces: edges that
+// only run past each other, as those of bricks in line, never touch. Ends of edges belong to nodes and faces, nearly
+// parallel edges too.
 
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/edge_geometry.hpp"
@@ -257,9 +257,9 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
-/// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not. Also 0 below
-/// half of h, or with thickness between them below their lines: there an edge is no longer said to have come from that
-/// side.
+/// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not. Also 0 if
+/// they are deeper than half of h, or with thickness between them deeper than their lines. There an edge is no longer
+/// said to have come from that side.
 KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                               EdgeTouch& touch) {
   constexpr double deepest = 0.5;
