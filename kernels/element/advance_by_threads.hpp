@@ -1,13 +1,13 @@
 #pragma once
 // The element part of a step on a device: a team of threads a chunk, a thread an element.
 //
-// Records and corners of `Stored` elements lie side by side, one element a lane, so that neighbouring threads read
-// neighbouring words. The team works through its chunk in rounds. After a round a thread a slot adds up the corner
-// forces of the round, in the order of elements and of their corners: the sums have the bits of those that the launcher
-// of packs makes (advance_chunk.hpp). Runs on hosts too, where a test compares both.
+// Records and corners of `Stored` elements lie side by side, one element a lane: neighbouring threads read neighbouring
+// words. The team works through its chunk in rounds. After a round a thread a slot adds up the corner forces of the
+// round, in the order of elements and of their corners. The sums have the bits of those that the launcher of packs
+// makes (advance_chunk.hpp). Runs on hosts too, where a test compares both.
 //
-// Not served: chunks that rest are not skipped, and elements neither fail nor resist folding, nor is their step
-// watched.
+// Not served: chunks that rest are not skipped. Elements neither fail nor resist folding, and nobody watches their
+// step.
 
 #include <bit>
 #include <cstdint>

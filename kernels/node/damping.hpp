@@ -5,8 +5,8 @@
 // v(n+1/2) = [(1 - h) v(n-1/2) + dt_mean f / m] / (1 + h) with h = c dt_mean / 2.
 //
 // Forces that come later in the step, as those of penalty contact, are not divided by 1 + h. Damping of the old
-// velocity alone leaves all forces whole, so that they balance at rest: v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean
-// f / m. The largest stable step is then 2 / w / sqrt(1 + h), so that h is limited.
+// velocity alone leaves all forces whole: they balance at rest. v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean f / m.
+// The largest stable step is then 2 / w / sqrt(1 + h). It limits h.
 
 #include "kernels/core/views.hpp"
 
@@ -40,8 +40,8 @@ struct DampingStep {
   DampedVelocity velocity = DampedVelocity::mean;
 };
 
-/// Impulse over momentum: what the damped velocity is multiplied by, of a mean that before and after it, without
-/// damping. coefficient: c, at least 0 [1 / time].
+/// Impulse over momentum: what the damped velocity is multiplied by. A mean is that of the velocities without damping.
+/// coefficient: c, at least 0 [1 / time].
 KOKKOS_INLINE_FUNCTION double find_damped_share(double coefficient, double dt_mean, DampedVelocity velocity) {
   const double both = coefficient * dt_mean, share = both / (1 + 0.5 * both);
   return velocity == DampedVelocity::old && share > largest_old_share ? largest_old_share : share;

@@ -41,6 +41,14 @@ class Block:
 
 
 @dataclass
+class StartTable:
+    """A file of start.fields: its rows by the ids of elements."""
+
+    heading: str
+    rows: dict[int, list[str]] = field(default_factory=dict)
+
+
+@dataclass
 class Model:
     """All that is written. Sets are by their names in the deck."""
 
@@ -53,7 +61,7 @@ class Model:
     element_sets: dict[str, tuple[str, list[int]]] = field(default_factory=dict)  # kind "SHELL" or "SOLID", ids
     materials: dict[str, Deck] = field(default_factory=dict)
     deck: Deck = field(default_factory=dict)  # the other sections
-    tables: dict[str, list[str]] = field(default_factory=dict)  # files beside the deck, by name: their lines
+    start_tables: dict[str, "StartTable"] = field(default_factory=dict)  # files beside the deck, by name
     names: "Names" = field(default_factory=lambda: Names())
 
     def used_nodes(self) -> set[int]:
@@ -82,12 +90,17 @@ class Model:
         """Appends to a section of the deck that is a list."""
         self.deck.setdefault(section, []).append(entry)
 
-    def add_start_table(self, name: str, heading: str, lines: list[str]) -> None:
-        """A file beside the deck, and its entry of start.fields; more of the same name goes on in the same file."""
-        if name not in self.tables:
-            self.tables[name] = [heading]
+    @property
+    def tables(self) -> dict[str, list[str]]:
+        """Files beside the deck, by name: their lines."""
+        return {name: [table.heading, *(row for rows in table.rows.values() for row in rows)] for name, table in self.start_tables.items()}
+
+    def add_start_rows(self, name: str, heading: str, rows: dict[int, list[str]]) -> None:
+        """Rows of elements, in a file beside the deck with its entry of start.fields. Of an element the later ones count."""
+        if name not in self.start_tables:
+            self.start_tables[name] = StartTable(heading)
             self.deck.setdefault("start", {}).setdefault("fields", []).append({"file": name})
-        self.tables[name] += lines
+        self.start_tables[name].rows.update(rows)
 
     def add_node_set(self, wish: str, nodes: Iterable[int]) -> str:
         """A set of nodes under a name of its own."""

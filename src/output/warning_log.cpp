@@ -18,7 +18,7 @@ void WarningLog::append(const Warning& warning) {
 }
 
 void WarningLog::add(const Warning& warning) {
-  if (is_silenced(warning)) return;
+  if (is_silenced(warning.rule)) return;
   const auto earlier = std::find_if(warnings_.begin(), warnings_.end(), [&](const Warning& other) {
     return other.rule == warning.rule && other.place == warning.place && other.text == warning.text;
   });
@@ -31,7 +31,7 @@ void WarningLog::add(const std::vector<Warning>& warnings) {
 }
 
 void WarningLog::renew(const Warning& warning) {
-  if (is_silenced(warning)) return;
+  if (is_silenced(warning.rule)) return;
   const auto earlier = std::find_if(warnings_.begin(), warnings_.end(), [&](const Warning& other) {
     return other.rule == warning.rule && other.place == warning.place;
   });
@@ -42,7 +42,7 @@ void WarningLog::renew(const Warning& warning) {
 
 void WarningLog::restore(const std::vector<Warning>& warnings) {
   std::copy_if(warnings.begin(), warnings.end(), std::back_inserter(warnings_),
-               [&](const Warning& warning) { return !is_silenced(warning); });
+               [&](const Warning& warning) { return !is_silenced(warning.rule); });
 }
 
 std::string count_warnings(const std::vector<Warning>& warnings) {

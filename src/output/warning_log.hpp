@@ -29,11 +29,13 @@ class WarningLog {
   /// Takes the warnings of an earlier part of the run without printing, since they were printed then.
   void restore(const std::vector<Warning>& warnings);
 
+  /// Whether the warnings of a rule are dropped.
+  bool is_silenced(const std::string& rule) const { return silenced_.count(rule) > 0; }
+
   /// In the order in which they were found.
   const std::vector<Warning>& list() const { return warnings_; }
 
  private:
-  bool is_silenced(const Warning& warning) const { return silenced_.count(warning.rule) > 0; }
   void append(const Warning& warning);
 
   std::set<std::string> silenced_;

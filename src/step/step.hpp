@@ -96,6 +96,8 @@ class Stepper {
   /// Of mass scaling and of welds, since the last call; the same on all ranks.
   std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
+  /// Before the first step: energy in the springs of contact that a relaxation has left.
+  void note_stored(double energy) { report_.stored = energy; }
   /// Bodies that ask for a shorter next step than elements and springs do; null: none.
   const Approach* find_limiting_approach(const State& state) const;
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.

@@ -469,6 +469,38 @@ class Scene(InFolder):
             self.assertNotEqual(text, decks.STRESSED)
             self.assertEqual(list(self.refusals(text)), [f"INITIAL_STRESS_{name}"])
 
+    def test_stresses_that_a_law_cannot_begin_with_are_refused(self):
+        card = "*INITIAL_STRESS_SOLID\n5,1\n0.0,0.0,{s},0.0,0.0,0.0,{p}\n*END"
+        name = "INITIAL_STRESS_SOLID"
+        for law, s, p, refused, row in (
+            ("hydro", "5.0e6", "0.0", "material", None),
+            ("viscous", "5.0e6", "0.0", "material", None),
+            ("blatz", "5.0e6", "0.0", "material", None),
+            ("blatz", "0.0", "0.0", None, None),
+            ("isotropic", "5.0e6", "0.01", None, "5,0.0,0.0,5000000.0,0.0,0.0,0.0,0.01"),
+        ):
+            _, cards, state, shells = decks.LAWS[law]
+            text = decks.make_block(cards, state, shells).replace("*END", card.format(s=s, p=p))
+            self.assertEqual(list(self.refusals(text)), [f"{name}.{refused}"] if refused else [])
+            model, _ = self.read(text, f"{name}.*")
+            self.assertEqual(model.tables.get("solid_stresses.csv", [None, None])[1], row)
+        rigid = decks.make_block("*MAT_RIGID\n1,7850.0,2.0e11,0.3\n0\n0\n").replace("*END", card.format(s="1.0", p="0.0"))
+        self.assertEqual(list(self.refusals(rigid)), [f"{name}.material"])
+        elastic = decks.make_block("*MAT_ELASTIC\n1,7850.0,2.0e11,0.3\n").replace("*END", card.format(s="1.0", p="0.01"))
+        self.assertEqual(list(self.refusals(elastic)), [f"{name}.EPS"])
+        self.assertEqual(self.read(elastic, f"{name}.EPS")[0].tables["solid_stresses.csv"][1], "5,0.0,0.0,1.0,0.0,0.0,0.0,0.0")
+
+        ten = decks.TEN_NODES.replace("*END", card.format(s="1.0", p="0.0").replace("5,1", "500,1"))
+        self.assertEqual(list(self.refusals(ten)), [f"{name}.ten_nodes"])
+
+    def test_of_two_stresses_of_an_element_the_later_counts(self):
+        again = "*INITIAL_STRESS_SOLID\n500,1\n1.0,2.0,3.0,4.0,5.0,6.0\n*INITIAL_STRESS_SHELL\n500,1,1\n0.0,7.0\n*END"
+        text = decks.STRESSED.replace("*END", again)
+        tables = self.read(text)[0].tables
+        self.assertEqual(tables["solid_stresses.csv"][1:], ["500,1.0,2.0,3.0,4.0,5.0,6.0,0.0"])
+        self.assertEqual(tables["shell_stresses.csv"][1:], [f"1500,{layer},7.0,0.0,0.0,0.0,0.0,0.0,0.0" for layer in range(1, 6)])
+        self.accept(text)
+
     def test_forms_of_sets_ties_and_spins(self):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
@@ -881,6 +913,27 @@ class Abaqus(InFolder):
         ):
             _, ledger = self.read_abaqus(text.replace(old, new))
             self.assertEqual({entry.card for entry in ledger.list_refused()}, {f"INITIAL CONDITIONS.{name}"})
+
+    def test_stresses_that_elements_of_abaqus_cannot_begin_with_are_refused(self):
+        def with_stress(text, extra=""):
+            return text.replace("*STEP\n", f"*INITIAL CONDITIONS, TYPE=STRESS\nblock-1.all, 1., 2., 3., 4., 5., 6.\n{extra}*STEP\n")
+
+        strain = "*INITIAL CONDITIONS, TYPE=HARDENING\nblock-1.all, 0.01\n"
+        rubber = decks.ABAQUS.replace("7850.,\n*ELASTIC\n2.e11, 0.3\n", "1200.,\n*HYPERELASTIC, NEO HOOKE\n1.e6, 1.e-8\n")
+        self.assertNotEqual(rubber, decks.ABAQUS)
+        for text, refused in (
+            (with_stress(decks.ABAQUS_BODIES), 1), (with_stress(rubber), 1), (with_stress(decks.ABAQUS), 0),
+            (with_stress(decks.ABAQUS, strain), 1), (with_stress(decks.ABAQUS_BODIES).replace("1., 2., 3., 4., 5., 6.", "0., 0., 0., 0., 0., 0."), 0),
+        ):  # fmt: skip
+            _, ledger = self.read_abaqus(text)
+            self.assertEqual([entry.card for entry in ledger.list_refused()], ["INITIAL CONDITIONS.material"] * refused)
+
+    def test_of_two_stresses_of_abaqus_the_later_counts(self):
+        again = "*INITIAL CONDITIONS, TYPE=STRESS\nblock-1.all, 2., 2., 2., 2., 2., 2.\n*STEP\n"
+        text = decks.ABAQUS_STRESSED.replace("*STEP\n", again)
+        model, _ = self.read_abaqus(text)
+        self.assertEqual([row.partition(",")[2] for row in model.tables["stresses.csv"][1:]], ["2.0,2.0,2.0,2.0,2.0,2.0"])
+        self.accept(text, "deck.inp")
 
     def test_a_deck_with_instances_is_accepted(self):
         done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")

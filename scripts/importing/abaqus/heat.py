@@ -70,7 +70,7 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
 
 
 def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Place) -> None:
-    rows = []
+    rows: dict[int, list[str]] = {}
     for block in warm:
         for id, corners in block.elements():
             if len(corners) == 10:
@@ -79,7 +79,7 @@ def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Pl
                 )
                 continue
             value = math.fsum(deck.temperatures.get(node, 0.0) for node in corners) / len(corners)
-            rows.append(f"{id},{value!r}")
+            rows[id] = [f"{id},{value!r}"]
     if rows:
-        deck.model.add_start_table("temperatures.csv", "element,temperature", rows)
+        deck.model.add_start_rows("temperatures.csv", "element,temperature", rows)
         deck.ledger.approximated("INITIAL CONDITIONS.several", place, "start.fields: of each element the mean of its nodes")

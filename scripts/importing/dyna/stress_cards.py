@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from ..fields import Row
 from ..ledger import Place
 from ..model import Block
+from ..starts import takes_plastic_strain, takes_stress
 from .cards import Card, Lines
 from .deck import KeywordDeck
 
@@ -15,6 +16,7 @@ MOST_LINES = 10**6  # of one element
 SAME_POINT = 1e-4  # of places across a shell, from -1 to 1
 
 Values = list[float]
+Points = list[tuple[float, Values]]  # the place across a shell, and what is there
 
 
 def mean(rows: list[Values]) -> Values:
@@ -33,6 +35,7 @@ def read_stresses(deck: KeywordDeck, card: Card) -> None:
     of_shells = card.keyword == "INITIAL_STRESS_SHELL"
     shift = deck.shell_shift if of_shells else 0
     blocks = {id: block for block in deck.model.blocks for id, _ in (block.shells if of_shells else block.solids)}
+    ten_nodes = {id for block in deck.model.blocks for id, corners in block.solids if len(corners) == 10 and not of_shells}
     reader = card.reader()
     while reader.skip_blank():
         row = reader.row("EID NPLANE NTHICK NHISV NTENSR LARGE NTHINT NTHHSV" if of_shells else "EID NINT NHISV LARGE IVEFLG IALEGP NTHINT NTHHSV")
@@ -43,13 +46,36 @@ def read_stresses(deck: KeywordDeck, card: Card) -> None:
         row.finish(deck.ledger)
         if id not in blocks:
             deck.ledger.refuse(f"{card.keyword}.EID", row.place, "stresses of elements that are not in the mesh", "they are left out")
-        elif of_shells:
-            add_shell(deck, id, points, blocks[id])
-        else:
-            deck.model.add_start_table("solid_stresses.csv", f"element,{QUANTITIES}", [f"{id},{write(mean([values for _, values in points]))}"])
-            if len(points) > 1:
-                deck.ledger.approximated(f"{card.keyword}.NINT", row.place, "the mean of all points of an element")
+        elif id in ten_nodes:
+            if has_values(points):
+                deck.ledger.refuse(f"{card.keyword}.ten_nodes", row.place, "stresses of tetrahedra of ten nodes", "they begin without stress")
+        elif may_begin_so(deck, card, row.place, points, blocks[id]):
+            if of_shells:
+                add_shell(deck, id, points, blocks[id])
+            else:
+                add_solid(deck, card, row.place, id, points)
     deck.ledger.translated(card.keyword, card.place, "start.fields: a table of stresses and plastic strains")
+
+
+def has_values(points: Points) -> bool:
+    return any(any(values) for _, values in points)
+
+
+def may_begin_so(deck: KeywordDeck, card: Card, place: Place, points: Points, block: Block) -> bool:
+    """Whether an element has a row; its plastic strains become 0 where its law has none."""
+    if not takes_stress(deck.model, block):
+        if has_values(points):
+            deck.ledger.refuse(
+                f"{card.keyword}.material", place, "stresses of rigid parts, or of a law whose stress does not grow in increments",
+                "they begin without stress and plastic strain",
+            )  # fmt: skip
+        return False
+    if not takes_plastic_strain(deck.model, block):
+        if any(values[6] for _, values in points):
+            deck.ledger.refuse(f"{card.keyword}.EPS", place, "plastic strains of a law without them", "they begin without plastic strain")
+        for _, values in points:
+            values[6] = 0.0
+    return True
 
 
 def has_other_lines(deck: KeywordDeck, card: Card, row: Row, of_shells: bool) -> bool:
@@ -61,7 +87,7 @@ def has_other_lines(deck: KeywordDeck, card: Card, row: Row, of_shells: bool) ->
     return False
 
 
-def read_points(reader: Lines, row: Row, of_shells: bool) -> list[tuple[float, Values]]:
+def read_points(reader: Lines, row: Row, of_shells: bool) -> Points:
     """The place across the shell, and stresses and plastic strain there."""
     names = ("NPLANE", "NTHICK") if of_shells else ("NINT",)
     count = math.prod(max(row.integer(name), 1) for name in names)
@@ -74,17 +100,24 @@ def read_points(reader: Lines, row: Row, of_shells: bool) -> list[tuple[float, V
     return points
 
 
-def add_shell(deck: KeywordDeck, id: int, points: list[tuple[float, Values]], block: Block) -> None:
+def add_solid(deck: KeywordDeck, card: Card, place: Place, id: int, points: Points) -> None:
+    values = mean([values for _, values in points])
+    deck.model.add_start_rows("solid_stresses.csv", f"element,{QUANTITIES}", {id: [f"{id},{write(values)}"]})
+    if len(points) > 1:
+        deck.ledger.approximated(f"{card.keyword}.NINT", place, "the mean of all points of an element")
+
+
+def add_shell(deck: KeywordDeck, id: int, points: Points, block: Block) -> None:
     """A row for each layer, between and beyond the points of the card along straight lines."""
     levels = merge_levels(points)
     places = find_gauss_points(block.keys.get("points", 1))
     rows = [f"{id},{layer},{write(interpolate(levels, place))}" for layer, place in enumerate(places, 1)]
-    deck.model.add_start_table("shell_stresses.csv", f"element,layer,{QUANTITIES}", rows)
+    deck.model.add_start_rows("shell_stresses.csv", f"element,layer,{QUANTITIES}", {id: rows})
     if len(levels) > 1 and not fits(levels, places):
         deck.ledger.approximated("INITIAL_STRESS_SHELL.T", block.place, "stresses of the layers from straight lines between the points of the card")
 
 
-def merge_levels(points: list[tuple[float, Values]]) -> list[tuple[float, Values]]:
+def merge_levels(points: Points) -> Points:
     """From bottom to top; points of one place across are one."""
     levels: list[tuple[float, list[Values]]] = []
     for place, values in sorted(points, key=lambda point: point[0]):
@@ -94,11 +127,11 @@ def merge_levels(points: list[tuple[float, Values]]) -> list[tuple[float, Values
     return [(place, mean(rows)) for place, rows in levels]
 
 
-def fits(levels: list[tuple[float, Values]], places: list[float]) -> bool:
+def fits(levels: Points, places: list[float]) -> bool:
     return len(levels) == len(places) and all(abs(a - b) < SAME_POINT for (a, _), b in zip(levels, places, strict=True))
 
 
-def interpolate(levels: list[tuple[float, Values]], place: float) -> Values:
+def interpolate(levels: Points, place: float) -> Values:
     """Stresses go on beyond the outer points; a plastic strain does not fall below 0."""
     if len(levels) == 1 or abs(place - levels[0][0]) < SAME_POINT:
         return levels[0][1]

@@ -131,19 +131,24 @@ class GmshReader {
     scan_.is_binary = was_binary;
   }
 
-  /// In version 2.0 a name has no dimension, and counts for groups of any.
+  /// In version 2.0 a name has no dimension, and counts for groups of any. Some programs give it one all the same.
   void read_name() {
-    const std::int64_t dimension = names_have_dimensions_ ? scan_.next_integer<int>("a dimension") : 0;
-    const std::int64_t tag = scan_.next_integer<int>("a group");
-    const std::string_view rest = scan_.next_line();
-    const std::size_t first = rest.find('"'), last = rest.rfind('"');
-    if (first == std::string_view::npos || last == first || dimension < 0 || dimension > 3)
-      scan_.refuse(fmt::format("a name is not as: {}group \"name\"", names_have_dimensions_ ? "dimension " : ""));
+    const std::int64_t first = scan_.next_integer<int>(names_have_dimensions_ ? "a dimension" : "a group");
+    const TextPlace place = scan_.place();
+    const std::string_view line = scan_.next_line();
+    const std::size_t open = std::min(line.find('"'), line.size()), close = line.rfind('"');
+    const std::string_view between = strip_blanks(line.substr(0, open));
+    const std::optional<std::int64_t> second = parse_integer(between);
+    const bool has_dimension = names_have_dimensions_ || !between.empty();
+    if (close == std::string_view::npos || close == open || second.has_value() != has_dimension ||
+        (has_dimension && (first < 0 || first > 3)))
+      scan_.refuse_at(
+          place, fmt::format("a name is not as: {} \"name\"", names_have_dimensions_ ? "dimension group" : "group"));
     std::string name;
-    for (const char c : rest.substr(first + 1, last - first - 1)) name += c >= ' ' || c < 0 ? c : ' ';
+    for (const char c : line.substr(open + 1, close - open - 1)) name += c >= ' ' || c < 0 ? c : ' ';
     if (name.empty()) return;
     for (int d = 0; d <= 3; ++d)
-      if (d == dimension || !names_have_dimensions_) names_[{d, tag}] = name;
+      if (!has_dimension || d == first) names_[{d, has_dimension ? *second : first}] = name;
   }
 
   void read_entities() {

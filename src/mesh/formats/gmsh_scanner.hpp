@@ -22,7 +22,8 @@ class GmshScanner {
 
   TextPlace place() const { return {0, line_}; }
   std::size_t bytes_left() const { return text_.size() - at_; }
-  [[noreturn]] void refuse(const std::string& what) const { names_.refuse(place(), what); }
+  [[noreturn]] void refuse(const std::string& what) const { refuse_at(place(), what); }
+  [[noreturn]] void refuse_at(const TextPlace& place, const std::string& what) const { names_.refuse(place, what); }
 
   /// The rest of the line.
   std::string_view next_line() {

@@ -43,6 +43,7 @@ void Run::relax() {
   if (!relaxation.is_settled()) note_unsettled(describe_unsettled(relaxation, *deck_.start.relaxation));
   say({fmt::format("relaxation: {} after {} steps: {}", summary_.relaxation.state, summary_.relaxation.steps,
                    relaxation.describe())});
+  stepper_.note_stored(summary_.relaxation.contact_stored);
   relaxation.finish();
 }
 

@@ -61,24 +61,25 @@ std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& ch
   return warnings;
 }
 
-std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time,
-                                        const std::string& deepest) {
-  std::vector<Warning> warnings;
-  if (!contact.converged) {
-    warnings.push_back({"unconverged_contact",
-                        "the contact enforcement did not converge in a step (some penetration remains): see the column "
-                        "residual of history.csv",
-                        "", time, 1});
-  }
-  if (contact.deepest > accepted_depth + noted_depth) {
-    warnings.push_back(
-        {deep_penetration,
-         fmt::format("a contact node penetrates deeper than {:g} of a face edge{}{} (contact is lost at {:g}): use a "
-                     "finer mesh there, a smaller time.step_scale, or with penalty a larger contact.penalty_scale",
-                     noted_depth, deepest.empty() ? "" : ", first ", deepest, contact_limits::history_depth),
-         "", time, 1});
-  }
-  return warnings;
+std::vector<Warning> warn_of_residual(const ContactReport& contact, double time) {
+  if (contact.converged) return {};
+  return {{"unconverged_contact",
+           "the contact enforcement did not converge in a step (some penetration remains): see the column residual of "
+           "history.csv",
+           "", time, 1}};
+}
+
+bool is_deep(const ContactReport& contact, double accepted_depth) {
+  return contact.deepest > accepted_depth + noted_depth;
+}
+
+Warning warn_of_depth(double time, const std::string& deepest) {
+  return {deep_penetration,
+          fmt::format(
+              "a contact node penetrates deeper than {:g} of a face edge{}{} (contact is lost at {:g}): use a finer "
+              "mesh there, a smaller time.step_scale, or with penalty a larger contact.penalty_scale",
+              noted_depth, deepest.empty() ? "" : ", first ", deepest, contact_limits::history_depth),
+          "", time, 1};
 }
 
 double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt) {

@@ -20,12 +20,16 @@ namespace percuss {
 /// InputError, the same on all ranks, where coordinates do not resolve the elements.
 std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& chunked);
 
-/// Contact that was not enforced to its tolerance, or that is deep. accepted_depth: the deepest at the start / face
-/// edge; deepest: names the node that is deepest, or empty.
-std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time,
-                                        const std::string& deepest);
+/// Contact of a step that was not enforced to its tolerance.
+std::vector<Warning> warn_of_residual(const ContactReport& contact, double time);
 
-constexpr const char* deep_penetration = "deep_penetration";  // the rule of these that names a node
+constexpr const char* deep_penetration = "deep_penetration";  // the rule of warn_of_depth()
+
+/// Whether contact is so deep that a run warns of it. accepted_depth: the deepest at the start / face edge.
+bool is_deep(const ContactReport& contact, double accepted_depth);
+
+/// The warning of it. deepest: names the node that is deepest.
+Warning warn_of_depth(double time, const std::string& deepest);
 
 /// What the energies of a run are judged by at its end [energy].
 struct EnergyScales {

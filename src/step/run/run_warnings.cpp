@@ -27,17 +27,18 @@ void RunWarnings::renew(const std::vector<Warning>& warnings) {
 void RunWarnings::note_step(const ContactReport& report, double time,
                             const std::function<std::string()>& name_deepest) {
   if (accepted_depth_ < 0) accepted_depth_ = report.deepest;
-  for (Warning& warning : find_step_warnings(report, accepted_depth_, time, "")) {
-    if (warning.rule == deep_penetration) {
-      const auto& told = log_.list();
-      const auto first =
-          std::find_if(told.begin(), told.end(), [](const Warning& w) { return w.rule == deep_penetration; });
-      warning.text = first != told.end()
-                         ? first->text
-                         : find_step_warnings(report, accepted_depth_, time, name_deepest()).back().text;
-    }
-    log_.add(warning);
-  }
+  log_.add(warn_of_residual(report, time));
+  if (is_deep(report, accepted_depth_) && !log_.is_silenced(deep_penetration)) note_depth(time, name_deepest);
+}
+
+/// The text is that of the first such step, so that later ones count with it.
+void RunWarnings::note_depth(double time, const std::function<std::string()>& name_deepest) {
+  const auto& told = log_.list();
+  const auto first =
+      std::find_if(told.begin(), told.end(), [](const Warning& w) { return w.rule == deep_penetration; });
+  Warning warning = warn_of_depth(time, first == told.end() ? name_deepest() : "");
+  if (first != told.end()) warning.text = first->text;
+  log_.add(warning);
 }
 
 void RunWarnings::note_gain(double given, const EnergyScales& scales, const GainPlace& where,

@@ -36,7 +36,8 @@ class RunWarnings {
 
   /// Overlap at the start that is pushed out: find_pushed_square().
   void note_pushed(double pushed_square) { pushed_square_ = pushed_square; }
-  /// Contact of a step. name_deepest: of the deepest node, called on all ranks where a warning first names it.
+  /// Contact of a step. name_deepest: of the deepest node, called on all ranks where a warning first names it; never
+  /// where deep_penetration is silenced.
   void note_step(const ContactReport& report, double time, const std::function<std::string()>& name_deepest);
 
   /// Contact that has given too much energy: tells it once, with where that was, and keeps its figures up to date.
@@ -56,6 +57,7 @@ class RunWarnings {
 
  private:
   void tell(const Warning& warning) const;
+  void note_depth(double time, const std::function<std::string()>& name_deepest);
 
   Communicator ranks_;
   Progress* progress_ = nullptr;

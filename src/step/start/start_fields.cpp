@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
@@ -63,21 +64,6 @@ const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
                        [&](const MaterialDeck& material) { return material.name == part.material; });
 }
 
-/// Why an element cannot have what a file gives it; empty: its record tells.
-std::string find_obstacle(const Deck& deck, const PartDeck& part, const StartTable& table, const StartRow& row) {
-  if (part.rigid) return "is rigid and has no stress";
-  const MaterialDeck& material = find_material(deck, part);
-  if (table.stress != StartTable::absent && !grows_in_increments(material))
-    return fmt::format(
-        "is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
-        "without an equation of state",
-        material.name);
-  if (row.temperature == nullptr || !material.equation_of_state || material.law.model != JohnsonCook::name) return "";
-  const double zero = find_constants<JohnsonCook>(material.law).absolute_zero;
-  if (*row.temperature > zero) return "";
-  return fmt::format("has a temperature that is not above absolute_zero of material '{}' ({:g})", material.name, zero);
-}
-
 /// Quantities that files have given an element, as bits.
 int list_quantities(const StartTable& table) {
   return (table.stress != StartTable::absent ? 1 : 0) | (table.plastic_strain != StartTable::absent ? 2 : 0) |
@@ -86,6 +72,33 @@ int list_quantities(const StartTable& table) {
 
 const char* name_quantity(int bits) {
   return (bits & 1) != 0 ? "stress" : (bits & 2) != 0 ? "plastic strain" : "temperature";
+}
+
+/// The first quantity of a table.
+const char* name_quantity(const StartTable& table) { return name_quantity(list_quantities(table)); }
+
+/// A temperature must be one that start_temperature of the deck could be.
+std::string find_obstacle_to(double temperature, const MaterialDeck& material) {
+  if (material.law.model != JohnsonCook::name) return "";
+  JohnsonCook law = find_constants<JohnsonCook>(material.law);
+  law.start_temperature = temperature;
+  std::string_view fault = law.find_fault();
+  if (fault.empty() && material.equation_of_state) fault = law.find_fault_with_state();
+  if (fault.empty()) return "";
+  return fmt::format("begins with the temperature {:g}, which gives its material '{}' {}", temperature, material.name,
+                     fault);
+}
+
+/// Why an element cannot have what a file gives it; empty: its record tells.
+std::string find_obstacle(const Deck& deck, const PartDeck& part, const StartTable& table, const StartRow& row) {
+  if (part.rigid) return fmt::format("is rigid and has no {}", name_quantity(table));
+  const MaterialDeck& material = find_material(deck, part);
+  if (table.stress != StartTable::absent && !grows_in_increments(material))
+    return fmt::format(
+        "is of material '{}' (whose stress does not grow in increments): use elastic or a plastic law "
+        "without an equation of state",
+        material.name);
+  return row.temperature == nullptr ? "" : find_obstacle_to(*row.temperature, material);
 }
 
 StartRow read_row(const StartTable& table, int row) {

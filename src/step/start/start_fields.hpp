@@ -14,9 +14,10 @@ namespace percuss {
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity);
 
-/// Sets the stresses, plastic strains and temperatures of the elements that files name in a state at time 0, and books
-/// the elastic energy that they hold as internal energy. Collective. Throws likewise: an id that is not there, a beam,
-/// a material whose stress does not grow in increments, or that has no such history.
+/// Sets the stresses, plastic strains and temperatures of the elements that files name, in a state at time 0. Books
+/// their elastic energy as internal energy. Collective. Throws likewise: an id that is not there, a rigid part, a beam;
+/// a stress of a material whose stress does not grow in increments, a history that the material does not have; a
+/// temperature at which its law may not start.
 void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
 
 }  // namespace percuss

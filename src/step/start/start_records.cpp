@@ -80,9 +80,13 @@ double StartRecords::get(const StartElement& of, int place) const {
   return static_cast<double>((&records_(chunks.first_state(of.chunk)))[pack + place * pack_width + lane % pack_width]);
 }
 
-std::string StartRecords::find_obstacle(const StartElement& of, std::int64_t layer) const {
+std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& row) const {
+  const std::int64_t layer = row.layer;
   const int dimension = mesh_.topology_of(at(of.element)).dimension, points = model_.chunks.points(of.chunk);
-  if (dimension == 1) return "is a beam (beams begin without stress)";
+  if (dimension == 1)
+    return fmt::format("is a beam (beams take no {} from files)", row.stress != nullptr           ? "stress"
+                                                                  : row.plastic_strain != nullptr ? "plastic strain"
+                                                                                                  : "temperature");
   if (dimension == 3 && layer > 0) return "is no shell and has no layers (leave out the column layer)";
   if (layer > points) return fmt::format("has no layer {} (it has {})", layer, points);
   return "";
@@ -140,7 +144,7 @@ std::string StartRecords::set_shell_stress(const StartElement& of, const StartRo
 
 std::string StartRecords::write(const StartElement& of, const StartRow& row, double& energy) {
   energy = 0;
-  std::string why = find_obstacle(of, row.layer);
+  std::string why = find_obstacle(of, row);
   if (why.empty() && row.plastic_strain != nullptr)
     why = set_history(of, HistoryScalar::equivalent_plastic_strain, row.layer, *row.plastic_strain);
   if (why.empty() && row.temperature != nullptr)

@@ -47,7 +47,7 @@ class StartRecords {
   std::string set_history(const StartElement& of, HistoryScalar name, std::int64_t layer, double value);
   double set_solid_stress(const StartElement& of, const double* stress);
   std::string set_shell_stress(const StartElement& of, const StartRow& row, double& energy);
-  std::string find_obstacle(const StartElement& of, std::int64_t layer) const;
+  std::string find_obstacle(const StartElement& of, const StartRow& row) const;
   void set(const StartElement& of, int place, double value);
   double get(const StartElement& of, int place) const;
 

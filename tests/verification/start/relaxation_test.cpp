@@ -240,6 +240,7 @@ output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}, 
   }
   // What springs hold is no energy that contact gives.
   EXPECT_GT(run.summary.relaxation.contact_stored, 0);
+  EXPECT_DOUBLE_EQ(run.history["contact_stored"][0], run.summary.relaxation.contact_stored);
   EXPECT_NEAR(run.history.last("contact_stored"), run.summary.relaxation.contact_stored,
               1e-4 * run.summary.relaxation.contact_stored);
   for (const Warning& warning : run.summary.warnings) EXPECT_NE(warning.rule, "contact_energy");

@@ -171,6 +171,10 @@ TEST(StartFields, ElementsThatCannotHaveAStressAreRefused) {
   std::string rigid = hang(", rigid: true");
   rigid.erase(rigid.find("conditions:"), rigid.find("loads:") - rigid.find("conditions:"));
   EXPECT_THAT(scene.find_error(rigid), HasSubstr("element 3 is rigid and has no stress"));
+  scene.add_file("s.csv", "element,temperature\n3,300\n");
+  EXPECT_THAT(scene.find_error(rigid), HasSubstr("s.csv:2: error: element 3 is rigid and has no temperature"));
+  scene.add_file("s.csv", "element,equivalent_plastic_strain,temperature\n3,0,300\n");
+  EXPECT_THAT(scene.find_error(rigid), HasSubstr("element 3 is rigid and has no plastic strain"));
   scene.add_file("s.csv", std::string(heading) + ",equivalent_plastic_strain\n3,0,0,1,0,0,0,0.1\n");
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a plastic strain (its material has none)"));
   scene.add_file("s.csv", "element,temperature\n3,300\n");
@@ -295,6 +299,42 @@ output: {{history: {{every: 1e-4, elements: [{{name: one, id: 1}}]}}}}
     // Waves across are left by the sudden start; plastic flow has them die out.
     EXPECT_NEAR(run.history.mean(5e-3, 1e-2, "one_von_mises"), 80e6, 1e-3 * 80e6) << shape;
   }
+}
+
+// Of a table as of the deck: below melt_temperature, and with an equation of state 70 above absolute_zero.
+TEST(StartFields, ATemperatureAtWhichItsLawMayNotStartIsRefused) {
+  const FieldsScene scene;
+  const std::string law =
+      "johnson_cook, a: 100e6, b: 0, n: 1, melt_temperature: 800, room_temperature: 300, start_temperature: 300, "
+      "specific_heat: 500";
+  const std::string state = ", equation_of_state: {kind: mie_grueneisen, sound_speed: 4000, slope: 1.5, grueneisen: 2}";
+  const auto find_error = [&](double temperature, const std::string& more) {
+    scene.add_file("s.csv", fmt::format("element,temperature\n2,300\n3,{}\n", temperature));
+    return scene.find_error(hang("", law + more));
+  };
+  const std::string start = "s.csv:3: error: element 3 begins with the temperature ";
+  EXPECT_THAT(find_error(800, ""), HasSubstr(start + "800, which gives its material 'steel' a melt_temperature that is "
+                                                     "not above its start_temperature"));
+  EXPECT_EQ(find_error(799, ""), "");
+  EXPECT_EQ(find_error(-5, ""), "");
+  EXPECT_THAT(find_error(900, state), HasSubstr("900, which gives its material 'steel' a melt_temperature"));
+  EXPECT_THAT(find_error(70, state), HasSubstr(start + "70, which gives its material 'steel' a start_temperature less "
+                                                       "than 70 above its absolute_zero"));
+  EXPECT_EQ(find_error(71, state), "");
+}
+
+TEST(StartFields, ABeamTakesNothingFromFiles) {
+  const FieldsScene scene;
+  const std::string deck = R"yaml(
+time: {end: 1e-5}
+parts: {bar: {line: {from: [0, 0, 0], to: [1, 0, 0], cells: 2}, section: {round: {radius: 0.1}}, material: steel}}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+start: {fields: [{file: s.csv}]}
+)yaml";
+  scene.add_file("s.csv", "element,temperature\n1,300\n");
+  EXPECT_THAT(scene.find_error(deck), HasSubstr("element 1 is a beam (beams take no temperature from files)"));
+  scene.add_file("s.csv", std::string(heading) + "\n1,1,0,0,0,0,0\n");
+  EXPECT_THAT(scene.find_error(deck), HasSubstr("element 1 is a beam (beams take no stress from files)"));
 }
 
 TEST(StartFields, AnElementHasAStressFromOneFileOnly) {

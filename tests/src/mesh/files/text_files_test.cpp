@@ -164,6 +164,27 @@ TEST(GmshFile, OfVersion2IsReadAsThatOf22) {
   }
 }
 
+// Some programs say version 2 and give names a dimension all the same.
+TEST(GmshFile, OfVersion2MayGiveNamesADimension) {
+  for (const std::string version : {"2", "2.0"}) {
+    const PartMesh mesh = read_part(change(gmsh_22, "2.2 0 8", version + " 0 8"), "old.msh", {"left"});
+    EXPECT_THAT(mesh.element_ids, ElementsAre(3));
+    EXPECT_THAT(mesh.node_sets.at("tip"), ElementsAre(11));
+    EXPECT_THAT(mesh.side_sets.at("near side"), ElementsAre(ElementFace{0, 3}));
+  }
+}
+
+TEST(GmshFile, RefusesOtherWordsBeforeAName) {
+  for (const std::string wrong : {"3 1 1 \"left", "3 x \"left", "3 1x\"left", "5 1 \"left"}) {
+    for (const std::string version : {"2", "2.2"}) {
+      const std::string text = change(change(gmsh_22, "2.2 0 8", version + " 0 8"), "3 1 \"left", wrong);
+      const std::string expected = version == "2" ? "group" : "dimension group";
+      EXPECT_THAT([&] { read_part(text, "a.msh"); },
+                  ThrowsMessage<InputError>(HasSubstr("a.msh:9: a name is not as: " + expected + " \"name\"")));
+    }
+  }
+}
+
 TEST(AbaqusFile, GivesTheElementsOfASet) {
   const PartMesh mesh = read_part(abaqus_input, "two.inp", {"half of it"});
   EXPECT_THAT(mesh.element_ids, ElementsAre(3, 5));

@@ -2,9 +2,13 @@
 
 #include "src/step/run/run_notes.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "src/step/run/run_warnings.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {
@@ -100,18 +104,47 @@ TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
 TEST(StepWarnings, TellContactThatDidNotConvergeOrIsDeep) {
   ContactReport report;
   report.deepest = 0.09;
-  EXPECT_THAT(find_step_warnings(report, 0, 0.5, ""), IsEmpty());
+  EXPECT_THAT(warn_of_residual(report, 0.5), IsEmpty());
+  EXPECT_FALSE(is_deep(report, 0));
   report.converged = false;
   EXPECT_THAT(
-      format_all(find_step_warnings(report, 0, 0.5, "")),
+      format_all(warn_of_residual(report, 0.5)),
       ElementsAre(AllOf(HasSubstr("did not converge in a step"), HasSubstr("[unconverged_contact] (t = 0.5)"))));
-  report.converged = true;
   report.deepest = 0.2;
-  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5, "")), ElementsAre(HasSubstr("[deep_penetration]")));
-  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5, "node 17 at (1, 2, 3), 0.2 of a face edge")),
-              ElementsAre(HasSubstr(
-                  "deeper than 0.1 of a face edge, first node 17 at (1, 2, 3), 0.2 of a face edge (contact")));
-  EXPECT_THAT(find_step_warnings(report, 0.15, 0.5, ""), IsEmpty());  // 0.15 were accepted at the start
+  EXPECT_TRUE(is_deep(report, 0));
+  EXPECT_FALSE(is_deep(report, 0.15));  // 0.15 were accepted at the start
+  EXPECT_THAT(
+      format_warning(warn_of_depth(0.5, "node 17 at (1, 2, 3), 0.2 of a face edge")),
+      AllOf(HasSubstr("deeper than 0.1 of a face edge, first node 17 at (1, 2, 3), 0.2 of a face edge (contact"),
+            HasSubstr("[deep_penetration] (t = 0.5)")));
+}
+
+// To name the node takes all ranks and copies of positions: it is done once, and not for a warning that nobody hears.
+TEST(StepWarnings, NameTheDeepestNodeOnce) {
+  for (const bool is_silenced : {false, true}) {
+    std::set<std::string> silenced;
+    if (is_silenced) silenced.insert(deep_penetration);
+    RunWarnings warnings(silenced, Communicator::world());
+    ContactReport report;
+    int names = 0;
+    const auto note = [&](double deepest, double time) {
+      report.deepest = deepest;
+      warnings.note_step(report, time, [&] { return fmt::format("node {}", ++names); });
+    };
+    note(0, 1);
+    note(0.2, 2);
+    report.converged = false;
+    note(0.3, 3);
+    note(0.05, 4);
+    EXPECT_EQ(names, is_silenced ? 0 : 1);
+    const auto& told = warnings.list();
+    ASSERT_EQ(told.size(), is_silenced ? 1U : 2U);
+    EXPECT_EQ(told.back().rule, "unconverged_contact");
+    if (is_silenced) continue;
+    EXPECT_THAT(told[0].text, HasSubstr("first node 1 (contact"));
+    EXPECT_EQ(told[0].time, 2);
+    EXPECT_EQ(told[0].count, 2);
+  }
 }
 
 TEST(ResolvedEnergy, IsThatOfAMotionByTheRoundOffOfContact) {
