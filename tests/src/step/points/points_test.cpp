@@ -1,5 +1,6 @@
 // Material points inside elements, and single points of integration, in the history.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +73,7 @@ TEST(MaterialPoints, MoveWithTheirElements) {
   const Outcome run = run_deck(make_spinning(five_points), {});
   ASSERT_EQ(run.history.rows(), 41u);
   for (std::size_t p = 0; p < 5; ++p) {
-    const std::string name = "p" + std::to_string(p);
+    const std::string name = fmt::format("p{}", p);
     for (const std::size_t row : {std::size_t{0}, std::size_t{40}}) {
       const double time = run.history["time"][row];
       EXPECT_NEAR(run.history[name + "_x"][row], 2.0 * static_cast<double>(p) + 0.41 + 0.1 * time, 1e-13) << name;
