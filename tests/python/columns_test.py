@@ -49,7 +49,10 @@ materials:
   hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}
 initial: [{part: a, velocity: [0, 0, 1]}]
 conditions: [{nodes: b/z_max, fixed: [x, y, z]}]
-contact: {surfaces: [[a, b], [b, b]], enforcement: lagrange}
+contact:
+  surfaces: [[a, b], [b, b]]
+  enforcement: lagrange
+  ties: [{a: b/z_min, b: a/z_max, distance: 1.1, failure: {normal: 1e12}}]
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
 welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}

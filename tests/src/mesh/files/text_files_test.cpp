@@ -167,8 +167,8 @@ TEST(GmshFile, OfVersion2IsReadAsThatOf22) {
 // Some programs say version 2 and give names a dimension all the same.
 TEST(GmshFile, OfVersion2MayGiveNamesADimension) {
   for (const std::string version : {"2", "2.0"}) {
-    const PartMesh mesh = read_part(change(gmsh_22, "2.2 0 8", version + " 0 8"), "old.msh", {"left"});
-    EXPECT_THAT(mesh.element_ids, ElementsAre(3));
+    const PartMesh mesh = read_part(change(gmsh_22, "2.2 0 8", version + " 0 8"), "old.msh", {"left", "block_2"});
+    EXPECT_EQ(mesh.element_ids, read_part(gmsh_22, "two.msh", {"left", "block_2"}).element_ids);
     EXPECT_THAT(mesh.node_sets.at("tip"), ElementsAre(11));
     EXPECT_THAT(mesh.side_sets.at("near side"), ElementsAre(ElementFace{0, 3}));
   }
