@@ -90,6 +90,7 @@ void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties) {
                   items);
   }
   std::vector<int> owners;
+  owners.reserve(items.size());
   for (const AreaItem& item : items) owners.push_back(chunked_.numbering.find_node_owner(item.node));
   items = ItemExchange(ranks_).send(owners, items);
   std::sort(items.begin(), items.end(),
