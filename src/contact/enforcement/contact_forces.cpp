@@ -168,7 +168,7 @@ void ContactForces::archive(CheckpointArchive& archive) {
 
 void ContactForces::archive_books(CheckpointArchive& archive, std::size_t f) {
   const auto count = [](const ChunkRows& rows) {
-    return std::accumulate(rows.counts.begin(), rows.counts.end(), std::size_t{0});
+    return static_cast<std::size_t>(std::accumulate(rows.counts.begin(), rows.counts.end(), std::int64_t{0}));
   };
   std::size_t first = 0;
   for (std::size_t before = 0; before < f; ++before) first += count(book_rows_[before]);
