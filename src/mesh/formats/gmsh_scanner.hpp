@@ -1,6 +1,8 @@
 #pragma once
 // Words, numbers and bytes of a file of Gmsh.
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -48,7 +50,7 @@ class GmshScanner {
     if (is_binary) return static_cast<std::int64_t>(next_bytes<T>(what));
     const std::string_view word = next_word();
     const auto value = parse_integer(word);
-    if (!value) refuse(std::string(what) + " is " + quote_field(word) + " (a whole number is expected)");
+    if (!value) refuse(fmt::format("{} is {} (a whole number is expected)", what, quote_field(word)));
     return *value;
   }
 
@@ -56,7 +58,7 @@ class GmshScanner {
     if (is_binary) return next_bytes<double>(what);
     const std::string_view word = next_word();
     const auto value = parse_real(word);
-    if (!value) refuse(std::string(what) + " is " + quote_field(word) + " (a number is expected)");
+    if (!value) refuse(fmt::format("{} is {} (a number is expected)", what, quote_field(word)));
     return *value;
   }
 
@@ -65,7 +67,7 @@ class GmshScanner {
   std::int64_t next_count(const char* what, std::size_t bytes_each) {
     const std::int64_t count = next_integer<T>(what);
     if (count < 0 || static_cast<std::uint64_t>(count) > bytes_left() / bytes_each + 1)
-      refuse(std::string(what) + " is " + std::to_string(count) + ", which the rest of the file cannot hold");
+      refuse(fmt::format("{} is {}, which the rest of the file cannot hold", what, count));
     return count;
   }
 
@@ -74,7 +76,7 @@ class GmshScanner {
 
   template <class T>
   T next_bytes(const char* what) {
-    if (bytes_left() < sizeof(T)) refuse(std::string("the file ends within ") + what);
+    if (bytes_left() < sizeof(T)) refuse(fmt::format("the file ends within {}", what));
     T value;
     std::memcpy(&value, text_.data() + at_, sizeof(T));
     at_ += sizeof(T);

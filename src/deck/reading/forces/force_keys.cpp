@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "src/deck/keys/keys.hpp"
+
 namespace percuss {
 namespace {
 
