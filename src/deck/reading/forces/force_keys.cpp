@@ -210,6 +210,7 @@ std::string identify_box(const Selector& where) {
 
 std::string identify_all(const std::vector<Selector>& side) {
   std::vector<std::string> texts;
+  texts.reserve(side.size());
   for (const Selector& where : side) texts.push_back(where.name + identify_box(where));
   return fmt::format("{}", fmt::join(texts, "+"));
 }
