@@ -1,32 +1,19 @@
 #pragma once
 // Ties that fail by the stress between a tied node and its face.
 
+#include "kernels/contact/geometry/connection_strength.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
-/// A node lets go where (tension / normal)^m + (shear stress / shear)^n reaches 1. Compression does not count.
-struct TieStrength {
-  double normal = 0, shear = 0;  // stresses; 0: none
-  double normal_exponent = 2, shear_exponent = 2;
-};
-
 /// What the tied nodes of a rank hold.
 struct TieStrengths {
-  Array<const int> law;             // [ties] -1: does not fail
-  Array<const TieStrength> laws{};  // by law
-  Array<const double> area{};       // [ties] of the node in the tied surface
-  Array<const int> side{};          // [ties] of the face on which the node lies: 1 or -1; 0: either
+  Array<const int> law;                    // [ties] -1: does not fail
+  Array<const ConnectionStrength> laws{};  // by law, of stresses
+  Array<const double> area{};              // [ties] of the node in the tied surface
+  Array<const int> side{};                 // [ties] of the face on which the node lies: 1 or -1; 0: either
 };
-
-/// How much of a strength stresses use up; 1: all. pull: tension, < 0 in compression.
-KOKKOS_INLINE_FUNCTION double find_tie_use(const TieStrength& strength, double pull, double shear) {
-  double use = 0;
-  if (strength.normal > 0 && pull > 0) use += std::pow(pull / strength.normal, strength.normal_exponent);
-  if (strength.shear > 0 && shear > 0) use += std::pow(shear / strength.shear, strength.shear_exponent);
-  return use;
-}
 
 /// Tension of a push along the outward normal of the face, on a node at this side of it. At neither side either
 /// direction pulls.
@@ -35,8 +22,8 @@ KOKKOS_INLINE_FUNCTION double find_tension(double push, int side) {
   return -push * side;
 }
 
-/// find_tie_use() of the forces of this rank's tie rows, which are solved. dt_mean: from the middle of the last step to
-/// that of this one. use: out, [ties]; of those that do not fail 0.
+/// find_strength_use() of the forces of this rank's tie rows, which are solved. dt_mean: from the middle of the last
+/// step to that of this one. use: out, [ties]; of those that do not fail 0.
 template <class Space>
 void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengths& strengths, double dt_mean,
                    const Array<double>& use) {
@@ -54,7 +41,7 @@ void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengt
         const Point3 stress = (1 / (dt_mean * of.area(row.record))) * row.force;
         const double push = dot(stress, normal);
         const double tension = find_tension(push, of.side(row.record));
-        out(row.record) = find_tie_use(of.laws(of.law(row.record)), tension, norm(stress - push * normal));
+        out(row.record) = find_strength_use(of.laws(of.law(row.record)), tension, norm(stress - push * normal));
       });
 }
 

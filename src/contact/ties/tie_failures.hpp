@@ -50,14 +50,14 @@ class TieFailures {
 
   const ChunkedMesh& chunked_;
   const Communicator ranks_;
-  std::vector<TieStrength> laws_;      // [failing ties]
-  std::vector<int> law_of_tie_;        // [ties of the deck] -1: does not fail
-  std::vector<std::int64_t> numbers_;  // of the nodes that this rank owned in failing ties at the start, ascending
-  std::vector<double> areas_;          // [numbers]
-  std::vector<double> has_failed_;     // [numbers] 1 or 0
-  std::vector<std::int64_t> in_use_;   // nodes of the ties in use
-  std::vector<int> tie_in_use_;        // [in use] of the deck
-  std::vector<std::size_t> noted_;     // places in numbers_, by judge()
+  std::vector<ConnectionStrength> laws_;  // [failing ties]
+  std::vector<int> law_of_tie_;           // [ties of the deck] -1: does not fail
+  std::vector<std::int64_t> numbers_;     // of the nodes that this rank owned in failing ties at the start, ascending
+  std::vector<double> areas_;             // [numbers]
+  std::vector<double> has_failed_;        // [numbers] 1 or 0
+  std::vector<std::int64_t> in_use_;      // nodes of the ties in use
+  std::vector<int> tie_in_use_;           // [in use] of the deck
+  std::vector<std::size_t> noted_;        // places in numbers_, by judge()
   TieStrengths strengths_;
   bool any_left_ = false;
   std::int64_t count_ = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/contact/geometry/connection_strength.hpp"
 #include "kernels/core/tensor.hpp"
 #include "kernels/core/views.hpp"
 #include "src/deck/spring_deck.hpp"
@@ -68,9 +69,8 @@ struct WeldLaw {
   static constexpr double unbreakable = std::numeric_limits<double>::infinity();
 
   std::string name, place;  // of the entry in the deck
-  double normal_strength = unbreakable, shear_strength = unbreakable;
-  double normal_exponent = 2, shear_exponent = 2;
-  double time = unbreakable;  // at which it fails
+  ConnectionStrength strength;  // of forces; compression counts as tension does
+  double time = unbreakable;    // at which it fails
 };
 
 /// Two nodes that move as one until it fails; const after set-up.

@@ -88,7 +88,10 @@ void Relaxation::make_model(const Deck& deck) {
   relaxed_.can_erode = relaxed_.scales_in_run = relaxed_.is_driven = false;
   relaxed_.switches.switches_conditions = false;  // the state holds what is held at time 0
   for (SpringLaw& law : relaxed_.springs.laws) law.largest_force = law.largest_elongation = SpringLaw::unbreakable;
-  for (WeldLaw& law : relaxed_.welds.laws) law.normal_strength = law.shear_strength = law.time = WeldLaw::unbreakable;
+  for (WeldLaw& law : relaxed_.welds.laws) {
+    law.strength = {};
+    law.time = WeldLaw::unbreakable;
+  }
   for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false};
   relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
   relaxed_.damped_velocity = has_contact_springs(deck) ? DampedVelocity::old : DampedVelocity::mean;

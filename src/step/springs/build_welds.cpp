@@ -26,10 +26,8 @@ WeldLaw make_weld_law(const Deck& deck, const WeldDeck& weld) {
   WeldLaw law;
   law.name = weld.name;
   law.place = deck.where(weld.place);
-  law.normal_strength = weld.normal_strength.value_or(WeldLaw::unbreakable);
-  law.shear_strength = weld.shear_strength.value_or(WeldLaw::unbreakable);
-  law.normal_exponent = weld.normal_exponent;
-  law.shear_exponent = weld.shear_exponent;
+  law.strength = {weld.normal_strength.value_or(0), weld.shear_strength.value_or(0), weld.normal_exponent,
+                  weld.shear_exponent};
   law.time = weld.time.value_or(WeldLaw::unbreakable);
   return law;
 }

@@ -30,10 +30,6 @@ void add(const WeldImpulse& more, WeldImpulse& sum) {
   for (std::size_t i = 0; i < 2; ++i) sum.moment[i] = sum.moment[i] + more.moment[i];
 }
 
-double find_share(double force, double strength, double exponent) {
-  return std::isinf(strength) ? 0 : std::pow(std::abs(force) / strength, exponent);
-}
-
 }  // namespace
 
 WeldStage::WeldStage(const Model& model)
@@ -137,8 +133,7 @@ void WeldStage::judge(State& state, double dt, double dt_mean) {
     const Vector3<double> force = (-1 / dt_mean) * sums_[i].impulse;
     now.pull = dot(force, now.normal);
     now.shear = norm(force - now.pull * now.normal);
-    const double reached = find_share(now.pull, law.normal_strength, law.normal_exponent) +
-                           find_share(now.shear, law.shear_strength, law.shear_exponent);
+    const double reached = find_strength_use(law.strength, std::abs(now.pull), now.shear);
     const Vector3<double> across = b.place - a.place + dt * (b.velocity - a.velocity);
     const double length = norm(across);
     if (weld.is_normal_its_line)

@@ -7,38 +7,17 @@
 #include <cmath>
 
 #include "src/error.hpp"
-#include "tests/verification/support/run_deck.hpp"
+#include "tests/verification/connections/pulled_block.hpp"
 
 namespace percuss::test {
 namespace {
 
-/// Two elements one above the other. The lower one is held, and the lower face of the upper one is tied to it and
-/// pulled: it cannot move, so that each tie has the force of its load at n, to round-off. Every node has a quarter of
-/// the face. A third one moves, so that errors of momentum are compared with something.
 std::string pull_block(const std::string& failure, const std::string& load) {
-  return fmt::format(R"yaml(
-time: {{end: 1e-4, max_step: 1e-6}}
-parts:
-  low: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, material: steel}}
-  high: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 0, 0.01], material: steel}}
-  flyer: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 1, 0], material: steel}}
-materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
-contact: {{surfaces: none, ties: [{{a: high/z_min, b: low/z_max{}}}]}}
-conditions: [{{nodes: low, fixed: [x, y, z]}}]
-initial: [{{part: flyer, velocity: [0, 0, 1]}}]
-loads: {{nodal: [{{nodes: high/z_min, force: {}}}]}}
-output: {{history: {{every: 0, forces: [{{name: held, support: low}}]}}}}
-)yaml",
-                     failure, load);
+  return make_pulled_block(
+      fmt::format("contact: {{surfaces: none, ties: [{{a: high/z_min, b: low/z_max{}}}]}}", failure), load);
 }
 
 constexpr double node_area = 0.25e-4;
-
-std::size_t find_failure(const HistoryTable& history) {
-  std::size_t row = 0;
-  while (row < history.rows() && history["failed_ties"][row] == 0) ++row;
-  return row;
-}
 
 }  // namespace
 
@@ -54,7 +33,7 @@ TEST(TieFailure, ComesInTheStepInWhichItsCriterionReachesOne) {
   for (const auto& pulled : cases) {
     const Outcome run = run_deck(pull_block(", failure: {normal: 2e8, shear: 8e7, shear_exponent: 1.5}", pulled.load));
     const HistoryTable& history = run.history;
-    const std::size_t failed = find_failure(history);
+    const std::size_t failed = find_failure(history, "failed_ties");
     ASSERT_LT(failed, history.rows());
     for (std::size_t row = 1; row <= failed; ++row) {
       const double t = history["time"][row - 1], n = pulled.pull * t, s = pulled.shear * t;
@@ -151,7 +130,7 @@ loads: {{pressure: [{{faces: plate/top, value: {{expression: "-4e9 * t"}}}}]}}
 output: {{history: {{every: 0}}}}
 )yaml",
                                              side));
-    return run.history["time"][find_failure(run.history)];
+    return run.history["time"][find_failure(run.history, "failed_ties")];
   };
   EXPECT_EQ(pull("plate"), pull("plate/bottom"));
   EXPECT_NEAR(pull("plate"), 2.5e-4, 1e-5);

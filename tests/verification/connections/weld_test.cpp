@@ -7,36 +7,14 @@
 #include <cmath>
 
 #include "src/error.hpp"
-#include "tests/verification/support/run_deck.hpp"
+#include "tests/verification/connections/pulled_block.hpp"
 
 namespace percuss::test {
 namespace {
 
-/// Two elements one above the other. The lower one's top is held, and the upper one's bottom is welded to it and
-/// pulled: it cannot move, so that each weld has the force of its load at n, to round-off. A third one moves, so that
-/// errors of momentum are compared with something.
 std::string pull_block(const std::string& welds, const std::string& load) {
-  return fmt::format(R"yaml(
-time: {{end: 1e-4, max_step: 1e-6}}
-parts:
-  low: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, material: steel}}
-  high: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 0, 0.01], material: steel}}
-  flyer: {{box: {{size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}}, at: [0, 1, 0], material: steel}}
-materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
-welds: {{spot: {{between: [low/z_max, high/z_min], normal: z{}}}}}
-conditions: [{{nodes: low, fixed: [x, y, z]}}]
-initial: [{{part: flyer, velocity: [0, 0, 1]}}]
-loads: {{nodal: [{{nodes: high/z_min, force: {}}}]}}
-output: {{history: {{every: 0, forces: [{{name: held, support: low}}]}}}}
-)yaml",
-                     welds, load);
-}
-
-/// Row in which welds have failed first; as many as there are rows: none.
-std::size_t find_failure(const HistoryTable& history) {
-  std::size_t row = 0;
-  while (row < history.rows() && history["welds_failed"][row] == 0) ++row;
-  return row;
+  return make_pulled_block(fmt::format("welds: {{spot: {{between: [low/z_max, high/z_min], normal: z{}}}}}", welds),
+                           load);
 }
 
 }  // namespace
@@ -52,7 +30,7 @@ TEST(Weld, FailsWhereItsCriterionReachesOne) {
   for (const auto& pulled : cases) {
     const Outcome run = run_deck(pull_block(", failure: {normal: 5e3, shear: 2e3, shear_exponent: 1.5}", pulled.load));
     const HistoryTable& history = run.history;
-    const std::size_t failed = find_failure(history);
+    const std::size_t failed = find_failure(history, "welds_failed");
     ASSERT_LT(failed, history.rows());
     for (std::size_t row = 1; row <= failed; ++row) {
       const double t = history["time"][row - 1], n = pulled.normal * t, s = pulled.shear * t;
@@ -76,7 +54,7 @@ TEST(Weld, FailsWhereItsCriterionReachesOne) {
 
 TEST(Weld, FailsAtItsTimeAndNotBefore) {
   const Outcome run = run_deck(pull_block(", failure: {time: 5e-5}", "{z: 1e3}"));
-  const std::size_t failed = find_failure(run.history);
+  const std::size_t failed = find_failure(run.history, "welds_failed");
   ASSERT_LT(failed, run.history.rows());
   EXPECT_GE(run.history["time"][failed], 5e-5);
   EXPECT_LT(run.history["time"][failed - 1], 5e-5);

@@ -10,18 +10,18 @@ namespace percuss::test {
 namespace {
 
 TEST(TieStrength, AddsTheSharesOfTensionAndShear) {
-  const TieStrength strength{4, 8, 2, 3};
-  EXPECT_DOUBLE_EQ(find_tie_use(strength, 2, 4), 0.25 + 0.125);
-  EXPECT_DOUBLE_EQ(find_tie_use(strength, 4, 0), 1);
-  EXPECT_DOUBLE_EQ(find_tie_use(strength, 0, 8), 1);
-  EXPECT_DOUBLE_EQ(find_tie_use({4, 8, 1, 1.5}, 3, 2), 0.75 + std::pow(0.25, 1.5));
+  const ConnectionStrength strength{4, 8, 2, 3};
+  EXPECT_DOUBLE_EQ(find_strength_use(strength, 2, 4), 0.25 + 0.125);
+  EXPECT_DOUBLE_EQ(find_strength_use(strength, 4, 0), 1);
+  EXPECT_DOUBLE_EQ(find_strength_use(strength, 0, 8), 1);
+  EXPECT_DOUBLE_EQ(find_strength_use({4, 8, 1, 1.5}, 3, 2), 0.75 + std::pow(0.25, 1.5));
 }
 
 TEST(TieStrength, LeavesOutPressureAndStrengthsThatAreNotGiven) {
-  EXPECT_EQ(find_tie_use({4, 8, 2, 2}, -100, 0), 0);
-  EXPECT_DOUBLE_EQ(find_tie_use({4, 8, 2, 2}, -100, 4), 0.25);
-  EXPECT_EQ(find_tie_use({0, 8, 2, 2}, 100, 0), 0);
-  EXPECT_EQ(find_tie_use({4, 0, 2, 2}, 0, 100), 0);
+  EXPECT_EQ(find_strength_use({4, 8, 2, 2}, -100, 0), 0);
+  EXPECT_DOUBLE_EQ(find_strength_use({4, 8, 2, 2}, -100, 4), 0.25);
+  EXPECT_EQ(find_strength_use({0, 8, 2, 2}, 100, 0), 0);
+  EXPECT_EQ(find_strength_use({4, 0, 2, 2}, 0, 100), 0);
 }
 
 TEST(TieStrength, CountsTensionFromTheSideOfTheNode) {
