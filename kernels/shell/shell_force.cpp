@@ -1,57 +1,13 @@
 #include "kernels/shell/shell_force.hpp"
 
-#include "kernels/element/chunk_records.hpp"
 #include "kernels/shell/living_shells.hpp"
+#include "kernels/shell/shell_corners.hpp"
 
 namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
-constexpr int corners_of_pack = 8 * width;  // of the shared table; shells use the first half
-constexpr int shell_node_record = 12;       // x, -, v, -, w, -: three numbers each
-constexpr int shell_force_record = 8;       // force, -, moment, -
-
-using ShellScratch = ChunkScratch<shell_node_record, shell_force_record>;
-
-/// A vector of the pack's corners, from the chunk's node records.
-PERCUSS_FORCE_INLINE void gather_corners(const double* nodes, const std::uint16_t* corners, Vector3<Lanes> (&u)[4]) {
-  for (int i = 0; i < 4; ++i) {
-    const double* records[width];
-    for (int lane = 0; lane < width; ++lane) {
-      records[lane] = nodes + shell_node_record * static_cast<std::size_t>(corners[i * width + lane]);
-    }
-    Lanes packs[3];
-    transpose_to_packs(records, packs);
-    u[i] = {packs[0], packs[1], packs[2]};
-  }
-}
-
-/// Subtracts a vector of the corners of the first `lanes` elements from the chunk's records, element by element.
-PERCUSS_FORCE_INLINE void scatter_corners(const Vector3<Lanes> (&u)[4], const std::uint16_t* corners, int lanes,
-                                          double* sums) {
-  alignas(64) double records[4][width][4];
-  for (int i = 0; i < 4; ++i) {
-    const Lanes packs[3] = {u[i].x, u[i].y, u[i].z};
-    transpose_to_records(packs, records[i]);
-  }
-  for (int lane = 0; lane < lanes; ++lane) {
-    for (int i = 0; i < 4; ++i) {
-      subtract_record(records[i][lane],
-                      sums + shell_force_record * static_cast<std::size_t>(corners[i * width + lane]));
-    }
-  }
-}
-
-/// Which lanes of a pack are triangles: their last corner is the third again.
-PERCUSS_FORCE_INLINE auto find_shapes(const std::uint16_t* corners) {
-  alignas(64) double repeated[width];
-  for (int lane = 0; lane < width; ++lane) {
-    repeated[lane] = corners[2 * width + lane] == corners[3 * width + lane] ? 1 : 0;
-  }
-  const auto is_triangle = load_pack(repeated) > Lanes(0.5);
-  return MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle};
-}
+constexpr int width = shell_width;
 
 /// What the elements of a chunk add up to, taken lane by lane in their order.
 struct ChunkSums {
@@ -145,12 +101,12 @@ struct AdvanceShellChunk {
     const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
     auto* record = reinterpret_cast<double*>(&state(chunks.first_state(c)));
     const std::uint16_t* corners =
-        &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_pack);
+        &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_shell_pack);
     ChunkSums sums;
     double before[largest_record];
     bool changed = false;
     [[maybe_unused]] LivingShells<Lanes> living(motion.failing, motion.lives, c, parameters.points.count);
-    for (int e = first; e < end; e += width, record += record_size, corners += corners_of_pack) {
+    for (int e = first; e < end; e += width, record += record_size, corners += corners_of_shell_pack) {
       const int lanes = end - e < width ? end - e : width;
       const std::uint16_t* gathered = corners;
       if constexpr (CanFail) {

@@ -439,6 +439,7 @@ struct Deck {
   std::vector<RigidSetDeck> rigid_sets;
   std::vector<SpringDeck> springs;
   std::vector<WeldDeck> welds;
+  std::vector<ConstraintDeck> constraints;
   std::vector<JointDeck> joints;
   ElementDeck elements;
   ErosionDeck erosion;

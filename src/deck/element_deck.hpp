@@ -18,13 +18,14 @@ struct ElementDeck {
   bool skip_resting = true;    // leave chunks of elements alone that rest; no result depends on it
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
+  double stiffness_damping = 0;  // stress per elastic modulus and rate of strain [time]
 };
 
 /// What a part has instead of the members of ElementDeck with the same names.
 struct PartElementDeck {
   std::optional<ElementDeck::Integration> integration;
   std::optional<ElementDeck::Hourglass> hourglass;
-  std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity;
+  std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity, stiffness_damping;
 };
 
 /// The settings of a part.
@@ -35,6 +36,7 @@ inline ElementDeck find_settings(const ElementDeck& scene, const PartElementDeck
   settings.hourglass_coefficient = part.hourglass_coefficient.value_or(scene.hourglass_coefficient);
   settings.linear_viscosity = part.linear_viscosity.value_or(scene.linear_viscosity);
   settings.quadratic_viscosity = part.quadratic_viscosity.value_or(scene.quadratic_viscosity);
+  settings.stiffness_damping = part.stiffness_damping.value_or(scene.stiffness_damping);
   return settings;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Springs, dampers and welds between nodes, and joints between rigid bodies, as a deck gives them.
+// Springs, dampers, welds and constraints between nodes, and joints between rigid bodies, as a deck gives them.
 
 #include <array>
 #include <optional>
@@ -41,6 +41,15 @@ struct WeldDeck {
   std::optional<double> shear_strength;   // likewise across
   double normal_exponent = 2, shear_exponent = 2;
   std::optional<double> time;  // at which it fails
+  Place place;
+};
+
+/// Nodes that move equally in some directions: all of a set, or each of one side with its counterpart on the other.
+struct ConstraintDeck {
+  std::string name;
+  std::array<bool, 3> equal{};  // x, y, z
+  std::optional<Selector> nodes;
+  std::optional<std::array<SpringEndDeck, 2>> between;  // instead
   Place place;
 };
 

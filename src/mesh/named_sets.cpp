@@ -41,6 +41,10 @@ void add_surfaces(const Deck& deck, Names& names) {
   for (const WeldDeck& weld : deck.welds) {
     for (const SpringEndDeck& end : weld.between) names.insert(end.where.name);
   }
+  for (const ConstraintDeck& constraint : deck.constraints) {
+    if (constraint.nodes) names.insert(constraint.nodes->name);
+    for (std::size_t i = 0; constraint.between && i < 2; ++i) names.insert((*constraint.between)[i].where.name);
+  }
 }
 
 /// Parts whose mesh is that of a file.

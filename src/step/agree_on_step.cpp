@@ -65,7 +65,8 @@ StepNotice Stepper::find_notice(const State& state) const {
     const Chunk& chunk = chunked_.chunks[c];
     const std::int64_t shift =
         chunked_.numbering.first_element[static_cast<std::size_t>(chunk.number)] - chunk.first_element;
-    notice.merge({step(c), element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
+    const double bound = stiffness_damping_ ? stiffness_damping_->find_step(c, step(c)) : step(c);
+    notice.merge({bound, element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
                   std::isfinite(work(c, 0) + work(c, 1) + work(c, 2) + work(c, 3)) ? StepNotice::none : chunk.number});
   }

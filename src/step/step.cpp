@@ -29,6 +29,8 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   }
   if (model.springs.any()) springs_ = std::make_unique<SpringStage>(model);
   if (model.welds.any()) welds_ = std::make_unique<WeldStage>(model);
+  if (model.constraints.any()) constraints_ = std::make_unique<ConstraintStage>(model);
+  if (model.stiffness_damping.extent(0) > 0) stiffness_damping_ = std::make_unique<StiffnessDampingStage>(model);
   if (!model.dampings.empty()) damping_ = std::make_unique<DampingStage>(model);
   if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
@@ -90,6 +92,10 @@ void Stepper::restore_masses(State& state) {
 
 void Stepper::resume(State& state) {
   forces_.resume(state.time);
+  if (stiffness_damping_) {
+    const ElementMotion motion = find_motion(state, 0);
+    stiffness_damping_->restore(state, {motion, find_shell_motion(state, motion)});
+  }
   renew_loads(state);
   choose_step(state);
 }
@@ -127,7 +133,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
     predict_motion(state, dt, dt_mean);  // (1.2), (1.6) velocities without contact; contact forms x + dt v
   resolve_contact(state, dt);            // (1.7) search, (1.8) detailed check, (1.9) enforcement
   integrate_spins(state, dt, dt_mean);
-  join_welds(state, dt, dt_mean);
+  join_nodes(state, dt, dt_mean);
   book_motion(state, dt, dt_mean);
   if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
   compute_forces(state, dt);               // (1.3) strain rate, (1.4) stress, (1.5) internal forces
@@ -145,7 +151,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
 /// motion, and nothing asks for their forces, or for their places before they move.
 bool Stepper::are_nodes_free() const {
   return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
-         model_.nodal_loads.count == 0 && !damping_ && !welds_ && !forces_.has_sections();
+         model_.nodal_loads.count == 0 && !damping_ && !welds_ && !constraints_ && !forces_.has_sections();
 }
 
 /// Velocities at n+1/2 as they are without contact, conditions included.
@@ -252,11 +258,12 @@ void Stepper::resolve_contact(State& state, double dt) {
   clocks_.contact_enforce = spent.enforce;
 }
 
-/// Welded nodes move as one, whatever else acts on them.
-void Stepper::join_welds(State& state, double dt, double dt_mean) {
-  if (!welds_) return;
+/// Welded nodes move as one, and constrained ones equally, whatever else acts on them.
+void Stepper::join_nodes(State& state, double dt, double dt_mean) {
+  if (!welds_ && !constraints_) return;
   const Phase phase("percuss::welds", clocks_.integrate);
-  welds_->join(state, dt, dt_mean);
+  if (welds_) welds_->join(state, dt, dt_mean);
+  if (constraints_) constraints_->join(state, dt_mean);
 }
 
 std::vector<Warning> Stepper::take_warnings() {
@@ -304,6 +311,7 @@ void Stepper::advance_sending(State& state, const ElementMotion& motion) {
   advance_one_points(space_, model_.chunks, model_.sending_one_point_blocks, motion, state.chunk_fields());
   advance_shells_of(state, model_.sending_shell_blocks, motion);
   advance_beams_of(state, model_.sending_beam_block, motion);
+  if (stiffness_damping_) stiffness_damping_->damp_sending(state, {motion, find_shell_motion(state, motion)});
 }
 
 void Stepper::advance_others(State& state, const ElementMotion& motion) {
@@ -312,14 +320,17 @@ void Stepper::advance_others(State& state, const ElementMotion& motion) {
   advance_one_points(space_, model_.chunks, model_.one_point_blocks, motion, state.chunk_fields());
   advance_shells_of(state, model_.shell_blocks, motion);
   advance_beams_of(state, model_.beam_block, motion);
+  if (stiffness_damping_) stiffness_damping_->damp_others(state, {motion, find_shell_motion(state, motion)});
+}
+
+ShellMotion Stepper::find_shell_motion(const State& state, const ElementMotion& motion) const {
+  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
+  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, bounds};
 }
 
 void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion) {
   if (!model_.has_rotations) return;
-  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
-  advance_shells(space_, model_.chunks, shells,
-                 {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, bounds},
-                 state.chunk_fields());
+  advance_shells(space_, model_.chunks, shells, find_shell_motion(state, motion), state.chunk_fields());
 }
 
 void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {

@@ -11,7 +11,9 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
+#include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
+#include "src/step/damping/stiffness_damping_stage.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/mass_scaler.hpp"
 #include "src/step/model/model.hpp"
@@ -123,12 +125,13 @@ class Stepper {
   void hold_spins(State& state, double dt);
   void evaluate_motions(const State& state, double dt);
   void resolve_contact(State& state, double dt);
-  void join_welds(State& state, double dt, double dt_mean);
+  void join_nodes(State& state, double dt, double dt_mean);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
   ElementMotion find_motion(const State& state, double dt) const;
   void advance_sending(State& state, const ElementMotion& motion);
   void advance_others(State& state, const ElementMotion& motion);
+  ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
   void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
   void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
   void apply_loads(State& state, double time);
@@ -151,10 +154,12 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
   RigidStage rigid_;
-  std::unique_ptr<TetStage> tets_;         // only with tetrahedra
-  std::unique_ptr<SpringStage> springs_;   // only with springs
-  std::unique_ptr<WeldStage> welds_;       // only with welds
-  std::unique_ptr<DampingStage> damping_;  // only with damping
+  std::unique_ptr<TetStage> tets_;                            // only with tetrahedra
+  std::unique_ptr<SpringStage> springs_;                      // only with springs
+  std::unique_ptr<WeldStage> welds_;                          // only with welds
+  std::unique_ptr<ConstraintStage> constraints_;              // only with constraints
+  std::unique_ptr<DampingStage> damping_;                     // only with damping
+  std::unique_ptr<StiffnessDampingStage> stiffness_damping_;  // only with that in proportion to stiffness
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

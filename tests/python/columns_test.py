@@ -56,6 +56,7 @@ contact:
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
 welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
+constraints: {level: {equal: [x, y, z], between: [{near: [0, 1, 1]}, {near: [0, 1, 2]}]}}
 output:
   history:
     nodes: [{name: tip, near: [0, 0, 0]}]
@@ -102,7 +103,7 @@ def generalise(name):
 
 def shorten(words):
     """'force' of "force in x of 'hit'": without its owner and its axis."""
-    words = re.sub(r" of (part |pair |wall |spring |weld |sensor |joint |rigid body )?'[^']*'", "", words)
+    words = re.sub(r" of (part |pair |wall |spring |weld |constraint |sensor |joint |rigid body )?'[^']*'", "", words)
     return re.sub(r" (in [xyz]|about [xyz]|along [yz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
 
 

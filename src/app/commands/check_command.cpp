@@ -53,6 +53,8 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   for (const InitialDeck& initial : deck.initial) nodes(initial.where);
   for (const AddedMassDeck& added : deck.added_masses) nodes(added.where);
   for (const RigidSetDeck& set : deck.rigid_sets) nodes(set.where);
+  for (const ConstraintDeck& constraint : deck.constraints)
+    if (constraint.nodes) nodes(*constraint.nodes);
   for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
   for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
   for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
@@ -101,6 +103,7 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
   for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
   scene.spring_notes = model.springs.notes;
   scene.spring_notes.insert(scene.spring_notes.end(), model.welds.notes.begin(), model.welds.notes.end());
+  scene.spring_notes.insert(scene.spring_notes.end(), model.constraints.notes.begin(), model.constraints.notes.end());
 }
 
 /// The state at time 0; throws what files of stresses and sensors have wrong. Collective.

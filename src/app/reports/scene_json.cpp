@@ -88,19 +88,27 @@ void add_each(const char* list, const Items& items, const Add& add) {
   for (std::size_t i = 0; i < items.size(); ++i) add(fmt::format("{}.{}", list, i), items[i]);
 }
 
-/// Ends of springs or welds. kind: "spring" or "weld".
+const std::array<SpringEndDeck, 2>* find_ends(const ConstraintDeck& entry) {
+  return entry.between ? &*entry.between : nullptr;
+}
+template <class Entry>
+const std::array<SpringEndDeck, 2>* find_ends(const Entry& entry) {
+  return &entry.between;
+}
+
+/// Ends of springs, welds or constraints. kind: "spring" and so on.
 template <class Entries>
 void list_ends(const std::string& kind, const Entries& entries, const Deck& deck, const ChunkedMesh& chunked,
                SelectionList& list) {
   std::vector<HistoryPoint> points;  // found together, since each search looks at the whole mesh
   for (const auto& entry : entries)
-    for (const SpringEndDeck& end : entry.between)
-      if (end.point) points.push_back(*end.point);
+    for (std::size_t i = 0; find_ends(entry) != nullptr && i < 2; ++i)
+      if (const auto& end = (*find_ends(entry))[i]; end.point) points.push_back(*end.point);
   const std::vector<FollowedPoint> found = find_points(deck, chunked, points, "end of " + kind);
   std::size_t next = 0;
   for (const auto& entry : entries) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const SpringEndDeck& end = entry.between[i];
+    for (std::size_t i = 0; find_ends(entry) != nullptr && i < 2; ++i) {
+      const SpringEndDeck& end = (*find_ends(entry))[i];
       const std::string key = fmt::format("{}s.{}.between.{}", kind, entry.name, i);
       if (end.point)
         list.add_point(key, kind, *end.point, found[next++].index);
@@ -147,6 +155,9 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   for (const RigidSetDeck& set : deck.rigid_sets) list.add_nodes("rigid_sets." + set.name, "rigid set", set.where);
   list_ends("spring", deck.springs, deck, chunked, list);
   list_ends("weld", deck.welds, deck, chunked, list);
+  list_ends("constraint", deck.constraints, deck, chunked, list);
+  for (const ConstraintDeck& constraint : deck.constraints)
+    if (constraint.nodes) list.add_nodes("constraints." + constraint.name, "constraint", *constraint.nodes);
   list_contact(deck.contact, list);
   return list.take();
 }

@@ -64,7 +64,9 @@ bool is_driving(const ConditionDeck& condition) {
 bool is_driven(const WallDeck& wall) { return wall.speed ? is_moving(*wall.speed) : wall.start_speed != 0; }
 
 /// By which one part may move another.
-bool has_connections(const Deck& deck) { return !deck.springs.empty() || !deck.welds.empty(); }
+bool has_connections(const Deck& deck) {
+  return !deck.springs.empty() || !deck.welds.empty() || !deck.constraints.empty();
+}
 
 /// Whether any wall can move, which no flight knows of.
 bool has_moving_wall(const Deck& deck) {

@@ -1,9 +1,10 @@
-// Keys of `contact`, `springs`, `welds` and `joints`: what acts between bodies.
+// Keys of `contact` and `joints`: what acts between bodies.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "src/deck/reading/connections/strength_keys.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/deck/text/nearest_name.hpp"
@@ -37,32 +38,6 @@ struct PairValue {
   std::string takes() const { return "a pair [a, b] or {a: ..., b: ..., friction: ...}"; }
   Form form() const { return any_form({TupleValue<SelectorValue, 2>{}.form(), form_of(pair_keys())}); }
 };
-
-/// Strengths of a connection, and how they act together.
-template <class Connection>
-Keys<Connection> strength_keys() {
-  return {
-      may("normal", &Connection::normal_strength, NumberValue{positive}),
-      may("shear", &Connection::shear_strength, NumberValue{positive}),
-      may("normal_exponent", &Connection::normal_exponent, NumberValue{positive}),
-      may("shear_exponent", &Connection::shear_exponent, NumberValue{positive}),
-  };
-}
-
-/// Exponents belong to a strength.
-template <class Connection>
-bool check_strengths(const Reader& reader, const Node& node, Connection& connection) {
-  bool good = true;
-  for (const auto& [key, strength] : {std::pair("normal_exponent", connection.normal_strength),
-                                      std::pair("shear_exponent", connection.shear_strength)}) {
-    const Node* exponent = node.find(key);
-    if (exponent == nullptr || strength) continue;
-    reader.error(exponent->key, fmt::format("{} has no effect{} (the strength that it belongs to is not given)",
-                                            reader.name_of(key), reader.in()));
-    good = false;
-  }
-  return good;
-}
 
 const Keys<TieDeck>& tie_failure_keys() {
   static const Keys<TieDeck> keys = strength_keys<TieDeck>();
@@ -214,116 +189,6 @@ bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact)
   return false;
 }
 
-// --- springs
-
-const Keys<HistoryPoint>& end_keys() {
-  static const Keys<HistoryPoint> keys = {
-      may("near", &HistoryPoint::near, vector3()),
-      may("id", &HistoryPoint::id, IntegerValue{1, std::numeric_limits<long>::max()}),
-      may("part", &HistoryPoint::part, PartNameValue{}),
-  };
-  return keys;
-}
-
-bool check_end(const Reader& reader, const Node& node, HistoryPoint& point) {
-  point.place = node.spot.place;
-  if (point.near.has_value() != point.id.has_value()) return true;
-  reader.error(node.spot, fmt::format("{} has {} (must have one of near and id)", reader.self(),
-                                      point.near ? "both near and id" : "neither near nor id"));
-  return false;
-}
-
-/// One node by its place or id, or a selector.
-struct SpringEndValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, SpringEndDeck& out) const {
-    const bool is_point = node.find("near") != nullptr || node.find("id") != nullptr || node.find("part") != nullptr;
-    if (!is_point) return SelectorValue{}.read(reader, name, node, out.where);
-    HistoryPoint point;
-    if (!MapValue<HistoryPoint>{end_keys, check_end}.read(reader, name, node, point)) return false;
-    out.point = std::move(point);
-    return true;
-  }
-  std::string takes() const { return "a node as {near: [x, y, z]} or {id: n}, or a selector"; }
-  Form form() const { return any_form({SelectorValue{}.form(), form_of(end_keys())}); }
-};
-
-/// Rows [elongation, force], at least two, elongations ascending.
-struct ForceTableValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node,
-            std::vector<std::array<double, 2>>& out) const {
-    std::vector<std::array<double, 2>> rows;
-    if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
-    if (rows.size() < 2) {
-      reader.refuse(node, name, "at least two rows [elongation, force]");
-      return false;
-    }
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      if (rows[i][0] > rows[i - 1][0]) continue;
-      reader.error(node.items[i].spot, fmt::format("{}.{} has elongation {} after {} (elongations must ascend)", name,
-                                                   i, rows[i][0], rows[i - 1][0]));
-      return false;
-    }
-    out = std::move(rows);
-    return true;
-  }
-  std::string takes() const { return "rows [elongation, force], elongations ascending"; }
-  Form form() const { return list_form(TupleValue<NumberValue, 2>{}.form(), 2); }
-};
-
-const Keys<SpringDeck>& spring_failure_keys() {
-  static const Keys<SpringDeck> keys = {
-      may("force", &SpringDeck::largest_force, NumberValue{positive}),
-      may("elongation", &SpringDeck::largest_elongation, NumberValue{positive}),
-  };
-  return keys;
-}
-
-const Keys<SpringDeck>& spring_keys() {
-  using Acts = SpringDeck::Acts;
-  static const Keys<SpringDeck> keys = {
-      need("between", &SpringDeck::between, TupleValue<SpringEndValue, 2>{}),
-      may("stiffness", &SpringDeck::stiffness, NumberValue{positive}),
-      may("table", &SpringDeck::table, ForceTableValue{}),
-      may("damping", &SpringDeck::damping, NumberValue{positive}),
-      may("acts", &SpringDeck::acts,
-          ChoiceValue<Acts>{{{"both", Acts::both}, {"tension", Acts::tension}, {"compression", Acts::compression}}}),
-      may("rest_length", &SpringDeck::rest_length, NumberValue{not_negative}),
-      group<SpringDeck>("failure", MapValue<SpringDeck>{spring_failure_keys}),
-  };
-  return keys;
-}
-
-bool check_spring(const Reader& reader, const Node& node, SpringDeck& spring) {
-  const Node* table = node.find("table");
-  if (table != nullptr && spring.stiffness) {
-    reader.error(table->key, fmt::format("{} has both stiffness and table (must have one of them)", reader.self()));
-    return false;
-  }
-  if (table != nullptr || spring.stiffness || spring.damping > 0) return true;
-  reader.error(node.spot, fmt::format("{} does nothing (must have stiffness, table or damping)", reader.self()));
-  return false;
-}
-
-// --- welds
-
-const Keys<WeldDeck>& weld_failure_keys() {
-  static const Keys<WeldDeck> keys = [] {
-    Keys<WeldDeck> all = strength_keys<WeldDeck>();
-    all.push_back(may("time", &WeldDeck::time, NumberValue{not_negative}));
-    return all;
-  }();
-  return keys;
-}
-
-const Keys<WeldDeck>& weld_keys() {
-  static const Keys<WeldDeck> keys = {
-      need("between", &WeldDeck::between, TupleValue<SpringEndValue, 2>{}),
-      may("normal", &WeldDeck::normal, DirectionValue{}),
-      group<WeldDeck>("failure", MapValue<WeldDeck>{weld_failure_keys, check_strengths<WeldDeck>}),
-  };
-  return keys;
-}
-
 // --- joints
 
 const Keys<JointDeck>& joint_keys() {
@@ -400,7 +265,5 @@ void check_joints(const Deck& deck, const Node& root, Reading& reading) {
 }
 
 NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value() { return {"joint", {joint_keys, check_joint}}; }
-NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value() { return {"weld", {weld_keys}}; }
-NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value() { return {"spring", {spring_keys, check_spring}}; }
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 
 #include "src/deck/reading/deck_keys.hpp"
 
+#include "src/deck/reading/connections/node_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/reading/sensors/sensor_keys.hpp"
 #include "src/deck/units.hpp"
@@ -95,6 +96,7 @@ Keys<T> settings_keys() {
       may("integration", &T::integration, integration_kind()),
       group<T>("hourglass", HourglassValue<T>{}),
       group<T>("bulk_viscosity", MapValue<T>{viscosity_keys<T>}),
+      may("stiffness_damping", &T::stiffness_damping, NumberValue{not_negative}),
   };
 }
 
@@ -290,6 +292,7 @@ const Keys<Deck>& deck_keys() {
       may("rigid_sets", &Deck::rigid_sets, rigid_sets_value()),
       may("springs", &Deck::springs, springs_value()),
       may("welds", &Deck::welds, welds_value()),
+      may("constraints", &Deck::constraints, constraints_value()),
       may("joints", &Deck::joints, joints_value()),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),

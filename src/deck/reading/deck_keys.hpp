@@ -46,8 +46,6 @@ MapValue<WallDeck> wall_value();
 MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
 NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();
-NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value();
-NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value();
 NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.

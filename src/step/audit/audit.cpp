@@ -169,6 +169,7 @@ Audit::Totals Audit::sum_all(const State& state) {
     sums[S::internal].add(state.books.spring_work);
     sums[S::viscous].add(state.books.damper_work);
     sums[S::viscous].add(-state.books.weld_work);
+    sums[S::viscous].add(-state.books.equal_work);
   }
   sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;

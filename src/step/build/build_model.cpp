@@ -10,7 +10,9 @@
 #include "src/step/build/build_masses.hpp"
 #include "src/step/build/chunks/build_chunks.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
+#include "src/step/constraints/build_constraints.hpp"
 #include "src/step/damping/build_damping.hpp"
+#include "src/step/damping/build_stiffness_damping.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
@@ -76,6 +78,8 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                std::make_index_sequence<std::tuple_size_v<TetBlocks>>());
   split_blocks(sends, model.one_point_blocks, model.sending_one_point_blocks,
                std::make_index_sequence<std::tuple_size_v<OnePointBlocks>>());
+  split_block(sends, model.damped_solids, model.sending_damped_solids);
+  split_block(sends, model.damped_shells, model.sending_damped_shells);
   if (model.has_beams) split_block(sends, model.beam_block, model.sending_beam_block);
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
@@ -106,6 +110,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_chunks(deck, chunked, model);
   mark_rigid_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);
+  build_stiffness_damping(deck, chunked, model);
   build_numbers(chunked, model);
   LocalSlots slots = build_pressure_faces(deck, chunked, model);
   build_nodal_loads(deck, chunked, slots, model);
@@ -119,6 +124,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_welds(deck, chunked, model);
   build_switches(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
+  build_constraints(deck, chunked, model);
   build_initial_velocities(deck, chunked, rigid, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);
   build_damping(deck, chunked, rigid, model);

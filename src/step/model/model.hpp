@@ -14,12 +14,14 @@
 #include "kernels/beam/beam_force.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/internal_force.hpp"
+#include "kernels/element/stiffness_damping.hpp"
 #include "kernels/node/conditions.hpp"
 #include "kernels/node/damping.hpp"
 #include "kernels/node/motion.hpp"
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/shell/shell_damping.hpp"
 #include "kernels/shell/shell_force.hpp"
 #include "kernels/tet/tet_force.hpp"
 #include "src/deck/deck.hpp"
@@ -150,6 +152,11 @@ struct Model {
   RigidModel rigid;
   SpringModel springs;
   WeldModel welds;
+  ConstraintModel constraints;
+
+  Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
+  DampedSolids sending_damped_solids, damped_solids;  // as sending_blocks
+  DampedShells sending_damped_shells, damped_shells;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

@@ -1,5 +1,6 @@
 #pragma once
-// Springs, dampers and welds between two nodes, and their state. Every rank has all of them, and the same bits.
+// Springs, dampers and welds between two nodes, nodes that move equally, and their state. Every rank has all of them,
+// and the same bits.
 
 #include <array>
 #include <cstdint>
@@ -68,9 +69,16 @@ struct SpringState {
 struct WeldLaw {
   static constexpr double unbreakable = std::numeric_limits<double>::infinity();
 
-  std::string name, place;  // of the entry in the deck
+  std::string name, place;      // of the entry in the deck
   ConnectionStrength strength;  // of forces; compression counts as tension does
   double time = unbreakable;    // at which it fails
+};
+
+/// Nodes that connections name, and those of them that a rank holds.
+struct ConnectedNodes {
+  std::vector<std::int64_t> nodes;     // by number in the whole mesh, ascending
+  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
+  Array<int> local_node, local_place;  // of all that this rank holds
 };
 
 /// Two nodes that move as one until it fails; const after set-up.
@@ -84,14 +92,11 @@ struct Weld {
   bool has_columns = true;          // of its own in the history
 };
 
-struct WeldModel {
+struct WeldModel : ConnectedNodes {
   std::vector<WeldLaw> laws;
   std::vector<Weld> welds;
-  std::vector<std::int64_t> nodes;     // that are welded, by number in the whole mesh, ascending
-  std::vector<std::string> notes;      // what is to be told of them
-  bool shares_nodes = false;           // whether some node has several welds
-  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
-  Array<int> local_node, local_place;  // of all that this rank holds
+  std::vector<std::string> notes;  // what is to be told of them
+  bool shares_nodes = false;       // whether some node has several welds
 
   bool any() const { return !welds.empty(); }
 };
@@ -102,6 +107,33 @@ struct WeldState {
   double pull = 0;           // force along it in the last step, positive in tension
   double shear = 0;          // amount of the force across it
   std::int64_t is_broken = 0;
+};
+
+/// Nodes that move equally in some directions, as the deck names them; const after set-up.
+struct Constraint {
+  std::string name, place;  // of the entry in the deck
+  std::array<bool, 3> equal{};
+  bool has_pairs = false;
+  std::vector<int> nodes;  // places in ConstraintModel::nodes: those of the first side of pairs, or all
+};
+
+/// Which nodes move equally in one direction: those of all constraints that share a node are one group.
+struct EqualGroups {
+  std::vector<int> first{0};  // [groups + 1] of `members`
+  std::vector<int> members;   // places in ConstraintModel::nodes, ascending in each group
+};
+
+struct ConstraintModel : ConnectedNodes {
+  std::vector<Constraint> constraints;
+  std::array<EqualGroups, 3> groups;  // by direction
+  std::vector<std::string> notes;     // what is to be told of them
+
+  bool any() const { return !constraints.empty(); }
+};
+
+/// A constraint in the loop.
+struct ConstraintState {
+  Vector3<double> force{};  // of the last step: on the first side of pairs, or half the sum of amounts on all nodes
 };
 
 }  // namespace percuss

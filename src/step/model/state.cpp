@@ -101,9 +101,10 @@ void start_shells(const Model& model, const Array<Real>& elements) {
       });
 }
 
-void start_welds(const Model& model, State& s) {
-  if (!model.welds.any()) return;
+void start_connections(const Model& model, State& s) {
+  if (!model.welds.any() && !model.constraints.any()) return;
   for (const Weld& weld : model.welds.welds) s.welds.push_back({weld.normal});
+  s.constraints.resize(model.constraints.constraints.size());
   s.weld_impulse = Rows3<double>("percuss::weld_impulse", static_cast<std::size_t>(model.node_count));
   s.weld_moment = Rows3<double>("percuss::weld_moment", static_cast<std::size_t>(model.node_count));
 }
@@ -283,7 +284,7 @@ State make_initial_state(const Model& model) {
   s.bodies = make_rigid_states(model);
   s.joints.resize(model.rigid.joints.size());
   s.springs.resize(model.springs.springs.size());
-  start_welds(model, s);
+  start_connections(model, s);
   s.gravity = find_gravity(model, s.time);
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);

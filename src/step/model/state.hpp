@@ -26,6 +26,7 @@ struct Books {
   double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
   double damper_work = 0;      // of all ranks: what their dampers have taken
   double weld_work = 0;        // of all ranks: what welds have given; nearly nothing while they hold
+  double equal_work = 0;       // of all ranks: what constraints have given; nothing once their nodes move equally
   double added_mass = 0;       // of all ranks: by mass scaling during the run
   double added_energy = 0;     // kinetic energy that came with it, within external_work
 };
@@ -95,7 +96,9 @@ struct State {
   std::vector<JointState> joints;  // between them
   std::vector<SpringState> springs;
   std::vector<WeldState> welds;
-  Rows3<double> weld_impulse, weld_moment;  // of the last step on its nodes; empty without welds; scratch of the step
+  std::vector<ConstraintState> constraints;
+  // Of the last step on their nodes, of constraints too; empty without any; scratch of the step.
+  Rows3<double> weld_impulse, weld_moment;
   Books books;
 
   /// What an evaluation of the elements reads and writes.

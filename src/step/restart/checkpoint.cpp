@@ -175,6 +175,16 @@ void archive_welds(CheckpointArchive& archive, State& state) {
   if (!state.welds.empty()) archive.number("books/weld_work", state.books.weld_work);
 }
 
+void archive_constraints(CheckpointArchive& archive, State& state) {
+  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
+    Vector3<double>& force = state.constraints[c].force;
+    double values[] = {force.x, force.y, force.z};
+    archive.numbers(fmt::format("constraints/{}", c), values);
+    force = {values[0], values[1], values[2]};
+  }
+  if (!state.constraints.empty()) archive.number("books/equal_work", state.books.equal_work);
+}
+
 void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/external_work", books.external_work);
   archive.sums("books/impulse", books.impulse);
@@ -248,6 +258,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_joints(archive, state.joints);
   archive_springs(archive, state);
   archive_welds(archive, state);
+  archive_constraints(archive, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);

@@ -121,6 +121,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   const std::vector<HistoryColumn> of_welds = list_weld_columns(model.welds);
   columns.insert(columns.end(), of_welds.begin(), of_welds.end());
+  const std::vector<HistoryColumn> of_constraints = list_constraint_columns(model.constraints);
+  columns.insert(columns.end(), of_constraints.begin(), of_constraints.end());
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
                        fmt::format("displacement of wall '{}', along its normal or direction", name)});
@@ -281,6 +283,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   append_joints(model, state, row);
   append_springs(model.springs, state, row);
   append_welds(model.welds, state, row);
+  append_constraints(model.constraints, state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   for (const char happened : state.happened) row.push_back(happened);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());

@@ -72,4 +72,29 @@ void append_welds(const WeldModel& welds, const State& state, std::vector<double
   }
 }
 
+std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints) {
+  if (!constraints.any()) return {};
+  std::vector<HistoryColumn> columns = {
+      {"equal_work", dimensions::energy, "work of constraints on their nodes, taken from the viscous energy"}};
+  for (const Constraint& constraint : constraints.constraints) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!constraint.equal[k]) continue;
+      columns.push_back({fmt::format("equal_{}:{}", "xyz"[k], constraint.name), dimensions::force,
+                         fmt::format("force in a direction of constraint '{}' in {}", constraint.name, "xyz"[k])});
+    }
+  }
+  return columns;
+}
+
+void append_constraints(const ConstraintModel& constraints, const State& state, std::vector<double>& row) {
+  if (!constraints.any()) return;
+  row.push_back(state.books.equal_work);
+  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
+    const Vector3<double>& force = state.constraints[c].force;
+    const double along[] = {force.x, force.y, force.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (constraints.constraints[c].equal[k]) row.push_back(along[k]);
+  }
+}
+
 }  // namespace percuss

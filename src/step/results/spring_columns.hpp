@@ -1,5 +1,5 @@
 #pragma once
-// The columns of history.csv of springs and of welds.
+// The columns of history.csv of springs, of welds and of constraints.
 
 #include <vector>
 
@@ -21,5 +21,12 @@ std::vector<HistoryColumn> list_weld_columns(const WeldModel& welds);
 
 /// The values of these columns.
 void append_welds(const WeldModel& welds, const State& state, std::vector<double>& row);
+
+/// Work of all constraints, then "equal_x:NAME" and so on, constraint after constraint, of their directions; none
+/// without constraints.
+std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints);
+
+/// Their values.
+void append_constraints(const ConstraintModel& constraints, const State& state, std::vector<double>& row);
 
 }  // namespace percuss

@@ -6,11 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "comm/all_reduce.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/whole_mesh.hpp"
+#include "src/step/springs/connected_nodes.hpp"
 #include "src/step/springs/end_pairs.hpp"
 
 namespace percuss {
@@ -108,33 +106,10 @@ void number_welded_nodes(const std::vector<std::array<std::int64_t, 2>>& ends, W
   model.nodes = std::move(all);
 }
 
-void find_welded_nodes(const ChunkedMesh& chunked, WeldModel& model) {
-  std::vector<int> owned, owned_places, local, local_places;
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    const int node = find_local_node(chunked, model.nodes[i]);
-    if (node < 0) continue;
-    local.push_back(node);
-    local_places.push_back(static_cast<int>(i));
-    if (!owns_node(chunked, node)) continue;
-    owned.push_back(node);
-    owned_places.push_back(static_cast<int>(i));
-  }
-  model.owned_node = to_view("percuss::welded_nodes", owned);
-  model.owned_place = to_view("percuss::welded_places", owned_places);
-  model.local_node = to_view("percuss::local_welded_nodes", local);
-  model.local_place = to_view("percuss::local_welded_places", local_places);
-}
-
 /// Bodies move their nodes by themselves.
 void refuse_rigid_nodes(const Model& model) {
   const WeldModel& welds = model.welds;
-  std::vector<int> is_rigid(welds.nodes.size(), 0);
-  if (!model.rigid.any()) return;
-  const auto nodes = to_host(welds.owned_node), places = to_host(welds.owned_place),
-             bodies = to_host(model.rigid.body_of_node);
-  for (std::size_t i = 0; i < nodes.extent(0); ++i)
-    is_rigid[static_cast<std::size_t>(places(i))] = bodies(nodes(i)) >= 0 ? 1 : 0;
-  all_reduce(model.ranks, Reduce::largest, is_rigid);
+  const std::vector<int> is_rigid = mark_rigid_nodes(model, welds);
   for (const Weld& weld : welds.welds) {
     const bool has_rigid =
         is_rigid[static_cast<std::size_t>(weld.end[0])] + is_rigid[static_cast<std::size_t>(weld.end[1])] > 0;
@@ -161,7 +136,7 @@ void build_welds(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
     add_welds(deck.welds[i], pairs[i], names, ends, model.welds);
   }
   number_welded_nodes(ends, model.welds);
-  find_welded_nodes(chunked, model.welds);
+  find_connected_nodes(chunked, model.welds);
   refuse_rigid_nodes(model);
 }
 

@@ -16,14 +16,19 @@ struct PairOfEnds {
   std::string name;
   std::array<SpringEndDeck, 2> between;
   Place place;
+  bool are_counterparts = false;  // the second end is looked at as if its mean place were that of the first
 };
 
 struct NodePair {
   Item first, second;
 };
 
+/// The nodes of an end or a set on all ranks, ascending. own: those that this rank owns, in its share. Collective.
+std::vector<Item> gather_nodes(const ChunkedMesh& chunked, const std::vector<int>& own);
+
 /// [entries] the pairs of each, in the order of their first nodes; the same on all ranks. kind: what messages call an
-/// entry ("spring"). Collective. Throws InputError with the deck's place, the same on all ranks.
+/// entry ("spring"). Collective. Throws InputError with the deck's place, the same on all ranks: counterparts must be
+/// as many, each of one node.
 std::vector<std::vector<NodePair>> find_node_pairs(const Deck& deck, const ChunkedMesh& chunked,
                                                    const std::vector<PairOfEnds>& entries, const std::string& kind);
 

@@ -1,0 +1,108 @@
+#pragma once
+// Damping of solids in proportion to their elastic stiffness: the stress beta C : D beside that of the material.
+//
+// Place in the step: after (1.5) internal forces, to the same slots. D is the rate of strain of the velocities at n+1/2
+// on the geometry of n+1, where the forces act: their power is V beta D : C : D >= 0. One-point hexahedra take the mean
+// rate, those of 2x2x2 points that of each point, with the mean dilatation (docs/theory.md).
+
+#include <cmath>
+
+#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/internal_force.hpp"
+
+namespace percuss {
+
+/// Which chunks are damped; const after set-up.
+struct DampedSolids {
+  Array<int> chunks;         // ascending chunk ids
+  Array<double> lambda, mu;  // [chunks of the rank] Lame's constants at the start times beta [pressure x time]
+  Array<int> is_full;        // [chunks of the rank] 1: of 2x2x2 points
+};
+
+/// Forces of damping by slot (what nodes feel), and what they are added to.
+struct DampingFields {
+  Rows3<double> force;       // in: at n, out: at n+1
+  Rows3<double> slot_force;  // added to
+  WorkRows work;             // viscous: added to, with the mean of the forces at n and n+1
+};
+
+/// Damps every listed chunk, after its internal forces.
+void damp_solids(const ExecSpace& space, const HexChunks& chunks, const DampedSolids& damped,
+                 const ElementMotion& motion, const DampingFields& fields);
+
+/// Lame's constants times beta.
+struct DampingModuli {
+  double lambda = 0, mu = 0;
+};
+
+/// Forces at the corners that resist the velocities u on the geometry a, both as modes, of one-point hexahedra.
+template <class T>
+PERCUSS_FORCE_INLINE void find_mean_damping(const DampingModuli& moduli, const VectorModes<T>& a,
+                                            const VectorModes<T>& u, const CornerForces<T>& out) {
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const Symmetric3<T> d = symmetric_part(find_velocity_gradient(u, b));
+  const T pressure = number<T>(moduli.lambda) * trace(d);
+  const Symmetric3<T> t = number<T>(2 * moduli.mu) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
+  const Vector3<T> none{T(0), T(0), T(0)};
+  find_corner_forces(t, HourglassModes<T>{{none, none, none, none}}, a, b, out);
+}
+
+/// The same of 2x2x2 points with mean dilatation.
+template <class T>
+PERCUSS_FORCE_INLINE void find_full_damping(const DampingModuli& moduli, const VectorModes<T>& a,
+                                            const VectorModes<T>& u, const CornerForces<T>& out) {
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const T third = number<T>(1.0 / 3.0), shear = number<T>(2 * moduli.mu);
+  VectorModes<T> force;
+  for (int m = 1; m <= 7; ++m) force[m] = {T(0), T(0), T(0)};
+  for (int p = 0; p < 8; ++p) {
+    const GaussPoint at = find_gauss_point(p);
+    const PointGeometry<T> point = find_point_geometry(a, at);
+    const Symmetric3<T> d = symmetric_part(find_point_gradient(point, at, u, identity_matrix<T>()));
+    const T mean = third * trace(d);
+    add_point_force(shear * (d + Symmetric3<T>{-mean, -mean, -mean, T(0), T(0), T(0)}), point, at, force);
+  }
+  const T bulk = number<T>(moduli.lambda + 2.0 / 3.0 * moduli.mu);
+  find_full_forces(force, identity_matrix<T>(), bulk * trace(symmetric_part(find_velocity_gradient(u, b))), b, out);
+}
+
+/// Largest step of central differences with the damping of the whole stiffness, which lags half a step, from that
+/// without: omega^2 (dt^2 / 4 + beta dt / 2) <= 1 with omega = 2 / step, which is dt = step (sqrt(1 + xi^2) - xi) with
+/// xi = beta omega / 2. With a viscosity within `step` it is a lower bound.
+KOKKOS_INLINE_FUNCTION double find_damped_step(double step, double beta) {
+  return step / (std::sqrt(1 + (beta / step) * (beta / step)) + beta / step);
+}
+
+/// The kind of work that counts it.
+inline constexpr int viscous_work = 2;
+
+/// The slots of a chunk, which begin at `first`, and their nodes.
+struct ChunkSlots {
+  const int* slots_to_nodes;
+  int first, count;
+};
+
+/// Records of forces or moments by slot of the chunk, `size` numbers apart.
+struct SlotRecords {
+  const double* first;
+  int size;
+};
+
+/// Makes `now` the damping of each slot, in place of that of the step before, and adds it to `all`. Returns the sum of
+/// old and new times the velocities, slot by slot.
+KOKKOS_INLINE_FUNCTION double set_damping(const Rows3<const double>& v, const ChunkSlots& slots, const SlotRecords& now,
+                                          const Rows3<double>& damping, const Rows3<double>& all) {
+  double power = 0;
+  for (int s = 0; s < slots.count; ++s) {
+    const int n = slots.slots_to_nodes[s], slot = slots.first + s;
+    for (int k = 0; k < 3; ++k) {
+      const double force = now.first[now.size * s + k];
+      power += v(n, k) * (damping(slot, k) + force);
+      damping(slot, k) = force;
+      all(slot, k) += force;
+    }
+  }
+  return power;
+}
+
+}  // namespace percuss

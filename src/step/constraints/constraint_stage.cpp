@@ -1,0 +1,150 @@
+#include "src/step/constraints/constraint_stage.hpp"
+
+#include <cmath>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
+#include "src/step/model/impulses.hpp"
+#include "src/step/springs/gathered_rows.hpp"
+
+namespace percuss {
+
+ConstraintStage::ConstraintStage(const Model& model)
+    : model_(model),
+      rows_(model.constraints.nodes.size() * NodeRow::count),
+      outcomes_(3 * model.constraints.nodes.size()),
+      own_rows_("percuss::constrained_rows", model.constraints.owned_node.extent(0), NodeRow::count) {}
+
+/// Each value is known to one rank; the others give zeros, and bits are added up.
+void ConstraintStage::gather(const State& state) {
+  const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
+  const auto inverse_mass = state.inverse_mass;
+  const auto mass = state.mass;
+  const auto node = model_.constraints.owned_node;
+  const auto own = own_rows_;
+  Kokkos::parallel_for(
+      "percuss::gather_constrained_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = node(i);
+        for (int k = 0; k < 3; ++k) {
+          own(i, NodeRow::place + k) = x(n, k);
+          own(i, NodeRow::velocity + k) = v(n, k);
+          own(i, NodeRow::velocity_before + k) = v_before(n, k);
+          own(i, NodeRow::contact + k) = contact(n, k);
+          own(i, NodeRow::inverse_mass + k) = inverse_mass(n, k);
+        }
+        own(i, NodeRow::mass) = mass(n);
+      });
+  gather_rows(model_.ranks, own_rows_, model_.constraints.owned_place, NodeRow::count, rows_);
+}
+
+void ConstraintStage::solve() {
+  for (std::size_t n = 0; n < model_.constraints.nodes.size(); ++n)
+    for (std::size_t k = 0; k < 3; ++k) outcome(static_cast<int>(n), k) = {value(n, NodeRow::velocity, k), 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EqualGroups& groups = model_.constraints.groups[k];
+    for (std::size_t g = 0; g + 1 < groups.first.size(); ++g)
+      join_group(groups.members.data() + groups.first[g], groups.members.data() + groups.first[g + 1], k);
+  }
+}
+
+/// The mean velocity of the nodes that are left, or that of the first one which is held: it takes what the others need.
+/// Velocities count from that of the first node, so that equal ones keep their bits.
+void ConstraintStage::join_group(const int* first, const int* last, std::size_t k) {
+  int base = -1, held = -1;
+  double mass = 0, momentum = 0;
+  for (const int* i = first; i < last; ++i) {
+    const std::size_t n = at(*i);
+    if (!(value(n, NodeRow::mass) > 0)) continue;
+    if (base < 0) base = *i;
+    if (held < 0 && value(n, NodeRow::inverse_mass, k) == 0) held = *i;
+    mass += value(n, NodeRow::mass);
+    momentum += value(n, NodeRow::mass) * (value(n, NodeRow::velocity, k) - value(at(base), NodeRow::velocity, k));
+  }
+  if (base < 0) return;
+  const double common =
+      held >= 0 ? value(at(held), NodeRow::velocity, k) : value(at(base), NodeRow::velocity, k) + momentum / mass;
+  double given = 0;
+  for (const int* i = first; i < last; ++i) {
+    const std::size_t n = at(*i);
+    if (!(value(n, NodeRow::mass) > 0) || *i == held) continue;
+    const double impulse = value(n, NodeRow::mass) * (common - value(n, NodeRow::velocity, k));
+    outcome(*i, k) = {common, impulse};
+    given += impulse;
+  }
+  if (held >= 0) outcome(held, k).impulse = -given;
+}
+
+/// Work with the mean of the velocities before and after the step. Contact has counted its own with the velocities that
+/// the constraints then changed. Forces at different places turn the nodes: their moment comes from outside.
+void ConstraintStage::book(State& state) const {
+  const Vec3& center = model_.mass_center;
+  ExactSum moments[3];
+  double work = 0, of_contact = 0;
+  for (std::size_t n = 0; n < model_.constraints.nodes.size(); ++n) {
+    const Outcome* const of_node = &outcomes_[3 * n];
+    for (std::size_t k = 0; k < 3; ++k) {
+      work += 0.5 * of_node[k].impulse * (value(n, NodeRow::velocity_before, k) + of_node[k].velocity);
+      of_contact += 0.5 * value(n, NodeRow::contact, k) * (of_node[k].velocity - value(n, NodeRow::velocity, k));
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      moments[k].add((value(n, NodeRow::place, i) - center[i]) * of_node[j].impulse -
+                     (value(n, NodeRow::place, j) - center[j]) * of_node[i].impulse);
+    }
+  }
+  state.books.equal_work += work;
+  state.books.contact_work += of_contact;
+  if (model_.ranks.rank() != 0) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    state.books.moment_impulse[k].merge(moments[k]);
+    state.books.moment_impulse[k].normalize();
+  }
+}
+
+void ConstraintStage::set_forces(State& state, double dt_mean) {
+  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
+    const Constraint& constraint = model_.constraints.constraints[c];
+    double force[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!constraint.equal[k]) continue;
+      for (const int n : constraint.nodes) {
+        const double of_node = outcome(n, k).impulse / dt_mean;
+        force[k] += constraint.has_pairs ? of_node : 0.5 * std::abs(of_node);
+      }
+    }
+    state.constraints[c].force = {force[0], force[1], force[2]};
+  }
+}
+
+void ConstraintStage::give_back(const State& state) const {
+  const std::size_t count = model_.constraints.local_node.extent(0);
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> rows("percuss::constrained_velocities", count, 6);
+  const auto host = Kokkos::create_mirror_view(rows);
+  const auto places = to_host(model_.constraints.local_place);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Outcome& of_node = outcomes_[3 * at(places(i)) + k];
+      host(i, k) = of_node.velocity;
+      host(i, 3 + k) = of_node.impulse;
+    }
+  }
+  Kokkos::deep_copy(rows, host);
+  const auto v = state.v, impulse = state.weld_impulse;
+  const auto nodes = model_.constraints.local_node;
+  Kokkos::parallel_for(
+      "percuss::set_constrained_nodes", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < 3; ++k) {
+          v(nodes(i), k) = rows(i, k);
+          impulse(nodes(i), k) = rows(i, 3 + k);
+        }
+      });
+}
+
+void ConstraintStage::join(State& state, double dt_mean) {
+  gather(state);
+  solve();
+  book(state);
+  set_forces(state, dt_mean);
+  give_back(state);
+}
+
+}  // namespace percuss

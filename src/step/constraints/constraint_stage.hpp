@@ -1,0 +1,56 @@
+#pragma once
+// Constraints of a step: nodes that move equally in a direction get the mean velocity of their masses.
+//
+// Every rank computes all constraints, from what the owners of their nodes send to all.
+
+#include <vector>
+
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+class ConstraintStage {
+ public:
+  /// The model outlives this.
+  explicit ConstraintStage(const Model& model);
+
+  /// Velocities at n+1/2 of constrained nodes, the forces that this takes, and their work. Call when contact and
+  /// conditions have acted, before the nodes move. Collective.
+  void join(State& state, double dt_mean);
+
+ private:
+  /// What the owner of a node tells.
+  struct NodeRow {
+    enum : std::size_t {
+      place,
+      velocity = place + 3,
+      velocity_before = velocity + 3,
+      contact = velocity_before + 3,
+      inverse_mass = contact + 3,
+      mass = inverse_mass + 3,
+      count
+    };
+  };
+  /// A direction of a node: its velocity with the constraint, and the impulse that this takes.
+  struct Outcome {
+    double velocity = 0, impulse = 0;
+  };
+
+  double value(std::size_t node, std::size_t what, std::size_t k = 0) const {
+    return rows_[node * NodeRow::count + what + k];
+  }
+  Outcome& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
+  void gather(const State& state);
+  void solve();
+  void join_group(const int* first, const int* last, std::size_t k);
+  void book(State& state) const;
+  void set_forces(State& state, double dt_mean);
+  void give_back(const State& state) const;
+
+  const Model& model_;
+  std::vector<double> rows_;       // [ConstraintModel::nodes][NodeRow::count] of the last gather()
+  std::vector<Outcome> outcomes_;  // [ConstraintModel::nodes][3]
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,116 @@
+#include "src/step/damping/build_stiffness_damping.hpp"
+
+#include <fmt/format.h>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+#include "src/index.hpp"
+
+namespace percuss {
+namespace {
+
+/// Of a part; rigid ones have none.
+double find_factor(const Deck& deck, int part) {
+  return deck.parts[at(part)].rigid ? 0 : deck.find_elements(at(part)).stiffness_damping;
+}
+
+ElementFamily find_block_family(const ElementBlock& block) { return find_topology(block.topology).family; }
+
+const char* find_refusal(const Deck& deck, const ElementBlock& block) {
+  const ElementFamily family = find_block_family(block);
+  if (family != ElementFamily::hexahedra && family != ElementFamily::shells)
+    return "(stiffness_damping acts on hexahedra and shells): set it by part";
+  if (!grows_in_increments(deck.materials[at(block.material)]))
+    return "(stiffness_damping needs elastic constants that do not change: of elastic and of plastic materials without "
+           "an equation of state): set it by part";
+  return nullptr;
+}
+
+/// On all ranks alike: they know all blocks.
+void refuse_others(const Deck& deck, const Mesh& mesh) {
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    if (find_factor(deck, block.part) == 0) continue;
+    const PartDeck& part = deck.parts[at(block.part)];
+    if (deck.time.step_estimate == TimeDeck::StepEstimate::global)
+      throw InputError(
+          fmt::format("{}: error: part '{}' has stiffness_damping (time.step_estimate: global does not "
+                      "know it): use time.step_estimate: element",
+                      deck.where(part.place), part.name));
+    const char* const refusal = find_refusal(deck, block);
+    if (refusal == nullptr) continue;
+    throw InputError(fmt::format("{}: error: part '{}' with its {} of material '{}' cannot be damped {}",
+                                 deck.where(part.place), part.name, find_topology(block.topology).name,
+                                 deck.materials[at(block.material)].name, refusal));
+  }
+}
+
+PlaneElasticity make_plane_elasticity(const LameConstants& moduli) {
+  const double sum = moduli.lambda + moduli.mu;
+  return find_plane_elasticity(moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / sum, 0.5 * moduli.lambda / sum);
+}
+
+/// Mean square of the places of the points in half the thickness.
+double find_bending_square(int points) {
+  const ThicknessPoints rule = find_thickness_points(points);
+  double sum = 0;
+  for (int p = 0; p < points; ++p) sum += rule.weight[p] * rule.place[p] * rule.place[p];
+  return sum;
+}
+
+bool has_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
+  for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
+    if (chunked.mesh.topology_of(at(e)).corner_count == 3) return true;
+  return false;
+}
+
+/// The chunks of this rank, while they are listed.
+struct DampedLists {
+  std::vector<int> solids, shells, is_full;
+  std::vector<double> factor, lambda, mu;
+  std::vector<DampedSection> sections;
+  bool has_triangles = false;
+
+  explicit DampedLists(std::size_t count)
+      : is_full(count, 0), factor(count, 0), lambda(count, 0), mu(count, 0), sections(count) {}
+};
+
+void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::size_t c, DampedLists& lists) {
+  const Chunk& chunk = chunked.chunks[c];
+  const double beta = lists.factor[c] = find_factor(deck, chunk.part);
+  if (beta == 0) return;
+  const ElementBlock& block = find_block(chunked, chunk);
+  const LameConstants moduli = find_moduli(deck.materials[at(block.material)]);
+  if (find_block_family(block) == ElementFamily::shells) {
+    lists.shells.push_back(static_cast<int>(c));
+    lists.sections[c] = {make_plane_elasticity(moduli), beta, find_bending_square(points),
+                         deck.parts[at(chunk.part)].offset};
+    lists.has_triangles = lists.has_triangles || has_triangle(chunked, chunk);
+    return;
+  }
+  lists.solids.push_back(static_cast<int>(c));
+  lists.is_full[c] = deck.find_elements(at(chunk.part)).integration == ElementDeck::Integration::full ? 1 : 0;
+  lists.lambda[c] = beta * moduli.lambda;
+  lists.mu[c] = beta * moduli.mu;
+}
+
+}  // namespace
+
+void build_stiffness_damping(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  refuse_others(deck, chunked.mesh);
+  bool is_asked_for = false;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p)
+    is_asked_for = is_asked_for || find_factor(deck, static_cast<int>(p)) > 0;
+  if (!is_asked_for) return;
+  DampedLists lists(chunked.chunks.size());
+  const auto points = to_host(model.chunks.points);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) list_chunk(deck, chunked, points(c), c, lists);
+  model.stiffness_damping = to_view("percuss::stiffness_damping", lists.factor);
+  model.damped_solids = {to_view("percuss::damped_solids", lists.solids),
+                         to_view("percuss::damping_lambda", lists.lambda), to_view("percuss::damping_mu", lists.mu),
+                         to_view("percuss::has_full_damping", lists.is_full)};
+  model.damped_shells = {to_view("percuss::damped_shells", lists.shells),
+                         to_view("percuss::damped_sections", lists.sections), lists.has_triangles};
+}
+
+}  // namespace percuss
