@@ -16,6 +16,7 @@ ORDER = (
     "rigid_sets",
     "springs",
     "welds",
+    "constraints",
     "joints",
     "initial",
     "start",

@@ -575,6 +575,29 @@ class Scene(InFolder):
         done = self.percuss("import", self.write(text), "--out", "welded", "--units", "m, kg, s")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_nodes_that_move_equally(self):
+        cards = "*SET_NODE_LIST\n70\n14,24\n*CONSTRAINED_NODE_SET\n70,6\n*CONSTRAINED_NODE_SET_ID\n9\n70,7,1e20\n*END"
+        text = decks.SMALL.replace("*END", decks.PLATE + cards)
+        model, ledger = self.read(text)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual(
+            model.deck["constraints"],
+            {"equal_1": {"equal": ["x", "z"], "nodes": "equal_1"}, "equal_9": {"equal": ["x", "y", "z"], "nodes": "equal_9"}},
+        )
+        self.assertEqual(model.node_sets["equal_1"], [14, 24])
+        done = self.percuss("import", self.write(text), "--out", "equal", "--units", "m, kg, s")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(list(self.refusals(text.replace("70,6", "70,6,2e-5"))), ["CONSTRAINED_NODE_SET.TF"])
+        self.fails(text.replace("70,6", "70,8"), "DOF is 8 (1 to 7 are directions)")
+
+    def test_damping_in_proportion_to_stiffness(self):
+        text = decks.SMALL.replace("*END", "*DAMPING_PART_STIFFNESS\n3,-1e-7\n*END")
+        model, ledger = self.read(text)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual([block.keys.get("stiffness_damping") for block in model.blocks], [1e-7])
+        done = self.percuss("import", self.write(text), "--out", "damped", "--units", "m, kg, s")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_spot_welds_that_are_refused(self):
         text = decks.SMALL.replace("*END", decks.PLATE + "*CONSTRAINED_SPOTWELD\n11,21,5.0e3,2.0e3,2,2,0,0.3\n*END")
         self.assertEqual(list(self.refusals(text)), ["CONSTRAINED_SPOTWELD.EP"])
@@ -746,7 +769,7 @@ class Scene(InFolder):
 class Strictness(InFolder):
     def test_nothing_is_dropped_silently(self):
         for card, key in (("*CONSTRAINED_INTERPOLATION\n1,2\n", "CONSTRAINED_INTERPOLATION"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
-                          ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_PART_STIFFNESS\n3,0.1\n", "DAMPING_PART_STIFFNESS"),
+                          ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_PART_STIFFNESS\n3,0.1\n", "DAMPING_PART_STIFFNESS.COEF"),
                           ("*DAMPING_GLOBAL\n0,1.0,1,0,0\n", "DAMPING_GLOBAL.STX"),
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
                           ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
@@ -1002,10 +1025,36 @@ class Abaqus(InFolder):
         self.assertEqual(model.deck["rigid_sets"], {"rigid_1": {"nodes": "rigid_1"}})
         self.assertEqual(model.node_sets["rigid_1"], [11, 14, 15])
 
+    def test_equations_of_two_terms_are_constraints(self):
+        lines = (
+            "*EQUATION\n2\nplate-1.1, 1, 1., plate-1.4, 1, -1.\n2\nplate-1.1, 3, 2., plate-1.4, 3, -2.\n"
+            "*MPC\nPIN, plate-1.2, plate-1.5\n*END ASSEMBLY\n"
+        )
+        text = decks.ABAQUS.replace("*END ASSEMBLY\n", lines)
+        self.assertEqual(
+            self.read_abaqus(text)[0].deck["constraints"],
+            {
+                "equal_1": {"equal": ["x", "z"], "between": [{"id": 11}, {"id": 14}]},
+                "equal_2": {"equal": ["x", "y", "z"], "between": [{"id": 12}, {"id": 15}]},
+            },
+        )
+        self.accept(text, "deck.inp")
+        for old, new in (("1, 1., plate", "1, 1.5, plate"), ("3, -2.", "2, -2."), ("2\nplate-1.1, 1", "3\nplate-1.1, 1")):
+            with self.subTest(new):
+                refused = {entry.card for entry in self.read_abaqus(text.replace(old, new).replace("1, -1.\n2", "1, -1., plate-1.2, 1, 1.\n2" if new[0] == "3" else "1, -1.\n2"))[1].list_refused()}
+                self.assertIn("EQUATION", refused)
+
+    def test_damping_of_a_material(self):
+        text = decks.ABAQUS.replace("*DENSITY\n", "*DAMPING, ALPHA=20., BETA=1e-7\n*DENSITY\n")
+        model, _ = self.read_abaqus(text)
+        self.assertEqual([block.keys.get("stiffness_damping") for block in model.blocks], [1e-7, 1e-7])
+        self.assertEqual(model.deck["damping"], [{"nodes": block.name, "coefficient": 20} for block in model.blocks])
+        self.accept(text, "deck.inp")
+
     def test_bodies_that_are_free_in_part_are_refused(self):
         for old, new, key in (("900, 1, 5", "900, 1, 4", "BOUNDARY.reference"), ("*KINEMATIC\n", "*KINEMATIC\n1, 3\n", "KINEMATIC.free"),
                               ("*KINEMATIC\n", "*DISTRIBUTING\n", "DISTRIBUTING"), ("ELSET=block-1.all", "PIN NSET=block-1.foot", "RIGID BODY.PIN NSET"),
-                              ("*KINEMATIC\n", "*KINEMATIC\n*MPC\nPIN, plate-1.1, plate-1.4\n", "MPC.PIN")):  # fmt: skip
+                              ("*KINEMATIC\n", "*KINEMATIC\n*MPC\nLINK, plate-1.1, plate-1.4\n", "MPC.LINK")):  # fmt: skip
             with self.subTest(key):
                 refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS_BODIES.replace(old, new))[1].list_refused()}
                 self.assertIn(key, refused)

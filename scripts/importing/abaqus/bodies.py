@@ -49,11 +49,14 @@ def read_kinematic(scope: Scope, card: BodyCard | None, block: Block, ledger: Le
 def read_constraints(scope: Scope, block: Block, ledger: Ledger) -> None:
     """*MPC: lines of a kind and two nodes, or sets of them."""
     for line in block.lines:
-        if block.text(line, 0).upper() == "BEAM" and len(line[1]) >= 3:
+        kind = block.text(line, 0).upper()
+        if kind in ("BEAM", "PIN", "TIE") and len(line[1]) == 3:
             names = [block.text(line, 1), block.text(line, 2)]
-            scope.bodies.append(BodyCard("MPC", block.at(line[0]), names[1], nodes=names[:1]))
+            equal = "" if kind == "BEAM" else "xyz"
+            keyword = "MPC" if kind == "BEAM" else f"MPC.{kind}"
+            scope.bodies.append(BodyCard(keyword, block.at(line[0]), names[1], nodes=names[:1], equal=equal))
         else:
-            ledger.refuse(f"MPC.{block.text(line, 0).upper()[:20]}", block.at(line[0]), "a constraint other than BEAM", "it is left out")
+            ledger.refuse(f"MPC.{kind[:20]}", block.at(line[0]), "a constraint other than BEAM, PIN and TIE", "it is left out")
 
 
 @dataclass
@@ -101,7 +104,7 @@ def build_bodies(deck: AbaqusDeck) -> None:
     """Parts that are rigid, and `rigid_sets` of what they do not have."""
     for card in (card for card in deck.mesh.bodies if card.profile):
         add_wall(deck, card)
-    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile]):
+    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.equal]):
         card = together[0].card
         nodes = {node for m in together for node in m.nodes if node in deck.used_nodes()}
         if not nodes:

@@ -180,4 +180,4 @@ def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     return {"model": "mooney_rivlin", "c10": c10, "c01": c01, "bulk_modulus": 2 / d1}
 
 
-READ = {"DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC"}

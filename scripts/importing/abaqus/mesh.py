@@ -78,6 +78,7 @@ class BodyCard:
     nodes: list[str] = field(default_factory=list)
     surface: str = ""
     profile: str = ""  # an analytical surface
+    equal: str = ""  # directions, where the nodes move equally instead
 
 
 @dataclass

@@ -5,12 +5,12 @@ from collections import Counter
 from ..fields import MOST_ID
 from ..ledger import BadInput, missing
 from ..model import Block as Part
-from ..model import Deck
+from ..model import NOT_DAMPED, Deck, takes_stiffness_damping
 from .bodies import add_reference_masses
 from .beams import add_beam_keys, read_beam_section
 from .deck import AbaqusDeck
 from .lines import Block
-from .materials import translate_material
+from .materials import find, translate_material
 from ..solids import NAMES, collapse
 from .mesh import BEAMS, SHELLS, SOLIDS, SPRINGS, Scope, Section, join
 
@@ -107,8 +107,28 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
     if part.beams and not add_beam_keys(deck, section, part, law):
         return
     if part.elements():
+        add_damping(deck, section, part, law)
         deck.model.blocks.append(part)
         deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
+
+
+def add_damping(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> None:
+    """ALPHA and BETA of *DAMPING of the material."""
+    block = find(deck.materials[section.material.upper()], "DAMPING")
+    if block is None:
+        return
+    line = (block.place.line, [block.options.get(name, "") for name in ("ALPHA", "BETA")])
+    alpha, beta = block.number(line, 0), block.number(line, 1)
+    if min(alpha, beta) < 0:
+        raise BadInput(block.place, "the damping is negative (it would add energy): correct ALPHA or BETA")
+    if alpha > 0:
+        deck.model.add("damping", {"nodes": part.name, "coefficient": alpha})
+        deck.ledger.translated("DAMPING.ALPHA", block.place, "damping of the nodes of the part")
+    if beta > 0 and not takes_stiffness_damping(part, law):
+        deck.ledger.refuse("DAMPING.BETA", block.place, NOT_DAMPED, "their part has none")
+    elif beta > 0:
+        part.keys["stiffness_damping"] = beta
+        deck.ledger.translated("DAMPING.BETA", block.place, "stiffness_damping of the part")
 
 
 def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: str, corners: tuple[int, ...]) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from ..ledger import BadInput, Ledger
 from ..model import Model
-from . import bodies, heat, steps, surfaces
+from . import bodies, equations, heat, steps, surfaces
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
@@ -132,6 +132,9 @@ class Reader:
     def constraints(self, block: Block) -> None:
         bodies.read_constraints(self.scope, block, self.deck.ledger)
 
+    def equations(self, block: Block) -> None:
+        equations.read_equations(self.scope, block, self.deck.ledger)
+
     def begin_material(self, block: Block) -> None:
         self.material = MaterialBlocks(block.place)
         self.deck.materials[block.option("NAME")] = self.material
@@ -193,7 +196,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
     "NODAL THICKNESS": Reader.nodal_thickness,
-    "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints,
+    "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
     "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
@@ -226,6 +229,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     build_parts(deck)
     choose_integration(deck)
     bodies.build_bodies(deck)
+    equations.add_equations(deck)
     apply(reader)
     finish(deck)
     return deck.model

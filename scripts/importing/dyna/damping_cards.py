@@ -1,19 +1,23 @@
-"""*DAMPING_GLOBAL and _PART_MASS: damping in proportion to mass."""
+"""*DAMPING_GLOBAL and _PART_MASS: damping in proportion to mass; _PART_STIFFNESS: to stiffness."""
 
 from ..curves import make_time_value
 from ..fields import Row
 from ..ledger import BadInput, Place
 from .cards import Card
+from ..model import NOT_DAMPED, takes_stiffness_damping
 from .deck import KeywordDeck
 
 MASS_CARDS = ("DAMPING_GLOBAL", "DAMPING_PART_MASS", "DAMPING_PART_MASS_SET")
+STIFFNESS_CARDS = ("DAMPING_PART_STIFFNESS", "DAMPING_PART_STIFFNESS_SET")
 FACTORS = ("STX", "STY", "STZ", "SRX", "SRY", "SRZ")
 
 
 def read_damping(deck: KeywordDeck, card: Card) -> None:
     """Entries of `damping`. Those of all come first, since the last one that names a node holds."""
-    if card.keyword not in MASS_CARDS:
-        deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass", "it is left out")
+    if card.keyword in STIFFNESS_CARDS:
+        read_stiffness_damping(deck, card)
+    elif card.keyword not in MASS_CARDS:
+        deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass or stiffness", "it is left out")
     elif card.keyword == "DAMPING_GLOBAL":
         row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
         if read_factors(deck, row):
@@ -48,6 +52,33 @@ def read_part_damping(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.translated(card.keyword, row.place, "damping of the nodes of the part")
         else:
             deck.ledger.ignored(card.keyword, row.place, "its parts have no elements")
+
+
+def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
+    """PID COEF: a negative COEF is Rayleigh's beta. What a positive one does at which frequency depends on the step."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("ID COEF")
+        id, value = row.integer("ID"), row.number("COEF")
+        row.finish(deck.ledger)
+        if value == 0:
+            continue
+        if value > 0:
+            deck.ledger.refuse(
+                f"{card.keyword}.COEF", row.place, "a share of the damping at high frequencies, which is that of LS-DYNA's own step", "there is none: a negative COEF is beta"
+            )
+            continue
+        parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("SET") else [id]
+        for part in parts:
+            deck.find_part(part, row.place)
+        for block in deck.model.blocks:
+            if block.part not in parts or block.part in deck.rigid:
+                continue
+            if not takes_stiffness_damping(block, deck.model.materials[block.keys["material"]]):
+                deck.ledger.refuse(f"{card.keyword}.part", row.place, NOT_DAMPED, "their part is not damped")
+                continue
+            block.keys["stiffness_damping"] = -value
+            deck.ledger.translated(card.keyword, row.place, "stiffness_damping of the part")
 
 
 def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float) -> None:

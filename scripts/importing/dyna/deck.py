@@ -156,6 +156,7 @@ class KeywordDeck:
         self.springs: list[SpringElement] = []
         self.part_of_spring: set[int] = set()
         self.welds: list[Card] = []
+        self.equal_sets: list[Card] = []
         self.rigid_ends: set[int] = set()  # nodes that no weld can have
         self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0

@@ -10,6 +10,7 @@ from . import start_cards as start
 from .beam_cards import read_beams
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
+from .constraint_cards import add_node_sets, read_node_sets
 from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
 from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
@@ -53,7 +54,7 @@ DEFINITIONS: dict[str, Handler] = {
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,
-    "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
+    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
     "SENSOR_": read_sensor,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
@@ -171,6 +172,7 @@ def finish(deck: KeywordDeck) -> None:
     start.add_masses(deck)
     add_springs(deck)
     add_welds(deck)
+    add_node_sets(deck)
     finish_contacts(deck)
     finish_output(deck)
     finish_sensors(deck)
