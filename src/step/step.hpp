@@ -12,6 +12,7 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
 #include "src/step/damping/damping_stage.hpp"
+#include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/mass_scaler.hpp"
 #include "src/step/model/model.hpp"
@@ -84,6 +85,7 @@ class Stepper {
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
   ForceBooks& forces() { return forces_; }
+  Accelerometers& accelerometers() { return accelerometers_; }
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
@@ -157,6 +159,7 @@ class Stepper {
   std::unique_ptr<DampingStage> damping_;  // only with damping
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
+  Accelerometers accelerometers_;
   PrescribedMotions motions_;
   Array<double> pressures_;
   NodalLoadValues nodal_values_;
