@@ -159,7 +159,7 @@ TEST(Accelerometers, GoOnAfterARestart) {
     return run_scene(parse_deck(text, "deck.yaml"), options).summary;
   };
   EXPECT_GT(run("{end: 2}", "", whole.path(), "").steps, 40);
-  run("{end: 2, max_steps: 36}", "  checkpoint: {every: 0.7}\n", parts.path(), "");
+  run("{end: 2, max_steps: 36}", "  checkpoint: {every: 0.2}\n", parts.path(), "");
   run("{end: 2}", "", parts.path(), parts.path() + "/checkpoint_previous.h5");
   if (Communicator::world().rank() != 0) return;
   EXPECT_TRUE(read_file(parts.path() + "/history.csv") == read_file(whole.path() + "/history.csv"));
