@@ -209,19 +209,19 @@ std::vector<WrongDeck> unknown_names() {
       {"AccelerometerOfTwoNodes",
        append("output: {history: {nodes: [{name: p, id: 1}, {name: q, id: 2}], accelerometers: [{name: a, nodes: [p, "
               "q]}]}}"),
-       "6:109", "output.history.accelerometers.0.nodes is a list (must be three different names of"},
+       "6:99", "output.history.accelerometers.0.nodes is ['p', 'q'] (must be three different names of"},
       {"AccelerometerOfOneNodeTwice",
        append("output: {history: {nodes: [{name: p, id: 1}, {name: q, id: 2}], accelerometers: [{name: a, nodes: [p, "
               "q, p]}]}}"),
-       "6:109", "must be three different names of output.history.nodes"},
+       "6:99", "must be three different names of output.history.nodes"},
       {"AccelerometerOfUnknownNode",
        append("output: {history: {nodes: [{name: p, id: 1}, {name: q, id: 2}], accelerometers: [{name: a, nodes: [p, "
               "q, r]}]}}"),
-       "6:89", "accelerometer 'a' has the node 'r' (must be a name of output.history.nodes)"},
+       "6:82", "accelerometer 'a' has the node 'r' (must be a name of output.history.nodes)"},
       {"AccelerometerTwice",
        append("output: {history: {nodes: [{name: p, id: 1}, {name: q, id: 2}, {name: r, id: 3}], "
               "accelerometers: [{name: a, nodes: [p, q, r]}, {name: a, nodes: [q, p, r]}]}}"),
-       "6:135", "name 'a' is given twice in output.history.accelerometers"},
+       "6:129", "name 'a' is given twice in output.history.accelerometers"},
       {"ForceOfNoKind", append("output: {history: {forces: [{name: f}]}}"), "6:29",
        "output.history.forces.0 has no kind of force (must have exactly one of contact, wall, support, section)"},
       {"ForceOfTwoKinds", append("output: {history: {forces: [{name: f, support: rod, contact: [rod, all]}]}}"), "6:29",
