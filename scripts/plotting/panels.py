@@ -34,7 +34,7 @@ def list_panels(histories):
         return [name for name in wanted if name in names and (name in always or moves(name))]
 
     forces = list(FORCES) + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)]
-    accelerations = [n for n in names if any(n in h.derived for h in histories) and moves(n)]
+    accelerations = [n for n in names if any(n in h and h.dimension(n) == "acceleration" for h in histories) and moves(n)]
     forces = _leave_out_small(among(forces), histories)
     panels = [
         Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),

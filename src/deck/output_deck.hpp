@@ -57,6 +57,15 @@ struct ForceDeck {
   bool is_of_contact() const { return kind == Kind::contact || kind == Kind::wall; }
 };
 
+/// An accelerometer in the history: what a node feels, along axes that move with three nodes.
+struct AccelerometerDeck {
+  enum class Weight { keep, remove };  // whether the acceleration of gravity counts
+  std::string name;                    // heading in history.csv
+  std::vector<std::string> nodes;      // names of history nodes: the origin, one along x, one in the plane of x and y
+  Weight gravity = Weight::keep;
+  Place place;
+};
+
 /// A text that says what the force is of, its name included: the same of forces that are the same.
 std::string identify(const ForceDeck& force);
 
@@ -70,7 +79,9 @@ struct OutputDeck {
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
+  std::vector<Selector> blocks;  // element blocks and element sets, each with columns of its own
   std::vector<ForceDeck> forces;
+  std::vector<AccelerometerDeck> accelerometers;
   std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
   std::optional<double> checkpoint_wall;   // of the clock [s]
 

@@ -228,6 +228,34 @@ std::vector<int> list_whole_elements(const Elements& elements, const std::vector
   return whole;
 }
 
+namespace {
+
+/// Elements of each block that has a name, "part/block".
+std::map<std::string, std::vector<int>> list_block_elements(const Mesh& mesh) {
+  std::map<std::string, std::vector<int>> blocks;
+  std::vector<std::vector<int>*> of_block;
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    const std::string& part = mesh.parts[static_cast<std::size_t>(block.part)].name;
+    of_block.push_back(block.name.empty() ? nullptr : &blocks[fmt::format("{}/{}", part, block.name)]);
+  }
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (auto* const members = of_block[static_cast<std::size_t>(mesh.elements.block_index(e))])
+      members->push_back(static_cast<int>(e));
+  return blocks;
+}
+
+/// Those of an element set, else of a block.
+std::vector<int> list_elements_of_set(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  if (const auto set = find_set(mesh.side_sets, deck, selector)) return list_whole_elements(mesh.elements, *set);
+  const auto blocks = list_block_elements(mesh);
+  if (auto block = find_set(blocks, deck, selector)) return *block;
+  std::vector<std::string> known = list_names(mesh.side_sets);
+  for (const std::string& name : list_names(blocks)) known.push_back(name);
+  refuse_unknown(deck, selector, "part, element block or element set", std::move(known));
+}
+
+}  // namespace
+
 std::vector<char> mark_elements(const Mesh& mesh, const Deck& deck, const std::vector<Selector>& selectors) {
   std::vector<char> marks(mesh.elements.size(), 0);
   for (const Selector& selector : selectors) {
@@ -237,12 +265,11 @@ std::vector<char> mark_elements(const Mesh& mesh, const Deck& deck, const std::v
     if (part != mesh.parts.end()) {
       for (std::size_t e = 0; e < marks.size(); ++e)
         if (mesh.part_of(e) == part - mesh.parts.begin()) elements.push_back(static_cast<int>(e));
-    } else if (const auto set = find_set(mesh.side_sets, deck, selector)) {
-      elements = list_whole_elements(mesh.elements, *set);
     } else {
-      refuse_unknown(deck, selector, "part or element set", list_names(mesh.side_sets));
+      elements = list_elements_of_set(mesh, deck, selector);
     }
-    require_some(mesh, elements, deck, selector, "elements (an element set of a mesh file or a part is needed)");
+    require_some(mesh, elements, deck, selector,
+                 "elements (a part, or an element block or element set of a mesh file is needed)");
     for (const int e : elements) marks[static_cast<std::size_t>(e)] = 1;
   }
   return marks;

@@ -22,7 +22,8 @@ SurfaceNodes select_surface_nodes(const Mesh& mesh, const Deck& deck, const Sele
 /// (src/mesh/reading/part_reader.cpp). faces: ascending.
 std::vector<int> list_whole_elements(const Elements& elements, const std::vector<ElementFace>& faces);
 
-/// [elements] whether each is of one of the parts or element sets. Throws InputError, on all ranks, for a name that is
+/// [elements] whether each is of one of the parts, element sets or element blocks; a name may be that of a set and of a
+/// block, which then means the set. Throws InputError, on all ranks, for a name that is
 /// none, or that has no element. Collective over Mesh::ranks.
 std::vector<char> mark_elements(const Mesh& mesh, const Deck& deck, const std::vector<Selector>& selectors);
 

@@ -17,6 +17,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       rigid_(model),
       bookkeeper_(deck, model),
       forces_(deck, chunked, model, contact),
+      accelerometers_(deck, chunked, model),
       pressures_("percuss::pressures", model.pressures.size()),
       nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
   if (model.has_rotations) moment_halo_.emplace(model.ranks, model.halo);
@@ -96,6 +97,7 @@ void Stepper::resume(State& state) {
     const ElementMotion motion = find_motion(state, 0);
     stiffness_damping_->restore(state, {motion, find_shell_motion(state, motion)});
   }
+  accelerometers_.resume(state);
   renew_loads(state);
   choose_step(state);
 }
@@ -103,6 +105,7 @@ void Stepper::resume(State& state) {
 void Stepper::archive(CheckpointArchive& archive) {
   bookkeeper_.archive(archive);
   forces_.archive(archive);
+  accelerometers_.archive(archive);
   if (global_) global_->archive(archive);
   if (!contact_.is_active()) return;
   archive.integer("contact/report/interactions", report_.interactions);
@@ -127,6 +130,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
   const bool is_free = are_nodes_free();
+  accelerometers_.begin_step(state);
   if (is_free)
     integrate_free_motion(state, dt, dt_mean);  // (1.2) with the positions at n+1
   else
@@ -136,7 +140,8 @@ void Stepper::advance(State& state, StepWishes wishes) {
   join_nodes(state, dt, dt_mean);
   book_motion(state, dt, dt_mean);
   if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
-  compute_forces(state, dt);               // (1.3) strain rate, (1.4) stress, (1.5) internal forces
+  accelerometers_.end_step(state, dt_mean);
+  compute_forces(state, dt);  // (1.3) strain rate, (1.4) stress, (1.5) internal forces
   book_forces(state, dt);
   judge_elements(state, dt);
   state.time += dt;

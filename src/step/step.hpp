@@ -14,6 +14,7 @@
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/damping/stiffness_damping_stage.hpp"
+#include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/mass_scaler.hpp"
 #include "src/step/model/model.hpp"
@@ -86,6 +87,7 @@ class Stepper {
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
   ForceBooks& forces() { return forces_; }
+  Accelerometers& accelerometers() { return accelerometers_; }
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
@@ -162,6 +164,7 @@ class Stepper {
   std::unique_ptr<StiffnessDampingStage> stiffness_damping_;  // only with that in proportion to stiffness
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
+  Accelerometers accelerometers_;
   PrescribedMotions motions_;
   Array<double> pressures_;
   NodalLoadValues nodal_values_;

@@ -1,6 +1,6 @@
 """docs/output.md says of each column of history.csv what columns.json says: columns_test.py ROOT PERCUSS. Exit code 77 without NumPy.
 
-Three small runs have every column that there is. A row of the page begins with the words of columns.json, without names and axes,
+Four small runs have every column that there is. A row of the page begins with the words of columns.json, without names and axes,
 and its unit is the dimension there. No row is of a column that no run has.
 """
 
@@ -59,8 +59,9 @@ welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
 constraints: {level: {equal: [x, y, z], between: [{near: [0, 1, 1]}, {near: [0, 1, 2]}]}}
 output:
   history:
-    nodes: [{name: tip, near: [0, 0, 0]}]
+    nodes: [{name: tip, near: [0, 0, 0]}, {name: tap, near: [1, 0, 0]}, {name: top, near: [0, 0, 1]}]
     elements: [{name: core, near: [0, 0, 0]}]
+    accelerometers: [{name: chest, nodes: [tip, tap, top]}]
     forces: [{name: hit, contact: [a, b]}, {name: foot, support: b/z_max}]
 """,
     "rigid": """\
@@ -75,7 +76,41 @@ initial: [{part: a, velocity: [0, 0, 1]}, {part: b, velocity: [0, 0, 1]}]
 sensors: {soon: {value: kinetic, rises_above: 1e9}}
 output: {history: {}}
 """,
+    "blocks": """\
+units: m, kg, s
+time: {end: 1, max_steps: 2}
+parts: {bar: {mesh: {file: bar.k}, material: hard}}
+materials: {hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, failure: {principal_strain: 0.5}}}
+elements: {resist_folding: true}
+output: {history: {parts: all, blocks: [bar/first, second]}}
+""",
 }
+MESH = """\
+*KEYWORD
+*NODE
+1,0,0,0
+2,1,0,0
+3,1,1,0
+4,0,1,0
+5,0,0,1
+6,1,0,1
+7,1,1,1
+8,0,1,1
+9,0,0,2
+10,1,0,2
+11,1,1,2
+12,0,1,2
+*PART
+first
+1,
+*PART
+second
+2,
+*ELEMENT_SOLID
+1,1,1,2,3,4,5,6,7,8
+2,2,5,6,7,8,9,10,11,12
+*END
+"""
 DIMENSIONS = {"temperature": ("temperature",), "moment": ("moment", "energy")}  # a moment has the dimension of an energy
 
 
@@ -98,13 +133,13 @@ def generalise(name):
     """'kinetic:NAME' of 'kinetic:a', 'NAME_vx' of 'tip_vx'."""
     name = re.sub(r"^(contact|friction):.*", r"\1:A:B", name)
     name = re.sub(r"^(?!contact:|friction:)(\w+):.+", r"\1:NAME", name)
-    return re.sub(r"^(tip|core|rib)_", "NAME_", name)
+    return re.sub(r"^(tip|tap|top|core|rib)_", "NAME_", name)
 
 
 def shorten(words):
     """'force' of "force in x of 'hit'": without its owner and its axis."""
-    words = re.sub(r" of (part |pair |wall |spring |weld |constraint |sensor |joint |rigid body )?'[^']*'", "", words)
-    return re.sub(r" (in [xyz]|about [xyz]|along [yz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
+    words = re.sub(r" of (part |block |pair |wall |spring |weld |constraint |sensor |joint |accelerometer |rigid body )?'[^']*'", "", words)
+    return re.sub(r" (in [xyz]|about [xyz]|along [xyz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
 
 
 class Columns(unittest.TestCase):
@@ -113,6 +148,8 @@ class Columns(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.histories = []
+        with open(os.path.join(folder.name, "bar.k"), "w", encoding="utf-8") as file:
+            file.write(MESH)
         for name, deck in DECKS.items():
             path, out = os.path.join(folder.name, name + ".yaml"), os.path.join(folder.name, name)
             with open(path, "w", encoding="utf-8") as file:

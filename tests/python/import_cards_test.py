@@ -106,6 +106,21 @@ class Cards(InFolder):
         text = decks.make_block(decks.LAWS["table"][1], "", True)
         self.assertEqual(self.refusals(text.replace("*END", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n*END")), {})
 
+    def test_accelerometers_are_followed(self):
+        cards = "*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,2,4,1,1,0.25\n8,2,1,4\n*DATABASE_HISTORY_NODE\n2\n*END"
+        text = decks.make_block(decks.LAWS["table"][1], "", False).replace("*END", cards)
+        model, ledger = self.read(text)
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertIn("ELEMENT_SEATBELT_ACCELEROMETER", outcomes(ledger, Status.APPROXIMATED))  # INTOPT = 0 of the second
+        history = model.deck["output"]["history"]
+        self.assertEqual(history["nodes"], [{"name": f"node_{id}", "id": id} for id in (2, 1, 4)])
+        self.assertEqual(history["accelerometers"], [
+            {"name": "accelerometer_7", "nodes": ["node_1", "node_2", "node_4"], "gravity": "remove"},
+            {"name": "accelerometer_8", "nodes": ["node_2", "node_1", "node_4"]}])
+        self.assertEqual([mass["mass"] for mass in model.deck["added_mass"]], [0.25])
+        self.assertIn("ELEMENT_SEATBELT_ACCELEROMETER.IGRAV", self.refusals(text.replace("7,1,2,4,1,1", "7,1,2,4,-3,1")))
+        self.assertIn("ELEMENT_SEATBELT_ACCELEROMETER.nodes", self.refusals(text.replace("7,1,2,4,1,1", "7,1,2,99,1,1")))
+
     def test_a_section_by_sets_is_a_force(self):
         sets = "*SET_NODE_LIST\n81\n1,2,3,4\n*SET_SOLID_LIST\n82\n500\n*SET_BEAM\n83\n7\n"
         card = "*DATABASE_CROSS_SECTION_SET_ID\n5,foot of the block\n81,82\n*DATABASE_CROSS_SECTION_SET\n81,0,83\n*END"

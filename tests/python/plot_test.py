@@ -59,6 +59,14 @@ class Plot(unittest.TestCase):
         self.assertEqual(panels["accelerations"].columns, ["tip_ax"])
         self.assertEqual(choose_panels(["tip_a?"], [history])[0].columns, ["tip_ax"])
 
+    def test_accelerometers_are_accelerations(self):
+        names = ["time", "dt", "local_ax:chest", "local_dvx:chest", "tip_x", "tip_vx"]
+        table = np.array([[0, 0, 0, 0, 0, 1], [1, 1, 2, 2, 0, 5]], dtype=float)
+        sidecar = {"local_ax:chest": {"dimension": "length time^-2"}, "local_dvx:chest": {"dimension": "length time^-1"}}
+        history = History(names, table, None, sidecar)
+        self.assertEqual(list_panels([history])["accelerations"].columns, ["local_ax:chest", "tip_ax"])
+        self.assertEqual(history.derived, ["tip_ax"])
+
     def test_draws_two_runs_filtered_and_in_other_units(self):
         path = os.path.join(self.folder.name, "two.svg")
         other = sample_run.run(PERCUSS, self.folder.name, "--set", "time.max_steps=100", name="short")

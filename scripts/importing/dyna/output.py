@@ -1,6 +1,9 @@
 """What a deck asks for as output."""
 
 
+from ..ledger import Place
+
+
 class Output:
     """Gathers the intervals and what is asked for."""
 
@@ -9,3 +12,4 @@ class Output:
         self.asked: set[str] = set()
         self.nodes: list[int] = []
         self.elements: list[int] = []
+        self.accelerometers: list[tuple[int, list[int], bool, Place]] = []  # id, nodes, whether gravity is removed

@@ -97,6 +97,44 @@ def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
     deck.ledger.translated(card.keyword, card.place, "output.history.nodes, elements")
 
 
+def read_accelerometers(deck: KeywordDeck, card: Card) -> None:
+    """*ELEMENT_SEATBELT_ACCELEROMETER: a node, and the axes of three. What is measured needs no element."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("SBACID NID1 NID2 NID3 IGRAV INTOPT MASS")
+        nodes = [row.integer(field) for field in ("NID1", "NID2", "NID3")]
+        gravity, way, mass = row.integer("IGRAV"), row.integer("INTOPT"), row.number("MASS")
+        if gravity not in (0, 1):
+            deck.ledger.refuse(f"{card.keyword}.IGRAV", row.place, "gravity that is removed by direction or curve", "it is kept")
+        if way:
+            text = "output.history.accelerometers"
+            deck.ledger.translated(card.keyword, row.place, text)
+        else:
+            text = "output.history.accelerometers; the velocity change is that along the moving axes, as of INTOPT = 1"
+            deck.ledger.approximated(card.keyword, row.place, text)
+        if mass:
+            deck.masses.append((nodes[0], mass, row.place))
+        deck.output.accelerometers.append((row.integer("SBACID"), nodes, gravity == 1, row.place))
+
+
+def add_accelerometers(deck: KeywordDeck, history: Deck) -> None:
+    """Their nodes are followed, too."""
+    used, found = deck.used_nodes(), []
+    followed = {entry["id"]: entry["name"] for entry in history.get("nodes", [])}
+    for id, nodes, no_gravity, place in deck.output.accelerometers:
+        if len(set(nodes)) < 3 or not used.issuperset(nodes):
+            deck.ledger.refuse("ELEMENT_SEATBELT_ACCELEROMETER.nodes", place, "nodes without elements, or twice", "it is left out")
+            continue
+        for node in nodes:
+            if node not in followed:
+                followed[node] = f"node_{node}"
+                history.setdefault("nodes", []).append({"name": followed[node], "id": node})
+        one: Deck = {"name": deck.model.names.take(f"accelerometer_{id}"), "nodes": [followed[node] for node in nodes]}
+        found.append(one | ({"gravity": "remove"} if no_gravity else {}))
+    if found:
+        history["accelerometers"] = found
+
+
 def finish_output(deck: KeywordDeck) -> None:
     """The section of output."""
     output: Deck = {}
@@ -109,6 +147,7 @@ def finish_output(deck: KeywordDeck) -> None:
         output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
     history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
     add_points(deck, history)
+    add_accelerometers(deck, history)
     if "MATSUM" in found.asked:
         history["parts"] = "all"
     forces = list(deck.forces)

@@ -19,7 +19,7 @@ from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_b
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
-from .output_cards import finish_output, finish_sensors, read_database, read_sensor
+from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
@@ -47,7 +47,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 # Read at once, by the longest name that a keyword begins with.
 DEFINITIONS: dict[str, Handler] = {
     "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
-    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
+    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,

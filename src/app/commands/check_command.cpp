@@ -75,6 +75,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(tie.b);
   }
   findings.gather([&] { find_history_points(deck, chunked); });
+  for (const Selector& block : deck.output.blocks) findings.gather([&] { mark_elements(mesh, deck, {block}); });
   findings.gather([&] { find_springs(deck, chunked); });
 }
 

@@ -10,6 +10,7 @@
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/reading/forces/force_keys.hpp"
+#include "src/deck/reading/forces/history_keys.hpp"
 #include "src/deck/reading/sensors/sensor_keys.hpp"
 
 namespace percuss {
@@ -311,6 +312,8 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_blasts(deck, root, reading);
   check_points(deck, root, reading);
   check_forces(deck, root, reading);
+  check_blocks(deck, reading);
+  check_accelerometers(deck, reading);
   check_sensors(deck, root, reading);
 }
 

@@ -9,6 +9,7 @@
 #include "src/deck/asked_for.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/reading/forces/force_keys.hpp"
+#include "src/deck/reading/forces/history_keys.hpp"
 
 namespace percuss {
 namespace {
@@ -198,7 +199,9 @@ const Keys<OutputDeck>& history_keys() {
       group<OutputDeck>("elements", PointsValue{PointsValue::Kind::elements}),
       group<OutputDeck>("points", PointsValue{PointsValue::Kind::inside}),
       group<OutputDeck>("parts", PartsValue{}),
+      may("blocks", &OutputDeck::blocks, BlocksValue{}),
       may("forces", &OutputDeck::forces, ListValue<ForceValue>{}),
+      may("accelerometers", &OutputDeck::accelerometers, accelerometers_value()),
   };
   return keys;
 }

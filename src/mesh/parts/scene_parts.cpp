@@ -49,17 +49,27 @@ int find_material(const Deck& deck, const std::string& name) {
   return static_cast<int>(found - deck.materials.begin());
 }
 
-/// Element sets of sections by nodes (ForceDeck::elements), without the part's name: their elements share no chunk with
-/// others, because forces of elements are added up by chunk.
-std::vector<std::string> list_section_sets(const Deck& deck, const std::string& part) {
+/// Element blocks and sets of sections by nodes (ForceDeck::elements) and of OutputDeck::blocks, without the part's
+/// name: their elements share no chunk with others, because forces and work of elements are added up by chunk.
+std::vector<std::string> list_summed_sets(const Deck& deck, const std::string& part) {
   std::vector<std::string> sets;
-  for (const ForceDeck& force : deck.output.forces) {
-    for (const Selector& elements : force.elements) {
-      const bool has_part = elements.name.starts_with(part + "/");
-      sets.push_back(has_part ? elements.name.substr(part.size() + 1) : elements.name);
-    }
-  }
+  const auto add = [&](const Selector& elements) {
+    const bool has_part = elements.name.starts_with(part + "/");
+    sets.push_back(has_part ? elements.name.substr(part.size() + 1) : elements.name);
+  };
+  for (const ForceDeck& force : deck.output.forces) std::for_each(force.elements.begin(), force.elements.end(), add);
+  std::for_each(deck.output.blocks.begin(), deck.output.blocks.end(), add);
   return sets;
+}
+
+/// Elements of the set of this name, else of the block.
+std::vector<int> list_members(const PartMesh& mesh, const std::string& name) {
+  const auto set = mesh.side_sets.find(name);
+  if (set != mesh.side_sets.end()) return list_whole_elements(mesh.elements, set->second);
+  std::vector<int> members;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (mesh.elements.block_of(e).name == name) members.push_back(static_cast<int>(e));
+  return members;
 }
 
 /// [elements] equal where they are of the same of these sets; empty: no element is of any.
@@ -67,9 +77,7 @@ std::vector<int> group_elements(const PartMesh& mesh, const std::vector<std::str
   std::vector<std::vector<int>> memberships(mesh.elements.size());
   bool is_any = false;
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    const auto set = mesh.side_sets.find(sets[s]);
-    if (set == mesh.side_sets.end()) continue;
-    for (const int e : list_whole_elements(mesh.elements, set->second)) {
+    for (const int e : list_members(mesh, sets[s])) {
       memberships[static_cast<std::size_t>(e)].push_back(static_cast<int>(s));
       is_any = true;
     }
@@ -85,9 +93,9 @@ std::vector<int> group_elements(const PartMesh& mesh, const std::vector<std::str
 }
 
 /// Puts the elements of the part, their ids and its side sets in chunk order.
-void order_elements(FilePart& file, const std::vector<std::string>& section_sets) {
+void order_elements(FilePart& file, const std::vector<std::string>& summed_sets) {
   PartMesh& mesh = file.mesh;
-  const ElementOrder order = bisect_elements(mesh, group_elements(mesh, section_sets));
+  const ElementOrder order = bisect_elements(mesh, group_elements(mesh, summed_sets));
   file.first_of_chunk = order.first_of_chunk;
   std::vector<int> new_place(order.elements.size());
   std::vector<std::int64_t> ids(order.elements.size());
@@ -161,7 +169,7 @@ void read_file_part(const Deck& scene, const PartDeck& deck, const Totals& so_fa
   findings.warn(mesh.warnings);
   warn_of_doubts(mesh, own_elements, mesh.warnings);
   add_side_nodes(mesh);
-  order_elements(*file, list_section_sets(scene, deck.name));
+  order_elements(*file, list_summed_sets(scene, deck.name));
   file->exterior = mark_exterior_faces(mesh.elements, mesh.nodes.size());
   file->bodies = find_bodies(mesh.elements, mesh.nodes.size());
   part.nodes = static_cast<std::int64_t>(mesh.nodes.size());

@@ -10,19 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "src/output/history_columns.hpp"
-#include "src/step/model/state.hpp"
+#include "src/step/audit/part_sums.hpp"
 #include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
-
-/// A part that the deck names in output.history.parts.
-struct BookedPart {
-  std::string name;
-  int index = 0;                 // into Mesh::parts
-  bool can_fail = false;         // then it has columns of what is eroded
-  bool resists_folding = false;  // likewise of that work
-};
 
 /// In the order of the deck's list; of `all`, in that of the parts.
 std::vector<BookedPart> find_booked_parts(const Deck& deck);
@@ -54,10 +45,10 @@ class PartEnergies {
 
   const ChunkedMesh& chunked_;
   std::vector<BookedPart> parts_;
-  std::vector<int> chunks_;                                          // of this rank that belong to these parts
-  std::vector<int> part_of_chunk_;                                   // [those] into parts_
-  Array<int> listed_;                                                // the same chunks, for the kernel
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> node_sums_;  // [those][sums]
+  std::vector<int> chunks_;         // of this rank that belong to these parts
+  std::vector<int> part_of_chunk_;  // [those] into parts_
+  Array<int> listed_;               // the same chunks, for the kernel
+  ChunkSums node_sums_;             // [those]
   // Bodies with masses of their own, whose nodes do not count; empty: there are none.
   std::vector<int> part_of_body_;  // [bodies] into parts_, -1: it counts by its nodes, or its part has no columns
   Array<int> has_own_mass_;        // [bodies] 1: its nodes do not count

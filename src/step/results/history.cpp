@@ -15,6 +15,7 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/files/atomic_file.hpp"
+#include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/element_fields.hpp"
@@ -111,28 +112,25 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
 std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
                                         const Model& model, const Deck& deck) {
   std::vector<HistoryColumn> columns = table.columns();
-  const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
-  columns.insert(columns.end(), of_parts.begin(), of_parts.end());
-  const std::vector<HistoryColumn> of_bodies = list_body_columns(deck);
-  columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
-  const std::vector<HistoryColumn> of_joints = list_joint_columns(deck);
-  columns.insert(columns.end(), of_joints.begin(), of_joints.end());
-  const std::vector<HistoryColumn> of_springs = list_spring_columns(model.springs);
-  columns.insert(columns.end(), of_springs.begin(), of_springs.end());
-  const std::vector<HistoryColumn> of_welds = list_weld_columns(model.welds);
-  columns.insert(columns.end(), of_welds.begin(), of_welds.end());
-  const std::vector<HistoryColumn> of_constraints = list_constraint_columns(model.constraints);
-  columns.insert(columns.end(), of_constraints.begin(), of_constraints.end());
+  const auto add = [&](const std::vector<HistoryColumn>& more) {
+    columns.insert(columns.end(), more.begin(), more.end());
+  };
+  add(list_part_columns(find_booked_parts(deck)));
+  add(list_block_columns(deck));
+  add(list_body_columns(deck));
+  add(list_joint_columns(deck));
+  add(list_spring_columns(model.springs));
+  add(list_weld_columns(model.welds));
+  add(list_constraint_columns(model.constraints));
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
                        fmt::format("displacement of wall '{}', along its normal or direction", name)});
     columns.push_back({"wall_speed:" + name, dimensions::velocity,
                        fmt::format("speed of wall '{}', along its normal or direction", name)});
   }
-  const std::vector<HistoryColumn> of_sensors = list_sensor_columns(deck);
-  columns.insert(columns.end(), of_sensors.begin(), of_sensors.end());
-  const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
-  columns.insert(columns.end(), of_forces.begin(), of_forces.end());
+  add(list_sensor_columns(deck));
+  add(list_force_columns(deck));
+  add(list_accelerometer_columns(deck));
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
   return columns;
 }
@@ -145,6 +143,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       table_(deck),
       points_(find_history_points(deck, chunked)),
       parts_(deck, chunked),
+      blocks_(deck, chunked),
       has_sections_(has_sections(deck)),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
@@ -279,6 +278,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   std::vector<double> row;
   table_.append(sources, row);
   parts_.append(model, state, row);
+  blocks_.append(model, state, row);
   bodies_.append(model, state, row);
   append_joints(model, state, row);
   append_springs(model.springs, state, row);
@@ -287,6 +287,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   for (const char happened : state.happened) row.push_back(happened);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
+  row.insert(row.end(), sources.accelerations.begin(), sources.accelerations.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/output/history_file.hpp"
+#include "src/step/audit/block_energies.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/model/followed_points.hpp"
 #include "src/step/results/body_columns.hpp"
@@ -56,6 +57,7 @@ class History {
   HistoryTable table_;
   std::vector<FollowedPoint> points_;
   PartEnergies parts_;
+  BlockEnergies blocks_;
   BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill

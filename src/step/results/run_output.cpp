@@ -89,7 +89,8 @@ void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper&
   const std::vector<double> pair_work = contact_.sum_pair_work();
   const std::vector<double> walls = contact_.list_wall_motions();
   const std::vector<double> forces = stepper.forces().take(state);
-  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, walls, forces,
+  const std::vector<double> accelerations = stepper.accelerometers().take(state);
+  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, walls, forces, accelerations,
                            stepper.find_limiting_approach(state) != nullptr});
   last_row_ = state.step;
 }

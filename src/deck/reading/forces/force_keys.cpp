@@ -58,12 +58,12 @@ struct ContactSidesValue {
   Form form() const { return tuple_form({SideValue{false}.form(), SideValue{true}.form()}); }
 };
 
-/// A part, an element set or a list of these.
+/// A part, an element block, an element set or a list of these.
 struct ElementsValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const {
     if (node.kind != Node::Kind::list) return read_one(reader, name, node, out);
     if (node.items.empty()) {
-      reader.refuse(node, name, "at least one part or element set");
+      reader.refuse(node, name, "at least one part, element block or element set");
       return false;
     }
     bool good = true;
@@ -71,7 +71,7 @@ struct ElementsValue {
       good = read_one(reader, fmt::format("{}.{}", name, i), node.items[i], out) && good;
     return good;
   }
-  std::string takes() const { return "a part, an element set or a list of these"; }
+  std::string takes() const { return "a part, an element block, an element set or a list of these"; }
   Form form() const { return any_form({Form::Kind::text, list_form(Form::Kind::text, 1)}); }
 
  private:

@@ -209,6 +209,7 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
                                     Vec3{},
                                     scene.contact.sum_pair_work(),
                                     {},
+                                    {},
                                     {}});
       });
       history.flush();

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
@@ -138,6 +139,42 @@ TEST(ForceBooks, AreaOnAWiderFaceIsThatOfItsNodesThatArePushed) {
   EXPECT_NEAR(mean.at("area:top"), 0.6 * 0.4, 1e-4 * 0.6 * 0.4);
   EXPECT_NEAR(mean.at("area:base"), 0.8 * 0.6, 1e-3 * 0.8 * 0.6);  // half a face farther on each side
   EXPECT_GT(mean.at("pressure:top"), force / (0.6 * 0.4));         // it is larger at the edge of the block
+}
+
+TEST(ForceBooks, ImpulsesAreExactWhereTheStepChanges) {
+  // A held block weighs m g = 24 all the time. Velocities are half a step before their rows: the impulse of the rows is
+  // that of the time between the velocities, and the mean is the force times this over the time between the rows.
+  Scene scene(R"(
+time: {end: 1000}
+parts: {block: {box: {size: [1, 2, 3], cells: [1, 2, 3]}, material: m}, ball: {sphere: {radius: 0.4, cells: 4}, at: [0.5, 1, 3.5], material: m}}
+materials: {m: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{part: ball, velocity: [0.1, 0, -3]}]
+conditions: [{nodes: block, fixed: [x, y, z]}]
+loads: {gravity: [0, 0, -2]}
+contact: {friction: 0.3}
+output: {history: {forces: [{name: foot, support: block}, {name: hit, contact: [ball, block]}]}}
+)");
+  scene.stepper.start(scene.state);
+  const auto is_ball = [](const Vec3& x) { return x[2] > 3.05; };
+  const double weight = 2 * (scene.model.total_mass - 12);  // of the ball
+  double since = 0, middle_before = 0, hit = 0;
+  Vec3 before = sum_momentum(scene, is_ball);
+  for (int row = 0; row < 8; ++row) {
+    for (int i = 0; i < 5; ++i) {
+      scene.state.next_dt = 0.001 * (1 + (2 * row + i) % 4);
+      scene.stepper.advance(scene.state);
+    }
+    const auto j = take_impulses(scene, since);
+    since = scene.state.time;
+    const double middle = since - 0.5 * scene.state.dt, interval = middle - std::exchange(middle_before, middle);
+    const Vec3 after = sum_momentum(scene, is_ball);
+    EXPECT_NEAR(j.at("fz:foot") - j.at("fz:hit"), 24 * interval, 1e-12);
+    EXPECT_NEAR(j.at("fz:hit"), after[2] - before[2] + weight * interval, 1e-13);
+    EXPECT_NEAR(j.at("fx:hit"), after[0] - before[0], 1e-13);
+    hit += j.at("fz:hit");
+    before = after;
+  }
+  EXPECT_GT(hit, 0.1);
 }
 
 TEST(ForceBooks, AreTheSameBitsOnAnyRanks) {
