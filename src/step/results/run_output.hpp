@@ -7,7 +7,7 @@
 
 #include "src/contact/contact_stage.hpp"
 #include "src/output/later_states.hpp"
-#include "src/step/results/frames.hpp"
+#include "src/step/results/fields/frames.hpp"
 #include "src/step/results/history.hpp"
 
 namespace percuss {

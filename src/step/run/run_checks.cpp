@@ -12,7 +12,7 @@
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 namespace percuss {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/step/model/pack_width.hpp"
-#include "src/step/results/beam_fields.hpp"
-#include "src/step/results/shell_fields.hpp"
+#include "src/step/results/fields/beam_fields.hpp"
+#include "src/step/results/fields/shell_fields.hpp"
 
 namespace percuss {
 

@@ -1,4 +1,4 @@
-#include "src/step/results/frames.hpp"
+#include "src/step/results/fields/frames.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/named_sets.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 namespace percuss {
 
