@@ -164,9 +164,14 @@ void ExodusMesh::write_elements(const Mesh& mesh) const {
   for (const ExodusBlock& block : blocks) names.push_back(block.name);
   write_entities("eb", "num_el_blk", names);
   hdf5::Table map(file.id(), "elem_num_map", H5T_STD_I64LE, 1, elements);
+  std::int64_t next = 1;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     write_connectivity(mesh, b);
-    const auto own = blocks[b].pick(std::span<const std::int64_t>(mesh.element_ids), 1, 0);
+    std::vector<std::int64_t> own = blocks[b].pick(std::span<const std::int64_t>(mesh.element_ids), 1, 0);
+    if (options.are_faces) {  // ids are unique in this format
+      for (std::size_t i = 0; i < own.size(); ++i) own[i] = next + blocks[b].places[i];
+    }
+    next += blocks[b].elements;
     map.append(blocks[b].rows->gather(std::span<const std::int64_t>(own), 1), block_of(blocks[b]));
   }
   dimensions.attach(file.id(), "elem_num_map", std::array<std::string, 1>{"num_elem"});

@@ -192,14 +192,14 @@ void ExodusResults::Impl::write_element_variables(std::span<const FieldData> fra
 ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                              const Communicator& ranks) {
   const hdf5::QuietErrors quiet;
-  impl_ = std::make_unique<Impl>(directory + "/" + exodus_frames.file_name, chunked, options, ranks);
+  impl_ = std::make_unique<Impl>(directory + "/" + exodus_frames.name_file(options.name), chunked, options, ranks);
   impl_->create(chunked.mesh);
 }
 
 ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                              const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
   const hdf5::QuietErrors quiet;
-  const std::string path = directory + "/" + exodus_frames.file_name;
+  const std::string path = directory + "/" + exodus_frames.name_file(options.name);
   const FramesInFile kept = find_kept(chunked, frames);
   run_on_first_rank(ranks, [&] {
     check_earlier_results(exodus_frames, path, kept, fields);
@@ -209,10 +209,10 @@ ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& ch
   impl_->file.open(frames, [&] { impl_->open_steps(); });
 }
 
-void ExodusResults::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
-                          std::int64_t frames, std::span<const std::string> fields) {
-  const std::string path = directory + "/" + exodus_frames.file_name;
-  run_on_first_rank(ranks, [&] { check_earlier_results(exodus_frames, path, find_kept(chunked, frames), fields); });
+void ExodusResults::check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks) {
+  const std::string path = earlier.directory + "/" + exodus_frames.name_file(earlier.name);
+  const FramesInFile kept = find_kept(chunked, earlier.frames);
+  run_on_first_rank(ranks, [&] { check_earlier_results(exodus_frames, path, kept, earlier.fields); });
 }
 
 ExodusResults::~ExodusResults() {

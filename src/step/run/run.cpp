@@ -291,7 +291,10 @@ void Run::observe() {
   if (row_due) output_.write_row(state_, audited_, stepper_);
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
-  if (frame_due) output_.write_frame(state_);
+  if (is_asked)
+    output_.write_frames(state_);
+  else if (frame_due)
+    output_.write_due_frames(state_);
   if (frame_due) look_at_corners();
   output_.advance(state_.time);
   look_by_sensors(row_due);
@@ -322,7 +325,7 @@ void Run::observe_last() {
   look_at_corners();
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
-  output_.write_frame(state_);
+  output_.write_frames(state_);
 }
 
 void Run::check_step_made() const {

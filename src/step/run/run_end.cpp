@@ -87,9 +87,9 @@ void Run::finish(const std::string& status, const std::string& error) {
 
 /// For a run that fails in a later step.
 void Run::keep_frame() {
-  if (!deck_.output.fields_before_failure) return;
+  if (!deck_.output.keeps_frames()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
-  output_.keep_frame(state_);
+  output_.keep_frames(state_);
 }
 
 /// The state in which a run failed, if it can be looked at: a row and a frame more.
@@ -98,8 +98,8 @@ void Run::write_failed_state() {
   output_.write_row(state_, audit_(state_), stepper_);
   output_.write_kept_frames(state_);
   if (!has_finite_positions(model_, state_)) return;
-  output_.write_frame(state_);
-  if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
+  output_.write_frames(state_);
+  if (speaks() && !options_.out_dir.empty() && !deck_.output.list_fields().empty())
     print_quietly(stderr, "the last frame shows the failed state, t = {:.6g}; the one before it is valid\n",
                   state_.time);
 }

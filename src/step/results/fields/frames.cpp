@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
-#include "kernels/core/host_copy.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/named_sets.hpp"
 #include "src/step/results/fields/element_fields.hpp"
+#include "src/step/results/fields/frame_values.hpp"
 
 namespace percuss {
 
 namespace {
-
-std::vector<double> list_rows(const Rows3<double>& rows) {
-  const auto host = to_host(rows);
-  return {host.data(), host.data() + host.extent(0) * 3};
-}
 
 bool has(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -25,11 +19,11 @@ bool has(const std::vector<std::string>& names, const char* name) {
 
 /// The fields of every frame. The file always has the displacement and, where elements can die, who lives: without it
 /// what is dead would look like the rest.
-std::vector<std::string> list_fields(const Deck& deck, const Model& model) {
-  std::vector<std::string> fields = deck.output.fields;
-  if (!has(fields, "displacement")) fields.push_back("displacement");
-  if (model.can_erode && !has(fields, "alive")) fields.push_back("alive");
-  return fields;
+std::vector<std::string> list_field_names(const FieldsDeck& fields, const Model& model) {
+  std::vector<std::string> names = fields.write;
+  if (!has(names, "displacement")) names.push_back("displacement");
+  if (model.can_erode && !has(names, "alive")) names.push_back("alive");
+  return names;
 }
 
 WallPlane make_wall_plane(const WallDeck& wall) {
@@ -61,8 +55,10 @@ std::vector<std::size_t> list_drawn_walls(const Deck& deck) {
   return planes;
 }
 
-FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
-  FieldsOptions options{.title = deck.title, .units = deck.units};
+FieldsOptions make_options(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region) {
+  const Deck& deck = scene.deck;
+  FieldsOptions options{.title = deck.title, .units = deck.units, .name = fields.name};
+  options.are_faces = region != nullptr && region->are_faces;
   for (const WallDeck& wall : deck.walls) {
     if (wall.is_round()) {
       (wall.moves() ? options.moving_round_walls : options.round_walls).push_back(make_round_wall(wall));
@@ -70,8 +66,8 @@ FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
     }
     (wall.moves() ? options.moving_walls : options.walls).push_back(make_wall_plane(wall));
   }
-  if (!deck.output.has_format(FieldsFormat::exodus)) return options;
-  NamedSets sets = find_named_sets(deck, mesh);
+  if (!fields.has_format(FieldsFormat::exodus)) return options;
+  NamedSets sets = find_named_sets(deck, scene.chunked.mesh);
   options.node_sets = std::move(sets.of_nodes);
   options.side_sets = std::move(sets.of_sides);
   return options;
@@ -79,36 +75,38 @@ FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
 
 }  // namespace
 
-Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-               const ContactStage& contact)
-    : model_(model), contact_(contact), names_(list_fields(deck, model)), drawn_walls_(list_drawn_walls(deck)) {
-  const FieldsOptions options = make_options(deck, chunked.mesh);
-  if (deck.output.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(directory, chunked, options, model.ranks);
-  if (deck.output.has_format(FieldsFormat::exodus)) exodus_.emplace(directory, chunked, options, model.ranks);
-  note_constant_fields(chunked);
+Frames::Frames(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region)
+    : model_(scene.model),
+      contact_(scene.contact),
+      region_(region),
+      names_(list_field_names(fields, scene.model)),
+      drawn_walls_(list_drawn_walls(scene.deck)) {
+  note_constant_fields(scene.chunked);
 }
 
-Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-               const ContactStage& contact, std::int64_t frames)
-    : model_(model),
-      contact_(contact),
-      names_(list_fields(deck, model)),
-      drawn_walls_(list_drawn_walls(deck)),
-      count_(frames) {
-  const FieldsOptions options = make_options(deck, chunked.mesh);
-  if (deck.output.has_format(FieldsFormat::vtkhdf))
-    vtkhdf_.emplace(directory, chunked, options, model.ranks, frames, names_);
-  if (deck.output.has_format(FieldsFormat::exodus))
-    exodus_.emplace(directory, chunked, options, model.ranks, frames, names_);
-  note_constant_fields(chunked);
+void Frames::create(const FrameScene& scene, const FieldsDeck& fields) {
+  const FieldsOptions options = make_options(scene, fields, region_);
+  const ChunkedMesh& shown = find_shown(scene, region_);
+  if (fields.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(scene.directory, shown, options, model_.ranks);
+  if (fields.has_format(FieldsFormat::exodus)) exodus_.emplace(scene.directory, shown, options, model_.ranks);
 }
 
-void Frames::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                   std::int64_t frames) {
-  const std::vector<std::string> fields = list_fields(deck, model);
-  if (deck.output.has_format(FieldsFormat::vtkhdf)) FieldsFile::check(directory, chunked, model.ranks, frames, fields);
-  if (deck.output.has_format(FieldsFormat::exodus))
-    ExodusResults::check(directory, chunked, model.ranks, frames, fields);
+void Frames::go_on(const FrameScene& scene, const FieldsDeck& fields, std::int64_t frames) {
+  const FieldsOptions options = make_options(scene, fields, region_);
+  const ChunkedMesh& shown = find_shown(scene, region_);
+  if (fields.has_format(FieldsFormat::vtkhdf))
+    vtkhdf_.emplace(scene.directory, shown, options, model_.ranks, frames, names_);
+  if (fields.has_format(FieldsFormat::exodus))
+    exodus_.emplace(scene.directory, shown, options, model_.ranks, frames, names_);
+  count_ = frames;
+}
+
+void Frames::check(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region, std::int64_t frames) {
+  const std::vector<std::string> names = list_field_names(fields, scene.model);
+  const ChunkedMesh& shown = find_shown(scene, region);
+  const EarlierFrames earlier{scene.directory, fields.name, frames, names};
+  if (fields.has_format(FieldsFormat::vtkhdf)) FieldsFile::check(earlier, shown, scene.model.ranks);
+  if (fields.has_format(FieldsFormat::exodus)) ExodusResults::check(earlier, shown, scene.model.ranks);
 }
 
 void Frames::sync() {
@@ -129,6 +127,7 @@ bool Frames::is_in_place() const {
 void Frames::note_constant_fields(const ChunkedMesh& chunked) {
   if (has(names_, "body")) {
     body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
+    choose_elements(body_);
   }
   if (has(names_, "chunk")) {
     chunk_.resize(chunked.mesh.elements.size());
@@ -136,104 +135,25 @@ void Frames::note_constant_fields(const ChunkedMesh& chunked) {
       const auto first = chunk_.begin() + chunk.first_element;
       std::fill(first, first + chunk.element_count, static_cast<double>(chunk.number));
     }
+    choose_elements(chunk_);
   }
 }
 
-namespace {
-
-/// From what the fields of a frame are made.
-struct FrameSource {
-  const Model& model;
-  const State& state;
-  const ContactStage& contact;
-  const std::vector<double>&body, &chunk;
-  std::vector<double> stresses;  // where a field asks for them
-};
-
-std::vector<double> find_contact_forces(const State& state) {
-  std::vector<double> force = list_rows(state.impulse);
-  for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
-  return force;
+/// Leaves those of the region.
+void Frames::choose_elements(std::vector<double>& values) const {
+  if (region_ == nullptr) return;
+  std::vector<double> chosen;
+  for (const int element : region_->elements) chosen.push_back(values[static_cast<std::size_t>(element)]);
+  values = std::move(chosen);
 }
-
-std::vector<double> find_masses(const State& state) {
-  const auto mass = to_host(state.mass);
-  return {mass.data(), mass.data() + mass.extent(0)};
-}
-
-std::vector<double> find_fe_ranks(const Model& model) {
-  return std::vector<double>(static_cast<std::size_t>(model.element_count), model.ranks.rank());
-}
-
-/// A field by its name, and how to find it.
-struct FrameField {
-  const char* name;
-  FieldPlace place;
-  int components;
-  std::vector<double> (*find)(const FrameSource& of);
-  FieldNumber number = FieldNumber::real;
-};
-
-constexpr FrameField frame_fields[] = {
-    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return list_rows(of.state.v); }},
-    {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
-    {"contact_pressure", FieldPlace::node, 1,
-     [](const FrameSource& of) { return of.contact.find_pressures(of.state.x, of.state.dt); }},
-    {"mass", FieldPlace::node, 1, [](const FrameSource& of) { return find_masses(of.state); }},
-    {"stress", FieldPlace::element, 6, [](const FrameSource& of) { return of.stresses; }},
-    {"pressure", FieldPlace::element, 1, [](const FrameSource& of) { return find_pressures(of.stresses); }},
-    {"von_mises", FieldPlace::element, 1, [](const FrameSource& of) { return find_von_mises(of.stresses); }},
-    {"equivalent_plastic_strain", FieldPlace::element, 1,
-     [](const FrameSource& of) { return find_plastic_strains(of.model, of.state); }},
-    {"temperature", FieldPlace::element, 1,
-     [](const FrameSource& of) { return find_history(of.model, of.state, HistoryScalar::temperature); }},
-    {"internal_energy", FieldPlace::element, 1,
-     [](const FrameSource& of) { return find_history(of.model, of.state, HistoryScalar::internal_energy); }},
-    {"alive", FieldPlace::element, 1, [](const FrameSource& of) { return find_alive(of.model, of.state); },
-     FieldNumber::byte},
-    {"damage", FieldPlace::element, 1, [](const FrameSource& of) { return find_damage(of.model, of.state); }},
-    {"stress_bottom", FieldPlace::element, 6,
-     [](const FrameSource& of) { return find_point_stresses(of.model, of.state, ShellPoint::lowest); }},
-    {"stress_top", FieldPlace::element, 6,
-     [](const FrameSource& of) { return find_point_stresses(of.model, of.state, ShellPoint::highest); }},
-    {"thickness", FieldPlace::element, 1, [](const FrameSource& of) { return find_thicknesses(of.model, of.state); }},
-    {"axial_force", FieldPlace::element, 1,
-     [](const FrameSource& of) { return find_axial_forces(of.model, of.state); }},
-    {"section_force", FieldPlace::element, 3,
-     [](const FrameSource& of) { return find_section_forces(of.model, of.state); }},
-    {"section_moment", FieldPlace::element, 3,
-     [](const FrameSource& of) { return find_section_moments(of.model, of.state); }},
-    {"body", FieldPlace::element, 1, [](const FrameSource& of) { return of.body; }},
-    {"chunk", FieldPlace::element, 1, [](const FrameSource& of) { return of.chunk; }},
-    {"fe_rank", FieldPlace::element, 1, [](const FrameSource& of) { return find_fe_ranks(of.model); }},
-    {"contact_rank", FieldPlace::node, 1, [](const FrameSource& of) { return of.contact.contact_ranks(); }},
-};
-
-/// Finds the values of a field. field: out, without them.
-std::vector<double> find_field(const std::string& name, const FrameSource& of, FieldData& field) {
-  for (const FrameField& known : frame_fields) {
-    if (name != known.name) continue;
-    field = {name, known.place, known.components, {}, known.number};
-    return known.find(of);
-  }
-  field = {name, FieldPlace::element, 6, {}};
-  if (const auto stress = find_thickness_point(name, stress_points))
-    return find_point_stresses(of.model, of.state, *stress - 1);
-  field.components = 1;
-  if (const auto strain = find_thickness_point(name, plastic_strain_points))
-    return find_point_plastic_strains(of.model, of.state, *strain - 1);
-  throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
-}
-
-}  // namespace
 
 Frames::Frame Frames::collect(const State& state) const {
   Frame frame;
   frame.time = state.time;
   frame.step = state.step;
-  FrameSource source{model_, state, contact_, body_, chunk_, {}};
+  FrameSource source{model_, state, contact_, region_, body_, chunk_};
   if (has(names_, "stress") || has(names_, "pressure") || has(names_, "von_mises"))
-    source.stresses = find_stresses(model_, state);
+    source.stresses = find_stresses(model_, state, source.elements());
   for (const std::string& name : names_) {
     if (name == "displacement") continue;  // the file always has it
     FieldData field;
@@ -241,7 +161,7 @@ Frames::Frame Frames::collect(const State& state) const {
     field.values = frame.values.emplace(name, std::move(found)).first->second;
     frame.fields.push_back(field);
   }
-  frame.positions = list_rows(state.x);
+  frame.positions = list_rows(state.x, source.nodes());
   const std::vector<double> motions = contact_.list_wall_motions();  // displacement and speed of each
   for (const std::size_t i : drawn_walls_) frame.walls.push_back(motions[2 * i]);
   return frame;
