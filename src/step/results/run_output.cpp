@@ -102,6 +102,12 @@ void RunOutput::write_kept_frames(const State& failed) {
   for (FieldOutput& fields : fields_) fields.write_kept(failed);
 }
 
+int RunOutput::count_lost_frames(const State& failed, std::int64_t start) const {
+  int lost = 0;
+  for (const FieldOutput& fields : fields_) lost += fields.count_lost(failed, start);
+  return lost;
+}
+
 void RunOutput::advance(double time) {
   rows_.advance(time);
   for (FieldOutput& fields : fields_) fields.advance(time);

@@ -58,6 +58,8 @@ class RunOutput {
   void keep_frames(const State& state);
   /// Before that of a failed state: the frames kept that are not in the file.
   void write_kept_frames(const State& failed);
+  /// How many there would be besides, had the run not begun at a checkpoint of step `start`: call before.
+  int count_lost_frames(const State& failed, std::int64_t start) const;
   void advance(double time);
 
   /// Hands all to the system and notes how long the files are: call before saving.

@@ -186,6 +186,8 @@ void Run::loop() {
     check_step_made();
     audit();  // what later audits compare with, whatever the output
     observe();
+  } else {
+    keep_frame();  // as the run did that wrote the checkpoint; what it kept before is not in there
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.

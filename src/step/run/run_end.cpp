@@ -92,10 +92,23 @@ void Run::keep_frame() {
   output_.keep_frames(state_);
 }
 
+/// Frames that the run before a restart kept in memory.
+void Run::note_lost_frames() {
+  const int lost = options_.restart.empty() ? 0 : output_.count_lost_frames(state_, start_step_);
+  if (lost == 0) return;
+  warnings_.add({{"lost_frames",
+                  fmt::format("{} of before_failure {} kept in memory before the restart at step {}, and not written: "
+                              "continue from an older checkpoint to see {}",
+                              lost == 1 ? "a frame" : fmt::format("{} frames", lost), lost == 1 ? "was" : "were",
+                              start_step_, lost == 1 ? "it" : "them"),
+                  "", state_.time, 1}});
+}
+
 /// The state in which a run failed, if it can be looked at: a row and a frame more.
 void Run::write_failed_state() {
   if (!is_state_whole_) return;
   output_.write_row(state_, audit_(state_), stepper_);
+  note_lost_frames();
   output_.write_kept_frames(state_);
   if (!has_finite_positions(model_, state_)) return;
   output_.write_frames(state_);

@@ -48,6 +48,15 @@ void FieldOutput::write_kept(const State& failed) {
   if (frames_) frames_->write_kept(last_frame_, failed.step);
 }
 
+int FieldOutput::count_lost(const State& failed, std::int64_t start) const {
+  if (!frames_ || !fields_.before_failure) return 0;
+  const std::int64_t every = *fields_.before_failure, newest = (failed.step - 1) / every * every;
+  int lost = 0;
+  for (const std::int64_t step : {newest, newest - every})
+    lost += step > last_frame_ && step > 0 && step < start ? 1 : 0;
+  return lost;
+}
+
 void FieldOutput::note_length() { frame_count_ = frames_ ? frames_->count() : no_file; }
 
 void FieldOutput::sync() {

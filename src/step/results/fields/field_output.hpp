@@ -47,6 +47,9 @@ class FieldOutput {
   /// Before that of a failed state: the frames kept that are not in the file.
   void write_kept(const State& failed);
 
+  /// Frames that would have been written by that, had the run not begun at a checkpoint of step `start`: call before.
+  int count_lost(const State& failed, std::int64_t start) const;
+
   /// Notes how many frames there are: call before saving.
   void note_length();
   void sync();
