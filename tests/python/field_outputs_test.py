@@ -199,8 +199,8 @@ class FieldOutputs(unittest.TestCase):
     def test_what_is_unknown_or_empty_is_refused_at_its_place(self):
         for old, new, place, message in (
                 ("elements: right", "elements: rigth", "18:22", "unknown part 'rigth' in field output 'torn' (did you mean 'right'?)"),
-                ("left/x_min", "left/x_mni", "20:19", "part 'left' has no side 'x_mni'"),
-                ("faces: all", "faces: {name: left, inside: [[9, 9, 9], [10, 10, 10]]}", "21:18", "no exterior faces"),
+                ("left/x_min", "left/x_mni", "20:20", "part 'left' has no side 'x_mni'"),
+                ("{faces: all", "{faces: {name: left, inside: [[9, 9, 9], [10, 10, 10]]}", "21:19", "no exterior faces"),
                 ("elements: right", "elements: right/x_min", "18:22", "no elements")):
             code, text = self.check(DECK.replace(old, new))
             self.assertEqual(code, 2)
