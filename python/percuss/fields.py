@@ -1,15 +1,29 @@
 """Reads fields.vtkhdf: the mesh once, then frame after frame."""
 
 import os
+import re
 
 import h5py
 import numpy as np
 
 from .errors import NotResults
 
+# Files of the entries of output.field_outputs: fields_NAME.vtkhdf.
+_NAMED = re.compile(r"fields_([A-Za-z0-9_-]+)\.vtkhdf")
+
+
+def list_outputs(folder):
+    """Names of the field outputs that a folder has files of, ascending."""
+    try:
+        found = [_NAMED.fullmatch(file) for file in os.listdir(folder)]
+    except OSError:
+        return []
+    return sorted(match[1] for match in found if match)
+
 
 class Fields:
-    """One fields.vtkhdf, of a run that has ended or goes on. Frames are numbered from 0; -1 is the last.
+    """One fields.vtkhdf, of a run that has ended or goes on; with a name fields_NAME.vtkhdf, that of an entry of
+    output.field_outputs. Frames are numbered from 0; -1 is the last.
 
     Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
     (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
@@ -17,13 +31,17 @@ class Fields:
     four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces. Of a beam the second node stands
     for the others too."""
 
-    def __init__(self, folder):
-        self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
+    def __init__(self, folder, name=None):
+        stem = f"fields_{name}" if name else "fields"
+        self.path = os.path.join(folder, f"{stem}.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
         if not os.path.exists(self.path):
-            if os.path.exists(os.path.join(os.path.dirname(self.path), "fields.exo")):
-                raise NotResults(f"{self.path}: there is no such file (the run wrote fields.exo, which ParaView opens; with "
-                                 "output.fields.format: [vtkhdf, exodus] it writes both)")
-            raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has output.fields)")
+            beside, key = os.path.dirname(self.path), f"output.field_outputs.{name}" if name else "output.fields"
+            if os.path.exists(os.path.join(beside, f"{stem}.exo")):
+                raise NotResults(f"{self.path}: there is no such file (the run wrote {stem}.exo, which ParaView opens; with "
+                                 f"{key}.format: [vtkhdf, exodus] it writes both)")
+            there = [other for other in list_outputs(beside) if other != name]
+            others = f"; there are field outputs {', '.join(there)}: choose one by its name" if there else ""
+            raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has {key}{others})")
         try:
             # A run that goes on may be looked at: percuss takes no lock, and none is needed here.
             os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")

@@ -19,19 +19,24 @@ def read(*folders):
 
 class Run:
     """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units, history,
-    fields. reload() forgets what has been read, so that a run that goes on can be followed."""
+    fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
 
-    def __init__(self, folder, deck=None):
-        """deck: the file of the deck, where the folder does not lead to it."""
+    def __init__(self, folder, deck=None, fields=None):
+        """deck: the file of the deck, where the folder does not lead to it. fields: the name of an entry of
+        output.field_outputs, whose file `fields` is then."""
         folder = os.fspath(folder)
         self.folder = folder if os.path.isdir(folder) else os.path.dirname(folder) or "."
-        self._deck_file = deck
+        self._deck_file, self._fields_name = deck, fields
         if not os.path.isdir(self.folder) or not (self._has("summary.json") or self._has("history.csv") or
-                                                  self._has("fields.vtkhdf") or self._has("run.lock")):
+                                                  self._has("fields.vtkhdf") or self._has("run.lock") or
+                                                  self._has_outputs()):
             raise NotResults(f"{folder}: there are no results of percuss (no summary.json, history.csv or fields.vtkhdf)")
 
     def _has(self, name):
         return os.path.exists(os.path.join(self.folder, name))
+
+    def _has_outputs(self):
+        return any(file.startswith("fields_") and file.endswith(".vtkhdf") for file in os.listdir(self.folder))
 
     @property
     def name(self):
@@ -39,7 +44,7 @@ class Run:
 
     def reload(self):
         known = bool(self.__dict__.get("deck"))  # a deck stays as it is; the lock that led to it goes with the end of the run
-        for name in ("summary", "units", "history", "fields") + ("deck",) * (not known):
+        for name in ("summary", "units", "history", "fields", "field_outputs") + ("deck",) * (not known):
             self.__dict__.pop(name, None)
         return self
 
@@ -88,11 +93,8 @@ class Run:
         """The Units of the deck, or None where it has none."""
         if known := read_units(self.folder):
             return find_units(known)
-        if self._has("fields.vtkhdf"):
-            try:
-                return find_units(self.fields.units)
-            except (ImportError, NotResults):
-                pass
+        if self.has_fields:
+            return find_units(self.fields.units)
         return find_units(self.deck.get("units", ""))
 
     @property
@@ -116,12 +118,26 @@ class Run:
     def fields(self):
         from .fields import Fields
 
-        return Fields(self.folder)
+        return Fields(self.folder, self._fields_name)
+
+    @cached_property
+    def field_outputs(self):
+        """The Fields of each entry of output.field_outputs that has a file with a frame, by its name."""
+        from .fields import Fields, list_outputs
+
+        found = {}
+        for name in list_outputs(self.folder):
+            try:
+                found[name] = Fields(self.folder, name)
+            except NotResults:  # a run that has just begun
+                pass
+        return found
 
     @property
     def has_fields(self):
         try:
-            return self._has("fields.vtkhdf") and self.fields is not None
+            file = f"fields_{self._fields_name}.vtkhdf" if self._fields_name else "fields.vtkhdf"
+            return self._has(file) and self.fields is not None
         except (ImportError, NotResults):
             return False
 

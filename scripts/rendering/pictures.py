@@ -23,7 +23,7 @@ MARGINS = (0.03, 0.13, 0.05, 0.09)  # left, right (colour bar), bottom, top (tit
 
 
 def render(arguments):
-    fields = Fields(arguments.dir)
+    fields = Fields(arguments.dir, arguments.fields)
     frames = choose_frames(fields, arguments.frame)
     kept, cut = choose_elements(fields, arguments)
     coloring = Coloring(fields, arguments, kept, frames)
@@ -32,6 +32,7 @@ def render(arguments):
     clock = scene.add_text("", 0.03, 0.035, 0.03)
     folder = arguments.out or os.path.dirname(os.path.abspath(fields.path))
     os.makedirs(folder, exist_ok=True)
+    prefix = f"{arguments.fields}_" if arguments.fields else ""
     images = []
     live = sys.stdout.isatty()
     alive = kept
@@ -45,14 +46,14 @@ def render(arguments):
         surface.color(*coloring.choose_values(frame, surface.skin))
         clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.time_unit))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
-        path = os.path.join(folder, f"frame_{frame:04d}.png")
+        path = os.path.join(folder, f"{prefix}frame_{frame:04d}.png")
         image.save(path)
         images.append(shrink(image))
         if live or frame == frames[-1]:
             print(f"{chr(13) if live else ''}render: {path}", end="", flush=True)
     print()
     if arguments.frame is None and len(images) > 1:
-        path = os.path.join(folder, "animation.gif")
+        path = os.path.join(folder, f"{prefix}animation.gif")
         write_animation(path, images, arguments.fps)
         print(f"render: {path}")
 

@@ -96,10 +96,13 @@ class Trial:
         """Frames of the start and the end alone, with what the drawing needs; a row for each step."""
         output = self.wanted_output
         end = self.scene["end"]
-        fields = output.get("fields") or {}
-        names = list(fields.get("write") or [])
+        names = []
+        for fields in [output.get("fields") or {}, *_field_outputs(output).values()]:
+            names += [name for name in fields.get("write") or [] if name not in names]
         names += [name for name in FIELDS_HERE if name not in names]
         settings = [f"time.max_steps={steps}", f"output.fields={{every: {end!r}, write: [{', '.join(names)}]}}"]
+        if "field_outputs" in output:
+            settings.append("output.field_outputs={}")
         if "history" in output:
             settings.append("output.history.every=0")
         return [word for setting in settings for word in ("--set", setting)]
@@ -150,12 +153,8 @@ class Trial:
     def find_sizes(self):
         """[(file, bytes, how many of what)] that a whole run writes."""
         output, end, sizes = self.wanted_output, self.scene["end"], []
-        every = _number((output.get("fields") or {}).get("every"))
-        if every and self.run is not None and self.run.has_fields:
-            frames = math.floor(end / every * (1 + 1e-12)) + 1
-            frames += end / every > frames - 1 + 1e-9
-            size = find_frame_size(self.run.fields, (output["fields"] or {}).get("write") or [])
-            sizes.append(("fields", frames * size, f"{frames:,} frames of {format_bytes(size)}"))
+        if self.run is not None and self.run.has_fields:
+            sizes += self._find_sizes_of_fields(output, end)
         every = _number((output.get("history") or {}).get("every"))
         if "history" in output and self.run is not None and self.run.has_history:
             rows = self.scene["steps"] if not every else min(self.scene["steps"], end / every)
@@ -165,6 +164,29 @@ class Trial:
         if "checkpoint" in output and os.path.exists(path):
             sizes.append(("checkpoints", 2 * os.path.getsize(path), "the last two"))
         return sizes
+
+    def _find_sizes_of_fields(self, output, end):
+        shown = {of["name"]: (of["nodes"], of["elements"]) for of in self.scene["field_outputs"]}
+        wanted = {"fields": (output.get("fields") or {}, None)}
+        wanted.update({f"fields_{name}": (of, shown.get(name)) for name, of in _field_outputs(output).items()})
+        sizes = []
+        for name, (of, items) in wanted.items():
+            every = _number(of.get("every"))
+            if not every:
+                continue
+            frames = math.floor(end / every * (1 + 1e-12)) + 1
+            frames += end / every > frames - 1 + 1e-9
+            formats = of.get("format") or "vtkhdf"
+            size = find_frame_size(self.run.fields, of.get("write") or [], items)
+            size *= len(formats) if isinstance(formats, list) else 1
+            sizes.append((name, frames * size, f"{frames:,} frames of {format_bytes(size)}"))
+        return sizes
+
+
+def _field_outputs(output):
+    """The entries of output.field_outputs by their names."""
+    entries = output.get("field_outputs")
+    return {name: of for name, of in entries.items() if isinstance(of, dict)} if isinstance(entries, dict) else {}
 
 
 def _number(value):
@@ -178,10 +200,12 @@ def _loop_time(run):
     return max(0.0, (run.summary["loop_s"] or 0) - run.summary["phases_s"].get("output", 0))
 
 
-def find_frame_size(fields, wanted):
-    """Bytes of a frame with these fields: what the file holds of each node and element, points included."""
-    size = 24 * fields.nodes
-    for group, items in (("PointData", fields.nodes), ("CellData", fields.elements)):
+def find_frame_size(fields, wanted, shown=None):
+    """Bytes of a frame with these fields: what the file holds of each node and element, points included. shown: nodes and
+    elements, where they are not those of the file."""
+    nodes, elements = shown or (fields.nodes, fields.elements)
+    size = 24 * nodes
+    for group, items in (("PointData", nodes), ("CellData", elements)):
         for name, data in fields.root[group].items():
             if name in wanted or name in ALWAYS_WRITTEN:
                 size += items * data.dtype.itemsize * int(math.prod(data.shape[1:]))

@@ -329,8 +329,7 @@ std::vector<Warning> ContactStage::take_warnings() { return std::exchange(impl_-
 /// Pushes of the last step, for the contact_pressure of a frame that a restart writes before its first step. Nothing
 /// else needs them: only where the deck writes that field, and the checkpoint is of a deck that did.
 void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
-  const std::vector<std::string>& fields = deck.output.fields;
-  bool is_written = std::find(fields.begin(), fields.end(), "contact_pressure") != fields.end();
+  bool is_written = deck.output.writes("contact_pressure");
   if (!is_written || !archive.has_number("contact/has_pushes")) return;
   archive.integer("contact/has_pushes", is_written);
   const bool is_loading = archive.is_loading();

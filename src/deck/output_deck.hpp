@@ -72,11 +72,29 @@ std::string identify(const ForceDeck& force);
 /// Formats of fields: fields.vtkhdf with its indexes, fields.exo.
 enum class FieldsFormat { vtkhdf, exodus };
 
+/// Frames of fields, in files of their own.
+struct FieldsDeck {
+  std::string name;  // of the entry of output.field_outputs; empty: it is output.fields
+  // Of output.field_outputs, one of these at most; without any it is of the whole mesh.
+  std::vector<Selector> elements;      // parts and element sets
+  std::vector<Selector> faces;         // parts and surfaces, whose faces are written as surface elements
+  std::optional<double> every;         // [time]; the first and last state are always written; none: nothing is written
+  std::optional<long> before_failure;  // steps between the frames kept in memory for a run that fails
+  std::vector<FieldsFormat> formats = {FieldsFormat::vtkhdf};  // each once, at least one
+  std::vector<std::string> write;  // names as listed in docs/output.md; displacement is always written
+  Place place;
+
+  bool has_format(FieldsFormat format) const {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  }
+  bool is_of_region() const { return !elements.empty() || !faces.empty(); }
+  /// Where it stands in the deck.
+  std::string key() const { return name.empty() ? "output.fields" : "output.field_outputs." + name; }
+};
+
 struct OutputDeck {
-  std::optional<double> fields_every;         // s; the first and last state are always written when set
-  std::optional<long> fields_before_failure;  // steps between the frames kept in memory for a run that fails
-  std::vector<FieldsFormat> fields_formats = {FieldsFormat::vtkhdf};  // each once, at least one
-  std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
+  FieldsDeck fields;
+  std::vector<FieldsDeck> field_outputs;
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
   std::vector<Selector> blocks;  // element blocks and element sets, each with columns of its own
@@ -85,8 +103,26 @@ struct OutputDeck {
   std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
   std::optional<double> checkpoint_wall;   // of the clock [s]
 
-  bool has_format(FieldsFormat format) const {
-    return std::find(fields_formats.begin(), fields_formats.end(), format) != fields_formats.end();
+  /// Those that are written, output.fields first.
+  std::vector<const FieldsDeck*> list_fields() const {
+    std::vector<const FieldsDeck*> list;
+    if (fields.every) list.push_back(&fields);
+    for (const FieldsDeck& more : field_outputs)
+      if (more.every) list.push_back(&more);
+    return list;
+  }
+  /// Whether some of them keep frames in memory.
+  bool keeps_frames() const {
+    const std::vector<const FieldsDeck*> list = list_fields();
+    return std::any_of(list.begin(), list.end(), [](const FieldsDeck* of) { return of->before_failure.has_value(); });
+  }
+  /// Whether one of them has the field.
+  bool writes(const std::string& field) const {
+    const auto has = [&](const FieldsDeck* of) {
+      return std::find(of->write.begin(), of->write.end(), field) != of->write.end();
+    };
+    const std::vector<const FieldsDeck*> list = list_fields();
+    return std::any_of(list.begin(), list.end(), has);
   }
 };
 

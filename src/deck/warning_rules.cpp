@@ -89,6 +89,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"uneven_ranks", "ranks with many more elements than the mean"},
       {"few_contact_points", "ranks with too few contact nodes and faces"},
       {"plan_without_erosion", "plan of a scene whose elements can fail"},
+      {"lost_frames", "frames before a failure that a restart does not have"},
       {"unsettled_relaxation", "relaxation that ends before the scene is at rest"},
       {"unconverged_contact", "contact enforcement that does not converge"},
       {"deep_penetration", "contact nodes deep in a face during the run"},

@@ -16,6 +16,7 @@
 #include "src/output/warning_log.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
+#include "src/step/results/fields/frame_scene.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run_notes.hpp"
 #include "src/step/sensors/sensors.hpp"
@@ -77,6 +78,10 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   findings.gather([&] { find_history_points(deck, chunked); });
   for (const Selector& block : deck.output.blocks) findings.gather([&] { mark_elements(mesh, deck, {block}); });
   findings.gather([&] { find_springs(deck, chunked); });
+  for (const FieldsDeck& fields : deck.output.field_outputs) {
+    for (const Selector& where : fields.elements) findings.gather([&] { mark_elements(mesh, deck, {where}); });
+    for (const Selector& where : fields.faces) faces(where);
+  }
 }
 
 /// What a run of the scene would warn of at its start. Collective.
@@ -118,6 +123,17 @@ State make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Mod
   return state;
 }
 
+/// What each entry of output.field_outputs shows. Collective.
+std::vector<FieldOutputSize> find_sizes(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
+  std::vector<FieldOutputSize> sizes;
+  for (const FieldsDeck& fields : deck.output.field_outputs) {
+    const auto region = find_field_region(deck, fields, chunked, ranks);
+    const Numbering& shown = (region == nullptr ? chunked : region->chunked).numbering;
+    sizes.push_back({fields.name, shown.element_count(), shown.node_count()});
+  }
+  return sizes;
+}
+
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
@@ -146,6 +162,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.first_step = state.next_dt;
   scene.controlling_element = name_controller(chunked, model, state, stepper);
   add_notes(chunked, model, scene);
+  scene.field_outputs = find_sizes(deck, chunked, ranks);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.contact_notes = contact.start_notes();

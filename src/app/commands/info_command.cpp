@@ -15,6 +15,7 @@
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/fields/describe_fields.hpp"
+#include "src/output/files/result_names.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/output/summary.hpp"
 #include "src/regular_file.hpp"
@@ -80,7 +81,13 @@ std::string describe_holder_of(const std::string& folder, const std::string& sta
 std::string describe_folder(const std::string& folder, hdf5::ExternalFiles external) {
   std::string text, status;
   const fs::path path(folder);
-  for (const char* file : {"summary.json", "fields.vtkhdf", "fields.exo", "checkpoint.h5"}) {
+  std::vector<std::string> frames;
+  for (std::string& name : list_fields_files(folder)) {
+    if (holds_frames(name)) frames.push_back(std::move(name));
+  }
+  std::vector<std::string> files{"summary.json", "checkpoint.h5"};
+  files.insert(files.end(), frames.begin(), frames.end());
+  for (const std::string& file : files) {
     if (fs::exists(path / file)) check_source((path / file).string(), external);
   }
   if (fs::exists(path / "summary.json")) {
@@ -89,13 +96,10 @@ std::string describe_folder(const std::string& folder, hdf5::ExternalFiles exter
     status = summary.status;
   }
   text = describe_holder_of(folder, status) + text;
-  if (fs::exists(path / "fields.vtkhdf")) {
+  for (const std::string& name : frames) {
+    const std::string file = (path / name).string();
     if (!text.empty()) text += '\n';
-    text += describe_fields_file((path / "fields.vtkhdf").string());
-  }
-  if (fs::exists(path / "fields.exo")) {
-    if (!text.empty()) text += '\n';
-    text += describe_mesh_file((path / "fields.exo").string());
+    text += name.ends_with(".exo") ? describe_mesh_file(file) : describe_fields_file(file);
   }
   if (fs::exists(path / "checkpoint.h5")) {
     if (!text.empty()) text += '\n';

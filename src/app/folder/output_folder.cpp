@@ -8,9 +8,12 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "src/app/folder/folder_lock.hpp"
 #include "src/error.hpp"
+#include "src/output/files/result_names.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -18,14 +21,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every file that a run writes; those that are written beside their place first have a name with ".tmp" then.
-constexpr std::array<const char*, 11> result_files{
-    "summary.json", "columns.json", "ranks.csv",  "run_deck.yaml", "history.csv",           "fields.vtkhdf",
-    "fields.xdmf",  "fields.xdmf2", "fields.exo", "checkpoint.h5", "checkpoint_previous.h5"};
+// Every file that a run writes beside those of fields.
+constexpr std::array<const char*, 7> result_files{"summary.json",          "columns.json", "ranks.csv",
+                                                  "run_deck.yaml",         "history.csv",  "checkpoint.h5",
+                                                  "checkpoint_previous.h5"};
+constexpr std::array<const char*, 4> fields_files{"fields.vtkhdf", "fields.xdmf", "fields.xdmf2", "fields.exo"};
+
+// Files that are written beside their place first have a name with this behind it then.
+constexpr const char* unfinished = ".tmp";
+
+/// Files that a run may have left in the folder: all that have a fixed name, and those of field outputs that are there.
+std::vector<std::string> list_result_files(const std::string& folder) {
+  std::vector<std::string> files(result_files.begin(), result_files.end());
+  files.insert(files.end(), fields_files.begin(), fields_files.end());
+  for (std::string& file : list_fields_files(folder)) files.push_back(std::move(file));
+  return files;
+}
 
 bool holds_results(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* file : result_files) {
+  for (const std::string& file : list_result_files(folder.string())) {
     if (fs::exists(folder / file, ignored)) return true;
   }
   return false;
@@ -103,7 +118,7 @@ void check_folder_is_empty(const std::string& folder) {
 }
 
 void refuse_to_remove(const std::string& checkpoint, const std::string& folder) {
-  for (const char* file : result_files) {
+  for (const std::string& file : list_result_files(folder)) {
     if (!is_same_file(fs::path(folder) / file, checkpoint)) continue;
     throw InputError(
         fmt::format("{}: error: --force would remove this checkpoint (it is {} in the folder of results {}): choose "
@@ -113,10 +128,12 @@ void refuse_to_remove(const std::string& checkpoint, const std::string& folder) 
 }
 
 void remove_results(const std::string& folder) {
-  for (const char* file : result_files) {
+  for (const std::string& file : list_result_files(folder)) {
     remove_file(fs::path(folder) / file);
-    remove_file(fs::path(folder) / (std::string(file) + ".tmp"));
+    remove_file(fs::path(folder) / (file + unfinished));
   }
+  for (const std::string& file : list_fields_files(folder, unfinished))
+    remove_file(fs::path(folder) / (file + unfinished));
 }
 
 }  // namespace percuss

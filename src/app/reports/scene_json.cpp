@@ -134,6 +134,13 @@ void list_contact(const ContactDeck& contact, SelectionList& list) {
   });
 }
 
+Json list_field_outputs(const SceneReport& scene) {
+  Json list = Json::array();
+  for (const FieldOutputSize& of : scene.field_outputs)
+    list.push_back({{"name", of.name}, {"elements", of.elements}, {"nodes", of.nodes}});
+  return list;
+}
+
 Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   SelectionList list(deck, chunked.mesh);
   add_each("initial", deck.initial, [&](const std::string& key, const InitialDeck& initial) {
@@ -265,6 +272,7 @@ std::string format_scene_json(const SceneReport& scene, const ChunkedMesh& chunk
                      {"notes", notes},
                      {"selections", list_selections(deck, chunked)},
                      {"walls", list_walls(deck)},
+                     {"field_outputs", list_field_outputs(scene)},
                      {"overlap", describe(overlap, chunked.mesh, deck)},
                      {"warnings", to_json(scene.warnings)}};
   return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";

@@ -135,15 +135,18 @@ std::string format_loads(const Deck& deck) {
 /// The first and the last state, and those between at multiples of `every`.
 double count_frames(double end, double every) { return std::max(std::ceil(end / every * (1 - 1e-12)), 1.0) + 1; }
 
-std::string format_output(const Deck& deck) {
+std::string format_output(const Deck& deck, const std::vector<FieldOutputSize>& sizes) {
   const OutputDeck& output = deck.output;
   std::string text = "summary";
   if (output.history_every) {
     text +=
         *output.history_every > 0 ? fmt::format(", history every {:g}", *output.history_every) : ", history every step";
   }
-  if (output.fields_every) {
-    text += fmt::format(", {:.0f} frames of fields", count_frames(deck.time.end, *output.fields_every));
+  for (const FieldsDeck* const fields : output.list_fields()) {
+    const std::string what = fields->name.empty() ? "fields" : fmt::format("field output '{}'", fields->name);
+    text += fmt::format(", {:.0f} frames of {}", count_frames(deck.time.end, *fields->every), what);
+    const auto size = std::find_if(sizes.begin(), sizes.end(), [&](const auto& of) { return of.name == fields->name; });
+    if (size != sizes.end()) text += fmt::format(" ({} elements, {} nodes)", size->elements, size->nodes);
   }
   if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
   if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);
@@ -234,7 +237,8 @@ std::string format_scene(const SceneReport& scene) {
   std::string text = format_line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (const auto units = find_units(deck.units)) text += format_units(*units);
   text += format_parts(scene) + format_joints(scene) + format_springs(scene) + format_changes(scene) +
-          format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);
+          format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck, scene.field_outputs) +
+          format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
   return text + (scene.warnings.empty()
                      ? "No errors in the deck or its meshes.\n"

@@ -17,6 +17,12 @@ struct PartReport {
   double mass = 0;  // exact volume of its elements times density
 };
 
+/// An entry of output.field_outputs, of all ranks together.
+struct FieldOutputSize {
+  std::string name;
+  std::int64_t elements = 0, nodes = 0;
+};
+
 struct SceneReport {
   const Deck& deck;
   std::vector<PartReport> parts = {};
@@ -31,6 +37,7 @@ struct SceneReport {
   std::vector<std::string> mesh_notes = {};     // imperfections and added masses
   std::vector<std::string> contact_notes = {};  // what contact says of the start
   std::vector<std::string> joints = {};         // parts that share nodes, in words
+  std::vector<FieldOutputSize> field_outputs = {};
 };
 
 /// Report of the mesh: parts, counts and extent, of all ranks together. Collective. Throws MpiError.

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "src/error.hpp"
 #include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/output/checkpoint/sealed_file.hpp"
+#include "src/output/files/result_names.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -47,13 +51,20 @@ void refuse_other_file(const std::string& path) {
 }
 
 void check_results_to_go_on_with(const std::string& folder, const std::string& checkpoint, bool allow_external) {
-  for (const char* name : {"history.csv", "fields.vtkhdf", "fields.exo", "checkpoint.h5", "summary.json"}) {
+  std::vector<std::string> names{"history.csv", "checkpoint.h5", "summary.json"};
+  for (std::string& name : list_fields_files(folder)) {
+    if (holds_frames(name)) names.push_back(std::move(name));
+  }
+  for (const std::string& name : names) {
     const std::string path = folder + "/" + name;
     if (const std::string kind = describe_irregular_file(path); !kind.empty())
       throw InputError(fmt::format("{}: error: this is {}", path, kind));
   }
   if (allow_external) return;
-  for (const char* name : {"/fields.vtkhdf", "/fields.exo"}) refuse_external(folder + name, folder + name + ": error");
+  for (const std::string& name : names) {
+    const std::string path = folder + "/" + name;
+    if (holds_frames(name)) refuse_external(path, path + ": error");
+  }
   const std::string newest = folder + "/checkpoint.h5";
   // One that is damaged, which is why the run continues from an older one, is not opened.
   std::error_code ignored;

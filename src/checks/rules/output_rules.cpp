@@ -65,7 +65,8 @@ std::vector<Warning> check_step_scale(const CheckedScene& scene) {
 std::vector<Warning> check_no_output(const CheckedScene& scene) {
   constexpr double most = 1e5;  // steps
   const OutputDeck& output = scene.deck.output;
-  if (output.fields_every || output.history_every || output.checkpoint_every || output.checkpoint_wall) return {};
+  if (!output.list_fields().empty() || output.history_every || output.checkpoint_every || output.checkpoint_wall)
+    return {};
   double steps = scene.deck.time.end / (scene.deck.time.step_scale * scene.stable_step);
   if (scene.deck.time.max_steps) steps = std::min(steps, static_cast<double>(*scene.deck.time.max_steps));
   if (steps <= most) return {};
@@ -82,13 +83,14 @@ std::vector<Warning> check_output_interval(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   const auto check = [&](const std::optional<double>& every, const std::string& section, const char* effect) {
     if (!every || *every <= end) return;
-    warnings.push_back(warn_at(scene.deck, "output_interval", "output." + section + ".every",
-                               fmt::format("output.{}.every is {:g}, longer than the run, {:g} ({}): shorten it",
-                                           section, *every, end, effect)));
+    warnings.push_back(warn_at(
+        scene.deck, "output_interval", section + ".every",
+        fmt::format("{}.every is {:g}, longer than the run, {:g} ({}): shorten it", section, *every, end, effect)));
   };
-  check(output.fields_every, "fields", "only the first and last state are written");
-  check(output.history_every, "history", "only the first and last row are written");
-  check(output.checkpoint_every, "checkpoint", "an interrupted run could not be continued from one");
+  for (const FieldsDeck* const fields : output.list_fields())
+    check(fields->every, fields->key(), "only the first and last state are written");
+  check(output.history_every, "output.history", "only the first and last row are written");
+  check(output.checkpoint_every, "output.checkpoint", "an interrupted run could not be continued from one");
   return warnings;
 }
 
@@ -100,13 +102,14 @@ std::vector<Warning> check_output_count(const CheckedScene& scene) {
     if (!every || !(*every > 0)) return;
     const double count = scene.deck.time.end / *every;
     if (count <= most * (1 + 1e-9)) return;
-    warnings.push_back(warn_at(
-        scene.deck, "output_count", "output." + section + ".every",
-        fmt::format("output.{}.every = {:g} writes {:.3g} {}: take a longer interval", section, *every, count, why)));
+    warnings.push_back(
+        warn_at(scene.deck, "output_count", section + ".every",
+                fmt::format("{}.every = {:g} writes {:.3g} {}: take a longer interval", section, *every, count, why)));
   };
-  check(output.fields_every, "fields", most_frames, "frames (they fill the disk, and nobody looks at so many)");
-  check(output.history_every, "history", most_rows, "rows (they fill the disk, and no program plots so many)");
-  check(output.checkpoint_every, "checkpoint", most_checkpoints, "checkpoints (the run waits for each of them)");
+  for (const FieldsDeck* const fields : output.list_fields())
+    check(fields->every, fields->key(), most_frames, "frames (they fill the disk, and nobody looks at so many)");
+  check(output.history_every, "output.history", most_rows, "rows (they fill the disk, and no program plots so many)");
+  check(output.checkpoint_every, "output.checkpoint", most_checkpoints, "checkpoints (the run waits for each of them)");
   return warnings;
 }
 

@@ -40,11 +40,15 @@ constexpr Habit key_habits[] = {
     {"pairs", "surfaces", " A list of pairs: surfaces: [[a, b]]"},
     // output
     {"d3plot", "fields"},
+    {"d3part", "field_outputs"},
+    {"parts", "elements", " Parts and element sets: elements: [a, b]"},
+    {"variables", "write"},
     {"d3thdt", "history"},
     {"glstat", "history"},
     {"matsum", "history"},
     {"d3dump", "checkpoint"},
     {"d3plot", "output.fields"},
+    {"d3part", "output.field_outputs"},
     {"glstat", "output.history"},
     {"rcforc", "output.history.forces"},
     // the top of the deck

@@ -5,10 +5,9 @@
 #include <map>
 #include <set>
 
-#include "kernels/material/point/elastic.hpp"
-#include "kernels/shell/thickness_points.hpp"
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/fields/field_keys.hpp"
 #include "src/deck/reading/forces/force_keys.hpp"
 #include "src/deck/reading/forces/history_keys.hpp"
 #include "src/deck/reading/sensors/sensor_keys.hpp"
@@ -182,40 +181,6 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// Points of the shells of a part that does not say: what is not elastic yields, where shells know it.
-int find_usual_points(const Deck& deck, const PartDeck& part) {
-  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
-                                     [&](const MaterialDeck& of) { return of.name == part.material; });
-  const bool is_elastic = material != deck.materials.end() && material->law.model == Elastic::name;
-  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
-}
-
-/// Most points that a shell of a part can have.
-int find_most_points(const Deck& deck) {
-  int most = 0;
-  for (const PartDeck& part : deck.parts) {
-    if (part.has_thickness()) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
-    if (is_shell_shape(part.shape) && !part.has_thickness()) return most_thickness_points;  // which is told already
-  }
-  return most;
-}
-
-/// A point of shells that no part can have.
-void check_points(const Deck& deck, const Node& root, Reading& reading) {
-  const int most = find_most_points(deck);
-  for (const std::string& field : deck.output.fields) {
-    const int point = std::max(find_thickness_point(field, stress_points).value_or(0),
-                               find_thickness_point(field, plastic_strain_points).value_or(0));
-    if (point <= most || deck.parts.empty() || !reading.shapeless.empty()) continue;
-    const std::vector<Node>& items = root.find("output")->find("fields")->find("write")->items;
-    const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
-    const std::string text = most == 0
-                                 ? "no part has shells"
-                                 : fmt::format("shells have at most {} points; set parts.NAME.points for more", most);
-    reading.errors.add(item->spot, fmt::format("output.fields.write has {} ({})", field, text));
-  }
-}
-
 /// Settings of contact that nothing reads as the others stand: accepted, for a switch may come and go by --set.
 void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
   using Enforcement = ContactDeck::Enforcement;
@@ -275,16 +240,6 @@ void check_blasts(const Deck& deck, const Node& root, Reading& reading) {
                          "the key units, for example units: m, kg, s");
 }
 
-void check_frames(const Deck& deck, const Node& root, Reading& reading) {
-  constexpr double most_frames = 1e6;
-  if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
-  const Node* every = root.find("output")->find("fields")->find("every");
-  reading.errors.add(
-      every->spot,
-      fmt::format("output.fields.every is {} (it would write {:.3g} frames by time.end, {}; at most {:.0f})",
-                  *deck.output.fields_every, deck.time.end / *deck.output.fields_every, deck.time.end, most_frames));
-}
-
 }  // namespace
 
 void check_deck(const Deck& deck, const Node& root, Reading& reading) {
@@ -308,9 +263,8 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_fluids(deck, root, reading);
   check_idle_contact(deck, root, reading);
   check_walls(deck, root, reading);
-  check_frames(deck, root, reading);
+  check_fields(deck, root, reading);
   check_blasts(deck, root, reading);
-  check_points(deck, root, reading);
   check_forces(deck, root, reading);
   check_blocks(deck, reading);
   check_accelerometers(deck, reading);

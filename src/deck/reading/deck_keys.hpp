@@ -97,9 +97,6 @@ const Keys<Deck>& deck_keys();
 /// The keys of a part of which it has exactly one.
 const Keys<PartDeck>& shape_keys();
 
-/// Names that output.fields.write takes.
-const std::vector<std::string>& field_names();
-
 /// What must hold between sections: names that exist, a size that can be run, curves that stay finite.
 void check_deck(const Deck& deck, const Node& root, Reading& reading);
 

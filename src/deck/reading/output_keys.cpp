@@ -1,82 +1,18 @@
 // Keys of `output`.
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <string_view>
 
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/fields/field_keys.hpp"
 #include "src/deck/reading/forces/force_keys.hpp"
 #include "src/deck/reading/forces/history_keys.hpp"
 
 namespace percuss {
 namespace {
-
-/// Names of fields, each once.
-struct FieldsValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
-    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
-    bool good = true;
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const Node& item = node.items[i];
-      const std::string item_name = fmt::format("{}.{}", name, i);
-      if (!reader.expect(item, Node::Kind::scalar, item_name, "the name of a field")) {
-        good = false;
-      } else if (const auto& known = field_names(); std::find(known.begin(), known.end(), item.text) == known.end()) {
-        reader.error(item.spot,
-                     fmt::format("unknown field {} in {}{}", quote(item.text), name, name_hint(item.text, known)));
-        good = false;
-      } else if (std::find(out.begin(), out.end(), item.text) != out.end()) {
-        reader.error(item.spot, fmt::format("field '{}' is named twice in {}", item.text, name));
-        good = false;
-      } else {
-        out.push_back(item.text);
-      }
-    }
-    return good;
-  }
-  std::string takes() const { return "a list of fields"; }
-  Form form() const { return list_form(word_form(field_names())); }
-};
-
-/// A format, or a list of formats.
-struct FormatsValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<FieldsFormat>& out) const {
-    std::vector<FieldsFormat> formats;
-    if (node.kind != Node::Kind::list) {
-      formats.resize(1);
-      if (!choice().read(reader, name, node, formats[0])) return false;
-    } else if (!ListValue<ChoiceValue<FieldsFormat>>{choice()}.read(reader, name, node, formats)) {
-      return false;
-    }
-    std::sort(formats.begin(), formats.end());
-    if (formats.empty() || std::adjacent_find(formats.begin(), formats.end()) != formats.end()) {
-      reader.refuse(node, name, "formats, each once");
-      return false;
-    }
-    out = std::move(formats);
-    return true;
-  }
-  std::string takes() const { return choice().takes() + ", or a list of these"; }
-  Form form() const { return any_form({choice().form(), list_form(choice().form(), 1)}); }
-
- private:
-  static ChoiceValue<FieldsFormat> choice() {
-    return {{{"vtkhdf", FieldsFormat::vtkhdf}, {"exodus", FieldsFormat::exodus}}};
-  }
-};
-
-const Keys<OutputDeck>& field_keys() {
-  static const Keys<OutputDeck> keys = {
-      need("every", &OutputDeck::fields_every, NumberValue{positive}),
-      may("write", &OutputDeck::fields, FieldsValue{}),
-      may("before_failure", &OutputDeck::fields_before_failure, IntegerValue{1, 1000000}),
-      may("format", &OutputDeck::fields_formats, FormatsValue{}),
-  };
-  return keys;
-}
 
 Keys<HistoryPoint> make_point_keys() {
   return {
@@ -235,7 +171,8 @@ bool check_checkpoint(const Reader& reader, const Node& node, OutputDeck& output
 
 const Keys<OutputDeck>& output_keys() {
   static const Keys<OutputDeck> keys = {
-      group<OutputDeck>("fields", MapValue<OutputDeck>{field_keys}),
+      may("fields", &OutputDeck::fields, fields_value()),
+      may("field_outputs", &OutputDeck::field_outputs, field_outputs_value()),
       group<OutputDeck>("history", MapValue<OutputDeck>{history_keys, check_history}),
       group<OutputDeck>("checkpoint", MapValue<OutputDeck>{checkpoint_keys, check_checkpoint}),
   };
@@ -245,31 +182,5 @@ const Keys<OutputDeck>& output_keys() {
 }  // namespace
 
 MapValue<OutputDeck> output_value() { return {output_keys}; }
-
-std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
-  if (field.substr(0, quantity.size()) != quantity) return std::nullopt;
-  const std::string_view digits = field.substr(quantity.size());
-  int point = 0;
-  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), point);
-  if (error != std::errc() || end != digits.end()) return std::nullopt;
-  return point;
-}
-
-const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force",  "contact_pressure",
-                                    "mass",          "contact_rank",  // of nodes
-                                    "stress",        "pressure",        "von_mises",      "equivalent_plastic_strain",
-                                    "temperature",   "internal_energy", "alive",          "damage",  // of elements
-                                    "stress_bottom", "stress_top",      "thickness",                 // of shells
-                                    "axial_force",   "section_force",   "section_moment",            // of beams
-                                    "body",          "chunk",           "fe_rank"};
-    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
-      for (int point = 1; point <= most_thickness_points; ++point) all.push_back(fmt::format("{}{}", quantity, point));
-    }
-    return all;
-  }();
-  return names;
-}
 
 }  // namespace percuss

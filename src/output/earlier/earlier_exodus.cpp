@@ -38,7 +38,7 @@ void cut_exodus(hid_t file, const FramesInFile& kept) {
 
 }  // namespace
 
-const FramesFormat exodus_frames{"fields.exo",       times,     step_numbers, count_exodus_frames, find_exodus_mesh,
-                                 list_exodus_fields, cut_exodus};
+const FramesFormat exodus_frames{
+    ".exo", times, step_numbers, count_exodus_frames, find_exodus_mesh, list_exodus_fields, cut_exodus};
 
 }  // namespace percuss

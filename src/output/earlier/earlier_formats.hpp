@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/hdf5/hdf5_handle.hpp"
+#include "src/output/files/result_names.hpp"
 
 namespace percuss {
 
@@ -18,7 +19,10 @@ struct FramesInFile {
 
 /// file: an open HDF5 file. All functions throw hdf5::Error.
 struct FramesFormat {
-  const char* file_name;  // in the folder of a run
+  const char* ending;  // of the file's name
+
+  /// The file of an output of fields in the folder of a run.
+  std::string name_file(const std::string& output) const { return name_fields(output) + ending; }
 
   /// Paths of datasets with a number a frame.
   const char *times, *steps;

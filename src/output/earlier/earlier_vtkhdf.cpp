@@ -68,7 +68,7 @@ void cut_vtkhdf(hid_t file, const FramesInFile& kept) {
 
 }  // namespace
 
-const FramesFormat vtkhdf_frames{"fields.vtkhdf",  "VTKHDF/Steps/Values", "percuss/step", count_vtkhdf_frames,
+const FramesFormat vtkhdf_frames{".vtkhdf",        "VTKHDF/Steps/Values", "percuss/step", count_vtkhdf_frames,
                                  find_vtkhdf_mesh, list_vtkhdf_fields,    cut_vtkhdf};
 
 }  // namespace percuss

@@ -21,14 +21,13 @@ namespace percuss {
 /// All calls are collective and throw as those of FieldsFile.
 class ExodusResults {
  public:
-  /// Creates DIR/fields.exo with the mesh; an old one is replaced.
+  /// Creates DIR/fields.exo, or fields_NAME.exo, with the mesh; an old one is replaced.
   ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                 const Communicator& ranks);
   /// Continues with the file of an earlier run behind its first `frames`; what lies there is cut off.
   ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                 const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields);
-  static void check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
-                    std::int64_t frames, std::span<const std::string> fields);
+  static void check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks);
   ~ExodusResults();
   ExodusResults(ExodusResults&&) noexcept;
   ExodusResults& operator=(ExodusResults&&) noexcept;

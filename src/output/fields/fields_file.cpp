@@ -19,7 +19,7 @@ namespace {
 
 XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, const Communicator& ranks) {
   XdmfIndex index;
-  index.file = vtkhdf_frames.file_name;
+  index.file = vtkhdf_frames.name_file(options.name);
   index.title = options.title;
   index.units = options.units;
   index.walls = options.walls;
@@ -39,12 +39,12 @@ struct FieldsFile::Impl {
   Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
        const Communicator& all_ranks)
       : ranks(all_ranks),
-        xdmf_path(directory + "/fields.xdmf"),
-        parts_path(directory + "/fields.xdmf2"),
+        xdmf_path(directory + "/" + name_fields(options.name) + ".xdmf"),
+        parts_path(xdmf_path + "2"),
         fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
-        file(directory + "/" + vtkhdf_frames.file_name, chunked, options, all_ranks) {
+        file(directory + "/" + vtkhdf_frames.name_file(options.name), chunked, options, all_ranks) {
     write_index();
     write_parts_index();
   }
@@ -52,12 +52,12 @@ struct FieldsFile::Impl {
   Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
        const Communicator& all_ranks, std::vector<double> times)
       : ranks(all_ranks),
-        xdmf_path(directory + "/fields.xdmf"),
-        parts_path(directory + "/fields.xdmf2"),
+        xdmf_path(directory + "/" + name_fields(options.name) + ".xdmf"),
+        parts_path(xdmf_path + "2"),
         fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
-        file(directory + "/" + vtkhdf_frames.file_name, chunked, options, all_ranks,
+        file(directory + "/" + vtkhdf_frames.name_file(options.name), chunked, options, all_ranks,
              static_cast<std::int64_t>(times.size())) {
     index.times = std::move(times);
   }
@@ -110,7 +110,7 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
                        const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
   const hdf5::QuietErrors quiet;
   const FramesInFile kept = find_kept(chunked, frames);
-  const std::string path = directory + "/" + vtkhdf_frames.file_name;
+  const std::string path = directory + "/" + vtkhdf_frames.name_file(options.name);
   std::vector<double> times;
   run_on_first_rank(ranks, [&] {
     times = check_earlier_results(vtkhdf_frames, path, kept, fields);
@@ -120,10 +120,10 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
   impl_ = std::make_unique<Impl>(directory, chunked, options, ranks, std::move(times));
 }
 
-void FieldsFile::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
-                       std::int64_t frames, std::span<const std::string> fields) {
-  const std::string path = directory + "/" + vtkhdf_frames.file_name;
-  run_on_first_rank(ranks, [&] { check_earlier_results(vtkhdf_frames, path, find_kept(chunked, frames), fields); });
+void FieldsFile::check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks) {
+  const std::string path = earlier.directory + "/" + vtkhdf_frames.name_file(earlier.name);
+  const FramesInFile kept = find_kept(chunked, earlier.frames);
+  run_on_first_rank(ranks, [&] { check_earlier_results(vtkhdf_frames, path, kept, earlier.fields); });
 }
 
 void FieldsFile::sync() {

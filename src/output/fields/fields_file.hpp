@@ -19,7 +19,7 @@ namespace percuss {
 class FieldsFile {
  public:
   /// Creates DIR/fields.vtkhdf, DIR/fields.xdmf and DIR/fields.xdmf2 (old ones are replaced) with the mesh: cells, ids,
-  /// part numbers.
+  /// part numbers. With a name in the options they are fields_NAME.vtkhdf and so on.
   /// `chunked` is this rank's share of the mesh. Collective over `ranks`, as everything below, the destructor included.
   /// Throws SystemError with the path and the reason, on all ranks alike.
   FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
@@ -31,8 +31,7 @@ class FieldsFile {
 
   /// Throws InputError, on all ranks, if the folder's fields file has not this mesh, so many frames and the fields of
   /// these names; changes nothing.
-  static void check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
-                    std::int64_t frames, std::span<const std::string> fields);
+  static void check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks);
 
   /// Closes the file if close() was not called; an error is lost then.
   ~FieldsFile();

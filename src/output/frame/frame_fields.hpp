@@ -2,6 +2,7 @@
 // What a frame of results holds, whatever the format of the file.
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +52,16 @@ struct FieldsOptions {
   std::vector<WallPlane> walls{}, moving_walls{};  // for pictures
   std::vector<RoundWall> round_walls{}, moving_round_walls{};
   std::vector<std::string> node_sets{}, side_sets{};  // of the mesh, by their names there; for Exodus II
+  std::string name{};  // of the output: its files begin with name_fields() of it (src/output/files/result_names.hpp)
+  bool are_faces = false;  // whether elements of the mesh are faces, of which several have the same id
+};
+
+/// What a run before has written of an output.
+struct EarlierFrames {
+  const std::string& directory;
+  const std::string& name;              // of the output
+  std::int64_t frames = 0;              // that the run goes on behind
+  std::span<const std::string> fields;  // that every frame will have
 };
 
 /// The nodes of this rank's share that it brings, ascending: each node is brought by the rank that owns it. Empty where

@@ -53,10 +53,12 @@ std::string find_checkpoint(const RestartInPlace& restart) {
 }  // namespace
 
 std::string describe_removals(const RestartInPlace& restart, const CutStates& cut) {
+  std::vector<std::string> parts{count_states(cut.rows, "row", "history.csv")};
+  for (const CutFrames& of : cut.frames) parts.push_back(count_states(of.frames, "frame", of.file));
+  parts.push_back(find_summary(restart));
+  parts.push_back(find_checkpoint(restart));
   std::string text;
-  for (const std::string& part :
-       {count_states(cut.rows, "row", "history.csv"), count_states(cut.frames, "frame", cut.frames_file),
-        find_summary(restart), find_checkpoint(restart)}) {
+  for (const std::string& part : parts) {
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return text;

@@ -18,7 +18,7 @@
 #include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 #include "src/step/sensors/sensors.hpp"
 
 namespace percuss {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/output/earlier/earlier_results.hpp"
-
 namespace percuss {
 
 namespace {
@@ -23,19 +21,6 @@ LaterStates keep_lost(LaterStates states, const SavedState& from, const SavedSta
 
 }  // namespace
 
-void Schedule::archive(CheckpointArchive& archive, const std::string& name, double time) {
-  double period = period_.value_or(-1), next = next_;
-  archive.number(name + "/period", period);
-  archive.number(name + "/next", next);
-  if (!archive.is_loading()) return;
-  is_thinned_ = period_ && period >= 0 && *period_ > period;
-  if (period_ && *period_ == period) {
-    next_ = next;
-  } else {
-    advance(time);
-  }
-}
-
 RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const ContactStage& contact,
                      std::string directory)
     : deck_(deck),
@@ -43,17 +28,19 @@ RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& 
       model_(model),
       contact_(contact),
       directory_(std::move(directory)),
-      frames_due_(deck.output.fields_every),
-      rows_(deck.output.history_every) {}
+      rows_(deck.output.history_every) {
+  for (const FieldsDeck* const fields : deck.output.list_fields())
+    fields_.emplace_back(FrameScene{deck, chunked, model, contact, directory_}, *fields);
+}
 
 void RunOutput::create() {
   if (wants_rows()) history_.emplace(directory_, deck_, chunked_, model_);
-  if (wants_frames()) frames_.emplace(directory_, deck_, chunked_, model_, contact_);
+  for (FieldOutput& fields : fields_) fields.create();
 }
 
 void RunOutput::check_earlier() const {
   if (wants_rows() && history_bytes_ != no_file) History::check(directory_, deck_, chunked_, model_, history_bytes_);
-  if (wants_frames() && frame_count_ != no_file) Frames::check(directory_, deck_, chunked_, model_, frame_count_);
+  for (const FieldOutput& fields : fields_) fields.check_earlier();
 }
 
 CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& end) const {
@@ -61,11 +48,9 @@ CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& e
   if (wants_rows()) {
     cut.rows = keep_lost(find_later_rows(directory_ + "/history.csv", history_bytes_), from, end, rows_.is_thinned());
   }
-  if (wants_frames()) {
-    const FramesFormat& format = deck_.output.has_format(FieldsFormat::vtkhdf) ? vtkhdf_frames : exodus_frames;
-    cut.frames_file = format.file_name;
-    const LaterStates later = find_later_frames(format, directory_ + "/" + cut.frames_file, frame_count_);
-    cut.frames = keep_lost(later, from, end, frames_due_.is_thinned());
+  for (const FieldOutput& fields : fields_) {
+    cut.frames.push_back(fields.find_later());
+    cut.frames.back().frames = keep_lost(cut.frames.back().frames, from, end, fields.is_thinned());
   }
   return cut;
 }
@@ -76,11 +61,7 @@ void RunOutput::go_on() {
   } else if (wants_rows()) {
     history_.emplace(directory_, deck_, chunked_, model_);
   }
-  if (wants_frames() && frame_count_ != no_file) {
-    frames_.emplace(directory_, deck_, chunked_, model_, contact_, frame_count_);
-  } else if (wants_frames()) {
-    frames_.emplace(directory_, deck_, chunked_, model_, contact_);
-  }
+  for (FieldOutput& fields : fields_) fields.go_on();
 }
 
 void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper& stepper) {
@@ -95,54 +76,70 @@ void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper&
   last_row_ = state.step;
 }
 
-void RunOutput::write_frame(const State& state) {
-  if (!frames_ || last_frame_ == state.step) return;
-  frames_->write(state);
-  if (history_) history_->flush();
-  last_frame_ = state.step;
+bool RunOutput::is_frame_due(double time) const {
+  return std::any_of(fields_.begin(), fields_.end(), [&](const FieldOutput& fields) { return fields.is_due(time); });
 }
 
-void RunOutput::keep_frame(const State& state) {
-  const auto every = deck_.output.fields_before_failure;
-  if (frames_ && every && state.step % *every == 0) frames_->keep(state);
+template <class IsWanted>
+void RunOutput::write_some_frames(const State& state, const IsWanted& is_wanted) {
+  bool has_written = false;
+  for (FieldOutput& fields : fields_) has_written = (is_wanted(fields) && fields.write(state)) || has_written;
+  if (has_written && history_) history_->flush();
+}
+
+void RunOutput::write_frames(const State& state) {
+  write_some_frames(state, [](const FieldOutput&) { return true; });
+}
+
+void RunOutput::write_due_frames(const State& state) {
+  write_some_frames(state, [&](const FieldOutput& fields) { return fields.is_due(state.time); });
+}
+
+void RunOutput::keep_frames(const State& state) {
+  for (FieldOutput& fields : fields_) fields.keep(state);
 }
 
 void RunOutput::write_kept_frames(const State& failed) {
-  if (frames_) frames_->write_kept(last_frame_, failed.step);
+  for (FieldOutput& fields : fields_) fields.write_kept(failed);
+}
+
+int RunOutput::count_lost_frames(const State& failed, std::int64_t start) const {
+  int lost = 0;
+  for (const FieldOutput& fields : fields_) lost += fields.count_lost(failed, start);
+  return lost;
 }
 
 void RunOutput::advance(double time) {
   rows_.advance(time);
-  frames_due_.advance(time);
+  for (FieldOutput& fields : fields_) fields.advance(time);
 }
 
 void RunOutput::note_lengths() {
   history_bytes_ = history_ ? history_->find_length() : no_file;
-  frame_count_ = frames_ ? frames_->count() : no_file;
+  for (FieldOutput& fields : fields_) fields.note_length();
 }
 
 void RunOutput::sync() {
   if (history_) history_->sync();
-  if (frames_) frames_->sync();
+  for (FieldOutput& fields : fields_) fields.sync();
 }
 
 void RunOutput::archive(CheckpointArchive& archive, double time) {
   rows_.archive(archive, "output/history", time);
-  frames_due_.archive(archive, "output/fields", time);
   archive.number("output/history/last_step", last_row_);
-  archive.number("output/fields/last_step", last_frame_);
   archive.number("output/history/bytes", history_bytes_);
-  archive.number("output/fields/frames", frame_count_);
+  for (FieldOutput& fields : fields_) fields.archive(archive, time);
 }
 
 void RunOutput::close() {
-  if (frames_) frames_->close();
+  for (FieldOutput& fields : fields_) fields.close();
   if (history_) history_->close();
 }
 
 bool RunOutput::are_files_in_place() const {
-  const bool rows = !history_ || history_->is_in_place(), frames = !frames_ || frames_->is_in_place();
-  return rows && frames;
+  bool in_place = !history_ || history_->is_in_place();
+  for (const FieldOutput& fields : fields_) in_place = fields.are_files_in_place() && in_place;
+  return in_place;
 }
 
 }  // namespace percuss

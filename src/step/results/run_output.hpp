@@ -1,42 +1,22 @@
 #pragma once
 // When a run writes rows and frames, and where: into new files, or behind those of the run that a restart goes on with.
 
-#include <cmath>
+#include <list>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "src/contact/contact_stage.hpp"
 #include "src/output/later_states.hpp"
-#include "src/step/results/frames.hpp"
+#include "src/step/results/fields/field_output.hpp"
 #include "src/step/results/history.hpp"
 
 namespace percuss {
 
-/// Due at multiples of a period; never twice for one state.
-class Schedule {
- public:
-  explicit Schedule(std::optional<double> period) : period_(period) {}
-  bool is_due(double time) const { return period_ && time >= next_ * (1 - 1e-12); }
-  void advance(double time) {
-    if (period_ && *period_ > 0) next_ = *period_ * (std::floor(time / *period_ * (1 + 1e-12)) + 1);
-  }
-  bool is_set() const { return period_.has_value(); }
-  /// After archive() has loaded: whether less is due than in the run before.
-  bool is_thinned() const { return is_thinned_; }
-
-  /// Goes on with what another run of the same period has; `time` is where.
-  void archive(CheckpointArchive& archive, const std::string& name, double time);
-
- private:
-  std::optional<double> period_;
-  double next_ = 0;
-  bool is_thinned_ = false;
-};
-
 /// What a run that goes on in a folder cuts off its files, and does not write again.
 struct CutStates {
-  LaterStates rows, frames;
-  std::string frames_file = "fields.vtkhdf";  // the file of the frames
+  LaterStates rows;
+  std::vector<CutFrames> frames;  // of each output of fields
 };
 
 /// All calls are collective.
@@ -61,7 +41,8 @@ class RunOutput {
   void go_on();
 
   bool is_row_due(double time) const { return rows_.is_due(time); }
-  bool is_frame_due(double time) const { return frames_due_.is_due(time); }
+  /// Whether a frame of some output is.
+  bool is_frame_due(double time) const;
 
   /// Whether there is a history, written or only for sensors.
   bool has_rows() const { return history_.has_value(); }
@@ -70,11 +51,15 @@ class RunOutput {
 
   /// Writes the state, unless it was written.
   void write_row(const State& state, const AuditResult& audit, Stepper& stepper);
-  void write_frame(const State& state);
-  /// Keeps the frame of a state in memory, where the deck asks for it and it is due.
-  void keep_frame(const State& state);
+  /// A frame of each output, or of those that are due.
+  void write_frames(const State& state);
+  void write_due_frames(const State& state);
+  /// Keeps frames of a state in memory, where the deck asks for it and they are due.
+  void keep_frames(const State& state);
   /// Before that of a failed state: the frames kept that are not in the file.
   void write_kept_frames(const State& failed);
+  /// How many there would be besides, had the run not begun at a checkpoint of step `start`: call before.
+  int count_lost_frames(const State& failed, std::int64_t start) const;
   void advance(double time);
 
   /// Hands all to the system and notes how long the files are: call before saving.
@@ -93,18 +78,19 @@ class RunOutput {
   static constexpr std::int64_t no_file = -1;
 
   bool wants_rows() const { return (!directory_.empty() || !deck_.sensors.empty()) && rows_.is_set(); }
-  bool wants_frames() const { return !directory_.empty() && frames_due_.is_set(); }
+  template <class IsWanted>
+  void write_some_frames(const State& state, const IsWanted& is_wanted);
 
   const Deck& deck_;
   const ChunkedMesh& chunked_;
   const Model& model_;
   const ContactStage& contact_;
   const std::string directory_;
-  std::optional<Frames> frames_;
+  std::list<FieldOutput> fields_;  // output.fields first
   std::optional<History> history_;
-  Schedule frames_due_, rows_;
-  std::int64_t last_row_ = -1, last_frame_ = -1;                  // steps
-  std::int64_t history_bytes_ = no_file, frame_count_ = no_file;  // at the last checkpoint
+  Schedule rows_;
+  std::int64_t last_row_ = -1;            // step
+  std::int64_t history_bytes_ = no_file;  // at the last checkpoint
 };
 
 }  // namespace percuss

@@ -186,6 +186,8 @@ void Run::loop() {
     check_step_made();
     audit();  // what later audits compare with, whatever the output
     observe();
+  } else {
+    keep_frame();  // as the run did that wrote the checkpoint; what it kept before is not in there
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.
@@ -291,7 +293,10 @@ void Run::observe() {
   if (row_due) output_.write_row(state_, audited_, stepper_);
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
-  if (frame_due) output_.write_frame(state_);
+  if (is_asked)
+    output_.write_frames(state_);
+  else if (frame_due)
+    output_.write_due_frames(state_);
   if (frame_due) look_at_corners();
   output_.advance(state_.time);
   look_by_sensors(row_due);
@@ -322,7 +327,7 @@ void Run::observe_last() {
   look_at_corners();
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
-  output_.write_frame(state_);
+  output_.write_frames(state_);
 }
 
 void Run::check_step_made() const {

@@ -12,7 +12,7 @@
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 namespace percuss {
 namespace {
@@ -85,7 +85,8 @@ std::string describe_broken_chunk(const CheckedRun& run) {
   return describe_there(run, number, [&](int first) {
     const auto count = static_cast<int>(run.chunked.numbering.first_element[chunk + 1] - number);
     for (int e = first; e < first + count; ++e) {
-      for (const double stress : find_stresses(run.model, run.state, {e})) {
+      const std::vector<int> one{e};
+      for (const double stress : find_stresses(run.model, run.state, one)) {
         if (!std::isfinite(stress)) return name_with_place(run, e) + " has a stress that is not finite";
       }
     }

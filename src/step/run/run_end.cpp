@@ -87,19 +87,32 @@ void Run::finish(const std::string& status, const std::string& error) {
 
 /// For a run that fails in a later step.
 void Run::keep_frame() {
-  if (!deck_.output.fields_before_failure) return;
+  if (!deck_.output.keeps_frames()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
-  output_.keep_frame(state_);
+  output_.keep_frames(state_);
+}
+
+/// Frames that the run before a restart kept in memory.
+void Run::note_lost_frames() {
+  const int lost = options_.restart.empty() ? 0 : output_.count_lost_frames(state_, start_step_);
+  if (lost == 0) return;
+  warnings_.add({{"lost_frames",
+                  fmt::format("{} of before_failure {} kept in memory before the restart at step {}, and not written: "
+                              "continue from an older checkpoint to see {}",
+                              lost == 1 ? "a frame" : fmt::format("{} frames", lost), lost == 1 ? "was" : "were",
+                              start_step_, lost == 1 ? "it" : "them"),
+                  "", state_.time, 1}});
 }
 
 /// The state in which a run failed, if it can be looked at: a row and a frame more.
 void Run::write_failed_state() {
   if (!is_state_whole_) return;
   output_.write_row(state_, audit_(state_), stepper_);
+  note_lost_frames();
   output_.write_kept_frames(state_);
   if (!has_finite_positions(model_, state_)) return;
-  output_.write_frame(state_);
-  if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
+  output_.write_frames(state_);
+  if (speaks() && !options_.out_dir.empty() && !deck_.output.list_fields().empty())
     print_quietly(stderr, "the last frame shows the failed state, t = {:.6g}; the one before it is valid\n",
                   state_.time);
 }

@@ -83,6 +83,7 @@ class Run {
     return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
   }
   void fail(const std::exception& error);
+  void note_lost_frames();
   void write_failed_state();
   ProgressState find_progress() const;
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/fields/field_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 

@@ -24,7 +24,7 @@ const std::vector<WrongDeck>& wrong_decks() {
   static const std::vector<WrongDeck> all = [] {
     std::vector<WrongDeck> decks;
     for (const auto& part : {wrong_yaml_decks(), wrong_value_decks(), wrong_material_decks(), wrong_section_decks(),
-                             wrong_sensor_decks()}) {
+                             wrong_sensor_decks(), wrong_field_decks()}) {
       decks.insert(decks.end(), part.begin(), part.end());
     }
     return decks;

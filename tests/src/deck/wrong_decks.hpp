@@ -23,6 +23,7 @@ std::vector<WrongDeck> wrong_yaml_decks();      // not YAML, not text, too large
 std::vector<WrongDeck> wrong_value_decks();     // values of the wrong type or range
 std::vector<WrongDeck> wrong_material_decks();  // constants of materials
 std::vector<WrongDeck> wrong_sensor_decks();    // sensors and what they switch
+std::vector<WrongDeck> wrong_field_decks();     // outputs of fields
 std::vector<WrongDeck> wrong_section_decks();   // keys missing, unknown or at odds with each other
 
 /// A right deck of five lines; every wrong one differs from it in one thing.

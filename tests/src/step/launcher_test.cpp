@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 #include "tests/kernels/element/random_element.hpp"
 #include "tests/src/step/scene.hpp"
 

@@ -12,6 +12,17 @@
 namespace percuss {
 namespace {
 
+bool read_element_set(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) {
+  if (node.kind != Node::Kind::scalar || node.text == "all") {
+    reader.refuse(node, name, ElementSetsValue{}.takes());
+    return false;
+  }
+  Selector elements;
+  if (!SelectorValue{}.read(reader, name, node, elements)) return false;
+  out.push_back(std::move(elements));
+  return true;
+}
+
 /// One side of a contact: a part, a surface or a list of these. all: an empty list, where that is allowed.
 struct SideValue {
   bool takes_all;
@@ -58,40 +69,13 @@ struct ContactSidesValue {
   Form form() const { return tuple_form({SideValue{false}.form(), SideValue{true}.form()}); }
 };
 
-/// A part, an element block, an element set or a list of these.
-struct ElementsValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const {
-    if (node.kind != Node::Kind::list) return read_one(reader, name, node, out);
-    if (node.items.empty()) {
-      reader.refuse(node, name, "at least one part, element block or element set");
-      return false;
-    }
-    bool good = true;
-    for (std::size_t i = 0; i < node.items.size(); ++i)
-      good = read_one(reader, fmt::format("{}.{}", name, i), node.items[i], out) && good;
-    return good;
-  }
-  std::string takes() const { return "a part, an element block, an element set or a list of these"; }
-  Form form() const { return any_form({Form::Kind::text, list_form(Form::Kind::text, 1)}); }
-
- private:
-  bool read_one(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const {
-    if (node.kind != Node::Kind::scalar || node.text == "all") {
-      reader.refuse(node, name, takes());
-      return false;
-    }
-    Selector elements;
-    if (!SelectorValue{}.read(reader, name, node, elements)) return false;
-    out.push_back(std::move(elements));
-    return true;
-  }
-};
-
 const Keys<ForceDeck>& section_keys() {
   static const Keys<ForceDeck> keys = {
-      may("part", &ForceDeck::part, PartNameValue{}),         may("point", &ForceDeck::point, vector3()),
-      may("normal", &ForceDeck::normal, DirectionValue{}),    may("nodes", &ForceDeck::nodes, SelectorValue{}),
-      may("elements", &ForceDeck::elements, ElementsValue{}),
+      may("part", &ForceDeck::part, PartNameValue{}),
+      may("point", &ForceDeck::point, vector3()),
+      may("normal", &ForceDeck::normal, DirectionValue{}),
+      may("nodes", &ForceDeck::nodes, SelectorValue{}),
+      may("elements", &ForceDeck::elements, ElementSetsValue{}),
   };
   return keys;
 }
@@ -137,6 +121,19 @@ const Keys<ForceDeck>& force_keys() {
 }
 
 }  // namespace
+
+bool ElementSetsValue::read(const Reader& reader, const std::string& name, const Node& node,
+                            std::vector<Selector>& out) const {
+  if (node.kind != Node::Kind::list) return read_element_set(reader, name, node, out);
+  if (node.items.empty()) {
+    reader.refuse(node, name, "at least one part or element set");
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    good = read_element_set(reader, fmt::format("{}.{}", name, i), node.items[i], out) && good;
+  return good;
+}
 
 bool ForceValue::read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const {
   if (!reader.expect(node, Node::Kind::map, name, takes())) return false;

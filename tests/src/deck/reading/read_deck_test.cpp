@@ -72,8 +72,8 @@ TEST(ReadDeck, ReadsTheDeckOfTheBrickWall) {
   EXPECT_EQ(deck.initial.at(0).velocity, (Vec3{200, 0, 0}));
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::all);
   EXPECT_EQ(deck.contact.friction, 0.3);
-  EXPECT_EQ(deck.output.fields_every, 1e-4);
-  EXPECT_THAT(deck.output.fields, testing::ElementsAre("velocity", "stress", "equivalent_plastic_strain"));
+  EXPECT_EQ(deck.output.fields.every, 1e-4);
+  EXPECT_THAT(deck.output.fields.write, testing::ElementsAre("velocity", "stress", "equivalent_plastic_strain"));
   EXPECT_EQ(deck.output.history_every, 1e-6);
   EXPECT_THAT(deck.warnings, testing::IsEmpty());
 }
@@ -87,7 +87,7 @@ TEST(ReadDeck, GivesTheDocumentedDefaults) {
   EXPECT_EQ(deck.elements.linear_viscosity, 0.06);
   EXPECT_EQ(deck.elements.quadratic_viscosity, 1.2);
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::none);
-  EXPECT_FALSE(deck.output.fields_every);
+  EXPECT_FALSE(deck.output.fields.every);
   EXPECT_FALSE(deck.output.history_every);
   EXPECT_FALSE(deck.gravity.any());
   EXPECT_EQ(deck.audit.max_energy_error, 0.1);

@@ -7,7 +7,7 @@
 
 #include "src/error.hpp"
 #include "src/step/points/material_place.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/step/scene.hpp"

@@ -8,10 +8,23 @@
 
 namespace percuss {
 
+/// Which elements are read: all, or some in their order.
+class ElementChoice {
+ public:
+  ElementChoice() = default;
+  /// some: outlives this.
+  ElementChoice(const std::vector<int>& some) : some_(&some) {}
+  /// None: all.
+  const std::vector<int>* some() const { return some_; }
+
+ private:
+  const std::vector<int>* some_ = nullptr;
+};
+
 /// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
 /// element that fails it is the share that is left, of a dead one zero.
 /// Of a shell the mean across its thickness; of a beam the force along it over its area.
-std::vector<double> find_stresses(const Model& model, const State& state);
+std::vector<double> find_stresses(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// Which of the points across the thickness of a shell: a number from 0, the lowest, or one of these.
 struct ShellPoint {
@@ -19,41 +32,39 @@ struct ShellPoint {
 };
 
 /// The same at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
-std::vector<double> find_point_stresses(const Model& model, const State& state, int point);
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point,
+                                        const ElementChoice& of = {});
 
 /// Thickness of shells; 0 of others.
-std::vector<double> find_thicknesses(const Model& model, const State& state);
+std::vector<double> find_thicknesses(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// Normal forces of beams, positive where they pull; 0 of others.
-std::vector<double> find_axial_forces(const Model& model, const State& state);
+std::vector<double> find_axial_forces(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// What the sections of beams carry, in their axes: the force along, then across in y and z; the torque, then the
 /// moments about y and z. 0 of others.
-std::vector<double> find_section_forces(const Model& model, const State& state);
-std::vector<double> find_section_moments(const Model& model, const State& state);
-/// All six of some elements, in their order.
-std::vector<double> find_section_results(const Model& model, const State& state, const std::vector<int>& elements);
+std::vector<double> find_section_forces(const Model& model, const State& state, const ElementChoice& of = {});
+std::vector<double> find_section_moments(const Model& model, const State& state, const ElementChoice& of = {});
+/// All six.
+std::vector<double> find_section_results(const Model& model, const State& state, const ElementChoice& of);
 
 /// Equivalent plastic strain an element, the mean of its points, of a beam the largest; 0 where the material has none.
-std::vector<double> find_plastic_strains(const Model& model, const State& state);
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// The same at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().
-std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point);
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point,
+                                               const ElementChoice& of = {});
 
 /// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.
-std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name);
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
-                                 const std::vector<int>& elements);
+                                 const ElementChoice& of = {});
+
 /// 1 for elements that have any force, 0 for dead ones.
-std::vector<double> find_alive(const Model& model, const State& state);
+std::vector<double> find_alive(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// How far an element has come on the way to failure by plastic strain, time at yield or Johnson-Cook's damage, the
 /// largest of these; 1: failed, by whatever criterion.
-std::vector<double> find_damage(const Model& model, const State& state);
-
-/// The same of some elements alone, in their order.
-std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);
-std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements);
+std::vector<double> find_damage(const Model& model, const State& state, const ElementChoice& of = {});
 
 /// One point of an element, from 0: across the thickness of a shell from the lowest, or of 2x2x2 of a hexahedron like
 /// its corners. 0 where it has no such point.

@@ -1,6 +1,6 @@
 // Fields of shells at the points across their thickness, of a plate that is bent by its edges.
 
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 #include <gmock/gmock.h>
 

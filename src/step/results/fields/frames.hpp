@@ -1,5 +1,5 @@
 #pragma once
-// Writes frames of the fields that the deck asks for, in one file or in two of different formats.
+// Writes frames of the fields that an output asks for, in one file or in two of different formats.
 
 #include <map>
 #include <optional>
@@ -11,23 +11,22 @@
 #include "src/output/fields/fields_file.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
+#include "src/step/results/fields/frame_scene.hpp"
 
 namespace percuss {
 
 class Frames {
  public:
-  /// Creates the fields file in the directory. The deck, the model and the contact stage outlive this. Collective over
-  /// the model's ranks, as are all calls. Throws SystemError.
-  Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-         const ContactStage& contact);
+  /// region: what it shows; none: the whole mesh. The model, the contact stage and the region outlive this. Collective
+  /// over the model's ranks, as are all calls. Throws SystemError.
+  Frames(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region);
 
-  /// Goes on with the fields file of an earlier run behind its first `frames`. Throws InputError, too.
-  Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-         const ContactStage& contact, std::int64_t frames);
-
-  /// Throws what that would throw of the file, and changes nothing.
-  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                    std::int64_t frames);
+  /// Creates the files in the directory.
+  void create(const FrameScene& scene, const FieldsDeck& fields);
+  /// Goes on with the files of an earlier run behind their first `frames`. Throws InputError, too.
+  void go_on(const FrameScene& scene, const FieldsDeck& fields, std::int64_t frames);
+  /// Throws what that would throw of the files, and changes nothing.
+  static void check(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region, std::int64_t frames);
 
   void write(const State& state) { put(collect(state)); }
   /// Keeps the frame of a state in memory, and that kept before.
@@ -54,11 +53,13 @@ class Frames {
   };
 
   void note_constant_fields(const ChunkedMesh& chunked);
+  void choose_elements(std::vector<double>& values) const;
   Frame collect(const State& state) const;
   void put(const Frame& frame);
 
   const Model& model_;
   const ContactStage& contact_;
+  const FieldRegion* region_;
   std::vector<std::string> names_;  // of the fields
   std::vector<std::size_t> drawn_walls_;
   std::vector<double> body_, chunk_;  // constant fields, only if asked for

@@ -1,12 +1,15 @@
 // The frames of states before a failure, which are kept in memory until then.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
+#include "src/output/summary.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/step/scene.hpp"
@@ -38,6 +41,26 @@ Written run_to_failure(const std::string& deck, const std::string& folder) {
   const Hdf5FileView file(folder + "/fields.vtkhdf");
   return {file.numbers("percuss/step"), file.numbers("VTKHDF/Steps/Values"),
           file.numbers("VTKHDF/PointData/displacement")};
+}
+
+/// The same run, and again from its checkpoint, which is that of the first step that ends at `time` or later.
+Written run_twice_to_failure(const std::string& text, const std::string& folder, double time) {
+  const Deck deck = parse_deck(text, "deck.yaml", {fmt::format("output.checkpoint={{every: {:.17g}}}", time)});
+  EXPECT_THROW(run_scene(deck, {folder, Progress::Style::quiet}), RunError);
+  RunOptions options{folder, Progress::Style::quiet};
+  options.restart = folder + "/checkpoint.h5";
+  options.goes_on_in_place = options.may_remove_results = true;
+  EXPECT_THROW(run_scene(deck, options), RunError);
+  if (Communicator::world().rank() != 0) return {};
+  const Hdf5FileView file(folder + "/fields.vtkhdf");
+  return {file.numbers("percuss/step"), file.numbers("VTKHDF/Steps/Values"),
+          file.numbers("VTKHDF/PointData/displacement")};
+}
+
+int count_lost_frames(const std::string& folder) {
+  const std::vector<Warning> warnings = read_summary(folder + "/summary.json").warnings;
+  return static_cast<int>(std::count_if(warnings.begin(), warnings.end(),
+                                        [](const Warning& warning) { return warning.rule == "lost_frames"; }));
 }
 
 }  // namespace
@@ -75,6 +98,24 @@ TEST(FramesBeforeFailure, AreNotWrittenTwice) {
   if (Communicator::world().rank() != 0) return;
   ASSERT_GE(all.steps.size(), 2u);
   for (std::size_t i = 1; i < all.steps.size(); ++i) EXPECT_EQ(all.steps[i], all.steps[i - 1] + 1);
+}
+
+TEST(FramesBeforeFailure, AreKeptFromACheckpointOnAndAWarningTellsOfThoseBefore) {
+  const SharedFolder whole, all, one;
+  const std::string deck = make_crushed(", before_failure: 4");
+  const Written expected = run_to_failure(deck, whole.path());
+  double time = 0;  // of the older frame that was kept
+  if (Communicator::world().rank() == 0 && expected.times.size() > 2) time = expected.times[expected.times.size() - 3];
+  all_reduce(Communicator::world(), Reduce::largest, time);
+  const Written same = run_twice_to_failure(deck, all.path(), time * (1 - 1e-9));
+  const Written less = run_twice_to_failure(deck, one.path(), time * (1 + 1e-9));
+  if (Communicator::world().rank() != 0) return;
+  EXPECT_EQ(same.steps, expected.steps);
+  EXPECT_EQ(same.displacement, expected.displacement);
+  EXPECT_EQ(less.steps.size(), expected.steps.size() - 1);
+  EXPECT_EQ(count_lost_frames(whole.path()), 0);
+  EXPECT_EQ(count_lost_frames(all.path()), 0);
+  EXPECT_EQ(count_lost_frames(one.path()), 1);
 }
 
 TEST(FramesBeforeFailure, LeaveARunThatDoesNotFailAsItIs) {

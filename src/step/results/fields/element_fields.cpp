@@ -1,11 +1,11 @@
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/step/model/pack_width.hpp"
-#include "src/step/results/beam_fields.hpp"
-#include "src/step/results/shell_fields.hpp"
+#include "src/step/results/fields/beam_fields.hpp"
+#include "src/step/results/fields/shell_fields.hpp"
 
 namespace percuss {
 
@@ -211,12 +211,28 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
   return copy_out(out);
 }
 
-/// read(lives, chunk, i) of every element.
 template <class Read>
-std::vector<double> read_lives(const Model& model, const State& state, const Read& read) {
-  const Array<double> out("percuss::element_field", static_cast<std::size_t>(model.element_count));
+std::vector<double> read_chosen(const Model& model, const State& state, const ElementChoice& of, const Read& read) {
+  return of.some() == nullptr ? read_all(model, state, read) : read_some(model, state, *of.some(), read);
+}
+
+/// read(lives, chunk, i) of elements.
+template <class Read>
+std::vector<double> read_lives(const Model& model, const State& state, const ElementChoice& of, const Read& read) {
+  const bool is_of_all = of.some() == nullptr;
+  const std::size_t count = is_of_all ? static_cast<std::size_t>(model.element_count) : of.some()->size();
+  const Array<double> out("percuss::element_field", count);
   const HexChunks chunks = model.chunks;
   const Lives lives{model.failing, state.lives};
+  if (!is_of_all) {
+    const Array<int> list = to_view("percuss::wanted_elements", *of.some());
+    Kokkos::parallel_for(
+        "percuss::read_some_lives", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
+          const int c = find_chunk(chunks, list(i));
+          out(i) = read(lives, c, list(i) - chunks.first_element(c));
+        });
+    return copy_out(out);
+  }
   Kokkos::parallel_for(
       "percuss::read_lives", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         const int first = chunks.first_element(c);
@@ -225,71 +241,60 @@ std::vector<double> read_lives(const Model& model, const State& state, const Rea
   return copy_out(out);
 }
 
+ReadScalar read_plastic_strain(const Model& model, const State& state, int point = ShellPoint::mean) {
+  return {{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, point};
+}
+
 }  // namespace
 
-std::vector<double> find_alive(const Model& model, const State& state) {
-  return read_lives(model, state,
+std::vector<double> find_alive(const Model& model, const State& state, const ElementChoice& of) {
+  return read_lives(model, state, of,
                     [](const Lives& lives, int c, int i) { return lives.find_share(c, i) > 0 ? 1.0 : 0.0; });
 }
 
-std::vector<double> find_damage(const Model& model, const State& state) {
-  return read_lives(model, state, [](const Lives& lives, int c, int i) { return lives.find_damage(c, i); });
+std::vector<double> find_damage(const Model& model, const State& state, const ElementChoice& of) {
+  return read_lives(model, state, of, [](const Lives& lives, int c, int i) { return lives.find_damage(c, i); });
 }
 
-std::vector<double> find_stresses(const Model& model, const State& state) {
-  return read_all(model, state, ReadStress{{model, state}, {model, state}});
+std::vector<double> find_stresses(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadStress{{model, state}, {model, state}});
 }
 
-std::vector<double> find_point_stresses(const Model& model, const State& state, int point) {
-  return read_all(model, state, ReadStress{{model, state}, {model, state}, point});
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadStress{{model, state}, {model, state}, point});
 }
 
-std::vector<double> find_thicknesses(const Model& model, const State& state) {
-  return read_all(model, state, ReadThickness{});
+std::vector<double> find_thicknesses(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadThickness{});
 }
 
-std::vector<double> find_axial_forces(const Model& model, const State& state) {
-  return read_all(model, state, ReadBeamForces<1>{model.is_beam_chunk});
+std::vector<double> find_axial_forces(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadBeamForces<1>{model.is_beam_chunk});
 }
 
-std::vector<double> find_section_forces(const Model& model, const State& state) {
-  return read_all(model, state, ReadBeamForces<3>{model.is_beam_chunk});
+std::vector<double> find_section_forces(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadBeamForces<3>{model.is_beam_chunk});
 }
 
-std::vector<double> find_section_moments(const Model& model, const State& state) {
-  return read_all(model, state, ReadBeamForces<3>{model.is_beam_chunk, 3});
+std::vector<double> find_section_moments(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadBeamForces<3>{model.is_beam_chunk, 3});
 }
 
-std::vector<double> find_section_results(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadBeamForces<6>{model.is_beam_chunk});
+std::vector<double> find_section_results(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadBeamForces<6>{model.is_beam_chunk});
 }
 
-std::vector<double> find_plastic_strains(const Model& model, const State& state) {
-  return read_all(model, state,
-                  ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain});
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const ElementChoice& of) {
+  return read_chosen(model, state, of, read_plastic_strain(model, state));
 }
 
-std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point) {
-  return read_all(model, state,
-                  ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, point});
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point,
+                                               const ElementChoice& of) {
+  return read_chosen(model, state, of, read_plastic_strain(model, state, point));
 }
 
-std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {
-  return read_all(model, state, ReadScalar{{model, state}, model.is_beam_chunk, name});
-}
-
-std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
-                                 const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadScalar{{model, state}, model.is_beam_chunk, name});
-}
-
-std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadStress{{model, state}, {model, state}});
-}
-
-std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements,
-                   ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain});
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadScalar{{model, state}, model.is_beam_chunk, name});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

@@ -4,7 +4,7 @@
 #include "kernels/shell/shell_failure.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
-#include "src/step/results/element_fields.hpp"
+#include "src/step/results/fields/element_fields.hpp"
 
 namespace percuss {
 
