@@ -109,8 +109,13 @@ class Row:
             return float(self._defaults[name])
         value = parse(text)
         if value is None:
-            self.fail(name, f"{wanted} is expected" + ("; are the columns of its line shifted?" if " " in text.strip() else ""))
+            self.fail(name, f"{wanted} is expected{shift_hint(text)}")
         return value  # type: ignore[return-value]
+
+
+def shift_hint(text: str) -> str:
+    """What to add to a message on a field of fixed width that is blank, or that the end of a column has cut."""
+    return "; are the columns of its line shifted?" if not text.strip() or " " in text.strip() else ""
 
 
 def clip(text: str, most: int = 40) -> str:

@@ -363,6 +363,7 @@ struct TieDeck {
   // Tension and shear stress at which a node lets go, each alone; none: it does not.
   std::optional<double> normal_strength, shear_strength;
   double normal_exponent = 2, shear_exponent = 2;
+  bool may_be_empty = false;  // a tie that ties nothing is no error
   Place place;
 
   bool can_fail() const { return normal_strength || shear_strength; }

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "src/error.hpp"
+#include "src/mesh/reading/results_reader.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/mesh/files/nastran_samples.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
@@ -37,6 +39,18 @@ class InputFile {
       std::filesystem::temp_directory_path() / ("percuss_fuzz_text_" + std::to_string(getpid()));
 };
 
+/// Arrays of cells and points in front of others.
+std::string add_results(std::string text) {
+  for (const auto& [section, name] : {std::pair("<CellData", "stress_xx"), std::pair("<PointData", "velocity")}) {
+    const std::size_t place = text.find(section);
+    const std::string components = name[0] == 'v' ? " NumberOfComponents=\"3\"" : "";
+    const std::string array = std::string("<DataArray type=\"Float64\" Name=\"") + name + "\"" + components +
+                              " format=\"ascii\">1 2 3</DataArray>";
+    if (place != std::string::npos) text.insert(text.find('>', place) + 1, array);
+  }
+  return text;
+}
+
 }  // namespace
 
 void try_bytes(const std::string& bytes) {
@@ -45,6 +59,11 @@ void try_bytes(const std::string& bytes) {
   part.thickness = 0.1;
   try {
     build_mesh(make_deck({part}));
+  } catch (const InputError&) {
+  }
+  try {
+    if (bytes.find("<VTKFile") < 4096)
+      read_file_results(file.write(bytes), {{"stress_xx", "temp"}, {"velocity_z"}, {}});
   } catch (const InputError&) {
   }
 }
@@ -67,7 +86,8 @@ std::vector<std::string> make_seeds() {
           make_vtu({}),
           make_vtu({VtuForm::base64, true, false}),
           make_vtu({VtuForm::appended_base64, false, true}),
-          make_vtu({VtuForm::appended_raw, true, true})};
+          make_vtu({VtuForm::appended_raw, true, true}),
+          add_results(make_vtu({}))};
 }
 
 std::vector<std::string> make_words() {

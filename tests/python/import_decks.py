@@ -176,6 +176,17 @@ $        t     sigxx     sigyy     sigzz     sigxy     sigyz     sigzx       eps
 )
 
 
+# A bolt of two beams with a force, one without, and a stress of a section through the block.
+BOLTS = SMALL.replace(
+    "*END",
+    "*NODE\n31,3,0,0\n32,3,0,1\n33,3,0,2\n34,3,0,3\n*ELEMENT_BEAM\n71,7,31,32,0\n72,7,32,33,0\n73,7,33,34,0\n"
+    "*PART\nbolt\n7,7,3\n*SECTION_BEAM\n7,1,1.0,2,1\n0.02,0.02,0.0,0.0\n*SET_BEAM\n6\n71,72\n"
+    "*INITIAL_AXIAL_FORCE_BEAM\n6,9,2.0\n*DEFINE_CURVE\n9\n0.0,0.0\n1.0,2.0e4\n2.0,2.0e4\n"
+    "*DATABASE_CROSS_SECTION_PLANE_ID\n4,through the block\n0,0.5,0.5,0.25,0.5,0.5,1.0,0.0\n1.0,0.5,0.25,0.0,0.0\n"
+    "*INITIAL_STRESS_SECTION\n5,4,8,0\n*DEFINE_CURVE\n8\n0.0,0.0\n1.0,5.0e6\n*END",
+)
+
+
 # The block between a cylinder, a sphere and a plane that move; its cube is a tetrahedron of ten nodes.
 ROUND_WALLS = SMALL.replace(
     "*END",

@@ -458,6 +458,41 @@ class Scene(InFolder):
         self.assertIn("INITIAL_STRESS_SHELL.T", [e.card for e in ledger.entries.values() if e.status.value == "approximated"])
         self.accept(decks.STRESSED)
 
+    def test_forces_of_bolts_become_preloads(self):
+        model, ledger = self.read(decks.BOLTS)
+        start = model.deck["start"]
+        self.assertEqual(start["relaxation"], {})
+        bolts = start["preload"]["preload_bolt"]
+        self.assertEqual(bolts, {"part": "bolt", "force": 40e3})
+        self.assertEqual([id for b in model.blocks if b.name == "bolt" for id, _ in b.beams], [71, 72])
+        self.assertEqual([id for b in model.blocks if b.name == "bolt_d2" for id, _ in b.beams], [73])
+        cut = start["preload"]["preload_block_of_steel"]
+        self.assertEqual((cut["part"], cut["point"], cut["normal"]), ("block_of_steel", [0.5, 0.5, 0.25], [0.0, 0.0, 1.0]))
+        self.assertAlmostEqual(cut["force"], 5e6 * 1.0, delta=1)  # the block has a section of 1
+        told = [entry.card for entry in ledger.entries.values() if entry.status is Status.APPROXIMATED]
+        self.assertIn("INITIAL_AXIAL_FORCE_BEAM", told)
+        self.assertIn("INITIAL_STRESS_SECTION", told)
+        self.assertNotIn("ELEMENT_BEAM.N3", told)
+        self.accept(decks.BOLTS)
+
+    def test_forces_of_bolts_that_are_refused(self):
+        for old, new, name in (
+            ("2.0,2.0e4\n", "2.0,1.0e4\n", "INITIAL_AXIAL_FORCE_BEAM.LCID"),
+            ("6,9,2.0\n", "6,9,2.0,1\n", "INITIAL_AXIAL_FORCE_BEAM.KBEND"),
+            ("6\n71,72\n", "6\n71,79\n", "INITIAL_AXIAL_FORCE_BEAM.BSID"),
+            ("5,4,8,0\n", "5,5,8,0\n", "INITIAL_STRESS_SECTION.CSID"),
+            (",1.0,0.0\n", ",1.0,0.3\n", "DATABASE_CROSS_SECTION_PLANE.RADIUS"),
+            ("0,0.5,0.5,0.25,0.5,0.5,1.0", "0,0.5,0.5,9.25,0.5,0.5,9.9", "INITIAL_STRESS_SECTION.PSID"),
+        ):
+            text = decks.BOLTS.replace(old, new)
+            self.assertNotEqual(text, decks.BOLTS, old)
+            self.assertEqual(list(self.refusals(text)), [name])
+            self.assertEqual(self.refusals(text, name), {})
+        # A curve that ends at 0 releases the bolt, as percuss does at time 0.
+        self.assertEqual(self.refusals(decks.BOLTS.replace("2.0,2.0e4\n", "2.0,2.0e4\n2.1,0.0\n")), {})
+        self.fails(decks.BOLTS.replace("6,9,2.0", "6,77,2.0"), "curve 77")
+        self.fails(decks.BOLTS.replace("6,9,2.0", "66,9,2.0"), "*SET_BEAM 66")
+
     def test_stresses_that_are_refused(self):
         for old, new, name in (
             ("       500         2         2", "       500         2         2         0         0         1", "SHELL.LARGE"),
@@ -521,6 +556,13 @@ class Scene(InFolder):
         self.assertEqual(self.read(stepped)[0].node_sets["nodes_77"], [1, 2, 3, 21, 24])
         self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,", "*SET_NODE_LIST_GENERATE_INCREMENT\n77\n1,3,-1\n*INITIAL_VELOCITY_NODE\n1,"), "INCR", "a positive step")
         self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,0.0", "*INITIAL_VELOCITY_NODE\n1,0 0.0"), "columns of its line shifted")
+        shifted = decks.SMALL.replace("       2             1.0", "        2            1.0 ").replace("       1       2       3       4", "        1       2       3       4")
+        self.fails(shifted.replace("        2            1.0 ", "       2             1.0"), "node of *ELEMENT_SOLID", "columns of its line shifted")
+        self.fails(shifted, "NID of *NODE is ''", "columns of its line shifted")
+        self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,", "*SET_NODE_LIST\n        78\n         10        20\n*INITIAL_VELOCITY_NODE\n1,"), "columns of its line shifted")
+        self.assertNotIn("empty", self.read(decks.FORMS)[0].deck["contact"]["ties"][0])
+        for allowed in ("all", "CONTACT_TIED.*"):
+            self.assertEqual(self.read(decks.FORMS, allowed)[0].deck["contact"]["ties"][0]["empty"], "ignore")
 
     def test_velocities_of_a_system_are_turned(self):
         turned = "*DEFINE_COORDINATE_VECTOR\n5,0.6,0.8,0.0,0.0,1.0,0.0\n*INITIAL_VELOCITY_GENERATION\n8,2,{spin},10.0,5.0,2.0,0,5\n"
@@ -922,6 +964,14 @@ class Abaqus(InFolder):
         self.assertEqual(rows[0], ["element", "temperature"])
         self.assertEqual(sorted(float(row[1]) for row in rows[1:]), [40.0, 50.0])  # the triangle has the tip
         self.accept(several, "deck.inp")
+        for text, found in ((adiabatic.replace(", 40.", ", 900."), [25.0]), (several.replace("tip, 70.", "tip, 9000."), [40.0])):
+            _, ledger = self.read_abaqus(text)
+            self.assertEqual({entry.card for entry in ledger.list_refused()}, {"INITIAL CONDITIONS.melt"})
+            model, ledger = self.read_abaqus(text, "INITIAL CONDITIONS.melt")
+            self.assertEqual(ledger.list_refused(), [])
+            self.assertEqual([law["start_temperature"] for law in model.materials.values() if law["model"] == "johnson_cook"], found)
+            temperatures = [float(row.split(",")[1]) for row in model.tables.get("temperatures.csv", [])[1:]]
+            self.assertEqual(sorted(set(temperatures)), [25.0, 40.0] if temperatures else [])
 
     def test_stresses_and_plastic_strains_of_abaqus_become_tables(self):
         text = decks.ABAQUS_STRESSED

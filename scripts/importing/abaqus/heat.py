@@ -63,10 +63,23 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
         deck.ledger.ignored("INITIAL CONDITIONS", place, "a temperature, on which no law depends")
         return
     for block in warm:
-        materials[block.keys["material"]]["start_temperature"] = min(values)
+        law = materials[block.keys["material"]]
+        law["start_temperature"] = limit_temperature(deck, law, min(values), place)
     deck.ledger.translated("INITIAL CONDITIONS", place, "start_temperature of johnson_cook")
     if len(values) > 1:
         add_element_temperatures(deck, warm, place)
+
+
+def limit_temperature(deck: AbaqusDeck, law: Deck, value: float, place: Place) -> float:
+    """A law begins below its melting temperature: otherwise with the temperature of its constants."""
+    melt = law["melt_temperature"]
+    if value < melt:
+        return value
+    deck.ledger.refuse(
+        "INITIAL CONDITIONS.melt", place,
+        f"a temperature of {value:g}, where johnson_cook melts at {melt:g}", "these elements begin with the transition temperature",
+    )  # fmt: skip
+    return law["room_temperature"]
 
 
 def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Place) -> None:
@@ -79,6 +92,7 @@ def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Pl
                 )
                 continue
             value = math.fsum(deck.temperatures.get(node, 0.0) for node in corners) / len(corners)
+            value = limit_temperature(deck, deck.model.materials[block.keys["material"]], value, place)
             rows[id] = [f"{id},{value!r}"]
     if rows:
         deck.model.add_start_rows("temperatures.csv", "element,temperature", rows)

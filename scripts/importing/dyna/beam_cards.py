@@ -104,23 +104,25 @@ def has_axes(section: Deck) -> bool:
 
 
 def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], name: str, next_id: int) -> list[Block]:
-    """A block for each direction in which y of the section points."""
+    """A block for each direction in which y of the section points, and for each preload."""
     section = translate_beam_section(deck, deck.sections[part.section])
     if section is None:
         return []
-    groups: dict[tuple[float, ...], list[tuple[int, tuple[int, ...]]]] = {}
+    groups: dict[tuple[tuple[float, ...], int], list[tuple[int, tuple[int, ...]]]] = {}
     for beam in beams:
         toward = find_direction(deck, part, beam) if has_axes(section) else ()
-        groups.setdefault(toward, []).append((beam.id, beam.ends))
+        groups.setdefault((toward, deck.bolt_of_beam.get(beam.id, -1)), []).append((beam.id, beam.ends))
     if len(groups) > MOST_DIRECTIONS:
-        raise BadInput(part.place, f"the beams of part {part.id} are turned in {len(groups)} ways (at most {MOST_DIRECTIONS})")
+        raise BadInput(part.place, f"the beams of part {part.id} are turned or preloaded in {len(groups)} ways (at most {MOST_DIRECTIONS})")
     blocks = []
-    for index, (toward, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
+    for index, ((toward, bolt), members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
         keys: Deck = {"section": section, **({"toward": list(toward)} if toward else {})}
         own_name = name if index == 0 else deck.model.names.take(f"{name}_d{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
         blocks.append(Block(id, part.id, own_name, part.place, beams=members, keys=keys))
-    if len(blocks) > 1:
+        if bolt >= 0:
+            deck.bolt_of_block[id] = bolt
+    if len({toward for toward, _ in groups}) > 1:
         deck.ledger.approximated("ELEMENT_BEAM.N3", part.place, "a part for each direction of N3")
     return blocks
 

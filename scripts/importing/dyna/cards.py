@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from ..fields import Row, clip, parse_integer
+from ..fields import Row, clip, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
 from .parameters import Parameters
 from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
@@ -259,7 +259,7 @@ def read_ids(lines: Lines, per_line: int = 8) -> list[int]:
         for text in card.split(line, (10,) * per_line)[:per_line]:
             value = parse_integer(text) if text else 0
             if value is None:
-                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer: correct it")
+                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{shift_hint(text)}: correct it")
             if value:
                 ids.append(value)
     return ids

@@ -3,6 +3,7 @@
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..curves import Curve, Points
 from ..fields import Row
@@ -157,8 +158,13 @@ class KeywordDeck:
         self.part_of_spring: set[int] = set()
         self.welds: list[Card] = []
         self.equal_sets: list[Card] = []
+        self.bolts: list[Row] = []  # of *INITIAL_AXIAL_FORCE_BEAM
+        self.bolt_of_beam: dict[int, int] = {}  # place in `bolts` of beams that have a preload
+        self.bolt_of_block: dict[int, int] = {}
+        self.planes: dict[int, Any] = {}  # of *DATABASE_CROSS_SECTION_PLANE
         self.rigid_ends: set[int] = set()  # nodes that no weld can have
         self.shell_shift = 0  # what is added to the ids of shells
+        self.beam_shift = 0  # likewise
         self.end_time = 0.0
         self.general_hourglass: Row | None = None
         self.waiting_table: list[tuple[int, float]] = []  # table and value of curves that are still to come
@@ -217,7 +223,7 @@ class KeywordDeck:
         if len(seen) > MOST_SETS:
             raise BadInput(place, f"*SET_{kind} {id} is the last of more than {MOST_SETS} sets of sets")
         found = self.find_set(kind, id, place)
-        shift = self.shell_shift if kind == "SHELL" else 0
+        shift = {"SHELL": self.shell_shift, "BEAM": self.beam_shift}.get(kind, 0)
         ids = [i + shift for i in found.ids]
         if found.ranges:
             ids += pick(self._sort_known(kind), [(first + shift, last + shift) for first, last in found.ranges])
@@ -238,6 +244,8 @@ class KeywordDeck:
     def list_elements(self, kind: str) -> list[int]:
         if kind == "SHELL":
             return [element.id for part in self.elements.values() for element in part.shells]
+        if kind == "BEAM":
+            return [beam.id for part in self.elements.values() for beam in part.beams]
         return [id for part in self.elements.values() for id, _ in part.solids]
 
     def _apply_option(self, kind: str, ids: list[int], option: str, values: list[int], place: Place) -> list[int]:

@@ -1,6 +1,6 @@
 """*NODE and *ELEMENT_...: nodes and elements, what they cannot be is refused."""
 
-from ..fields import MOST_ID, clip, parse_integer, parse_real
+from ..fields import MOST_ID, clip, parse_integer, parse_real, shift_hint
 from ..ledger import BadInput, Place
 from ..solids import collapse
 from .cards import Card
@@ -20,14 +20,14 @@ def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = Fa
         return 0
     value = parse_integer(text)
     if value is None or not (0 if may_be_blank else 1) <= value <= MOST_ID:
-        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (an id from 1 to 10^15 is expected)")
+        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (an id from 1 to 10^15 is expected{shift_hint(text)})")
     return value
 
 
 def to_real(card: Card, number: int, text: str, what: str) -> float:
     value = parse_real(text) if text else 0.0
     if value is None:
-        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (a number is expected)")
+        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (a number is expected{shift_hint(text)})")
     return value
 
 

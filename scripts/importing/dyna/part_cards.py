@@ -9,6 +9,7 @@ from ..model import Block, Deck
 from .beam_cards import divide_beams
 from .cards import Card
 from .deck import Element, Elements, KeywordDeck, PartCard
+from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
 
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
@@ -137,6 +138,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
 def build_blocks(deck: KeywordDeck) -> None:
     """All elements as blocks of the model, a block for each part and thickness."""
     separate_ids(deck)
+    mark_bolts(deck)
     next_id = max(deck.parts, default=0) + 1
     for id, elements in deck.elements.items():
         part = deck.parts.get(id)
@@ -178,6 +180,7 @@ def separate_beams(deck: KeywordDeck) -> None:
     if not others or others.isdisjoint(beam.id for beam in beams):
         return
     shift = 10 ** (len(str(max(others))) + 1)  # shells may be raised too
+    deck.beam_shift = shift
     for beam in beams:
         beam.id += shift
     place = next(elements.place for elements in deck.elements.values() if elements.beams)

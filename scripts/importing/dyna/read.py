@@ -20,6 +20,7 @@ from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
+from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
 from .spring_cards import add_springs, note_spring_materials, read_springs
@@ -55,7 +56,7 @@ DEFINITIONS: dict[str, Handler] = {
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,
     "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
-    "SENSOR_": read_sensor,
+    "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -64,7 +65,7 @@ ACTIONS: dict[str, Handler] = {
     "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
-    "INITIAL_STRESS_": read_stresses, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.
@@ -165,6 +166,7 @@ def check_corners(deck: KeywordDeck) -> None:
 
 def finish(deck: KeywordDeck) -> None:
     """What needs all cards."""
+    add_preloads(deck)
     add_nodal_bodies(deck)
     rigid.apply_rigid_motions(deck)
     rigid.apply_extra_nodes(deck)

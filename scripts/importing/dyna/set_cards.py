@@ -1,4 +1,4 @@
-"""*SET_...: nodes, parts, segments, shells, solids; and *DEFINE_ boxes, systems and vectors."""
+"""*SET_...: nodes, parts, segments, shells, solids, beams; and *DEFINE_ boxes, systems and vectors."""
 
 from ..fields import parse_integer
 from ..ledger import BadInput
@@ -16,7 +16,7 @@ def read_set(deck: KeywordDeck, card: Card) -> None:
     """SET_KIND with _LIST, _GENERATE, _GENERAL, _ADD, _COLUMN, _COLLECT and a title."""
     kind, *options = card.keyword.removeprefix("SET_").split("_")
     form = [word for word in options if word not in ("LIST", "COLLECT")]
-    if kind not in KINDS or kind in ("BEAM", "DISCRETE", "TSHELL", "BOX"):
+    if kind not in KINDS or kind in ("DISCRETE", "TSHELL", "BOX"):
         deck.ledger.ignored(card.keyword, card.place, "a set of what percuss does not have; a card that uses it is refused")
         return
     reader = card.reader()

@@ -39,6 +39,8 @@ void refuse_external_meshes(const Deck& deck) {
     refuse_external(exodus->file,
                     fmt::format("{}: error: part '{}': {}", deck.where(part.place), part.name, exodus->file));
   }
+  for (const StartFieldsDeck& fields : deck.start.fields)
+    refuse_external(fields.file, fmt::format("{}: error: start.fields: {}", deck.where(fields.place), fields.file));
 }
 
 void refuse_external_checkpoint(const std::string& path) { refuse_external(path, path + ": error"); }

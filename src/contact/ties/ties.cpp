@@ -98,10 +98,11 @@ void part_sides(const Communicator& ranks, const Deck& deck, const TieDeck& tie,
 }
 
 void refuse_nothing(const Deck& deck, const TieDeck& tie, const TieCounts& counts) {
-  if (counts.tied > 0) return;
+  if (counts.tied > 0 || tie.may_be_empty) return;
   throw InputError(fmt::format(
       "{}: error: tie of '{}' and '{}' ties nothing ({} nodes of '{}' are farther than {} from it, {} are already "
-      "shared by the mesh, {} are tied by an earlier tie): set the tie's distance",
+      "shared by the mesh, {} are tied by an earlier tie): set the tie's distance, or "
+      "empty: ignore",
       deck.where(tie.place), name_side(tie.a), name_side(tie.b), counts.apart, name_side(tie.a),
       tie.distance ? fmt::format("{:g}", *tie.distance) : fmt::format("{:g} of a face", default_tie_distance),
       counts.joined, counts.earlier));
@@ -137,6 +138,7 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
     keep_owned(owned, static_cast<int>(ties.counts.size()), ties.nodes, counts);
     reduce(ranks, counts);
     refuse_nothing(deck, tie, counts);
+    if (counts.tied == 0) ties.faces.back() = {};
     ties.counts.push_back(counts);
   }
   return ties;
@@ -175,6 +177,9 @@ std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& tie
         fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away{}), {} not in reach", c.tied,
                     c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest,
                     has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", widest) : "", c.apart);
+    if (c.tied == 0)
+      line = fmt::format("tie of '{}' and '{}' is ignored: it ties nothing, {} nodes not in reach", name_side(tie.a),
+                         name_side(tie.b), c.apart);
     if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
     if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
     lines.push_back(line);

@@ -55,6 +55,7 @@ const Keys<TieDeck>& tie_keys() {
       need("a", &TieDeck::a, SelectorValue{}),
       need("b", &TieDeck::b, SelectorValue{}),
       may("distance", &TieDeck::distance, NumberValue{positive}),
+      may("empty", &TieDeck::may_be_empty, ChoiceValue<bool>{{{"refuse", false}, {"ignore", true}}}),
       group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
   };
   return keys;

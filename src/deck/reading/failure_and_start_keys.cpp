@@ -79,17 +79,37 @@ const Keys<RelaxationDeck>& relaxation_keys() {
 const Keys<PreloadDeck>& preload_keys() {
   static const Keys<PreloadDeck> keys = {
       need("part", &PreloadDeck::part, PartNameValue{}),
-      need("point", &PreloadDeck::point, vector3()),
-      need("normal", &PreloadDeck::normal, DirectionValue{}),
+      may("point", &PreloadDeck::point, vector3()),
+      may("normal", &PreloadDeck::normal, DirectionValue{}),
       need("force", &PreloadDeck::force, NumberValue{}),
   };
   return keys;
+}
+
+/// A plane has a point and a normal.
+bool check_plane(const Reader& reader, const Node& node, PreloadDeck&) {
+  const Node *point = node.find("point"), *normal = node.find("normal");
+  if ((point == nullptr) == (normal == nullptr)) return true;
+  reader.error(node.key,
+               fmt::format("{} is missing (a section has point and normal; without both, each beam of the part "
+                           "has the force)",
+                           reader.name_of(point == nullptr ? "point" : "normal")));
+  return false;
+}
+
+std::vector<std::pair<std::string, StartQuantity>> start_quantities() {
+  return {{"stress", StartQuantity::stress},
+          {"equivalent_plastic_strain", StartQuantity::plastic_strain},
+          {"temperature", StartQuantity::temperature},
+          {"velocity", StartQuantity::velocity}};
 }
 
 const Keys<StartFieldsDeck>& start_fields_keys() {
   static const Keys<StartFieldsDeck> keys = {
       need("file", &StartFieldsDeck::file, FileValue{}),
       may("part", &StartFieldsDeck::part, PartNameValue{}),
+      may("time", &StartFieldsDeck::time, NumberValue{}),
+      may("take", &StartFieldsDeck::take, ListValue<ChoiceValue<StartQuantity>>{{start_quantities()}}),
   };
   return keys;
 }
@@ -104,7 +124,7 @@ const Keys<StartDeck>& start_keys() {
       may("relaxation", &StartDeck::relaxation, MapValue<RelaxationDeck>{relaxation_keys}),
       may("fields", &StartDeck::fields, ListValue<MapValue<StartFieldsDeck>>{{start_fields_keys, note_fields_place}}),
       may("preload", &StartDeck::preloads,
-          NamedMapValue<PreloadDeck, MapValue<PreloadDeck>>{"preload", {preload_keys}}),
+          NamedMapValue<PreloadDeck, MapValue<PreloadDeck>>{"preload", {preload_keys, check_plane}}),
   };
   return keys;
 }
@@ -142,6 +162,9 @@ void check_start(const Deck& deck, const Node& root, Reading& reading) {
       continue;  // an unknown name is told already
     }
     if (part->rigid) refuse(fmt::format("is of part '{}' (which is rigid and has no stresses)", part->name));
+    if (!preload.point && !part->section)
+      refuse(fmt::format("has no plane and is of part '{}' (only beams have a force each): give it point and normal",
+                         part->name));
     const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                        [&](const MaterialDeck& of) { return of.name == part->material; });
     if (material == deck.materials.end() || grows_in_increments(*material)) continue;

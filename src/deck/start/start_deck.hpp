@@ -21,19 +21,25 @@ struct RelaxationDeck {
   std::vector<Selector> hold;     // nodes that stay at rest meanwhile
 };
 
-/// The normal force of a section through a part at time 0. Its plane cuts a layer of elements.
+/// The normal force of a section through a part at time 0: a plane cuts a layer of elements. Without a plane each beam
+/// of the part has the force.
 struct PreloadDeck {
   std::string name;
   std::string part;
-  Vec3 point{}, normal{1, 0, 0};  // the latter a unit vector
-  double force = 0;               // positive pulls
+  std::optional<Vec3> point, normal;  // both or none; the latter a unit vector
+  double force = 0;                   // positive pulls
   Place place;
 };
 
+/// What a file can have of elements, but for velocities of nodes.
+enum class StartQuantity { stress, plastic_strain, temperature, velocity };
+
 /// A file of stresses of elements or velocities of nodes at time 0, by the user's ids.
 struct StartFieldsDeck {
-  std::string file;  // as found: relative paths are relative to the deck
-  std::string part;  // whose ids they are; empty: of any
+  std::string file;                 // as found: relative paths are relative to the deck
+  std::string part;                 // whose ids they are; empty: of any
+  std::optional<double> time;       // of an Exodus II file; none: its last [time]
+  std::vector<StartQuantity> take;  // of a mesh file; empty: all that it has
   Place place;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -64,12 +65,18 @@ class ClassicHeader {
   /// First byte after the data of all variables without records.
   std::uint64_t find_end() {
     in_.seek(4);
-    number();  // records
+    records_ = number();
     read_dimensions();
     skip_attributes();
     const std::uint64_t count = list_length(0x0B);
     for (std::uint64_t v = 0; v < count; ++v) read_variable();
     return end_;
+  }
+
+  /// First byte after all records; of a count that makes no sense more than any file has. Call after find_end().
+  double find_records_end() const {
+    if (records_ == 0 || record_bytes_ == 0) return 0;
+    return record_begin_ + static_cast<double>(records_ - 1) * record_bytes_ + last_record_;
   }
 
  private:
@@ -117,23 +124,35 @@ class ClassicHeader {
     skip_name();
     const std::uint64_t rank = number();
     double values = 1;  // in double: products of damaged lengths must not wrap
+    bool has_records = false;
     for (std::uint64_t d = 0; d < rank; ++d) {
       const std::uint64_t id = number();
       if (id >= dimensions_.size()) refuse_damaged_header("its header makes no sense");
-      values *= static_cast<double>(dimensions_[id]);  // 0 for records, which are left aside
+      if (dimensions_[id] != 0) values *= static_cast<double>(dimensions_[id]);
+      has_records = has_records || dimensions_[id] == 0;
     }
     skip_attributes();
     const std::uint64_t width = read_type_width();
     number();  // its size, which overflows for large variables
     const std::uint64_t begin = in_.big_endian(version_ == 1 ? 4 : 8);
     const double bytes = values * static_cast<double>(width);
-    if (bytes == 0) return;
+    if (has_records) return add_record(static_cast<double>(begin), bytes);
     if (static_cast<double>(begin) + bytes > 9e18) refuse_damaged_header("a length in its header is absurd");
     end_ = std::max(end_, begin + static_cast<std::uint64_t>(bytes));
   }
 
+  /// What a variable has in each record; those of one record follow each other.
+  void add_record(double begin, double bytes) {
+    if (record_bytes_ == 0) record_begin_ = begin;
+    record_begin_ = std::min(record_begin_, begin);
+    record_bytes_ += 4 * std::ceil(bytes / 4);
+    last_record_ = record_bytes_ - (4 * std::ceil(bytes / 4) - bytes);
+  }
+
   HeaderReader in_;
   int version_;
+  std::uint64_t records_ = 0;
+  double record_begin_ = 0, record_bytes_ = 0, last_record_ = 0;  // where the first begins; of a record; of the last
   std::vector<std::uint64_t> dimensions_;
   std::uint64_t end_ = 0;
 };
@@ -180,12 +199,20 @@ ExodusContainer inspect_exodus_container(const std::filesystem::path& file) {
   if (!classic && text != "\x89HDF\r\n\x1a\n") {
     throw InputError("this is not an Exodus II file (it begins like neither netCDF nor HDF5)");
   }
-  const std::uint64_t promised = classic ? ClassicHeader(stream, magic[3]).find_end() : find_hdf5_end(stream);
+  double records_end = 0;
+  std::uint64_t promised = 0;
+  if (classic) {
+    ClassicHeader header(stream, magic[3]);
+    promised = header.find_end();
+    records_end = header.find_records_end();
+  } else {
+    promised = find_hdf5_end(stream);
+  }
   if (promised > length) {
     throw InputError(fmt::format("the file is truncated (it has {} bytes, its header promises {}); copy it again",
                                  length, promised));
   }
-  return {!classic, length, classic ? length : length * most_compression};
+  return {!classic, length, classic ? length : length * most_compression, records_end};
 }
 
 }  // namespace percuss

@@ -12,6 +12,7 @@ struct ExodusContainer {
   bool is_hdf5 = false;
   std::uintmax_t bytes = 0;         // length of the file
   std::uintmax_t most_payload = 0;  // upper bound of the data that can be in it [bytes], compression included
+  double records_end = 0;           // first byte behind the records that a classic header promises
 };
 
 /// Throws InputError if the file does not exist, is not a regular file, is neither netCDF nor HDF5, or is shorter than

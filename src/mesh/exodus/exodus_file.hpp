@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/mesh/exodus/exodus_container.hpp"
-#include "src/mesh/files/mesh_file.hpp"
+#include "src/mesh/files/file_results.hpp"
 
 namespace percuss {
 
@@ -40,7 +40,13 @@ class ExodusFile : public MeshFile {
   int find_face(const Topology& topology, std::int64_t side) const override;
   std::string list_kinds() const override;
 
+  /// Throws InputError, too, if it has no such time.
+  FileResults read_results(const ResultsWish& wish) const;
+
  private:
+  int find_time_step(const ResultsWish& wish) const;
+  std::vector<std::string> read_variable_names(int kind) const;
+  ResultsColumn read_element_variable(int step, int variable, const std::string& name) const;
   std::vector<std::int64_t> read_set(int kind, const FileSet& set, const char* what) const;
   void read_counts();
   void read_blocks();

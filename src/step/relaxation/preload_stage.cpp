@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "comm/all_reduce.hpp"
@@ -12,7 +13,7 @@
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/relaxation/preload_records.hpp"
 
 namespace percuss {
 namespace {
@@ -20,13 +21,20 @@ namespace {
 /// No material yields at it.
 constexpr double test_strain = 1e-6;
 
+/// Share of what a force lacks that a step adds. With all of it, elements whose bound the step is near would gain
+/// energy: with the share s, a mode of stiffness k and mass m is damped where dt^2 k / m < 4 - 2 s.
+double find_gain(const Deck& deck) {
+  const double scale = deck.time.step_scale;
+  return std::clamp(1 - scale * scale, 0.01, 0.5);
+}
+
 ForceDeck make_section(const PreloadDeck& preload) {
   ForceDeck force;
   force.name = preload.name;
   force.kind = ForceDeck::Kind::section;
   force.part = preload.part;
-  force.point = preload.point;
-  force.normal = preload.normal;
+  force.point = *preload.point;
+  force.normal = *preload.normal;
   force.place = preload.place;
   return force;
 }
@@ -41,131 +49,232 @@ const MaterialDeck& find_material(const Deck& deck, const std::string& part) {
 bool is_cut(const Mesh& mesh, std::size_t element, const PreloadDeck& preload) {
   int behind = 0, count = 0;
   for (const int n : mesh.corners(element)) {
-    behind += dot(subtract(mesh.nodes[at(n)], preload.point), preload.normal) < 0 ? 1 : 0;
+    behind += dot(subtract(mesh.nodes[at(n)], *preload.point), *preload.normal) < 0 ? 1 : 0;
     ++count;
   }
   return behind > 0 && behind < count;
 }
 
-/// What the records of a layer are shortened with.
-struct Shortening {
-  // xx, yy, zz, xy, yz, zx of n n, and of the stress of a strain of 1 along n
-  Kokkos::Array<double, 6> dyad, stress;
-  double modulus;     // lambda + 2 mu
-  bool is_kirchhoff;  // the law has the rate of J sigma
-  double strain;
+bool is_of_layer(const Mesh& mesh, std::size_t element, const PreloadDeck& preload) {
+  return preload.point ? is_cut(mesh, element, preload) : mesh.topology_of(element).is_line();
+}
+
+/// Of an element at time 0: the normal in the frame of a shell, or its component along a beam.
+std::array<double, 2> find_axes(const Mesh& mesh, std::size_t element, const PreloadDeck& preload) {
+  const int dimension = mesh.topology_of(element).dimension;
+  if (dimension == 3 || !preload.normal) return {1, 0};
+  const Vec3& n = *preload.normal;
+  const auto nodes = mesh.elements.kernel_nodes(element);
+  const auto place = [&](std::size_t corner) {
+    const Vec3& x = mesh.nodes[at(nodes[corner])];
+    return Vector3<double>{x[0], x[1], x[2]};
+  };
+  if (dimension == 1) {
+    const Vector3<double> line = place(1) - place(0);
+    return {dot(line, Vector3<double>{n[0], n[1], n[2]}) / norm(line), 0};
+  }
+  const Vector3<double> corners[4] = {place(0), place(1), place(2), place(3)};
+  const MixedShapes<bool> shapes{mesh.corners(element).size() == 3};
+  const ShellGeometry<double> g = find_shell_geometry(find_differences(corners), shapes);
+  const Vector3<double> turned = g.frame * Vector3<double>{n[0], n[1], n[2]};
+  return {turned.x, turned.y};
+}
+
+Shortening make_shortening(const LameConstants& moduli, bool is_kirchhoff, const Vec3& n) {
+  Shortening by{};
+  const double lambda = moduli.lambda, mu = moduli.mu;
+  by.is_kirchhoff = is_kirchhoff;
+  by.modulus = lambda + 2 * mu;
+  by.plane_lambda = 2 * lambda * mu / by.modulus;
+  by.shear_twice = 2 * mu;
+  by.dyad = {{n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[2] * n[0]}};
+  for (int k = 0; k < 6; ++k) by.stress[k] = 2 * mu * by.dyad[k] + (k < 3 ? lambda : 0);
+  return by;
+}
+
+/// Places of the corners of elements, at n.
+struct CornerPlaces {
+  HexChunks chunks;
+  Rows3<const double> x;
+
+  KOKKOS_INLINE_FUNCTION Vector3<double> find(int c, int e, int corner) const {
+    const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(e / pack_width);
+    const int slot = chunks.corner_slots((pack * 8 + static_cast<std::size_t>(corner)) * pack_width +
+                                         static_cast<std::size_t>(e % pack_width));
+    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    return {x(n, 0), x(n, 1), x(n, 2)};
+  }
+  KOKKOS_INLINE_FUNCTION double find_length(int c, int e) const { return norm(find(c, e, 1) - find(c, e, 0)); }
+  KOKKOS_INLINE_FUNCTION double find_area(int c, int e) const {
+    return 0.5 * norm(cross(find(c, e, 2) - find(c, e, 0), find(c, e, 3) - find(c, e, 1)));
+  }
 };
 
-/// J = det V of a record.
-KOKKOS_INLINE_FUNCTION double find_volume_ratio(const Real* record) {
-  const Real* const v = record + HexRecord::stretch * pack_width;
-  double c[6];
-  for (int k = 0; k < 6; ++k) c[k] = static_cast<double>(v[k * pack_width]);
-  return c[0] * (c[1] * c[2] - c[4] * c[4]) - c[3] * (c[3] * c[2] - c[4] * c[5]) + c[5] * (c[3] * c[4] - c[1] * c[5]);
-}
+/// Lanes of the records of an element: those past the last element of a chunk repeat it.
+struct RecordLanes {
+  HexChunks chunks;
+  Array<Real> records;
 
-/// Shortens one lane of a record by a strain along the normal, at the same places of its nodes. Returns the energy that
-/// this takes, per volume at time 0.
-KOKKOS_INLINE_FUNCTION double shorten_record(Real* record, int points, const Shortening& by) {
-  const double j = find_volume_ratio(record), share = by.is_kirchhoff ? 1 / j : 1;
-  double energy = 0;
-  for (int p = 0; p < points; ++p) {
-    Real* const s = record + (HexRecord::stress + 6 * p) * pack_width;
-    double along = 0;  // n . s n
-    for (int k = 0; k < 6; ++k) along += (k < 3 ? 1 : 2) * by.dyad[k] * static_cast<double>(s[k * pack_width]);
-    energy += by.strain * (along + 0.5 * share * by.strain * by.modulus);
-    for (int k = 0; k < 6; ++k) s[k * pack_width] += static_cast<Real>(share * by.strain * by.stress[k]);
+  KOKKOS_INLINE_FUNCTION int find_end(int c, int e) const {
+    const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+    return e + 1 < count ? e + 1 : (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width;
   }
-  return j * energy / points;
-}
+  KOKKOS_INLINE_FUNCTION Real* find(int c, int lane) const {
+    return &records(chunks.first_state(c)) + lane / pack_width * chunks.record_size(c) * pack_width + lane % pack_width;
+  }
+};
+
+/// Shortens the elements of a layer, by one strain along the normal.
+struct ShortenLayer {
+  RecordLanes lanes;
+  CornerPlaces places;
+  BeamMarks is_beam;
+  Kokkos::View<BeamParameters*, MemSpace> beams;
+  Kokkos::View<ThicknessPoints*, MemSpace> rules;
+  Array<const int> chunks, first, elements;
+  Array<const double> volume, axes;
+  Shortening by;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(int i) const {
+    const int c = chunks(i);
+    double work = 0;
+    for (int j = first(i); j < first(i + 1); ++j) {
+      const int e = elements(j), end = lanes.find_end(c, e);
+      for (int lane = e; lane < end; ++lane) {
+        const double energy = shorten_lane(c, j, lanes.find(c, lane));
+        if (lane == e) work += energy;
+      }
+    }
+    results.work(c, 0) += work;
+    results.is_settled(c) = 0;
+  }
+
+  KOKKOS_FUNCTION double shorten_lane(int c, int j, Real* record) const {
+    const HexChunks& all = lanes.chunks;
+    if (is_beam(c))
+      return places.find_length(c, elements(j)) *
+             shorten_beam(record, beams(all.parameters(c)), by.strain * axes(2 * j) * axes(2 * j));
+    if (!is_shell(all, c)) return volume(j) * shorten_solid(record, all.points(c), by);
+    const double n[2] = {axes(2 * j), axes(2 * j + 1)};
+    return places.find_area(c, elements(j)) * static_cast<double>(record[ShellRecord::thickness * pack_width]) *
+           shorten_shell(record, rules(all.points(c)), find_layer_size(all, c), n, by);
+  }
+};
 
 }  // namespace
 
 PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
-    : deck_(deck), model_(model), forces_(deck.start.preloads.size(), 0) {
+    : deck_(deck), model_(model), gain_(find_gain(deck)), forces_(deck.start.preloads.size(), 0) {
   for (const PreloadDeck& preload : deck.start.preloads) {
-    Layer layer{preload, SectionForce(deck, make_section(preload), chunked, model), 0, false, 0, {}, {}, {}, {}, {},
-                {}};
-    const MaterialDeck& material = find_material(deck, preload.part);
-    const LameConstants moduli = find_moduli(material);
-    layer.is_kirchhoff = material.law.model == Elastic::name;
-    layer.modulus = moduli.lambda + 2 * moduli.mu;
-    const Vec3& n = preload.normal;
-    layer.dyad = {{n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[2] * n[0]}};
-    for (int k = 0; k < 6; ++k) layer.stress[k] = 2 * moduli.mu * layer.dyad[k] + (k < 3 ? moduli.lambda : 0);
+    Layer layer = make_layer(deck, preload, chunked, model);
     find_elements(chunked, layer);
     layers_.push_back(layer);
   }
 }
 
+PreloadStage::Layer PreloadStage::make_layer(const Deck& deck, const PreloadDeck& preload, const ChunkedMesh& chunked,
+                                             const Model& model) {
+  const MaterialDeck& material = find_material(deck, preload.part);
+  Layer layer{preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}};
+  if (preload.point) layer.section.emplace(deck, make_section(preload), chunked, model);
+  return layer;
+}
+
 void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const {
   std::vector<int> chunks, first{0}, elements;
-  std::vector<double> volume;
-  int others = 0;
+  std::vector<double> volume, axes;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const Chunk& chunk = chunked.chunks[c];
     if (deck_.parts[at(chunk.part)].name != layer.deck.part) continue;
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      if (!is_cut(chunked.mesh, at(e), layer.deck)) continue;
-      if (chunked.mesh.topology_of(at(e)).dimension != 3) others = 1;
+      if (!is_of_layer(chunked.mesh, at(e), layer.deck)) continue;
       elements.push_back(e - chunk.first_element);
-      volume.push_back(find_element_volume(chunked.mesh, at(e)));
+      volume.push_back(chunked.mesh.topology_of(at(e)).dimension == 3 ? find_element_volume(chunked.mesh, at(e)) : 0);
+      for (const double axis : find_axes(chunked.mesh, at(e), layer.deck)) axes.push_back(axis);
     }
     if (static_cast<int>(elements.size()) == first.back()) continue;
     chunks.push_back(static_cast<int>(c));
     first.push_back(static_cast<int>(elements.size()));
   }
-  all_reduce(model_.ranks, Reduce::largest, others);
-  if (others != 0)
+  int some = elements.empty() ? 0 : 1;
+  all_reduce(model_.ranks, Reduce::largest, some);
+  if (some == 0)
     throw InputError(
-        fmt::format("{}: error: preload '{}' cuts shells or beams (only solids have one): move its plane, "
-                    "or give the fastener solid elements",
-                    deck_.where(layer.deck.place), layer.deck.name));
+        fmt::format("{}: error: preload '{}' is of part '{}', which has no beams: give it point and normal",
+                    deck_.where(layer.deck.place), layer.deck.name, layer.deck.part));
   layer.chunks = to_view("percuss::preloaded_chunks", chunks);
   layer.first = to_view("percuss::first_preloaded", first);
   layer.elements = to_view("percuss::preloaded_elements", elements);
   layer.volume = to_view("percuss::preloaded_volume", volume);
+  layer.axes = to_view("percuss::preloaded_axes", axes);
 }
 
-/// Lanes past the last element of a chunk repeat it.
 void PreloadStage::shorten(const Layer& layer, double strain, State& state) const {
-  const HexChunks chunks = model_.chunks;
-  const Array<Real> records = state.elements;
+  Shortening by = make_shortening(layer.moduli, layer.is_kirchhoff, *layer.deck.normal);
+  by.strain = strain;
+  Kokkos::parallel_for("percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(layer.chunks.extent(0))),
+                       ShortenLayer{{model_.chunks, state.elements},
+                                    {model_.chunks, state.x},
+                                    model_.is_beam_chunk,
+                                    model_.beam_block.parameters,
+                                    model_.thickness_rules,
+                                    layer.chunks,
+                                    layer.first,
+                                    layer.elements,
+                                    layer.volume,
+                                    layer.axes,
+                                    by,
+                                    state.results});
+}
+
+/// Gives each beam what its own force lacks. Returns the largest of that, with its sign; the same on all ranks.
+double PreloadStage::shorten_beams(const Layer& layer, double force, State& state) const {
+  const RecordLanes lanes{model_.chunks, state.elements};
+  const CornerPlaces places{model_.chunks, state.x};
+  const auto beams = model_.beam_block.parameters;
+  const auto chunks = layer.chunks, first = layer.first, elements = layer.elements;
   const ChunkResults results = state.results;
-  const Array<int> list = layer.chunks, first = layer.first, elements = layer.elements;
-  const Array<double> volume = layer.volume;
-  const Shortening by{layer.dyad, layer.stress, layer.modulus, layer.is_kirchhoff, strain};
-  Kokkos::parallel_for(
-      "percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(const int i) {
-        const int c = list(i), size = chunks.record_size(c), points = chunks.points(c);
-        const int count = chunks.first_element(c + 1) - chunks.first_element(c),
-                  lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width;
+  const double gain = gain_;
+  double most = 0, least = 0;
+  Kokkos::parallel_reduce(
+      "percuss::preload_beams", Range(ExecSpace(), 0, static_cast<int>(chunks.extent(0))),
+      KOKKOS_LAMBDA(const int i, double& largest, double& smallest) {
+        const int c = chunks(i);
+        const BeamParameters& parameters = beams(lanes.chunks.parameters(c));
         double work = 0;
         for (int j = first(i); j < first(i + 1); ++j) {
-          const int e = elements(j), end = e + 1 < count ? e + 1 : lanes;
+          const int e = elements(j), end = lanes.find_end(c, e);
+          const double lack = force - static_cast<double>(lanes.find(c, e)[BeamRecord::forces * pack_width]);
+          largest = lack > largest ? lack : largest;
+          smallest = lack < smallest ? lack : smallest;
           for (int lane = e; lane < end; ++lane) {
-            Real* const record =
-                &records(chunks.first_state(c)) + lane / pack_width * size * pack_width + lane % pack_width;
-            const double energy = volume(j) * shorten_record(record, points, by);
-            if (lane == e) work += energy;
+            const double energy =
+                shorten_beam(lanes.find(c, lane), parameters, gain * lack / parameters.stiffness.axial);
+            if (lane == e) work += places.find_length(c, e) * energy;
           }
         }
         results.work(c, 0) += work;
         results.is_settled(c) = 0;
-      });
+      },
+      Kokkos::Max<double>(most), Kokkos::Min<double>(least));
+  all_reduce(model_.ranks, Reduce::largest, most);
+  all_reduce(model_.ranks, Reduce::least, least);
+  return most > -least ? most : least;
 }
 
+/// Of sections; 0 of others.
 std::vector<double> PreloadStage::find_forces(const State& state) {
   std::vector<ExactSum> sums;
   for (Layer& layer : layers_) {
-    const ImpulseSums of_layer = layer.section.find_impulse(state, 1);
+    const ImpulseSums of_layer = layer.section ? layer.section->find_impulse(state, 1) : ImpulseSums{};
     sums.insert(sums.end(), of_layer.begin(), of_layer.begin() + 3);
   }
   sum_over_ranks(model_.ranks, sums);
   std::vector<double> forces;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const Vec3 force{sums[3 * i].round(), sums[3 * i + 1].round(), sums[3 * i + 2].round()};
-    forces.push_back(dot(force, layers_[i].deck.normal));
+    forces.push_back(dot(force, layers_[i].deck.normal.value_or(Vec3{})));
   }
   return forces;
 }
@@ -174,6 +283,7 @@ void PreloadStage::measure_stiffness(State& state, const std::function<void()>& 
   const std::vector<double> before = find_forces(state);
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     Layer& layer = layers_[i];
+    if (!layer.section) continue;
     shorten(layer, test_strain, state);
     evaluate();
     layer.stiffness = (find_forces(state)[i] - before[i]) / test_strain;
@@ -191,9 +301,12 @@ void PreloadStage::tighten(State& state, double share) {
   forces_ = find_forces(state);
   largest_lack_ = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const double lack = share * layers_[i].deck.force - forces_[i];
-    largest_lack_ = std::max(largest_lack_, std::abs(lack / layers_[i].deck.force));
-    shorten(layers_[i], lack / layers_[i].stiffness, state);
+    const Layer& layer = layers_[i];
+    const double wanted = share * layer.deck.force;
+    const double lack = layer.section ? wanted - forces_[i] : shorten_beams(layer, wanted, state);
+    largest_lack_ = std::max(largest_lack_, std::abs(lack / layer.deck.force));
+    forces_[i] = layer.section ? forces_[i] : wanted - lack;
+    if (layer.section) shorten(layer, gain_ * lack / layer.stiffness, state);
   }
 }
 

@@ -1,13 +1,16 @@
 #pragma once
-// Preloads of sections: the layer of elements that a plane cuts gets shorter at rest along the normal, as a bolt does
-// by the turn of its nut, until the section has the force that the deck gives it.
+// Preloads: the layer of elements that a plane cuts gets shorter at rest along the normal, as a bolt does by the turn
+// of its nut, until the section has the force that the deck gives it. Of beams without a plane each gets shorter along
+// its axis, until it has the force.
 //
-// In each step the layer loses so much length as the force lacks: a strain e without stress along the normal n, so that
-// the stress grows by C : (e n n). From time 0 on the layer is like any other.
+// In each step the layer loses a share of the length that the force lacks: a strain e without stress along the normal
+// n, so that the stress grows by C : (e n n). From time 0 on the layer is like any other.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "kernels/material/point/elastic.hpp"
 #include "src/step/forces/force_sources.hpp"
 #include "src/step/model/state.hpp"
 
@@ -16,7 +19,7 @@ namespace percuss {
 class PreloadStage {
  public:
   /// Collective. Throws InputError with the deck's place, the same on all ranks: a plane that cuts no element of the
-  /// part, or one that is no solid. deck outlives this.
+  /// part, a part without beams. deck outlives this.
   PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
   bool any() const { return !layers_.empty(); }
@@ -31,31 +34,33 @@ class PreloadStage {
   /// Largest lack of a section in the last call, relative to its preload.
   double largest_lack() const { return largest_lack_; }
 
-  /// Normal forces in the last call, in the order of the deck.
+  /// Normal forces in the last call, in the order of the deck; of beams that which lacks most.
   const std::vector<double>& forces() const { return forces_; }
 
  private:
-  /// The elements of a rank that a plane cuts, by chunk.
+  /// The elements of a rank that get shorter, by chunk.
   struct Layer {
     const PreloadDeck& deck;
-    SectionForce section;
-    double modulus = 0;         // lambda + 2 mu
+    std::optional<SectionForce> section;  // none: each beam has the force
+    LameConstants moduli;
     bool is_kirchhoff = false;  // whether the law has the rate of J sigma
-    double stiffness = 0;       // force over strain
+    double stiffness = 0;       // of the section, force over strain
     Array<int> chunks;          // that have some
-    Array<int> first;           // [chunks + 1] of the next two
+    Array<int> first;           // [chunks + 1] of the next three
     Array<int> elements;        // counted from the first of the chunk
-    Array<double> volume;       // at time 0
-    // xx, yy, zz, xy, yz, zx of n n, and of the stress C : n n
-    Kokkos::Array<double, 6> dyad{}, stress{};
+    Array<double> volume;       // of solids at time 0
+    Array<double> axes;         // [elements][2] the normal in the frame of a shell, or along a beam
   };
 
+  static Layer make_layer(const Deck& deck, const PreloadDeck& preload, const ChunkedMesh& chunked, const Model& model);
   void find_elements(const ChunkedMesh& chunked, Layer& layer) const;
   void shorten(const Layer& layer, double strain, State& state) const;
+  double shorten_beams(const Layer& layer, double force, State& state) const;
   std::vector<double> find_forces(const State& state);
 
   const Deck& deck_;
   const Model& model_;
+  const double gain_;
   std::vector<Layer> layers_;
   std::vector<double> forces_;
   double largest_lack_ = 0;

@@ -200,7 +200,8 @@ void Relaxation::finish() {
 std::string Relaxation::describe() const {
   std::string text = fmt::format("kinetic energy {:.2g} of the scale", report_.kinetic_ratio);
   for (std::size_t i = 0; i < preloads_.forces().size(); ++i)
-    text += fmt::format(", section '{}' {:.6g}", relaxed_deck_.start.preloads[i].name, preloads_.forces()[i]);
+    text += fmt::format(", {} '{}' {:.6g}", relaxed_deck_.start.preloads[i].point ? "section" : "beams of",
+                        relaxed_deck_.start.preloads[i].name, preloads_.forces()[i]);
   return text;
 }
 

@@ -14,20 +14,33 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
+#include "src/mesh/reading/results_reader.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/start/start_file.hpp"
+#include "src/step/start/start_mesh_tables.hpp"
 #include "src/step/start/start_records.hpp"
 
 namespace percuss {
 namespace {
 
-/// Rank 0 reads, all parse.
-StartTable load_table(const Communicator& ranks, const std::string& path) {
+/// Rank 0 reads, all have it. Of a mesh file those of one place, of a table all.
+std::vector<StartPiece> load_pieces(const Deck& deck, const Communicator& ranks, const StartFieldsDeck& fields,
+                                    StartPlace place) {
   std::string text;
+  std::vector<StartPiece> pieces;
+  std::vector<int> is_mesh{0};
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0) text = read_start_file(path);
+    if (ranks.rank() != 0) return;
+    is_mesh.front() = has_results_format(fields.file) ? 1 : 0;
+    if (is_mesh.front() != 0) return void(pieces = read_mesh_tables(deck, fields, place));
+    text = read_start_file(fields.file);
+    if (fields.time || !fields.take.empty())
+      throw InputError(fmt::format("{}: error: {} has no effect on a table (it is of mesh files): leave it out",
+                                   fields.file, fields.time ? "time" : "take"));
   });
-  return parse_start_table(broadcast_text(ranks, text, 0), path);
+  broadcast_values(ranks, is_mesh, 0);
+  if (is_mesh.front() == 0) return {{fields.part, parse_start_table(broadcast_text(ranks, text, 0), fields.file)}};
+  share_pieces(ranks, pieces);
+  return pieces;
 }
 
 /// The rows of an id.
@@ -41,22 +54,32 @@ Rows find_rows(const StartTable& table, std::int64_t id) {
   return {static_cast<int>(first - table.ids.begin()), static_cast<int>(last - table.ids.begin())};
 }
 
+/// "s.csv:12" or, of a mesh file, its name.
+std::string name_row(const StartFieldsDeck& fields, const StartTable& table, int row) {
+  const int line = table.lines[at(row)];
+  return line > 0 ? fmt::format("{}:{}", fields.file, line) : fields.file;
+}
+
+bool is_row_of_zeros(const StartTable& table, int row) {
+  return std::all_of(table.row(row), table.row(row) + table.columns, [](double value) { return value == 0; });
+}
+
 /// Throws, on all ranks, unless each row is of one element or node. hits: [rows] those of this rank.
-void require_each_once(const Communicator& ranks, const StartFieldsDeck& fields, const StartTable& table,
+void require_each_once(const Communicator& ranks, const StartFieldsDeck& fields, const StartPiece& piece,
                        std::vector<int> hits) {
   all_reduce(ranks, Reduce::sum, hits);
   const auto other = std::find_if(hits.begin(), hits.end(), [](int count) { return count != 1; });
   if (other == hits.end()) return;
-  const auto row = static_cast<std::size_t>(other - hits.begin());
-  const std::string what = fmt::format("{} {}", table.is_of_nodes ? "node" : "element", table.ids[row]);
+  const auto row = static_cast<int>(other - hits.begin());
+  const std::string what = fmt::format("{} {}", piece.table.is_of_nodes ? "node" : "element", piece.table.ids[at(row)]);
   throw InputError(fmt::format(
-      "{}:{}: error: {} {}", fields.file, table.lines[row], *other == 0 ? "there is no " + what : what,
-      *other == 0 ? (fields.part.empty() ? "in the mesh" : fmt::format("in part '{}'", fields.part))
+      "{}: error: {} {}", name_row(fields, piece.table, row), *other == 0 ? "there is no " + what : what,
+      *other == 0 ? (piece.part.empty() ? "in the mesh" : fmt::format("in part '{}'", piece.part))
                   : fmt::format("is there {} times (parts have ids of their own): give the key part", *other)));
 }
 
-bool is_of_part(const Deck& deck, const StartFieldsDeck& fields, int part) {
-  return fields.part.empty() || deck.parts[at(part)].name == fields.part;
+bool is_of_part(const Deck& deck, const StartPiece& piece, int part) {
+  return piece.part.empty() || deck.parts[at(part)].name == piece.part;
 }
 
 const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
@@ -112,6 +135,8 @@ struct StartTarget {
   const ChunkedMesh& chunked;
   const Model& model;
   State& state;
+  StartRecords records;
+  decltype(to_host(std::declval<const WorkRows&>())) work;
   std::vector<int> given;             // [elements] list_quantities() of the files so far
   std::vector<LameConstants> moduli;  // by part
 };
@@ -119,17 +144,12 @@ struct StartTarget {
 /// Sets what a table has of this rank's elements.
 class TableSetter {
  public:
-  TableSetter(const StartFieldsDeck& fields, const StartTable& table, StartTarget& target)
-      : fields_(fields),
-        table_(table),
-        target_(target),
-        records_(target.chunked.mesh, target.model, target.state),
-        work_(to_host(target.state.results.work)),
-        hits_(table.ids.size(), 0) {}
+  TableSetter(const StartFieldsDeck& fields, const StartPiece& piece, StartTarget& target)
+      : fields_(fields), piece_(piece), table_(piece.table), target_(target), hits_(table_.ids.size(), 0) {}
 
   void set_chunk(int c) {
     const Chunk& chunk = target_.chunked.chunks[at(c)];
-    if (!is_of_part(target_.deck, fields_, chunk.part)) return;
+    if (!is_of_part(target_.deck, piece_, chunk.part)) return;
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
       set_element({c, e, target_.moduli[at(chunk.part)]}, target_.deck.parts[at(chunk.part)]);
   }
@@ -137,10 +157,8 @@ class TableSetter {
   /// Collective. Throws InputError, the same on all ranks.
   void finish() {
     const Communicator& ranks = target_.model.ranks;
-    require_each_once(ranks, fields_, table_, hits_);
+    require_each_once(ranks, fields_, piece_, hits_);
     if (const auto refused = agree_on_first(ranks, obstacle_row_, obstacle_)) throw InputError(*refused);
-    records_.give_back(target_.state);
-    Kokkos::deep_copy(target_.state.results.work, work_);
   }
 
  private:
@@ -156,65 +174,80 @@ class TableSetter {
       double energy = 0;
       std::string why = twice != 0 ? fmt::format("has a {} from another file", name_quantity(twice))
                                    : find_obstacle(target_.deck, part, table_, row);
-      if (why.empty()) why = records_.write(of, row, energy);
+      if (why.empty()) why = target_.records.write(of, row, energy);
+      if (!why.empty() && table_.is_of_mesh && (part.rigid || is_row_of_zeros(table_, r))) continue;
       if (!why.empty() && r < obstacle_row_) {
         obstacle_row_ = r;
-        obstacle_ =
-            fmt::format("{}:{}: error: element {} {}", fields_.file, table_.lines[at(r)], table_.ids[at(r)], why);
+        obstacle_ = fmt::format("{}: error: element {} {}", name_row(fields_, table_, r), table_.ids[at(r)], why);
       }
-      work_(at(of.chunk), 0) += energy;
+      target_.work(at(of.chunk), 0) += energy;
     }
   }
 
   const StartFieldsDeck& fields_;
+  const StartPiece& piece_;
   const StartTable& table_;
   StartTarget& target_;
-  StartRecords records_;
-  decltype(to_host(std::declval<const WorkRows&>())) work_;
   std::vector<int> hits_;
   std::int64_t obstacle_row_ = no_finding;
   std::string obstacle_;
 };
 
+/// velocity, is_rigid: as of set_start_velocities().
+void set_velocities_of(const Deck& deck, const ChunkedMesh& chunked, const StartFieldsDeck& fields,
+                       const StartPiece& piece, const std::vector<char>& is_rigid, std::vector<Vec3>& velocity) {
+  const Mesh& mesh = chunked.mesh;
+  const Communicator ranks = find_ranks(mesh);
+  const StartTable& table = piece.table;
+  std::vector<int> hits(table.ids.size(), 0);
+  int rigid = std::numeric_limits<int>::max();
+  for (const int node : select_nodes(mesh, deck, {piece.part, {}, fields.place})) {
+    const Rows rows = find_rows(table, mesh.node_ids[at(node)]);
+    if (!rows.any()) continue;
+    const int row = rows.first;
+    if (owns_node(chunked, node)) hits[at(row)] += 1;
+    if (is_rigid[at(node)] != 0 && table.is_of_mesh && is_row_of_zeros(table, row)) continue;
+    if (is_rigid[at(node)] != 0) rigid = std::min(rigid, row);
+    for (std::size_t k = 0; k < 3; ++k) velocity[at(node)][k] = table.row(row)[k];
+  }
+  require_each_once(ranks, fields, piece, hits);
+  all_reduce(ranks, Reduce::least, rigid);
+  if (rigid != std::numeric_limits<int>::max())
+    throw InputError(fmt::format("{}: error: node {} is of a rigid body (whose velocity initial gives)",
+                                 name_row(fields, table, rigid), table.ids[at(rigid)]));
+}
+
 }  // namespace
 
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity) {
-  const Mesh& mesh = chunked.mesh;
-  const Communicator ranks = find_ranks(mesh);
   for (const StartFieldsDeck& fields : deck.start.fields) {
-    const StartTable table = load_table(ranks, fields.file);
-    if (!table.is_of_nodes) continue;
-    std::vector<int> hits(table.ids.size(), 0);
-    int rigid = std::numeric_limits<int>::max();
-    const std::vector<int> nodes = select_nodes(mesh, deck, {fields.part, {}, fields.place});
-    for (const int node : nodes) {
-      const Rows rows = find_rows(table, mesh.node_ids[at(node)]);
-      if (!rows.any()) continue;
-      const int row = rows.first;
-      if (owns_node(chunked, node)) hits[at(row)] += 1;
-      if (is_rigid[at(node)] != 0) rigid = std::min(rigid, row);
-      for (std::size_t k = 0; k < 3; ++k) velocity[at(node)][k] = table.row(row)[k];
-    }
-    require_each_once(ranks, fields, table, hits);
-    all_reduce(ranks, Reduce::least, rigid);
-    if (rigid != std::numeric_limits<int>::max())
-      throw InputError(fmt::format("{}:{}: error: node {} is of a rigid body (whose velocity initial gives)",
-                                   fields.file, table.lines[at(rigid)], table.ids[at(rigid)]));
+    for (const StartPiece& piece : load_pieces(deck, find_ranks(chunked.mesh), fields, StartPlace::nodes))
+      if (piece.table.is_of_nodes) set_velocities_of(deck, chunked, fields, piece, is_rigid, velocity);
   }
 }
 
 void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
   if (deck.start.fields.empty()) return;
-  StartTarget target{deck, chunked, model, state, std::vector<int>(chunked.mesh.element_ids.size(), 0), {}};
+  StartTarget target{deck,
+                     chunked,
+                     model,
+                     state,
+                     StartRecords(chunked.mesh, model, state),
+                     to_host(state.results.work),
+                     std::vector<int>(chunked.mesh.element_ids.size(), 0),
+                     {}};
   for (const PartDeck& part : deck.parts) target.moduli.push_back(find_moduli(find_material(deck, part)));
   for (const StartFieldsDeck& fields : deck.start.fields) {
-    const StartTable table = load_table(model.ranks, fields.file);
-    if (table.is_of_nodes) continue;
-    TableSetter setter(fields, table, target);
-    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) setter.set_chunk(static_cast<int>(c));
-    setter.finish();
+    for (const StartPiece& piece : load_pieces(deck, model.ranks, fields, StartPlace::elements)) {
+      if (piece.table.is_of_nodes) continue;
+      TableSetter setter(fields, piece, target);
+      for (std::size_t c = 0; c < chunked.chunks.size(); ++c) setter.set_chunk(static_cast<int>(c));
+      setter.finish();
+    }
   }
+  target.records.give_back(state);
+  Kokkos::deep_copy(state.results.work, target.work);
 }
 
 }  // namespace percuss

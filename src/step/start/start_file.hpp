@@ -15,12 +15,13 @@ struct StartTable {
   static constexpr int absent = -1;
   bool is_of_nodes = false;
   bool has_layers = false;
-  int columns = 0;                                                     // of `values`
+  bool is_of_mesh = false;  // of a mesh file, whose rows of zeros say nothing of what cannot have them
+  int columns = 0;          // of `values`
   int stress = absent, plastic_strain = absent, temperature = absent;  // their first columns
   std::vector<std::int64_t> ids;                                       // ascending
   std::vector<std::int64_t>
       layers;                  // [ids] of a shell from 1, the lowest; ascending in an element; 0: the whole element
-  std::vector<int> lines;      // [ids] of the file
+  std::vector<int> lines;      // [ids] of the file; 0: none
   std::vector<double> values;  // [ids][columns]
 
   const double* row(int i) const { return values.data() + static_cast<std::ptrdiff_t>(i) * columns; }

@@ -13,7 +13,7 @@ std::vector<WrongDeck> wrong_field_decks() {
       {"FieldOutputOfAnUnknownSide", append("output: {field_outputs: {rim: {every: 1, faces: rod/x_mid}}}"), "6:49",
        "part 'rod' has no side 'x_mid' in field output 'rim'"},
       {"FieldOutputOfNoElements", append("output: {field_outputs: {rim: {every: 1, elements: []}}}"), "6:52",
-       "elements is [] in field output 'rim' (must be at least one part or element set)"},
+       "elements is [] in field output 'rim' (must be at least one part, element block or element set)"},
       {"FieldOutputOfNoFaces", append("output: {field_outputs: {rim: {every: 1, faces: []}}}"), "6:49",
        "faces is [] in field output 'rim' (must be at least one part or surface)"},
       {"FieldOutputOfAllElements", append("output: {field_outputs: {rim: {every: 1, elements: all}}}"), "6:52",

@@ -264,7 +264,7 @@ TEST(Relaxation, ThatDoesNotSettleIsRefusedOrWarnedOf) {
   EXPECT_EQ(run.summary.warnings.back().rule, "unsettled_relaxation");
 }
 
-TEST(Preload, ThatCutsNothingOrShellsIsRefused) {
+TEST(Preload, ThatCutsNothingIsRefused) {
   const auto expect_refused = [](const std::string& text, const std::vector<std::string>& set, const char* message) {
     try {
       run_deck(text, set);
@@ -275,11 +275,6 @@ TEST(Preload, ThatCutsNothingOrShellsIsRefused) {
   };
   expect_refused(clamp(""), {"start.preload.bolt.point=[0, 0, 2]"},
                  "cuts no element (its plane lies beside part 'bar')");
-  expect_refused(
-      clamp(""),
-      {"parts.bar={shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.1, material: steel}", "conditions=[]",
-       "start.preload.bolt.normal=x", "start.preload.bolt.point=[0.3, 0, 0]", "output.history.forces=[]"},
-      "preload 'bolt' cuts shells or beams (only solids have one)");
 }
 
 }  // namespace percuss::test

@@ -126,7 +126,7 @@ bool ElementSetsValue::read(const Reader& reader, const std::string& name, const
                             std::vector<Selector>& out) const {
   if (node.kind != Node::Kind::list) return read_element_set(reader, name, node, out);
   if (node.items.empty()) {
-    reader.refuse(node, name, "at least one part or element set");
+    reader.refuse(node, name, "at least one part, element block or element set");
     return false;
   }
   bool good = true;

@@ -13,7 +13,7 @@ struct ForceValue {
   std::string takes() const { return "a map"; }
 };
 
-/// A part, an element set or a list of these.
+/// A part, an element block, an element set or a list of these.
 struct ElementSetsValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const;
   std::string takes() const { return "a part, an element block, an element set or a list of these"; }

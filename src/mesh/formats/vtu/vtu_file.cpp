@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -84,6 +85,58 @@ class VtuReader {
   explicit VtuReader(const std::string& path) : source_(path, names_), scanner_(source_.text(), names_) {}
 
   std::unique_ptr<MeshFile> read() {
+    read_tags();
+    if (has_piece_) read_mesh();
+    to_.kinds = "triangles, quadrilaterals, tetrahedra of four or ten nodes, pyramids, wedges, hexahedra and lines";
+    return std::make_unique<TextMesh>(std::move(to_));
+  }
+
+  FileResults read_results(const ResultsWish& wish) {
+    read_tags();
+    if (!has_piece_) names_.refuse({0, 1}, "the file has no cells");
+    read_mesh();
+    FileResults results;
+    results.blocks = to_.blocks;
+    results.corners = to_.corners;
+    results.element_ids = to_.element_ids;
+    results.node_ids = to_.node_ids;
+    std::vector<std::size_t> cells, points(point_count_);
+    for (const Block& block : blocks_) cells.insert(cells.end(), block.cells.begin(), block.cells.end());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    for (const VtuArray& array : found_["CellData"])
+      take_array({array, cell_count_, cells, wish.of_elements}, results.element_names, results.of_elements);
+    for (const VtuArray& array : found_["PointData"])
+      take_array({array, point_count_, points, wish.of_nodes}, results.node_names, results.of_nodes);
+    for (auto& [name, column] : results.of_elements) column.is_lacking.assign(blocks_.size(), 0);
+    return results;
+  }
+
+ private:
+  /// An array of results with the places of its rows, in the order of the mesh.
+  struct ArrayRows {
+    const VtuArray& array;
+    std::size_t count;
+    const std::vector<std::size_t>& rows;
+    const std::vector<std::string>& wish;
+  };
+
+  void take_array(const ArrayRows& of, std::vector<std::string>& names, std::map<std::string, ResultsColumn>& columns) {
+    const std::vector<std::string> components = name_result_components(of.array.name, of.array.components);
+    names.insert(names.end(), components.begin(), components.end());
+    const auto is_wished = [&](const std::string& name) {
+      return std::find(of.wish.begin(), of.wish.end(), name) != of.wish.end();
+    };
+    if (std::none_of(components.begin(), components.end(), is_wished)) return;
+    const std::vector<double> values = arrays_.read_reals(of.array, of.count * components.size());
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      if (!is_wished(components[k])) continue;
+      ResultsColumn& column = columns[components[k]];
+      column.values.clear();
+      for (const std::size_t row : of.rows) column.values.push_back(values[row * components.size() + k]);
+    }
+  }
+
+  void read_tags() {
     XmlTag tag;
     bool is_vtk = false;
     while (scanner_.next(tag)) {
@@ -92,12 +145,8 @@ class VtuReader {
       if (!tag.closes) read_tag(tag);
     }
     if (!is_vtk) names_.refuse({0, 1}, "the file has no <VTKFile>");
-    if (has_piece_) read_mesh();
-    to_.kinds = "triangles, quadrilaterals, tetrahedra of four or ten nodes, pyramids, wedges, hexahedra and lines";
-    return std::make_unique<TextMesh>(std::move(to_));
   }
 
- private:
   struct Cells {
     std::vector<std::int64_t> connectivity, offsets, types;
   };
@@ -105,6 +154,7 @@ class VtuReader {
     FileBlock head;
     std::vector<std::int64_t> nodes, ids;
     std::vector<double> thicknesses;
+    std::vector<std::size_t> cells;  // of the piece
   };
 
   void read_tag(const XmlTag& tag) {
@@ -239,6 +289,7 @@ class VtuReader {
       add_cell(e, type, block_ids[e], points);
       Block& block = blocks_[static_cast<std::size_t>(find_block(block_ids[e], type, points.size()))];
       block.ids.push_back(ids[e]);
+      block.cells.push_back(e);
       const bool is_shell = block.head.topology && find_topology(*block.head.topology).is_surface();
       if (!thicknesses.empty() && is_shell) block.thicknesses.push_back(thicknesses[e]);
     }
@@ -285,5 +336,9 @@ class VtuReader {
 bool is_vtu_file(std::string_view first_bytes) { return first_bytes.find("<VTKFile") != std::string_view::npos; }
 
 std::unique_ptr<MeshFile> open_vtu_file(const std::string& path) { return VtuReader(path).read(); }
+
+FileResults read_vtu_results(const std::string& path, const ResultsWish& wish) {
+  return VtuReader(path).read_results(wish);
+}
 
 }  // namespace percuss

@@ -6,13 +6,16 @@
 #include <string>
 #include <string_view>
 
-#include "src/mesh/files/mesh_file.hpp"
+#include "src/mesh/files/file_results.hpp"
 
 namespace percuss {
 
 /// Throws InputError, with file and line, if the file is damaged or of a form that is not read; SystemError if it
 /// cannot be read.
 std::unique_ptr<MeshFile> open_vtu_file(const std::string& path);
+
+/// Its arrays of cells and points. Throws likewise.
+FileResults read_vtu_results(const std::string& path, const ResultsWish& wish);
 
 /// Whether the first bytes of a file are those of an XML file of VTK.
 bool is_vtu_file(std::string_view first_bytes);

@@ -1,0 +1,176 @@
+"""*INITIAL_AXIAL_FORCE_BEAM and *INITIAL_STRESS_SECTION: preloads of bolts, which percuss reaches before time 0."""
+
+from dataclasses import dataclass
+
+from ..curves import Points
+from ..ledger import Place
+from ..model import Block, Model, Vector
+from ..shapes import cross, dot, normalise, subtract
+from .cards import Card
+from .deck import KeywordDeck
+
+RELAXED = "a preload reached in damped steps before time 0, in place of the rise of the curve"
+HELD = 0.01  # of its largest value: what a curve may change by after it is reached
+
+
+@dataclass
+class Plane:
+    """A section of the output by a plane."""
+
+    parts: int  # *SET_PART; 0: all
+    point: Vector
+    normal: Vector
+    radius: float  # 0: no limit
+    has_edges: bool  # a rectangle limits it
+    place: Place
+
+
+def read_axial_force(deck: KeywordDeck, card: Card) -> None:
+    """BSID LCID SCALE: kept until the parts are built, which these beams divide."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("BSID LCID SCALE=1 KBEND")
+        if row.integer("KBEND"):
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.KBEND", row.place, "KBEND keeps the bending stiffness", "the beams have that of their section")
+        deck.bolts.append(row)
+
+
+def mark_bolts(deck: KeywordDeck) -> None:
+    """Which beam has which preload. Call once all sets are known, before beams become blocks."""
+    known = set(deck.list_elements("BEAM"))
+    for index, row in enumerate(deck.bolts):
+        members = deck.list_members("BEAM", row.integer("BSID"), row.place)
+        deck.used.add(("BEAM", row.integer("BSID")))
+        found = [id for id in members if id in known]
+        if len(found) < len(members):
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place, "beams that are not in the mesh", "they are left out")
+        for id in found:
+            if deck.bolt_of_beam.setdefault(id, index) != index:
+                deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.twice", row.place, f"beam {id} has two preloads", "the first counts")
+
+
+def add_preloads(deck: KeywordDeck) -> None:
+    """A preload for each part of beams that has one."""
+    for index, row in enumerate(deck.bolts):
+        force = find_held_value(deck, "INITIAL_AXIAL_FORCE_BEAM", row)
+        blocks = [block for block in deck.model.blocks if deck.bolt_of_block.get(block.id) == index]
+        if not blocks:
+            deck.ledger.refuse("INITIAL_AXIAL_FORCE_BEAM.BSID", row.place, "beams that are not in the model", "the preload is left out")
+        for block in blocks if force else []:
+            add_preload(deck.model, block, {"force": force})
+            deck.ledger.approximated("INITIAL_AXIAL_FORCE_BEAM", row.place, RELAXED)
+        if not force:
+            deck.ledger.ignored("INITIAL_AXIAL_FORCE_BEAM", row.place, "a force of 0")
+
+
+def add_preload(model: Model, block: Block, keys: dict) -> None:
+    start = model.deck.setdefault("start", {})
+    start.setdefault("relaxation", {})
+    start.setdefault("preload", {})[model.names.take(f"preload_{block.name}")] = {"part": block.name, **keys}
+
+
+def find_held_value(deck: KeywordDeck, card: str, row) -> float:
+    """The largest value of a curve, which it holds. Told where it does not."""
+    points = deck.material_curve(row.integer("LCID"), row.place)
+    value = max((y for _, y in points), key=abs)
+    if not holds(points, value):
+        deck.ledger.refuse(f"{card}.LCID", row.place, "a curve that leaves its largest value", "that value is the preload, and free after time 0")
+    return value * (row.or_default("SCALE", 1.0) if card.endswith("BEAM") else 1.0)
+
+
+def holds(points: Points, value: float) -> bool:
+    """Once reached, the value stays, or the curve ends at 0, which releases the bolt in LS-DYNA too."""
+    first = next(i for i, (_, y) in enumerate(points) if y == value)
+    later = [y for _, y in points[first:]]
+    while len(later) > 1 and later[-1] == 0:
+        later.pop()
+    return all(abs(y - value) <= HELD * abs(value) for y in later)
+
+
+def read_plane(deck: KeywordDeck, card: Card) -> None:
+    """*DATABASE_CROSS_SECTION_PLANE: what a preload refers to. Its output is left out."""
+    reader = card.reader()
+    id = reader.row("CSID TITLE", (10, 70)).integer("CSID") if card.has_id else len(deck.planes) + 1
+    row, more = reader.row("PSID XCT YCT ZCT XCH YCH ZCH RADIUS"), reader.row("XHEV YHEV ZHEV LENL LENM ID ITYPE")
+    tail, head = tuple(row.numbers("XCT", "YCT", "ZCT")), tuple(row.numbers("XCH", "YCH", "ZCH"))
+    line = subtract(head, tail)  # type: ignore[arg-type]
+    if dot(line, line) <= 0:
+        row.fail("XCH", "a point ahead of the first is expected: it gives the normal")
+    edges = bool(more.number("LENL") or more.number("LENM"))
+    deck.planes[id] = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
+    deck.ledger.ignored(card.keyword, card.place, "output; a preload may refer to it")
+
+
+def read_section_stress(deck: KeywordDeck, card: Card) -> None:
+    """*INITIAL_STRESS_SECTION: the stress of a plane section, times its area."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("ISSID CSID LCID PSID VID IZSHEAR ISTIFF")
+        row.skip("ISSID", "VID")
+        plane = deck.planes.get(row.integer("CSID"))
+        if row.integer("IZSHEAR") or row.integer("ISTIFF"):
+            deck.ledger.refuse("INITIAL_STRESS_SECTION.IZSHEAR", row.place, "IZSHEAR or ISTIFF", "shear stresses stay free")
+        if plane is None:
+            deck.ledger.refuse("INITIAL_STRESS_SECTION.CSID", row.place, "a section that is no *DATABASE_CROSS_SECTION_PLANE", "the preload is left out")
+        else:
+            tighten_plane(deck, row, plane)
+
+
+def tighten_plane(deck: KeywordDeck, row, plane: Plane) -> None:
+    """A preload for each part of solids that the plane cuts."""
+    stress = find_held_value(deck, "INITIAL_STRESS_SECTION", row)
+    set_id = row.integer("PSID") or plane.parts
+    parts = deck.list_members("PART", set_id, row.place) if set_id else list(deck.parts)
+    deck.used.add(("PART", set_id))
+    found = False
+    for block in deck.model.blocks:
+        polygons = [cut_solid([deck.nodes[n] for n in corners], plane) for _, corners in block.solids] if block.part in parts else []
+        polygons = [polygon for polygon in polygons if polygon]
+        if not polygons or not stress:
+            continue
+        if not all(is_inside(point, plane) for polygon in polygons for point in polygon) or plane.has_edges:
+            deck.ledger.refuse("DATABASE_CROSS_SECTION_PLANE.RADIUS", plane.place, f"a preload of a plane with limits, which cuts part '{block.name}' beyond them or may do so", "it takes the whole part")
+        area = sum(hull_area(polygon, plane.normal) for polygon in polygons)
+        add_preload(deck.model, block, {"point": list(plane.point), "normal": list(plane.normal), "force": float(f"{stress * area:.9g}")})
+        deck.ledger.approximated("INITIAL_STRESS_SECTION", row.place, RELAXED + "; the stress times the area at time 0")
+        found = True
+    if not found and stress:
+        deck.ledger.refuse("INITIAL_STRESS_SECTION.PSID", row.place, "a section that cuts no solids", "the preload is left out")
+
+
+def is_inside(point: Vector, plane: Plane) -> bool:
+    away = subtract(point, plane.point)
+    return plane.radius <= 0 or dot(away, away) <= (1.001 * plane.radius) ** 2
+
+
+def cut_solid(corners: list[Vector], plane: Plane) -> list[Vector]:
+    """Where lines between the corners of a convex solid meet the plane: their hull is the section."""
+    heights = [dot(subtract(x, plane.point), plane.normal) for x in corners]
+    points = []
+    for i, a in enumerate(heights):
+        for j, b in enumerate(heights):
+            if a < 0 <= b:
+                share = a / (a - b)
+                points.append(tuple(corners[i][k] + share * (corners[j][k] - corners[i][k]) for k in range(3)))
+    return points  # type: ignore[return-value]
+
+
+def hull_area(points: list[Vector], normal: Vector) -> float:
+    """Of points in a plane (Andrew's monotone chain)."""
+    axis = min(range(3), key=lambda k: abs(normal[k]))
+    u = normalise(cross(normal, tuple(1.0 if k == axis else 0.0 for k in range(3))))  # type: ignore[arg-type]
+    v = cross(normal, u)
+    flat = sorted({(dot(p, u), dot(p, v)) for p in points})
+    chain: list[tuple[float, float]] = []
+    for side in (flat, flat[::-1]):
+        first = len(chain)
+        for p in side:
+            while len(chain) >= first + 2 and turn(chain[-2], chain[-1], p) <= 0:
+                chain.pop()
+            chain.append(p)
+        chain.pop()
+    return 0.5 * abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(chain, chain[1:] + chain[:1])))
+
+
+def turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
