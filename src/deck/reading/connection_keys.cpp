@@ -80,6 +80,7 @@ const Keys<TieDeck>& tie_keys() {
       need("a", &TieDeck::a, SelectorValue{}),
       need("b", &TieDeck::b, SelectorValue{}),
       may("distance", &TieDeck::distance, NumberValue{positive}),
+      may("rotations", &TieDeck::rotations, BooleanValue{}),
       group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
   };
   return keys;
