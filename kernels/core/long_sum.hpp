@@ -31,6 +31,24 @@ PERCUSS_FORCE_INLINE void add_to(Symmetric3<T>& value, Symmetric3<T>& rest, cons
   add_to(value.yz, rest.yz, more.yz);
   add_to(value.zx, rest.zx, more.zx);
 }
+/// Likewise in the lanes that are chosen; the others keep value and rest to the last bit.
+template <class Lanes, class T>
+PERCUSS_FORCE_INLINE void add_where(const Lanes& lanes, T& value, T& rest, const T& more) {
+  T sum = value, left = rest;
+  add_to(sum, left, more);
+  value = select(lanes, sum, value);
+  rest = select(lanes, left, rest);
+}
+template <class Lanes, class T>
+PERCUSS_FORCE_INLINE void add_where(const Lanes& lanes, Symmetric3<T>& value, Symmetric3<T>& rest,
+                                    const Symmetric3<T>& more) {
+  add_where(lanes, value.xx, rest.xx, more.xx);
+  add_where(lanes, value.yy, rest.yy, more.yy);
+  add_where(lanes, value.zz, rest.zz, more.zz);
+  add_where(lanes, value.xy, rest.xy, more.xy);
+  add_where(lanes, value.yz, rest.yz, more.yz);
+  add_where(lanes, value.zx, rest.zx, more.zx);
+}
 template <class T>
 PERCUSS_FORCE_INLINE void add_to(Matrix3<T>& value, Matrix3<T>& rest, const Matrix3<T>& more) {
   for (int i = 0; i < 3; ++i) add_to(value.row[i], rest.row[i], more.row[i]);

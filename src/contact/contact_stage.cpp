@@ -47,7 +47,7 @@ struct ContactStage::Impl {
         forces(scene, chunked, world),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
         history(make_history(share, walls)) {
-    history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
+    history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
     forces.set_surface(seen(), share);
     is_active = has_pairs() || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
@@ -70,7 +70,7 @@ struct ContactStage::Impl {
   void archive_pushes(CheckpointArchive& archive);
   void redefine_surface();
   void redefine(Rows3<const double> x, Rows3<const double> v, const ReleasedTies& released);
-  HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
+  HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
 
   const Communicator ranks;
   const Deck& deck;
@@ -296,7 +296,7 @@ void ContactStage::restore_surface() {
   Impl& stage = *impl_;
   stage.redefine_surface();
   stage.history = make_history(stage.share, stage.walls);
-  stage.history.ties = Rows3<double>("contact::history_ties", stage.ties.nodes.size());
+  stage.history.ties = Rows3<double>("contact::history_ties", stage.tie_rows.keys().size());
 }
 
 void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine(x, v, {}); }
@@ -378,7 +378,8 @@ void ContactStage::archive(CheckpointArchive& archive) {
   if (stage.failures.archive(archive, stage.ties_of_start)) restore_surface();
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
-  archive_ties(archive, stage.chunks, stage.ties, stage.history);
+  if (stage.ties.any())
+    archive_ties(archive, stage.chunks, stage.tie_rows.keys(), stage.contact.ties_rotations(), stage.history);
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
   stage.forces.archive(archive);

@@ -360,6 +360,7 @@ struct PairFrictionDeck {
 struct TieDeck {
   Selector a, b;                   // nodes of a are tied to faces of b
   std::optional<double> distance;  // within which nodes are tied [length]; default: a share of the face
+  bool rotations = false;          // whether nodes of shells and beams turn as their faces do
   // Tension and shear stress at which a node lets go, each alone; none: it does not.
   std::optional<double> normal_strength, shear_strength;
   double normal_exponent = 2, shear_exponent = 2;
@@ -393,6 +394,9 @@ struct ContactDeck {
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
 
+  bool ties_rotations() const {
+    return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.rotations; });
+  }
   bool has_failing_ties() const {
     return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.can_fail(); });
   }

@@ -135,8 +135,9 @@ void Stepper::advance(State& state, StepWishes wishes) {
     integrate_free_motion(state, dt, dt_mean);  // (1.2) with the positions at n+1
   else
     predict_motion(state, dt, dt_mean);  // (1.2), (1.6) velocities without contact; contact forms x + dt v
-  resolve_contact(state, dt);            // (1.7) search, (1.8) detailed check, (1.9) enforcement
   integrate_spins(state, dt, dt_mean);
+  resolve_contact(state, dt);  // (1.7) search, (1.8) detailed check, (1.9) enforcement
+  rigid_.set_spins(state);
   join_nodes(state, dt, dt_mean);
   book_motion(state, dt, dt_mean);
   if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
@@ -201,7 +202,7 @@ void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   if (damping_) damping_->damp(state, dt_mean);
 }
 
-/// Rotations of the nodes of shells and beams: nothing but the elements' moments and conditions acts on them.
+/// Rotations of the nodes of shells and beams as they are without ties: elements' moments and conditions act on them.
 void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
   if (!model_.has_rotations) return;
   {
@@ -212,7 +213,6 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
     if (damping_) damping_->damp_spins(state, dt_mean);
   }
   hold_spins(state, dt);
-  rigid_.set_spins(state);
 }
 
 void Stepper::hold_spins(State& state, double dt) {
@@ -251,7 +251,8 @@ void Stepper::resolve_contact(State& state, double dt) {
                              dt,
                              {center[0], center[1], center[2]},
                              rigid_.inputs(),
-                             state.time};
+                             state.time,
+                             {state.w, state.w_before, state.inverse_inertia, state.inertia}};
   report_ = contact_.apply(motion);
   if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;

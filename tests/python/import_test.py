@@ -540,6 +540,8 @@ class Scene(InFolder):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
         self.assertEqual(model.deck["contact"]["ties"], [{"a": "nodes_2", "b": "block_of_steel", "distance": 0.6}])
+        edge, _ = self.read(decks.FORMS.replace("TIED_NODES_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET"))
+        self.assertEqual(edge.deck["contact"]["ties"][0]["rotations"], True)
         self.assertEqual(
             model.deck["initial"][0],
             {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]},

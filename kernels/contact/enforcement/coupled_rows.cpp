@@ -67,7 +67,8 @@ class NodeNumbering {
   std::vector<std::int64_t> numbers_;
 };
 
-/// G M^-1 and H, a row for each direction of each contact row, three columns a node, then six a rigid body.
+/// G M^-1 and H, a row for each direction of each contact row, three columns a node, then six a rigid body, then
+/// three a row for the rotation that it ties.
 struct Coefficients {
   MatrixRows impulses, gaps;
 
@@ -105,7 +106,9 @@ int count_bodies(const std::vector<CoupledRow>& rows) {
 
 Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNumbering& nodes) {
   Coefficients list;
-  for (const CoupledRow& r : rows) {
+  const int first_own = 3 * nodes.count() + 6 * count_bodies(rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const CoupledRow& r = rows[i];
     for (int d = 0; d < count_directions(r.row); ++d) {
       const Point3 &push = get_direction(r.row, d), &watched = d == 0 ? r.row.gap_gradient : push;
       const Point3 push_couple = find_couple(r.row, push), watched_couple = find_couple(r.row, watched);
@@ -126,6 +129,9 @@ Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNu
         list.add(first, change.velocity, b.gap.impulse);
         list.add(first + 3, change.spin, b.gap.moment);
       }
+      const Point3& own = r.own;
+      if (ties_rotation(r.row))
+        list.add(first_own + 3 * static_cast<int>(i), {own.x * push.x, own.y * push.y, own.z * push.z}, push);
       list.impulses.end_row();
       list.gaps.end_row();
     }
@@ -190,6 +196,7 @@ std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<c
   const auto of_place = to_host(system.bodies.of_place);
   const auto x = to_host(system.at.x);
   const auto responses = to_host(system.bodies.inputs.responses);
+  const auto turning = to_host(system.turning);
   std::vector<CoupledRow> list(at(system.num_rows));
   for (std::size_t r = 0; r < list.size(); ++r) {
     list[r].row = rows(r);
@@ -199,6 +206,7 @@ std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<c
       list[r].node[slot] = is_own ? numbers(at(nodes(at(place)))) : foreign(at(place - system.num_nodes));
       list[r].inverse_mass[slot] = load_row(inverse_mass, place);
     }
+    if (ties_rotation(rows(r))) list[r].own = turning(at(rows(r).record)).compliance;
     if (system.bodies.count() > 0) set_bodies(of_place, x, responses, list[r]);
   }
   return list;
@@ -275,7 +283,8 @@ CoupledUnknowns list_unknowns(const std::vector<CoupledRow>& rows, double dt) {
 ConeProblem make_cone_problem(const std::vector<CoupledRow>& rows, const CoupledUnknowns& of) {
   const NodeNumbering nodes(rows);
   const Coefficients coefficients = list_coefficients(rows, nodes);
-  const int unknowns = static_cast<int>(of.b.size()), columns = 3 * nodes.count() + 6 * count_bodies(rows);
+  const int unknowns = static_cast<int>(of.b.size()),
+            columns = 3 * (nodes.count() + static_cast<int>(rows.size())) + 6 * count_bodies(rows);
   const Matrix a = multiply(coefficients.gaps.make("contact::H", columns),
                             transpose(coefficients.impulses, columns).make("contact::MGT", unknowns));
   ConeProblem problem;

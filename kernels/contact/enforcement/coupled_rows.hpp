@@ -18,6 +18,7 @@ struct CoupledRow {
   int body[row_nodes] = {-1, -1, -1, -1, -1};           // rigid one that has the node
   Point3 arm[row_nodes]{};                              // of the node about its centre
   Symmetric3<double> inverse_inertia[row_nodes]{};      // of it
+  Point3 own{};                                         // TurningRow::compliance
 };
 
 struct CoupledReport {

@@ -65,6 +65,7 @@ KOKKOS_INLINE_FUNCTION void add_row(const ContactRow& row, const RowSides& mark,
     impulse = impulse + share;
     moment = moment + cross(load_row(x, row.place[slot]) - about, share);
   }
+  if (ties_rotation(row)) moment = row.lever * row.force;
   if ((mark.forward & bit) != 0) {
     add(impulse, sums.impulse);
     add(moment, sums.moment);

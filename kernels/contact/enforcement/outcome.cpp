@@ -2,6 +2,7 @@
 
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
+#include "kernels/contact/rows/tie_row.hpp"
 
 namespace percuss {
 namespace {
@@ -20,12 +21,14 @@ struct MeanVelocity {
 struct RowWork {
   double normal = 0, friction = 0;
 };
-KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv) {
+KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                         const Array<const TurningRow>& turning) {
   if (row.impulse.push == 0 && row.impulse.rub[0] == 0 && row.impulse.rub[1] == 0) return {};
   const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
   RowWork work;
   if (is_tie(row)) {
-    work.normal = dot(row.force, mean);
+    const Point3 own = ties_rotation(row) ? find_mean_spin(row, turning(row.record)) : Point3{};
+    work.normal = dot(row.force, mean + own);
     return work;
   }
   if (row.impulse.push > 0) work.normal = row.impulse.push * dot(row.normal, mean);
@@ -50,10 +53,10 @@ KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes&
 }
 
 KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, const Rows3<const double>& dv,
-                                            double dt, EnforcementSums& sums) {
-  ++sums.pushes;
+                                            const Point3& own_change, double dt, EnforcementSums& sums) {
+  sums.pushes += ties_rotation(row) ? 0 : 1;
   if (work != 0) sums.normal_work.add(work);
-  const Point3 moved = dt * find_work_velocity(row, TouchedVelocity{dv, row});
+  const Point3 moved = dt * (find_work_velocity(row, TouchedVelocity{dv, row}) + own_change);
   const Point3 left{row.gap + moved.x, row.slide[0] + moved.y, row.slide[1] + moved.z};
   const double residual = max_component(left) / row.size;
   sums.residual = residual > sums.residual ? residual : sums.residual;
@@ -61,10 +64,11 @@ KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, 
 }
 
 KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
-                                        double dt, EnforcementSums& sums) {
-  const RowWork work = find_work(row, at, dv);
+                                        const Array<const TurningRow>& turning, double dt, EnforcementSums& sums) {
+  const RowWork work = find_work(row, at, dv, turning);
   if (is_tie(row)) {
-    add_tie_outcome(row, work.normal, dv, dt, sums);
+    const Point3 own = ties_rotation(row) ? find_own_change(row, turning(row.record)) : Point3{};
+    add_tie_outcome(row, work.normal, dv, own, dt, sums);
     return;
   }
   sums.pushes += row.impulse.push > 0 ? 1 : 0;
@@ -159,24 +163,42 @@ void apply_impulses(const Space& space, const RowSystem& system, const Rows3<dou
 }
 
 template <class Space>
+void apply_moments(const Space& space, const RowSystem& system, const Rows3<double>& spin) {
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const TurningRow> turning = system.turning;
+  const Array<const int> nodes = system.nodes;
+  const Rows3<double> out = spin;
+  Kokkos::parallel_for(
+      "contact::apply_moments", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        const ContactRow& row = rows(r);
+        if (!ties_rotation(row)) return;
+        const int node = nodes(row.place[0]);
+        store_row(out, node, load_row(out, node) + (1 / row.lever) * find_own_change(row, turning(row.record)));
+      });
+}
+
+template <class Space>
 EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
+  const Array<const TurningRow> turning = system.turning;
   const RowNodes at = system.at;
   const Rows3<const double> dv = system.correction;
-  return sum_rows<EnforcementSums>(
-      space, system.num_rows, memory.outcome,
-      [rows, at, dv, dt] KOKKOS_FUNCTION(int r, EnforcementSums& s) { add_outcome(rows(r), at, dv, dt, s); });
+  return sum_rows<EnforcementSums>(space, system.num_rows, memory.outcome,
+                                   [rows, at, dv, turning, dt] KOKKOS_FUNCTION(int r, EnforcementSums& s) {
+                                     add_outcome(rows(r), at, dv, turning, dt, s);
+                                   });
 }
 
 template <class Space>
 PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
+  const Array<const TurningRow> turning = system.turning;
   const RowNodes at = system.at;
   const Rows3<const double> dv = system.correction;
   return sum_rows<PairWork>(space, system.num_rows, memory.pair,
-                            [rows, at, dv, pair] KOKKOS_FUNCTION(int r, PairWork& s) {
+                            [rows, at, dv, turning, pair] KOKKOS_FUNCTION(int r, PairWork& s) {
                               if (rows(r).pair != pair) return;
-                              const RowWork work = find_work(rows(r), at, dv);
+                              const RowWork work = find_work(rows(r), at, dv, turning);
                               if (work.normal != 0) s.normal.add(work.normal);
                               if (work.friction != 0) s.friction.add(work.friction);
                             });
@@ -272,6 +294,7 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                    \
   template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&);           \
+  template void apply_moments(const Space&, const RowSystem&, const Rows3<double>&);                                  \
   template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);                        \
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
   template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \

@@ -36,7 +36,7 @@ void find_tie_uses(const Space& space, const RowSystem& system, const TieStrengt
   Kokkos::parallel_for(
       "contact::find_tie_uses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
-        if (!is_tie(row) || of.law(row.record) < 0) return;
+        if (!is_tie(row) || ties_rotation(row) || of.law(row.record) < 0) return;
         const Point3 normal = normalize(cross(row.rho[3] - row.rho[1], row.rho[4] - row.rho[2]));
         const Point3 stress = (1 / (dt_mean * of.area(row.record))) * row.force;
         const double push = dot(stress, normal);

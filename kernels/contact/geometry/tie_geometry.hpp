@@ -18,6 +18,7 @@ struct TieGeometry {
   Point3 offset{};                  // r0
   FacePoints face;                  // b0
   double size = 0;                  // shortest edge of the face
+  bool turns = false;               // the row of the node's rotation, not of its place
 };
 
 /// A tie turned with its face.

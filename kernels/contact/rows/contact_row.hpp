@@ -1,6 +1,7 @@
 #pragma once
 // One row of the contact system: a node against a face, an edge against an edge or a node against a wall, in the normal
-// and two tangential directions; or a node tied to a face (tie_row.hpp) in the directions of the axes.
+// and two tangential directions; or a node tied to a face (tie_row.hpp) in the directions of the axes, or the rotation
+// of one.
 //
 // The row sees its nodes through signed weights w: those of the point that is pushed sum to 1, those of the point that
 // pushes back to -1. Node on face: 1 and -N_i. Edge on edge: 1 - s, s and t - 1, -t. An impulse P acts on node i as
@@ -44,6 +45,7 @@ struct ContactRow {
   Point3 rho[row_nodes]{};
   Symmetric3<double> inverse_inertia{};  // J^-1
   Point3 arm{};                          // r
+  double lever = 0;                      // of a row that ties a rotation: its couple is J^-1 (lever P) [length]
   Point3 normal{}, tangent[2]{};
   Point3 gap_gradient{};         // of the gap by the place of the pushed point; gap_gradient . normal = 1
   double friction = 0;           // contact_limits::no_friction_limit: a tie
@@ -63,6 +65,7 @@ struct ContactRow {
 };
 
 KOKKOS_INLINE_FUNCTION bool is_tie(const ContactRow& row) { return row.kind == RowKind::tie; }
+KOKKOS_INLINE_FUNCTION bool ties_rotation(const ContactRow& row) { return row.lever > 0; }
 
 /// The gap below which the two sides push each other, <= 0.
 KOKKOS_INLINE_FUNCTION double find_floor(const ContactRow& row) {
@@ -77,7 +80,8 @@ KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d)
 
 /// q of an impulse P on the pushed point.
 KOKKOS_INLINE_FUNCTION Point3 find_couple(const ContactRow& row, const Point3& impulse) {
-  return row.inverse_inertia * cross(row.arm, impulse);
+  const Point3 moment = ties_rotation(row) ? row.lever * impulse : cross(row.arm, impulse);
+  return row.inverse_inertia * moment;
 }
 
 /// Impulse on node `slot` of the row for the impulse P on the pushed point and its couple q.
@@ -97,7 +101,8 @@ KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Ve
     spin = spin + cross(row.rho[slot], v);
   }
   // P . u = P . relative - (J^-1 (r x P)) . spin, and J^-1 is symmetric.
-  return relative - cross(row.inverse_inertia * spin, row.arm);
+  const Point3 turn = row.inverse_inertia * spin;
+  return relative - (ties_rotation(row) ? row.lever * turn : cross(turn, row.arm));
 }
 
 /// Velocity of the pushed point relative to the point that pushes back (without the couple).

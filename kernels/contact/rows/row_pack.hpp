@@ -26,12 +26,15 @@ struct alignas(64) RowPack {
   double tied[lanes];                            // 1: a tie, which has no sign and no limit
   double stiffness[2][lanes];                    // D of the push and of the rubs
   double impulse[3][lanes], previous[3][lanes];  // push and rubs of iterates k and k-1
+  double lever[lanes];                           // as in ContactRow
+  double own[3][lanes];                          // TurningRow::compliance; 0 for others
   int place[row_nodes][lanes];                   // of the nodes in RowPacks::dv
   int share[row_nodes][lanes];                   // of the impulses in RowSystem::shares, -1: nowhere
   int row[lanes];                                // -1: no row
   int rubs;                                      // whether any row has friction, or is a tie
   int ties;                                      // whether any row is a tie
   int tilted;                                    // whether any gap gradient is not the normal; without, none is set
+  int turning;                                   // whether any row ties a rotation; without, lever and own are not set
 };
 
 /// The rows of a step in packs.
@@ -68,7 +71,8 @@ struct PackedForce {
     const Symmetric3<Packed> inverse_inertia = {load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]),
                                                 load_pack(pack.inverse_inertia[2]), load_pack(pack.inverse_inertia[3]),
                                                 load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
-    couple = inverse_inertia * cross(load_point(pack.arm), force);
+    const PackedPoint moment = cross(load_point(pack.arm), force);
+    couple = inverse_inertia * (pack.turning == 0 ? moment : moment + load_pack(pack.lever) * force);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION PackedPoint spread(const RowPack& pack, int slot) const {
@@ -89,7 +93,8 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_work_velocity(const RowPack& pack, 
   const Symmetric3<Packed> inverse_inertia = {load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]),
                                               load_pack(pack.inverse_inertia[2]), load_pack(pack.inverse_inertia[3]),
                                               load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
-  return relative - cross(inverse_inertia * spin, load_point(pack.arm));
+  const PackedPoint turn = inverse_inertia * spin, u = relative - cross(turn, load_point(pack.arm));
+  return pack.turning == 0 ? u : u - load_pack(pack.lever) * turn;
 }
 
 /// Shortens rubs p[1], p[2] to Coulomb's limit.
@@ -126,7 +131,7 @@ struct PackedChange {
 /// motion dv that it causes.
 KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4<const double>& dv, double beta,
                                                       double dt) {
-  const PackedPoint u = find_work_velocity(pack, dv);
+  PackedPoint u = find_work_velocity(pack, dv);
   const Packed step(dt);
   PackedChange change;
   Packed y[3], p[3] = {Packed(0), Packed(0), Packed(0)};
@@ -134,6 +139,10 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   for (int d = 0; d < directions; ++d) {
     const Packed now = load_pack(pack.impulse[d]);
     y[d] = now + Packed(beta) * (now - load_pack(pack.previous[d]));
+  }
+  if (pack.turning != 0) {
+    const PackedPoint own = load_point(pack.own);
+    u = u + PackedPoint{own.x * y[0], own.y * y[1], own.z * y[2]};
   }
   const Packed stiffness = load_pack(pack.stiffness[0]);
   const Packed push =

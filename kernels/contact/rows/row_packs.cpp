@@ -44,6 +44,18 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   if (tilt.x != 0 || tilt.y != 0 || tilt.z != 0) pack.tilted = 1;
   if (row.friction > 0) pack.rubs = 1;
   if (is_tie(row)) pack.ties = 1;
+  if (ties_rotation(row)) pack.turning = 1;
+}
+
+/// Of a pack with rows that tie rotations.
+KOKKOS_FUNCTION void set_turning(RowPack& pack, const Array<const ContactRow>& rows,
+                                 const Array<const TurningRow>& turning) {
+  for (int lane = 0; lane < RowPack::lanes; ++lane) {
+    const int r = pack.row[lane];
+    const bool turns = r >= 0 && ties_rotation(rows(r));
+    pack.lever[lane] = turns ? rows(r).lever : 0;
+    set_lane(pack.own, lane, turns ? turning(rows(r).record).compliance : Point3{});
+  }
 }
 
 /// From now on the nodes of the pack are looked at. is_alone: no other thread does so at the same time.
@@ -117,16 +129,18 @@ void pack_geometry(const Space& space, RowSystem& system) {
   const RowPacks p = packs;
   const Array<const ContactRow> rows = system.rows;
   const Array<const int> share_of_slot = system.share_of_slot;
+  const Array<const TurningRow> turning = system.turning;
   Kokkos::parallel_for(
       "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = pack.ties = pack.tilted = 0;
+        pack.rubs = pack.ties = pack.tilted = pack.turning = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int place = i * RowPack::lanes + lane;
           const int r = place < num_rows ? p.order(place) : -1;
           if (r < 0 || rows(r).count < row_nodes) clear_lane(pack, lane, nowhere);
           if (r >= 0) set_geometry(pack, lane, rows(r), r, share_of_slot);
         }
+        if (pack.turning != 0) set_turning(pack, rows, turning);
       });
 }
 

@@ -54,6 +54,7 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION PackedStiffness sum_stiffness(const RowPack& pac
       stiffness[d] = stiffness[d] + ((c.x * by.x * m.x + c.y * by.y * m.y) + c.z * by.z * m.z);
       if (d == 0) free = free + find_packed_max(m) * dot(c, by);
     }
+    if (pack.turning != 0) stiffness[d] = stiffness[d] + load_pack(pack.own[d]);
   }
   return {{LaneValues(stiffness[0]), LaneValues(stiffness[1]), LaneValues(stiffness[2])}, LaneValues(free)};
 }

@@ -259,6 +259,7 @@ struct RowMaker {
   Array<const int> place_of_entry, near_walls;
   Array<ContactRow> rows;
   Array<int> wants;
+  Array<TurningRow> turning;
   int num_touches = 0, num_rows = 0;
 
   /// Of a tie, two edges or a wall.
@@ -270,10 +271,17 @@ struct RowMaker {
     if (r >= num_touches)
       fill_wall_row(walls, history, inputs, at, near_walls(r - num_touches), row);
     else if (touches(r).kind == RowKind::tie)
-      fill_tie_row(inputs.ties(touches(r).record), inputs, at, touches(r), load_row(history.ties, touches(r).record),
-                   row);
+      make_tie_row(touches(r), row);
     else
       fill_touch_row(history, inputs, at, touches(r), row);
+  }
+
+  KOKKOS_FUNCTION void make_tie_row(const RowTouch& touch, ContactRow& row) const {
+    const int t = touch.record;
+    if (inputs.ties(t).turns)
+      turning(t) = fill_turning_row(inputs.ties(t), inputs, at, touch, load_row(history.ties, t), row);
+    else
+      fill_tie_row(inputs.ties(t), inputs, at, touch, load_row(history.ties, t), row);
   }
 
   /// Of a pack of rows.
@@ -303,11 +311,12 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
   const auto& [touches, num_touches, walls] = sources;
   reserve(system.rows, system.num_rows);
   reserve(system.wants, system.num_rows);
+  if (inputs.spins.inertia.extent(0) > 0) reserve(system.turning, static_cast<int>(inputs.ties.extent(0)));
   group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
                 {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
   const RowMaker maker{
-      inputs,      walls,        history,     system.at,      touches, system.place_of_entry, system.near_walls,
-      system.rows, system.wants, num_touches, system.num_rows};
+      inputs,      walls,        history,        system.at,   touches,        system.place_of_entry, system.near_walls,
+      system.rows, system.wants, system.turning, num_touches, system.num_rows};
   const int packs = (system.num_rows + TouchPack::lanes - 1) / TouchPack::lanes;
   Kokkos::parallel_for("contact::make_rows", RangeOf<Space>(space, 0, packs), maker);
 }

@@ -114,6 +114,14 @@ KOKKOS_INLINE_FUNCTION std::int64_t make_edge_row_key(std::int64_t edge, int tou
 }
 
 KOKKOS_INLINE_FUNCTION std::int64_t make_tie_row_key(std::int64_t node) { return first_tie_key + node; }
+inline constexpr std::int64_t turning_key_mark = std::int64_t{1}
+                                                 << 59;  // rotations of tied nodes come after all places
+KOKKOS_INLINE_FUNCTION std::int64_t make_turning_row_key(std::int64_t node) {
+  return make_tie_row_key(node) + turning_key_mark;
+}
+KOKKOS_INLINE_FUNCTION bool is_turning_row_key(std::int64_t key) {
+  return key >= first_tie_key + turning_key_mark && key < first_wall_key;
+}
 
 /// Number of edge A of the row with this key.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
@@ -123,7 +131,7 @@ KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
 /// Number of the contact node of the row with this key; of two edges the lower node of edge A.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
   if (key >= first_wall_key) return (key - first_wall_key) >> wall_key_bits;
-  if (key >= first_tie_key) return key - first_tie_key;
+  if (key >= first_tie_key) return (key - first_tie_key) & (turning_key_mark - 1);
   if (key >= first_edge_key) return find_key_edge(key) >> edge_place_bits;
   return key / (contact_limits::max_touches + 1);
 }
@@ -136,6 +144,21 @@ struct RowNodes {
   Rows3<double> v_seen = Rows3<double>("contact::row_v_seen", 0);              // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
   Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
+};
+
+/// What a row that ties a rotation knows of the node's own rotation, which no other row touches. Spins times the lever.
+struct TurningRow {
+  Point3 compliance{};  // lever^2 / inertia by axis; 0: held
+  Point3 before{};      // at n-1/2
+  Point3 predicted{};   // at n+1/2 without the tie
+};
+
+/// Rotations of nodes; empty: none is tied.
+struct SpinInputs {
+  Rows3<double> spin{};                   // [mesh nodes] in: at n+1/2 predicted without contact; out: corrected
+  Rows3<const double> before{};           // [mesh nodes] at n-1/2
+  Rows3<const double> inverse_inertia{};  // [mesh nodes] 0: held
+  Array<const double> inertia{};          // [mesh nodes] 0: the node has no rotation
 };
 
 /// Whether contact pushed a node in the last step. The check then sees it going on as it went.
@@ -161,6 +184,7 @@ struct RowInputs {
   Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
   bool looks_inside = true;            // whether walls are to stop nodes inside bodies too
   BodyInputs bodies{};                 // rigid ones
+  SpinInputs spins{};
 };
 
 /// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
@@ -198,13 +222,14 @@ struct RowSystem {
   Array<int> remote_node = Array<int>("contact::remote_node", 0);          // own mesh nodes that rows of others touch
   Array<int> remote_place = Array<int>("contact::remote_place", 0);        // [num_remote]
   Array<std::int64_t> remote_key = Array<std::int64_t>("contact::remote_key", 0);  // [num_remote] of its row
-  Rows3<double> remote = Rows3<double>("contact::remote", 0);          // [num_remote] value of each remote entry
-  Array<int> sent = Array<int>("contact::sent_entries", 0);            // [num_sent] row * row_nodes + slot
-  Rows3<double> correction = Rows3<double>("contact::correction", 0);  // dv of the iterate
-  Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
-  Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
-  RowPacks packs;                                                      // what the iteration works on
-  RowBodies bodies;                                                    // rigid ones
+  Rows3<double> remote = Rows3<double>("contact::remote", 0);                 // [num_remote] value of each remote entry
+  Array<int> sent = Array<int>("contact::sent_entries", 0);                   // [num_sent] row * row_nodes + slot
+  Rows3<double> correction = Rows3<double>("contact::correction", 0);         // dv of the iterate
+  Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);               // S
+  Array<int> wants = Array<int>("contact::wanting_rows", 0);                  // [rows] wants_something() at the start
+  RowPacks packs;                                                             // what the iteration works on
+  Array<TurningRow> turning = Array<TurningRow>("contact::turning_rows", 0);  // [ties] by ContactRow::record
+  RowBodies bodies;                                                           // rigid ones
   // The history records of faces and walls that the last write_history() wrote; all others are empty (of a face: its
   // number is -1). -1: not known.
   int num_written = -1;

@@ -1,5 +1,12 @@
 #pragma once
-// The row of a tie: three directions, held both ways, that bring the node to its place in the frame of the face at n+1.
+// The rows of a tie: three directions, held both ways, that bring the node to its place in the frame of the face at
+// n+1; and three that turn the node in the step as the face turns.
+//
+// The spin of the node is w, that of the face W = A^-1 sum b_i x v_i (tie_geometry.hpp). A moment Q on the node gives
+// the corners the impulses -(A^-1 Q) x b_i: their sum is zero, and so is that of the moments, since sum rho_i x (q x
+// b_i) = A q. The moment does the work Q . (w - W), so none where both turn alike. With P = Q / l and the velocity l (w
+// - W), l the size of the face, it is a row like any other. Nothing else touches the spin of the node in contact, so
+// the row keeps it itself (TurningRow).
 
 #include "kernels/contact/rows/row_system.hpp"
 
@@ -70,6 +77,69 @@ KOKKOS_INLINE_FUNCTION void set_tie_stiffness(ContactRow& row, const double stif
   row.previous = row.impulse;
   row.force = sum_impulse(row, row.impulse);
   row.couple = find_couple(row, row.force);
+}
+
+/// Angle by which a face turns from one state to another: the Gibbs vector g of c_i - b_i = g x (b_i + c_i) / 2, 2 tan
+/// (angle / 2) about the axis.
+KOKKOS_INLINE_FUNCTION Point3 find_turn(const FacePoints& from, const FacePoints& to) {
+  Symmetric3<double> inertia{};
+  Point3 sum{};
+  for (int i = 0; i < 4; ++i) {
+    const Point3 middle = 0.5 * (from.corner[i] + to.corner[i]), way = to.corner[i] - from.corner[i];
+    sum = sum + cross(middle, way);
+    inertia = inertia + Symmetric3<double>{middle.y * middle.y + middle.z * middle.z,
+                                           middle.z * middle.z + middle.x * middle.x,
+                                           middle.x * middle.x + middle.y * middle.y,
+                                           -(middle.x * middle.y),
+                                           -(middle.y * middle.z),
+                                           -(middle.z * middle.x)};
+  }
+  return invert(inertia) * sum;
+}
+
+/// The row of a rotation whose places are set. last: P of the last step. A node without a rotation, or of a rigid body,
+/// asks for nothing.
+KOKKOS_INLINE_FUNCTION TurningRow fill_turning_row(const TieGeometry& tie, const RowInputs& inputs, const RowNodes& at,
+                                                   const RowTouch& touch, const Point3& last, ContactRow& row) {
+  fill_tie_row(tie, inputs, at, touch, {}, row);
+  const int node = touch.node[0];
+  const bool is_free = inputs.spins.inertia(node) > 0 && !(inputs.bodies.count > 0 && inputs.bodies.of_node(node) >= 0);
+  TurningRow turning;
+  row.gap = row.slide[0] = row.slide[1] = 0;
+  row.arm = {};
+  row.lever = tie.size;
+  if (!is_free) {
+    for (Point3& rho : row.rho) rho = {};
+    return turning;
+  }
+  const double l = row.lever, dt = inputs.motion.dt;
+  const Point3 spin = load_row(inputs.spins.spin, node), inverse = load_row(inputs.spins.inverse_inertia, node);
+  turning.compliance = l * l * inverse;
+  turning.before = l * load_row(inputs.spins.before, node);
+  turning.predicted = l * spin;
+  const FacePoints start = turn_tie(tie, find_tied_places(row, at, 0).face).face;
+  const FacePoints end = turn_tie(tie, find_tied_places(row, at, dt).face).face;
+  const Point3 apart = l * (dt * spin - find_turn(start, end));
+  row.gap = apart.x;
+  row.slide[0] = apart.y;
+  row.slide[1] = apart.z;
+  const Point3 guess = inputs.impulse_scale * last;
+  row.impulse = {guess.x, {guess.y, guess.z}};
+  row.previous = row.impulse;
+  row.force = sum_impulse(row, row.impulse);
+  row.couple = find_couple(row, row.force);
+  return turning;
+}
+
+/// What the row's own impulse gives to the node's spin, times the lever.
+KOKKOS_INLINE_FUNCTION Point3 find_own_change(const ContactRow& row, const TurningRow& turning) {
+  const Point3 &c = turning.compliance, &p = row.force;
+  return {c.x * p.x, c.y * p.y, c.z * p.z};
+}
+
+/// Mean spin of the node before and after the step, times the lever.
+KOKKOS_INLINE_FUNCTION Point3 find_mean_spin(const ContactRow& row, const TurningRow& turning) {
+  return 0.5 * (turning.before + (turning.predicted + find_own_change(row, turning)));
 }
 
 }  // namespace percuss

@@ -164,8 +164,8 @@ PERCUSS_FORCE_INLINE void yield_at_center(const Material& material, const Plasti
       number<T>(1 / (3 * material.mu)) * (of_bending - lost * square_root(plastic.loading) * plastic.flow_stress);
   auto& history = state.history.value;
   if constexpr (is_short<T>) {
-    add_to(state.stress, state.stress_rest[0], lost * deviator);
-    add_to(history[0][0], history[1][0], strain);
+    add_where(lanes, state.stress, state.stress_rest[0], lost * deviator);
+    add_where(lanes, history[0][0], history[1][0], strain);
   } else {
     state.stress = state.stress + lost * deviator;
     history[0][0] = history[0][0] + strain;

@@ -203,6 +203,16 @@ def find_strengths(contact: Contact) -> Deck:
     return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
 
 
+def nodes_of_side(deck: KeywordDeck, contact: Contact) -> set[int]:
+    """Nodes of side a of a tie: of a node set, or of parts."""
+    id, kind = contact.sides.integer("SSID"), contact.sides.integer("SSTYP")
+    if kind == 4:
+        return set(deck.list_members("NODE", id, contact.place))
+    if kind in (2, 3):
+        return deck.model.nodes_of_blocks([id] if kind == 3 else deck.list_members("PART", id, contact.place))
+    return set()
+
+
 def tie(deck: KeywordDeck, contact: Contact) -> None:
     if contact.law.number("BT") > 0:
         deck.ledger.refuse(
@@ -225,6 +235,8 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     reach = 0.6 * sum(abs(t) for t in thicknesses)
     if reach:
         entry["distance"] = reach
+    if "SHELL_EDGE" in contact.keyword and nodes_of_side(deck, contact) & deck.model.turning_nodes():
+        entry["rotations"] = True
     if strengths:
         entry["failure"] = strengths
     if deck.ledger.allows("CONTACT_TIED.empty"):  # found by the run, which knows the reach

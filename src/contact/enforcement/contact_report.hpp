@@ -24,6 +24,7 @@ struct ContactMotion {
   Point3 center{};                   // about which moments of walls' impulses are taken
   BodyInputs bodies{};               // rigid ones as they stand at n, which alone says how their nodes move
   double time = 0;                   // at n
+  SpinInputs spins{};                // rotations of nodes
 };
 
 /// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the

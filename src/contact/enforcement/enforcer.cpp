@@ -67,7 +67,8 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       deck_(deck.contact),
       exchange_(ranks),
       copied_(find_copies(ranks)),
-      copies_(ranks.ranks, copied_, 2),
+      ties_rotations_(deck.contact.ties_rotations()),
+      copies_(ranks.ranks, copied_, ties_rotations_ ? 3 : 2),
       play_(find_play(ranks.mesh)),
       forces_(forces),
       spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
@@ -152,8 +153,10 @@ void Enforcer::clear_last_impulse(const ContactMotion& motion) {
 void Enforcer::update_copies(const ContactMotion& motion) {
   if (!has_many_ranks_) return;
   copies_.choose_sources([this](int rank) { return exchange_.is_touched(rank); });
-  copies_.begin(ExecSpace(), std::vector<Rows3<const double>>{motion.v, motion.impulse});
-  copies_.end(ExecSpace(), std::vector<Rows3<double>>{motion.v, motion.impulse});
+  std::vector<Rows3<double>> corrected{motion.v, motion.impulse};
+  if (ties_rotations_) corrected.push_back(motion.spins.spin);
+  copies_.begin(ExecSpace(), std::vector<Rows3<const double>>(corrected.begin(), corrected.end()));
+  copies_.end(ExecSpace(), corrected);
 }
 
 void Enforcer::hold_walls() {
@@ -278,7 +281,8 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           ties_,
           motion.impulse,
           last_pushes_ != 0,
-          motion.bodies};
+          motion.bodies,
+          ties_rotations_ ? motion.spins : SpinInputs{}};
 }
 
 RowMeeting Enforcer::meet(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
@@ -346,7 +350,10 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     has_solved_ = solved.rows > 0;
-    if (has_solved_) apply_impulses(space, system_, motion.v, motion.impulse);
+    if (has_solved_) {
+      apply_impulses(space, system_, motion.v, motion.impulse);
+      if (ties_rotations_) apply_moments(space, system_, motion.spins.spin);
+    }
     if (meeting_.any_rows) {
       report_outcome(space, motion, num_touches, solved, report);
       book_pairs(space);

@@ -94,7 +94,8 @@ class Enforcer {
   const ContactDeck deck_;
   RowExchange exchange_;
   const SharedNodes copied_;
-  NodeCopies copies_;  // velocities and impulses
+  const bool ties_rotations_;
+  NodeCopies copies_;  // velocities and impulses, spins where they are tied
   const double play_;  // RowInputs::play
   RowSystem system_;
   RowMeeting meeting_;

@@ -186,14 +186,14 @@ ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
 }
 
 HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
-                                  const TiedSurfaces& ties) {
+                                  const std::vector<std::int64_t>& tie_keys) {
   HistoryOwners owners;
   owners.nodes = share.nodes.numbers;
   for (const FaceTopology& face : share.faces) owners.faces.push_back(face.number);
   const auto wall = to_host(walls.wall), node = to_host(walls.node);
   for (std::size_t p = 0; p < wall.extent(0); ++p)
     owners.wall_pairs.push_back(wall(p) * chunked.numbering.node_count() + chunked.mesh.node_numbers[at(node(p))]);
-  for (const TiedNode& tied : ties.nodes) owners.ties.push_back(tied.node);
+  owners.ties = tie_keys;
   owners.edges = share.edges;
   return owners;
 }

@@ -12,7 +12,7 @@ struct HistoryOwners {
   std::vector<std::int64_t> nodes;       // numbers of the contact nodes of this rank, ascending
   std::vector<std::int64_t> faces;       // numbers of the faces of this rank's elements, ascending
   std::vector<std::int64_t> wall_pairs;  // wall * nodes of the scene + number of the node, in the order of the records
-  std::vector<std::int64_t> ties;        // numbers of the tied nodes of this rank, ascending
+  std::vector<std::int64_t> ties;        // keys of the rows of this rank's ties, ascending
   std::vector<EdgeTopology> edges;       // whose home this rank is, ascending
 };
 
@@ -20,7 +20,7 @@ struct HistoryOwners {
 ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
 
 HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
-                                  const TiedSurfaces& ties);
+                                  const std::vector<std::int64_t>& tie_keys);
 
 /// A history of the new surface with the records of all that both surfaces have. Edges have new numbers and may have
 /// another home: their records are known by the ends. Collective.

@@ -59,12 +59,14 @@ void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, con
   archive_walls(archive, chunked, walls, history, records);
 }
 
-void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const TiedSurfaces& ties,
-                  const ContactHistory& history) {
-  if (!ties.any()) return;
-  std::vector<std::int64_t> numbers;
-  for (const TiedNode& tied : ties.nodes) numbers.push_back(tied.node);
-  archive.rows("contact/ties/impulse", find_rows_of_nodes(chunked, numbers), 3, history.ties);
+void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const std::vector<std::int64_t>& keys,
+                  bool has_rotations, const ContactHistory& history) {
+  std::vector<std::int64_t> places, rotations;
+  for (const std::int64_t key : keys) (is_turning_row_key(key) ? rotations : places).push_back(find_key_node(key));
+  archive.rows("contact/ties/impulse", find_rows_of_nodes(chunked, places), 3, take(history.ties, 0, places.size()));
+  if (!has_rotations) return;
+  archive.rows("contact/ties/moment", find_rows_of_nodes(chunked, rotations), 3,
+               take(history.ties, places.size(), places.size() + rotations.size()));
 }
 
 Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunked, const SurfaceShare& share,

@@ -15,9 +15,9 @@ void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, con
 void archive_edges(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
                    EdgeHistory& history);
 
-/// The impulses of ties; nothing in a scene without. Likewise.
-void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const TiedSurfaces& ties,
-                  const ContactHistory& history);
+/// The impulses of ties, of places and of rotations. keys: of their rows; has_rotations: on any rank. Likewise.
+void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const std::vector<std::int64_t>& keys,
+                  bool has_rotations, const ContactHistory& history);
 
 /// Rows of all mesh nodes of this rank from those of its contact nodes, copies included; zero for other nodes.
 /// values: [contact nodes that this rank owns][3]. Collective. Throws MpiError.

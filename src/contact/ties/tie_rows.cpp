@@ -34,9 +34,9 @@ TieRows::TieRows(const ContactRanks& ranks, const TiedSurfaces& ties, const Cont
   std::vector<TieGeometry> geometry;
   const std::vector<std::int64_t>& numbers = ranks.mesh.node_numbers;
   int foreign = 0;
-  for (const TiedNode& tied : ties.nodes) {
+  const auto add = [&](const TiedNode& tied, bool turns) {
     RowTouch row;
-    row.key = make_tie_row_key(tied.node);
+    row.key = turns ? make_turning_row_key(tied.node) : make_tie_row_key(tied.node);
     row.face = tied.face;
     row.kind = RowKind::tie;
     row.pair = count_booked_surfaces(contact) + tied.tie;
@@ -46,13 +46,19 @@ TieRows::TieRows(const ContactRanks& ranks, const TiedSurfaces& ties, const Cont
     row.node_number[0] = tied.node;
     for (std::size_t i = 0; i < 4; ++i) {
       const bool is_own = ranks.numbering.find_node_owner(tied.corners[i]) == ranks.ranks.rank();
-      row.weight[i + 1] = -tied.geometry.weight[i];
+      row.weight[i + 1] = turns ? 0 : -tied.geometry.weight[i];
       row.node[i + 1] = is_own ? find_number(numbers, tied.corners[i]) : -1 - foreign++;
       row.node_number[i + 1] = tied.corners[i];
     }
+    if (turns) row.weight[0] = 0;
+    keys_.push_back(row.key);
     rows.push_back(row);
     geometry.push_back(tied.geometry);
-  }
+    geometry.back().turns = turns;
+  };
+  for (const TiedNode& tied : ties.nodes) add(tied, false);
+  for (const TiedNode& tied : ties.nodes)
+    if (contact.ties[static_cast<std::size_t>(tied.tie)].rotations) add(tied, true);
   rows_ = to_view("contact::tie_rows", rows);
   geometry_ = to_view("contact::ties", geometry);
 }

@@ -21,12 +21,16 @@ class TieRows {
   /// Puts the rows behind the first num_touches; returns how many there are then. Not collective.
   int append(int num_touches, Array<RowTouch>& touches) const;
 
-  /// [ties of this rank]
+  /// Keys of the rows, ascending.
+  const std::vector<std::int64_t>& keys() const { return keys_; }
+
+  /// [ties of this rank], then of those whose rotation is tied
   const Array<const TieGeometry>& geometry() const { return geometry_; }
 
  private:
   bool any_ = false;
   Array<const RowTouch> rows_;
+  std::vector<std::int64_t> keys_;
   Array<const TieGeometry> geometry_;
 };
 

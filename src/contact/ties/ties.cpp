@@ -108,6 +108,24 @@ void refuse_nothing(const Deck& deck, const TieDeck& tie, const TieCounts& count
       counts.joined, counts.earlier));
 }
 
+/// Refuses a tie of rotations whose nodes have none.
+void refuse_no_rotations(const ChunkedMesh& chunked, const Communicator& ranks, const Deck& deck, const TieDeck& tie,
+                         const std::vector<int>& nodes) {
+  if (!tie.rotations) return;
+  const Mesh& mesh = chunked.mesh;
+  int some = 0;
+  for (std::size_t e = 0; e < mesh.elements.size() && some == 0; ++e) {
+    if (!mesh.topology_of(e).is_surface() && !mesh.topology_of(e).is_line()) continue;
+    for (const int node : mesh.corners(e)) some |= std::binary_search(nodes.begin(), nodes.end(), node) ? 1 : 0;
+  }
+  all_reduce(ranks, Reduce::largest, some);
+  if (some == 0)
+    throw InputError(
+        fmt::format("{}: error: tie of '{}' and '{}' ties rotations, but no node of '{}' has one (only nodes of "
+                    "shells and beams have): remove rotations, or name the shell as a",
+                    deck.where(tie.place), name_side(tie.a), name_side(tie.b), name_side(tie.a)));
+}
+
 }  // namespace
 
 TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks) {
@@ -120,6 +138,7 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
     const std::vector<ElementFace> b = select_faces(mesh, deck, tie.b), sides_of_b = add_other_sides(mesh, b);
     const std::vector<int>& nodes = a.nodes;
     part_sides(ranks, deck, tie, a, sides_of_b);
+    refuse_no_rotations(chunked, ranks, deck, tie, nodes);
     const std::vector<double> thickness = find_node_thickness(chunked, a, exchange);
     std::vector<ClosestFace> answers = find_closest_faces(chunked, {nodes, thickness, b, tie.distance}, exchange);
     leave_out_what_lies_behind(chunked, nodes, tie.distance, answers, exchange);

@@ -56,6 +56,7 @@ const Keys<TieDeck>& tie_keys() {
       need("b", &TieDeck::b, SelectorValue{}),
       may("distance", &TieDeck::distance, NumberValue{positive}),
       may("empty", &TieDeck::may_be_empty, ChoiceValue<bool>{{{"refuse", false}, {"ignore", true}}}),
+      may("rotations", &TieDeck::rotations, BooleanValue{}),
       group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
   };
   return keys;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernels/contact/rows/contact_row.hpp"
+#include "kernels/contact/rows/tie_row.hpp"
 
 namespace percuss {
 namespace {
@@ -141,6 +141,47 @@ TEST(TieGeometry, OfATriangleDoesNotDependOnTheCornerThatStandsTwice) {
       EXPECT_LT(norm(force[i] - first_force[i]), 1e-14) << twice << i;
     }
   }
+}
+
+// The Gibbs vector of a rotation by `angle` has the length 2 tan(angle / 2).
+TEST(TurningRow, FindsTheTurnOfAFace) {
+  const Point3 axis = normalize(Point3{1, -2, 0.5});
+  for (const double angle : {1e-9, 1e-3, 0.3, 2.0}) {
+    const Point3 turn = find_turn(center_face(warped), center_face(move(axis, angle, warped)));
+    EXPECT_LT(norm(turn - 2 * std::tan(0.5 * angle) * axis), 1e-14 * (1 + norm(turn))) << angle;
+  }
+}
+
+// The moment on the node and the forces on the corners balance, and the velocity of the row is l (w - W), W the rate of
+// the polar rotation of the face.
+TEST(TurningRow, MomentsBalanceAndDoNoWorkWhereBothTurnAlike) {
+  const TieGeometry tie = make_tie(warped, {});
+  FacePoints now = move({0, 1, 1}, 1.1, warped);
+  now.corner[0] = now.corner[0] + Point3{-0.2, 0.1, 0.1};
+  ContactRow row = make_row(tie, now);
+  for (double& weight : row.weight) weight = 0;
+  row.arm = {};
+  row.lever = 0.7;
+  const Point3 p{0.7, -1.1, 0.4}, couple = find_couple(row, p);
+  Point3 sum{}, moment = row.lever * p;
+  for (int slot = 1; slot < row_nodes; ++slot) {
+    const Point3 force = spread_impulse(row, slot, p, couple);
+    sum = sum + force;
+    moment = moment + cross(now.corner[slot - 1], force);
+  }
+  EXPECT_LT(norm(sum), 1e-15);
+  EXPECT_LT(norm(moment), 1e-14);
+  const Point3 velocity[row_nodes] = {
+      {0.3, 0.1, -0.2}, {0.5, -0.4, 0.1}, {-0.2, 0.3, 0.6}, {0.1, 0.2, -0.5}, {0.4, 0, 0.2}};
+  constexpr double h = 1e-6;
+  FacePoints before, after;
+  for (int i = 0; i < 4; ++i) {
+    before.corner[i] = now.corner[i] - h * velocity[i + 1];
+    after.corner[i] = now.corner[i] + h * velocity[i + 1];
+  }
+  const Point3 rate = (0.5 / h) * find_turn(turn_tie(tie, before).face, turn_tie(tie, after).face);
+  const Point3 found = find_work_velocity(row, [&](int slot) { return velocity[slot]; });
+  EXPECT_LT(norm(found + row.lever * rate), 1e-9);  // differences
 }
 
 }  // namespace
