@@ -11,8 +11,10 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/approach/approach.hpp"
+#include "src/contact/approach/wall_watch.hpp"
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/contact/enforcement/node_areas.hpp"
+#include "src/contact/folds/fold_watch.hpp"
 #include "src/contact/history/carried_history.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
 #include "src/contact/search/contact_finder.hpp"
@@ -25,6 +27,25 @@
 #include "src/index.hpp"
 
 namespace percuss {
+namespace {
+
+/// Why a surface is another now.
+struct SurfaceCause {
+  enum class Kind { elements, ties, folds } kind = Kind::elements;
+  ReleasedTies released = {};  // whose surfaces may touch from now on
+};
+
+/// Displacement and speed of each wall.
+std::vector<WallMotion> list_motions(const Deck& deck, const MovingWalls& moving) {
+  std::vector<WallMotion> motions(deck.walls.size());
+  std::size_t next = 0;
+  for (std::size_t w = 0; w < motions.size(); ++w)
+    if (deck.walls[w].moves()) motions[w] = moving.motions()[next++];
+  return motions;
+}
+
+}  // namespace
+
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
       : ranks(world),
@@ -43,10 +64,13 @@ struct ContactStage::Impl {
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
         watch(world, share),
+        wall_watch(world, scene, chunked.mesh),
+        folds(chunked, deck.contact, ranks),
         finder(make_contact_finder(seen(), share, deck.contact)),
         forces(scene, chunked, world),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
         history(make_history(share, walls)) {
+    wall_watch.redefine(walls);
     history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
     forces.set_surface(seen(), share);
     is_active = has_pairs() || has_walls || ties.any();
@@ -57,6 +81,8 @@ struct ContactStage::Impl {
   bool has_pairs() const { return share.total_searched_faces > 0; }
 
   bool search(const SurfaceMotion& motion);
+  bool may_walls_limit(double way, double dt) const;
+  Approach look_at_walls(const SurfaceMotion& motion, double way) const;
   void count_search();
   void search_again();
   int check(const SurfaceMotion& motion);
@@ -69,7 +95,10 @@ struct ContactStage::Impl {
   void forget_last_step();
   void archive_pushes(CheckpointArchive& archive);
   void redefine_surface();
-  void redefine(Rows3<const double> x, Rows3<const double> v, const ReleasedTies& released);
+  void redefine_share();
+  void redefine_finder();
+  void redefine_edges();
+  void redefine(Rows3<const double> x, Rows3<const double> v, const SurfaceCause& cause);
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
 
   const Communicator ranks;
@@ -89,7 +118,9 @@ struct ContactStage::Impl {
   const ContactDeck contact;
   ReuseBound bound;
   ApproachWatch watch;
+  WallWatch wall_watch;
   Approach approach;  // bounds the next step
+  FoldWatch folds;
   std::unique_ptr<ContactFinder> finder;
   ContactForces forces;
   Enforcer enforcer;
@@ -120,14 +151,17 @@ struct ContactStage::Impl {
 /// (1.7) Search for potential contacts, if the candidate pairs may have become too few. Returns whether it searched.
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) {
-    approach = {};
+    approach = has_walls ? look_at_walls(motion, wall_watch.find_way(walls, motion)) : Approach{};
     return false;
   }
   const Phase phase("percuss::contact_search", clocks.search);
   bound.enter_step(motion);
   const bool is_near = bound.covers_near(motion);
-  const bool may_limit = !is_near || watch.may_limit(bound.near_way());
-  approach = may_limit ? watch.look(motion, bound.find_way(motion)) : Approach{};
+  approach = {};
+  if (!is_near || watch.may_limit(bound.near_way()) || may_walls_limit(bound.near_way(), motion.dt)) {
+    const double way = bound.find_way(motion);
+    approach = choose_shorter(watch.look(motion, way), look_at_walls(motion, way));
+  }
   if (is_near) {
     bound.leave_step();
     return false;
@@ -139,6 +173,16 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   is_new_surface = false;
   bound.leave_step();
   return is_due;
+}
+
+bool ContactStage::Impl::may_walls_limit(double way, double dt) const {
+  return has_walls && wall_watch.may_limit(way, list_motions(deck, enforcer.walls()), dt);
+}
+
+/// way: the longest of a node in the step.
+Approach ContactStage::Impl::look_at_walls(const SurfaceMotion& motion, double way) const {
+  if (!may_walls_limit(way, motion.dt)) return {};
+  return wall_watch.look({walls, list_motions(deck, enforcer.walls())}, motion);
 }
 
 /// One of a step may be made before its contact and one after it.
@@ -235,22 +279,38 @@ void ContactStage::Impl::forget_last_step() {
 
 /// Everything that follows from the mesh as it is now, but the history.
 void ContactStage::Impl::redefine_surface() {
-  forget_last_step();
   ties = keep_living_ties(chunks, ties_of_start, ranks);
-  areas.reset();
-  share = build_surface_share(chunks, deck, ties, exchange);
   failures.use(ties);
   tie_rows = TieRows(seen(), ties, contact);
+  redefine_share();
   walls = build_walls(chunks, deck, share);
-  bound.redefine();
   watch.redefine();
+  wall_watch.redefine(walls);
+  redefine_finder();
+}
+
+void ContactStage::Impl::redefine_share() {
+  forget_last_step();
+  areas.reset();
+  share = build_surface_share(chunks, deck, ties, exchange, folds.folds());
+  bound.redefine();
   is_new_surface = true;
+}
+
+void ContactStage::Impl::redefine_finder() {
   std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
   next->take_over(*finder);
   finder = std::move(next);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
   forces.set_surface(seen(), share);
   candidates = 0;
+}
+
+/// Nodes, faces, walls and ties are as they were.
+void ContactStage::Impl::redefine_edges() {
+  redefine_share();
+  watch.redefine();  // numbers of classes are others
+  redefine_finder();
 }
 
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
@@ -294,6 +354,7 @@ const StartOverlap& ContactStage::start_overlap() const { return impl_->start_ov
 
 void ContactStage::restore_surface() {
   Impl& stage = *impl_;
+  stage.folds.redefine();
   stage.redefine_surface();
   stage.history = make_history(stage.share, stage.walls);
   stage.history.ties = Rows3<double>("contact::history_ties", stage.tie_rows.keys().size());
@@ -301,11 +362,26 @@ void ContactStage::restore_surface() {
 
 void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine(x, v, {}); }
 
-/// released: ties that let go, whose surfaces may touch from now on.
-void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, const ReleasedTies& released) {
+void ContactStage::watch_folds(Rows3<const double> x, Rows3<const double> v, long step) {
+  Impl& stage = *impl_;
+  if (!stage.folds.is_due(step)) return;
+  {
+    const Phase phase("percuss::contact_folds", stage.clocks.search);
+    if (!stage.folds.look(stage.share, x, step)) return;
+  }
+  stage.redefine(x, v, {SurfaceCause::Kind::folds});
+}
+
+void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, const SurfaceCause& cause) {
   const Phase phase("percuss::contact_redefine", clocks.search);
+  const bool are_folds = cause.kind == SurfaceCause::Kind::folds;
   const HistoryOwners before = list_owners();
-  redefine_surface();
+  if (are_folds) {
+    redefine_edges();
+  } else {
+    folds.redefine();
+    redefine_surface();
+  }
   const HistoryOwners now = list_owners();
   history = carry_history(ranks, history, before, now, share, walls);
   if (!has_pairs()) return;
@@ -313,14 +389,18 @@ void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, 
   const SurfaceMotion here{x, v, 0};
   candidates = finder->search(here, bound.restart(here, true));
   count_search();
-  seed_opened(look_for_overlap(*finder), here, contact.overlap, {before, now, released.nodes, released.faces}, history);
+  const SurfaceChange change{before, now, cause.released.nodes, cause.released.faces};
+  if (are_folds)
+    seed_folds(look_for_overlap(*finder), here, change, history.edges);
+  else
+    seed_opened(look_for_overlap(*finder), here, contact.overlap, change, history);
 }
 
 bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   if (stage.failing_now == 0) return false;
   stage.failing_now = 0;
-  stage.redefine(x, v, stage.failures.release(stage.ties_of_start));
+  stage.redefine(x, v, {SurfaceCause::Kind::ties, stage.failures.release(stage.ties_of_start)});
   return true;
 }
 
@@ -350,7 +430,11 @@ void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
 }
 
 void ContactStage::watch_start(Rows3<const double> x, Rows3<const double> v, double dt) {
-  impl_->approach = impl_->watch.look_at_start(x, v, dt);
+  Impl& stage = *impl_;
+  stage.approach = stage.watch.look_at_start(x, v, dt);
+  if (!stage.has_walls) return;
+  const MovedWalls moved{stage.walls, list_motions(stage.deck, stage.enforcer.walls())};
+  stage.approach = choose_shorter(stage.approach, stage.wall_watch.look_at_start(moved, x, v, dt));
 }
 
 const Approach& ContactStage::approach() const { return impl_->approach; }
@@ -376,6 +460,7 @@ void ContactStage::end_relaxation(Rows3<const double> x) {
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   if (stage.failures.archive(archive, stage.ties_of_start)) restore_surface();
+  if (stage.folds.archive(archive, stage.share)) restore_surface();
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
   if (stage.ties.any())

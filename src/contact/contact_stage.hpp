@@ -71,6 +71,10 @@ class ContactStage {
   /// now on. Returns whether any did. Collective.
   bool break_ties(Rows3<const double> x, Rows3<const double> v);
 
+  /// After a step, with x and v of the state: every so many steps, edges that have become sharp join the edges that may
+  /// touch others, and those that have become smooth again leave them. Collective.
+  void watch_folds(Rows3<const double> x, Rows3<const double> v, long step);
+
   /// Of ties that have let go since this was last called.
   std::vector<Warning> take_warnings();
 

@@ -14,9 +14,6 @@
 namespace percuss {
 namespace {
 
-/// No step is longer than so many times the one before.
-constexpr double most_growth = 1.2;
-
 constexpr double lowest_number = std::numeric_limits<double>::lowest();
 
 bool has_face(const OwnedContactNodes& nodes, std::size_t n) { return nodes.first_face[n + 1] > nodes.first_face[n]; }
@@ -43,7 +40,10 @@ double find_range(double slow_a, double fast_a, double slow_b, double fast_b) {
 }  // namespace
 
 std::string describe_approach(const Approach& approach, const Mesh& mesh) {
-  const std::string &part = mesh.parts[at(approach.part)].name, &other = mesh.parts[at(approach.other)].name;
+  const std::string& part = mesh.parts[at(approach.part)].name;
+  if (approach.other < 0)
+    return fmt::format("the approach of part '{}' and walls.{} at {:.4g}", part, -1 - approach.other, approach.speed);
+  const std::string& other = mesh.parts[at(approach.other)].name;
   const std::string who = approach.part == approach.other ? fmt::format("bodies of part '{}'", part)
                                                           : fmt::format("parts '{}' and '{}'", part, other);
   return fmt::format("the approach of {} at {:.4g}", who, approach.speed);
@@ -214,7 +214,7 @@ Approach ApproachWatch::find_shortest(double horizon, Moment moment) const {
 
 /// A node may move beside another by twice the way that each goes.
 bool ApproachWatch::may_limit(double largest_way) const {
-  return 2 * most_growth * largest_way > approach_share * least_size_;
+  return 2 * most_step_growth * largest_way > approach_share * least_size_;
 }
 
 Approach ApproachWatch::look_at_start(const Rows3<const double>& x, const Rows3<const double>& v, double dt) {
@@ -229,7 +229,7 @@ Approach ApproachWatch::look(const SurfaceMotion& motion, double largest_way) {
   find_groups();
   move_groups(motion);
   average_velocities(motion);
-  return find_shortest(most_growth * motion.dt, Moment::later);
+  return find_shortest(most_step_growth * motion.dt, Moment::later);
 }
 
 }  // namespace percuss

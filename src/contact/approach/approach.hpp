@@ -18,18 +18,23 @@ namespace percuss {
 /// contact faces, once the gap between them is closed. docs/stability.md has the errors of other shares.
 constexpr double approach_share = 0.5;
 
-/// A bound of the next step, and the two bodies that ask for it.
+/// No step is longer than so many times the one before.
+constexpr double most_step_growth = 1.2;
+
+/// A bound of the next step, and the two bodies, or the body and the wall, that ask for it.
 struct Approach {
   double step = std::numeric_limits<double>::infinity();  // longest; infinity: nothing limits it
   double travel_step = 0;                                 // in which the share is travelled; step less the way there
   double speed = 0;                                       // of one body beside the other, at most
-  int part = -1, other = -1;                              // index into Mesh::parts
+  int part = -1, other = -1;                              // index into Mesh::parts; other: -1 - w for wall w
 
   bool limits(double dt) const { return step < dt; }
 };
 
 /// "the approach of parts 'ball' and 'plate' at 4e+05".
 std::string describe_approach(const Approach& approach, const Mesh& mesh);
+
+inline Approach choose_shorter(const Approach& a, const Approach& b) { return b.step < a.step ? b : a; }
 
 void archive_approach(CheckpointArchive& archive, Approach& approach);
 

@@ -1,12 +1,14 @@
 #include "src/contact/start/start_overlap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/history/edge_records.hpp"
 #include "src/contact/start/part_gaps.hpp"
 
 namespace percuss {
@@ -112,6 +114,26 @@ EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool ac
   return history;
 }
 
+/// A record of edges by itself.
+struct EdgeRecord {
+  std::int64_t a, b;
+  std::array<double, HeldRecords::value_count> values;
+};
+
+/// By (a, b); of two of the same edges the first stays.
+HeldRecords join_records(std::vector<EdgeRecord>& records) {
+  std::stable_sort(records.begin(), records.end(),
+                   [](const EdgeRecord& p, const EdgeRecord& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+  HeldRecords held;
+  for (const EdgeRecord& record : records) {
+    if (!held.a.empty() && held.a.back() == record.a && held.b.back() == record.b) continue;
+    held.a.push_back(record.a);
+    held.b.push_back(record.b);
+    held.values.insert(held.values.end(), record.values.begin(), record.values.end());
+  }
+  return held;
+}
+
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
   std::int64_t counts[3] = {found.nodes, found.too_deep, found.edge_pairs};
@@ -199,6 +221,35 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
   }
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
+}
+
+void seed_folds(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
+                EdgeHistory& history) {
+  if (search.share.total_searched_faces == 0) return;
+  std::vector<EdgeEnds> before;
+  for (const EdgeTopology& edge : change.before.edges) before.push_back({edge.ends[0], edge.ends[1]});
+  std::vector<std::int64_t> own;
+  for (const EdgeTopology& edge : change.now.edges)
+    if (!std::binary_search(before.begin(), before.end(), EdgeEnds{edge.ends[0], edge.ends[1]}))
+      own.push_back(edge.number);
+  std::vector<std::int64_t> fresh = gather_items(search.ranks, own);
+  std::sort(fresh.begin(), fresh.end());
+  const auto is_fresh = [&](std::int64_t number) { return std::binary_search(fresh.begin(), fresh.end(), number); };
+  std::vector<EdgePenetration> found = search.finder.find_edge_penetrations(motion);
+  std::erase_if(found, [&](const EdgePenetration& p) {
+    return (!is_fresh(p.a) && !is_fresh(p.b)) || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit;
+  });
+  if (found.empty()) return;
+  const HeldRecords held = history.count > 0 ? take_held(history) : HeldRecords{};
+  std::vector<EdgeRecord> records;
+  for (std::size_t r = 0; r < held.a.size(); ++r) {
+    records.push_back({held.a[r], held.b[r], {}});
+    std::copy_n(held.values.begin() + static_cast<std::ptrdiff_t>(HeldRecords::value_count * r),
+                HeldRecords::value_count, records.back().values.begin());
+  }
+  for (const EdgePenetration& p : found)
+    records.push_back({p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, p.depth}});
+  history = make_edge_history(join_records(records));
 }
 
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {

@@ -3,6 +3,7 @@
 // where a shell ends, and where two shells meet at an angle.
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct EdgeTopology {
   double offset = 0;           // half the thickness of its shells, 0 of solids [length]
 };
 
+/// An edge of the surface by the numbers of its nodes.
+struct EdgeEnds {
+  std::int64_t lower = -1, upper = -1;
+
+  auto operator<=>(const EdgeEnds&) const = default;
+};
+
 /// An edge before its class is known.
 struct FoundEdge {
   EdgeTopology edge;
@@ -32,10 +40,11 @@ struct FoundEdge {
 };
 
 /// The feature edges whose home this rank is, ascending in number. faces: of this rank's elements, with face_corners
-/// their mesh nodes. Throws InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
+/// their mesh nodes; folds: edges that have become sharp in the run, of all ranks, ascending. Throws InputError, on all
+/// ranks, if more than 128 edges have the same lower node. Collective.
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
                                           const std::vector<std::array<int, 4>>& face_corners,
-                                          UnstructuredExchange& exchange);
+                                          UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds);
 
 /// Into how many pieces of at most this length an edge is divided.
 int count_pieces(double length, double piece);

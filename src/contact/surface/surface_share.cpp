@@ -369,7 +369,7 @@ void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share)
 }  // namespace
 
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
-                                 UnstructuredExchange& exchange) {
+                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
   const Mesh& mesh = chunked.mesh;
   SurfaceShare share;
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
@@ -394,8 +394,8 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());
   std::vector<FoundEdge> edges;
-  const bool has_edges = deck.contact.edges && deck.contact.surfaces != ContactDeck::Surfaces::none;
-  if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange);
+  const bool has_edges = has_edge_contact(deck.contact);
+  if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange, folds);
   const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
   all.insert(all.end(), edge_sets.begin(), edge_sets.end());
   const SurfaceClasses classes = agree_on_classes(mesh, std::move(all));

@@ -75,9 +75,15 @@ struct SurfaceShare {
   BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
 };
 
-/// (1.1) Define contact surface: finds that of the mesh. Throws InputError for unknown surfaces. Collective.
+/// Whether edges touch edges at all.
+inline bool has_edge_contact(const ContactDeck& contact) {
+  return contact.edges && contact.surfaces != ContactDeck::Surfaces::none;
+}
+
+/// (1.1) Define contact surface: finds that of the mesh. folds: of find_feature_edges(). Throws InputError for unknown
+/// surfaces. Collective.
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
-                                 UnstructuredExchange& exchange);
+                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds = {});
 
 /// The deck's rigid walls with the owned nodes that they stop, inside bodies and on their surfaces. Throws InputError,
 /// on all ranks, for unknown selections. Collective over Mesh::ranks.

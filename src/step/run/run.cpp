@@ -221,6 +221,7 @@ void Run::advance() {
   check_step_made();
   if (contact_.is_active()) contact_.break_ties(state_.x, state_.v);
   erode();
+  if (contact_.is_active()) contact_.watch_folds(state_.x, state_.v, state_.step);
   observe();
   keep_frame();
   if (stepper_.is_stop_agreed()) return;  // save_interrupted() writes the checkpoint, without a wait for other files

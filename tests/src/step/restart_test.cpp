@@ -202,6 +202,24 @@ output: {fields: {every: 4e-6, write: [contact_force]}, history: {every: 0}}
 
 TEST(Restart, WhileBodiesLieStillEndsInTheSameBits) { expect_same_end(resting_pile, "end: 1.6e-5", 3); }
 
+// A soft strip is bent over a bar: edges of its upper side fold before the checkpoint.
+const std::string folding_strip = R"yaml(
+time: {end: 0.8}
+parts:
+  strip: {box: {size: [6, 1, 0.5], cells: [6, 1, 1]}, material: soft}
+  bar: {box: {size: [0.4, 3, 0.4], cells: [1, 3, 1]}, at: [2.8, -1, -0.41], material: hard}
+materials:
+  soft: {model: neo_hookean, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}
+  hard: {model: elastic, density: 1000, youngs_modulus: 1e8, poissons_ratio: 0.3}
+conditions:
+  - {nodes: strip/x_min, velocity: {z: -2}}
+  - {nodes: strip/x_max, velocity: {z: -2}}
+  - {nodes: bar, fixed: [x, y, z]}
+contact: {surfaces: all}
+output: {history: {every: 0}}
+)yaml";
+TEST(Restart, WithFoldsEndsInTheSameBits) { expect_same_end(folding_strip, "end: 0.8", 800); }
+
 TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
   const TemporaryFolder whole, parts;
   const Summary expected = run(blocks, whole.path()).summary;

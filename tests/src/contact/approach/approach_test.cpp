@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "src/step/run/run.hpp"
@@ -30,6 +32,16 @@ parts:
 initial: [{part: pieces, velocity: [4e5, 0, 0]}]
 contact: {surfaces: all}
 )" + steel_text;
+
+/// A block with elements of 0.5, 0.01 before a wall at x = 1.01.
+std::string make_block_before_wall(const std::string& velocity, const std::string& wall) {
+  return R"(
+time: {end: 1}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: steel}
+initial: [{part: a, velocity: )" +
+         velocity + "}]\nwalls: [{" + wall + "}]\n" + steel_text;
+}
 
 double find_first_step(const std::string& deck) {
   Scene scene(deck, Communicator(MPI_COMM_SELF));
@@ -89,6 +101,48 @@ TEST(Approach, ARunAtSeventyWaveSpeedsEndsWithItsEnergy) {
   EXPECT_LT(std::abs(summary.energy.error),
             1e-2);  // from where a run tells it; without a bound a block turns inside out
   EXPECT_LT(summary.momentum.linear_error, 1e-13);
+}
+
+TEST(Approach, TheFirstStepClosesTheGapToAWallAndHalfOfAFace) {
+  const std::string deck = make_block_before_wall("[4e5, 3e5, 0]", "point: [1.01, 0, 0], normal: [-1, 0, 0]");
+  EXPECT_NEAR(find_first_step(deck), (0.01 + 0.25) / 4e5, 1e-12 * 0.26 / 4e5);
+  Scene scene(deck);
+  scene.stepper.start(scene.state);
+  const Approach* const found = scene.stepper.find_limiting_approach(scene.state);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(describe_approach(*found, scene.chunked.mesh), "the approach of part 'a' and walls.0 at 4e+05");
+  // Friction holds nodes along the wall too: 0.25 at 5e5.
+  const std::string rough =
+      make_block_before_wall("[4e5, 3e5, 0]", "point: [1.01, 0, 0], normal: [-1, 0, 0], friction: 0.1");
+  EXPECT_NEAR(find_first_step(rough), 0.01 / 4e5 + 0.25 / 5e5, 1e-12 * 5e-7);
+}
+
+TEST(Approach, RoundAndMovingWallsBoundTheStepLikewise) {
+  // The nearest corner is (1, 1, 0.5) at 0.5 from the middle of a sphere with a radius of 0.4.
+  const std::string sphere = make_block_before_wall("[4e5, 0, 0]", "point: [1.5, 1, 0.5], sphere: {radius: 0.4}"),
+                    moving =
+                        make_block_before_wall("[1e5, 0, 0]", "point: [1.01, 0, 0], normal: [-1, 0, 0], speed: 3e5");
+  EXPECT_NEAR(find_first_step(sphere), (0.1 + 0.25) / 4e5, 1e-12 * 0.35 / 4e5);
+  EXPECT_NEAR(find_first_step(moving), (0.01 + 0.25) / 4e5, 1e-12 * 0.26 / 4e5);
+}
+
+TEST(Approach, WallsThatABodyLeavesOrPassesDoNotBoundTheStep) {
+  const std::string at = "point: [1.01, 0, 0], normal: [-1, 0, 0]";
+  for (const std::string& deck : {make_block_before_wall("[-4e5, 0, 0]", at), make_block_before_wall("[0, 4e5, 0]", at),
+                                  make_block_before_wall("[100, 0, 0]", at)})
+    EXPECT_EQ(find_first_step(deck), find_element_step(deck)) << deck;
+}
+
+TEST(Approach, ABlockAtManyWaveSpeedsMeetsAWallInStepsOfHalfAFace) {
+  for (const double speed : {1e4, 6e4, 4e5}) {
+    Scene scene(make_block_before_wall(fmt::format("[{}, 0, 0]", speed), "point: [1.01, 0, 0], normal: [-1, 0, 0]"));
+    scene.stepper.start(scene.state);
+    for (int step = 0; step < 3; ++step) {  // to the wall, and on
+      scene.stepper.advance(scene.state);
+      EXPECT_LT(scene.state.bound.failed_element, 0) << speed << ", step " << step;
+    }
+    EXPECT_GE(scene.state.time * speed, 0.25);
+  }
 }
 
 TEST(Approach, TheStepAndItsReasonAreTheSameOnAnyRanks) {

@@ -1,0 +1,118 @@
+// Edges that become sharp in the run, on one rank and on several.
+
+#include "src/contact/folds/fold_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/contact/ties/ties.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// A strip of elements along x, in several chunks where it is long.
+struct Strip {
+  Strip(const std::string& shape, const Communicator& world)
+      : ranks(world),
+        deck(parse_deck("time: {end: 1}\nparts: {a: {" + shape +
+                            ", material: m}}\ncontact: {surfaces: all}\nmaterials: {m: {model: elastic, density: 1, "
+                            "youngs_modulus: 1, poissons_ratio: 0}}\n",
+                        "deck.yaml")),
+        chunked(load_mesh(deck, ranks)),
+        exchange(ranks),
+        share(build_surface_share(chunked, deck, find_ties(chunked, deck, ranks), exchange)),
+        watch(chunked, deck.contact, ranks) {}
+
+  /// Bends every line of nodes across the strip at whole x by this angle, upwards convex. Whether folds changed.
+  bool bend(double degrees, long step = slow_fold_steps) {
+    const double turn = degrees * 0.017453292519943295;
+    const Rows3<double> x("x", chunked.mesh.nodes.size());
+    const auto host = Kokkos::create_mirror_view(x);
+    for (std::size_t n = 0; n < chunked.mesh.nodes.size(); ++n) {
+      const Vec3& at = chunked.mesh.nodes[n];
+      const int lines = static_cast<int>(std::lround(at[0]));
+      double along = 0, up = 0;
+      for (int i = 0; i < lines; ++i) {
+        along += std::cos((i - 0.5) * turn);
+        up -= std::sin((i - 0.5) * turn);
+      }
+      host(n, 0) = along;
+      host(n, 1) = at[1];
+      host(n, 2) = at[2] + up;
+    }
+    Kokkos::deep_copy(x, host);
+    return watch.look(share, x, step);
+  }
+
+  Communicator ranks;
+  Deck deck;
+  ChunkedMesh chunked;
+  UnstructuredExchange exchange;
+  SurfaceShare share;
+  FoldWatch watch;
+};
+
+const std::string two_elements = "box: {size: [2, 1, 1], cells: [2, 1, 1]}";
+const std::string long_strip = "box: {size: [40, 4, 1], cells: [40, 4, 1]}";
+const std::string shell_strip = "shell_plate: {size: [2, 1], cells: [2, 1]}, thickness: 0.01";
+
+}  // namespace
+
+TEST(FoldWatch, AFlatEdgeFoldsAtTenDegreesAndIsSmoothAgainAtFive) {
+  Strip strip(two_elements, Communicator(MPI_COMM_SELF));
+  EXPECT_FALSE(strip.bend(9.9));
+  EXPECT_TRUE(strip.bend(10.1));
+  ASSERT_EQ(strip.watch.folds().size(), 1U);  // the top; the bottom is concave
+  EXPECT_FALSE(strip.bend(10.1));
+  EXPECT_FALSE(strip.bend(5.1));
+  EXPECT_TRUE(strip.bend(4.9));
+  EXPECT_TRUE(strip.watch.folds().empty());
+  EXPECT_TRUE(strip.bend(-10.1));  // the bottom
+  EXPECT_EQ(strip.watch.folds().size(), 1U);
+}
+
+// An edge that folds fast makes a new surface at the next look, with all that fold by then.
+TEST(FoldWatch, SlowFoldsWaitForALookAtAll) {
+  Strip strip(two_elements, Communicator(MPI_COMM_SELF));
+  EXPECT_FALSE(strip.bend(15, fold_steps));
+  EXPECT_FALSE(strip.bend(19.9, fold_steps));
+  EXPECT_TRUE(strip.bend(20.1, fold_steps));
+  EXPECT_EQ(strip.watch.folds().size(), 1U);
+  EXPECT_FALSE(strip.bend(0, fold_steps));
+  EXPECT_TRUE(strip.bend(0));
+}
+
+TEST(FoldWatch, AFoldIsAnEdgeOfTheSurface) {
+  Strip strip(two_elements, Communicator(MPI_COMM_SELF));
+  const auto before = strip.share.total_edges;
+  ASSERT_TRUE(strip.bend(20));
+  const SurfaceShare share =
+      build_surface_share(strip.chunked, strip.deck, find_ties(strip.chunked, strip.deck, strip.ranks), strip.exchange,
+                          strip.watch.folds());
+  EXPECT_EQ(share.total_edges, before + 1);
+}
+
+TEST(FoldWatch, AShellFoldsBothWays) {
+  Strip strip(shell_strip, Communicator(MPI_COMM_SELF));
+  for (const double degrees : {-11.0, 11.0}) {
+    EXPECT_TRUE(strip.bend(degrees));
+    EXPECT_EQ(strip.watch.folds().size(), 1U);
+    EXPECT_TRUE(strip.bend(0));
+  }
+}
+
+TEST(FoldWatch, FindsTheSameOnAnyRanks) {
+  Strip alone(long_strip, Communicator(MPI_COMM_SELF)), together(long_strip, Communicator::world());
+  for (const double degrees : {9.0, 12.0, 7.0, -12.0, 0.0}) {
+    EXPECT_EQ(alone.bend(degrees), together.bend(degrees));
+    EXPECT_EQ(alone.watch.folds(), together.watch.folds());
+    if (degrees == 12.0) {
+      EXPECT_EQ(alone.watch.folds().size(), 4U * 39U);
+    }
+  }
+}
+
+}  // namespace percuss::test
