@@ -390,10 +390,8 @@ void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, 
   candidates = finder->search(here, bound.restart(here, true));
   count_search();
   const SurfaceChange change{before, now, cause.released.nodes, cause.released.faces};
-  if (are_folds)
-    seed_folds(look_for_overlap(*finder), here, change, history.edges);
-  else
-    seed_opened(look_for_overlap(*finder), here, contact.overlap, change, history);
+  if (cause.kind != SurfaceCause::Kind::elements) seed_edges(look_for_overlap(*finder), here, change, history.edges);
+  if (!are_folds) seed_opened(look_for_overlap(*finder), here, contact.overlap, change, history);
 }
 
 bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {

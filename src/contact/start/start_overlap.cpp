@@ -158,6 +158,18 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
   found.deepest_node = node == none ? -1 : node;
 }
 
+/// The records that a history holds.
+std::vector<EdgeRecord> list_records(const EdgeHistory& history) {
+  const HeldRecords held = history.count > 0 ? take_held(history) : HeldRecords{};
+  std::vector<EdgeRecord> records;
+  for (std::size_t r = 0; r < held.a.size(); ++r) {
+    records.push_back({held.a[r], held.b[r], {}});
+    std::copy_n(held.values.begin() + static_cast<std::ptrdiff_t>(HeldRecords::value_count * r),
+                HeldRecords::value_count, records.back().values.begin());
+  }
+  return records;
+}
+
 }  // namespace
 
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
@@ -223,14 +235,20 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
   Kokkos::deep_copy(history.reference, reference);
 }
 
-void seed_folds(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
+void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                 EdgeHistory& history) {
   if (search.share.total_searched_faces == 0) return;
   std::vector<EdgeEnds> before;
   for (const EdgeTopology& edge : change.before.edges) before.push_back({edge.ends[0], edge.ends[1]});
+  std::sort(before.begin(), before.end());
+  const auto& released = change.released_nodes;
+  const auto is_released = [&](std::int64_t node) {
+    return std::binary_search(released.begin(), released.end(), node);
+  };
   std::vector<std::int64_t> own;
   for (const EdgeTopology& edge : change.now.edges)
-    if (!std::binary_search(before.begin(), before.end(), EdgeEnds{edge.ends[0], edge.ends[1]}))
+    if (is_released(edge.ends[0]) || is_released(edge.ends[1]) ||
+        !std::binary_search(before.begin(), before.end(), EdgeEnds{edge.ends[0], edge.ends[1]}))
       own.push_back(edge.number);
   std::vector<std::int64_t> fresh = gather_items(search.ranks, own);
   std::sort(fresh.begin(), fresh.end());
@@ -240,13 +258,7 @@ void seed_folds(const OverlapSearch& search, const SurfaceMotion& motion, const 
     return (!is_fresh(p.a) && !is_fresh(p.b)) || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit;
   });
   if (found.empty()) return;
-  const HeldRecords held = history.count > 0 ? take_held(history) : HeldRecords{};
-  std::vector<EdgeRecord> records;
-  for (std::size_t r = 0; r < held.a.size(); ++r) {
-    records.push_back({held.a[r], held.b[r], {}});
-    std::copy_n(held.values.begin() + static_cast<std::ptrdiff_t>(HeldRecords::value_count * r),
-                HeldRecords::value_count, records.back().values.begin());
-  }
+  std::vector<EdgeRecord> records = list_records(history);
   for (const EdgePenetration& p : found)
     records.push_back({p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, p.depth}});
   history = make_edge_history(join_records(records));

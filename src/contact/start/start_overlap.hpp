@@ -69,9 +69,9 @@ double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overla
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                  const SurfaceChange& change, ContactHistory& history);
 
-/// The same of pairs of edges of which one has folded: what they overlap by has cost nothing, and is accepted. Records
-/// that are there stay.
-void seed_folds(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
+/// The same of pairs of edges of which one has folded, or has an end that was tied: what they overlap by has cost
+/// nothing, and is accepted. Records that are there stay.
+void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                 EdgeHistory& history);
 
 /// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.

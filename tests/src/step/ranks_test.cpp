@@ -70,6 +70,7 @@ std::string write_history(Scene& scene) {
                                   Vec3{},
                                   scene.contact.sum_pair_work(),
                                   {},
+                                  {},
                                   {}});
       scene.stepper.advance(scene.state);
     }
