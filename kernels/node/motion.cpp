@@ -45,8 +45,10 @@ void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, con
 
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v) {
+  const bool some_stay = forces.inertia.extent(0) > 0;
   Kokkos::parallel_for(
       "percuss::predict_velocities", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
+        if (some_stay && forces.inertia(n) == 0) return;
         const Vector3<double> sum = sum_slots(forces.nodes_to_slots, forces.slot_force, n);
         const double f[3] = {sum.x, sum.y, sum.z};
         for (int k = 0; k < 3; ++k) {

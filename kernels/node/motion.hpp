@@ -26,6 +26,8 @@ struct NodeForces {
   Rows3<const double> slot_force;
   Rows3<const double> inverse_mass;  // 0 in fixed directions
   Gravity gravity;
+  // [nodes] those of inertia 0 stay as they are, and so do their force and v_before; empty: all nodes have inertia.
+  Array<const double> inertia{};
 };
 
 /// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; fixed directions keep their

@@ -207,7 +207,9 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
   if (!model_.has_rotations) return;
   {
     const Phase phase("percuss::integrate_spins", clocks_.integrate);
-    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}}, dt_mean,
+    // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
+    predict_velocities(
+        space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia}, dt_mean,
                        state.moment, state.w_before, state.w);
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
     if (damping_) damping_->damp_spins(state, dt_mean);

@@ -50,6 +50,23 @@ TEST(Motion, VelocitiesFollowTheSumOfTheSlots) {
   EXPECT_EQ(scene.v(1, 1), before(1, 1) + 0.25 * (force(1, 1) * scene.forces.inverse_mass(1, 1)));
 }
 
+TEST(Motion, NodesWithoutInertiaStay) {
+  Scene all, some;
+  const Rows3<double> force("force", Scene::nodes), before("before", Scene::nodes);
+  const Rows3<double> force_of_all("force", Scene::nodes), before_of_all("before", Scene::nodes);
+  const Array<double> inertia("inertia", Scene::nodes);
+  for (int n = 0; n < Scene::nodes; ++n) inertia(n) = n == 1 ? 0 : 1;
+  some.forces.inertia = inertia;
+  const double v = some.v(1, 1);
+  predict_velocities(ExecSpace(), all.forces, 0.25, force_of_all, before_of_all, all.v);
+  predict_velocities(ExecSpace(), some.forces, 0.25, force, before, some.v);
+  EXPECT_EQ(some.v(1, 1), v);
+  EXPECT_EQ(force(1, 1), 0);
+  EXPECT_EQ(before(1, 1), 0);
+  EXPECT_NE(all.v(1, 1), v);
+  for (const int n : {0, 2, 3}) EXPECT_EQ(some.v(n, 1), all.v(n, 1)) << n;
+}
+
 TEST(Motion, OnePassOverFreeNodesGivesTheBitsOfTwo) {
   Scene two, one;
   const Rows3<double> force("force", Scene::nodes), before("before", Scene::nodes);
