@@ -94,10 +94,11 @@ def find_balances(history, sets_have_masses=False):
     found = []
     for whole in ("contact", "friction"):
         _add(found, history, whole, f"work of {whole} by all pairs", [n for n in history if n.startswith(f"{whole}:")])
+    blocks = {name for name in history if " of block '" in history.meaning(name)}  # of which parts consist
     # Work between parts and from outside is in no part, and removed nodes are in none.
     if "vanished_mass" not in history:
         for whole in ("internal",) if sets_have_masses else ("kinetic", "internal", "momentum_x", "momentum_y", "momentum_z"):
-            _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts", [n for n in history if n.startswith(f"{whole}:")])
+            _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts", [n for n in history if n.startswith(f"{whole}:") and n not in blocks])
     return found
 
 

@@ -93,10 +93,6 @@ void Stepper::restore_masses(State& state) {
 
 void Stepper::resume(State& state) {
   forces_.resume(state.time);
-  if (stiffness_damping_) {
-    const ElementMotion motion = find_motion(state, 0);
-    stiffness_damping_->restore(state, {motion, find_shell_motion(state, motion)});
-  }
   accelerometers_.resume(state);
   renew_loads(state);
   choose_step(state);
@@ -208,9 +204,8 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
   {
     const Phase phase("percuss::integrate_spins", clocks_.integrate);
     // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
-    predict_velocities(
-        space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia}, dt_mean,
-                       state.moment, state.w_before, state.w);
+    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
+                       dt_mean, state.moment, state.w_before, state.w);
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
     if (damping_) damping_->damp_spins(state, dt_mean);
   }
@@ -254,7 +249,7 @@ void Stepper::resolve_contact(State& state, double dt) {
                              {center[0], center[1], center[2]},
                              rigid_.inputs(),
                              state.time,
-                             {state.w, state.w_before, state.inverse_inertia, state.inertia}};
+                             {state.w, state.w_before, state.inverse_inertia, state.inertia, state.tie_moment}};
   report_ = contact_.apply(motion);
   if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;

@@ -189,6 +189,26 @@ class FieldOutputs(unittest.TestCase):
         self.run_percuss("forced", "--force", "--set", "output.field_outputs={}")
         self.assertEqual(glob.glob(os.path.join(full, "fields_*")), [])
 
+    def test_force_leaves_the_files_of_others_and_keeps_what_the_deck_reads(self):
+        full = self.run_percuss("mine", "--set", "time.max_steps=20")
+        mine = os.path.join(full, "fields_mine.exo")
+        with open(mine, "w", encoding="utf-8") as file:
+            file.write("not of percuss")
+        self.run_percuss("mine", "--force", "--set", "time.max_steps=10")
+        self.assertTrue(os.path.exists(mine))
+        source = os.path.join(full, "fields_torn.exo")
+        done = self.call("run", self.path("deck.yaml"), "--out", full, "--quiet", "--force", "--set", f"start.fields=[{{file: {source}}}]")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--force would remove this file of start.fields", done.stderr)
+        self.assertTrue(os.path.exists(source))
+
+    def test_a_restart_in_place_with_another_region_is_refused(self):
+        stopped = self.run_percuss("region", "--set", "time.max_steps=100")
+        done = self.call("run", self.path("deck.yaml"), "--restart", os.path.join(stopped, "checkpoint.h5"), "--quiet",
+                         "--set", "output.field_outputs.torn.elements=left")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("field output 'torn' shows other elements than in the run of the checkpoint", done.stderr)
+
     def test_info_and_check_list_them(self):
         text = self.call("info", self.out).stdout
         for name in OUTPUTS:

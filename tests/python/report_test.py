@@ -205,6 +205,11 @@ class Report(OfARun):
         self.assertAlmostEqual(find_impulse(history, "hit")[2] / change, 1, places=10)  # nothing else acts on the block
         self.assertLess(max(difference for _, _, _, difference, _ in find_balances(history)), 1e-10)
 
+    def test_blocks_are_no_further_parts(self):
+        history = History(["time", "kinetic", "kinetic:bar", "kinetic:core"], [[0, 2, 2, 1], [1, 3, 3, 1]],
+                          sidecar={"kinetic:core": {"meaning": "kinetic energy of block 'core'"}})
+        self.assertEqual([difference for _, _, _, difference, _ in find_balances(history)], [0])
+
     def test_says_where_histories_part(self):
         same, other = self.copy("bytes"), self.copy("parted")
         path = os.path.join(other, "history.csv")

@@ -25,9 +25,9 @@ void find_corrections(const Space& space, const RowSystem& system);
 template <class Space>
 void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse);
 
-/// Adds what rows that tie rotations give to the spins of the owned nodes. spin: [mesh nodes][3].
+/// Adds what rows that tie rotations give to the spins of the owned nodes, and fills in their moments.
 template <class Space>
-void apply_moments(const Space& space, const RowSystem& system, const Rows3<double>& spin);
+void apply_moments(const Space& space, const RowSystem& system, const SpinInputs& spins);
 
 /// Sums up what the impulses did.
 template <class Space>

@@ -163,17 +163,18 @@ void apply_impulses(const Space& space, const RowSystem& system, const Rows3<dou
 }
 
 template <class Space>
-void apply_moments(const Space& space, const RowSystem& system, const Rows3<double>& spin) {
+void apply_moments(const Space& space, const RowSystem& system, const SpinInputs& spins) {
   const Array<const ContactRow> rows = system.rows;
   const Array<const TurningRow> turning = system.turning;
   const Array<const int> nodes = system.nodes;
-  const Rows3<double> out = spin;
+  const Rows3<double> out = spins.spin, moment = spins.moment;
   Kokkos::parallel_for(
       "contact::apply_moments", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         const ContactRow& row = rows(r);
         if (!ties_rotation(row)) return;
         const int node = nodes(row.place[0]);
         store_row(out, node, load_row(out, node) + (1 / row.lever) * find_own_change(row, turning(row.record)));
+        store_row(moment, node, row.lever * row.force);
       });
 }
 
@@ -294,7 +295,7 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                    \
   template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&);           \
-  template void apply_moments(const Space&, const RowSystem&, const Rows3<double>&);                                  \
+  template void apply_moments(const Space&, const RowSystem&, const SpinInputs&);                                     \
   template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);                        \
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
   template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \

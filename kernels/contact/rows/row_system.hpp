@@ -159,6 +159,7 @@ struct SpinInputs {
   Rows3<const double> before{};           // [mesh nodes] at n-1/2
   Rows3<const double> inverse_inertia{};  // [mesh nodes] 0: held
   Array<const double> inertia{};          // [mesh nodes] 0: the node has no rotation
+  Rows3<double> moment{};                 // [mesh nodes] out: what ties give the owned nodes [force x length x time]
 };
 
 /// Whether contact pushed a node in the last step. The check then sees it going on as it went.

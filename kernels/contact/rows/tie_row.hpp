@@ -28,9 +28,8 @@ KOKKOS_INLINE_FUNCTION TiedPlaces find_tied_places(const ContactRow& row, const 
   return places;
 }
 
-/// The row of a tie whose places are set. last: impulse of the last step.
-KOKKOS_INLINE_FUNCTION void fill_tie_row(const TieGeometry& tie, const RowInputs& inputs, const RowNodes& at,
-                                         const RowTouch& touch, const Point3& last, ContactRow& row) {
+/// What a row of a tie is whatever it ties.
+KOKKOS_INLINE_FUNCTION void start_tie_row(const TieGeometry& tie, const RowTouch& touch, ContactRow& row) {
   for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
   row.count = touch.count;
   row.key = touch.key;
@@ -43,20 +42,30 @@ KOKKOS_INLINE_FUNCTION void fill_tie_row(const TieGeometry& tie, const RowInputs
   row.normal = row.gap_gradient = {1, 0, 0};
   row.tangent[0] = {0, 1, 0};
   row.tangent[1] = {0, 0, 1};
-  const TiedPlaces start = find_tied_places(row, at, 0), end = find_tied_places(row, at, inputs.motion.dt);
-  const TurnedTie turned = turn_tie(tie, start.face);
-  row.arm = start.node;
-  for (int i = 0; i < 4; ++i) row.rho[i + 1] = turned.face.corner[i];
-  row.inverse_inertia = invert(turned.inertia);
-  const Point3 apart = end.node - turn_tie(tie, end.face).offset;
+}
+
+/// The face at n, what is missing along the axes at n+1, and the first guess.
+KOKKOS_INLINE_FUNCTION void set_tie_state(const TurnedTie& face, const Point3& apart, const Point3& guess,
+                                          ContactRow& row) {
+  for (int i = 0; i < 4; ++i) row.rho[i + 1] = face.face.corner[i];
+  row.inverse_inertia = invert(face.inertia);
   row.gap = apart.x;
   row.slide[0] = apart.y;
   row.slide[1] = apart.z;
-  const Point3 guess = inputs.impulse_scale * last;
   row.impulse = {guess.x, {guess.y, guess.z}};
   row.previous = row.impulse;
   row.force = sum_impulse(row, row.impulse);
   row.couple = find_couple(row, row.force);
+}
+
+/// The row of a tie whose places are set. last: impulse of the last step.
+KOKKOS_INLINE_FUNCTION void fill_tie_row(const TieGeometry& tie, const RowInputs& inputs, const RowNodes& at,
+                                         const RowTouch& touch, const Point3& last, ContactRow& row) {
+  start_tie_row(tie, touch, row);
+  const TiedPlaces start = find_tied_places(row, at, 0), end = find_tied_places(row, at, inputs.motion.dt);
+  row.arm = start.node;
+  const Point3 apart = end.node - turn_tie(tie, end.face).offset;
+  set_tie_state(turn_tie(tie, start.face), apart, inputs.impulse_scale * last, row);
 }
 
 /// D of a tie: one for all directions. A direction in which nothing can be moved asks for nothing; what is missing
@@ -101,33 +110,21 @@ KOKKOS_INLINE_FUNCTION Point3 find_turn(const FacePoints& from, const FacePoints
 /// asks for nothing.
 KOKKOS_INLINE_FUNCTION TurningRow fill_turning_row(const TieGeometry& tie, const RowInputs& inputs, const RowNodes& at,
                                                    const RowTouch& touch, const Point3& last, ContactRow& row) {
-  fill_tie_row(tie, inputs, at, touch, {}, row);
+  start_tie_row(tie, touch, row);
   const int node = touch.node[0];
   const bool is_free = inputs.spins.inertia(node) > 0 && !(inputs.bodies.count > 0 && inputs.bodies.of_node(node) >= 0);
   TurningRow turning;
-  row.gap = row.slide[0] = row.slide[1] = 0;
-  row.arm = {};
   row.lever = tie.size;
-  if (!is_free) {
-    for (Point3& rho : row.rho) rho = {};
-    return turning;
-  }
+  if (!is_free) return turning;
   const double l = row.lever, dt = inputs.motion.dt;
   const Point3 spin = load_row(inputs.spins.spin, node), inverse = load_row(inputs.spins.inverse_inertia, node);
   turning.compliance = l * l * inverse;
   turning.before = l * load_row(inputs.spins.before, node);
   turning.predicted = l * spin;
-  const FacePoints start = turn_tie(tie, find_tied_places(row, at, 0).face).face;
-  const FacePoints end = turn_tie(tie, find_tied_places(row, at, dt).face).face;
-  const Point3 apart = l * (dt * spin - find_turn(start, end));
-  row.gap = apart.x;
-  row.slide[0] = apart.y;
-  row.slide[1] = apart.z;
-  const Point3 guess = inputs.impulse_scale * last;
-  row.impulse = {guess.x, {guess.y, guess.z}};
-  row.previous = row.impulse;
-  row.force = sum_impulse(row, row.impulse);
-  row.couple = find_couple(row, row.force);
+  const TurnedTie start = turn_tie(tie, find_tied_places(row, at, 0).face);
+  const TurnedTie end = turn_tie(tie, find_tied_places(row, at, dt).face);
+  const Point3 apart = l * (dt * spin - find_turn(start.face, end.face));
+  set_tie_state(start, apart, inputs.impulse_scale * last, row);
   return turning;
 }
 

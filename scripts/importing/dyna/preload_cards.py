@@ -9,7 +9,7 @@ from ..shapes import cross, dot, normalise, subtract
 from .cards import Card
 from .deck import KeywordDeck
 
-RELAXED = "a preload reached in damped steps before time 0, in place of the rise of the curve"
+RELAXED = "a preload reached in damped steps before time 0, in place of the rise of the curve; gravity acts in them, so hold what nothing supports (start.relaxation.hold)"
 HELD = 0.01  # of its largest value: what a curve may change by after it is reached
 
 

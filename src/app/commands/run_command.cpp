@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <variant>
 
 #include "comm/agreement.hpp"
 #include "comm/before_abort.hpp"
@@ -58,14 +59,23 @@ bool check_restart(const Command& command, const std::string& out_dir, const Com
     if (lies_in_folder(command.restart, out_dir))
       answer = "in place";
     else if (command.force)
-      refuse_to_remove(command.restart, out_dir);
+      refuse_to_remove(command.restart, "checkpoint", out_dir);
   });
   return !broadcast_text(ranks, answer, 0).empty();
 }
 
+/// Files that the deck reads may lie in the folder.
+void refuse_to_remove_inputs(const Deck& deck, const std::string& out_dir) {
+  for (const PartDeck& part : deck.parts)
+    if (const auto* mesh = std::get_if<FileMesh>(&part.shape))
+      refuse_to_remove(mesh->file, "mesh of the deck", out_dir);
+  for (const StartFieldsDeck& fields : deck.start.fields)
+    refuse_to_remove(fields.file, "file of start.fields", out_dir);
+}
+
 /// Rank 0 makes and locks the folder, and looks into it; before the mesh is built. It is emptied only when the scene is
 /// known to be sound. Whichever rank ends all ranks at once also removes the lock. Collective.
-std::unique_ptr<FolderLock> prepare_folder(const Command& command, const std::string& out_dir,
+std::unique_ptr<FolderLock> prepare_folder(const Command& command, const Deck& deck, const std::string& out_dir,
                                            const Communicator& ranks, RunOptions& options) {
   options.out_dir = out_dir;
   options.restart = command.restart;
@@ -77,6 +87,7 @@ std::unique_ptr<FolderLock> prepare_folder(const Command& command, const std::st
     make_output_folder(out_dir);
     lock = std::make_unique<FolderLock>(out_dir);
     if (!options.goes_on_in_place && !command.force) return check_folder_is_empty(out_dir);
+    if (!options.goes_on_in_place) refuse_to_remove_inputs(deck, out_dir);
     remove_stale_requests(out_dir, lock->path());
     if (options.goes_on_in_place) check_results_to_go_on_with(out_dir, command.restart, command.allow_external);
   });
@@ -95,7 +106,7 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   const Deck deck = read_deck_together(command, ranks);
   const std::string out_dir = choose_folder(command);
   RunOptions options;
-  const std::unique_ptr<FolderLock> lock = prepare_folder(command, out_dir, ranks, options);
+  const std::unique_ptr<FolderLock> lock = prepare_folder(command, deck, out_dir, ranks, options);
   if (lock && !command.quiet && !lock->note().empty()) print_quietly(stderr, "{}\n", lock->note());
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);

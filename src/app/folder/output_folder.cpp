@@ -4,9 +4,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -30,11 +33,40 @@ constexpr std::array<const char*, 4> fields_files{"fields.vtkhdf", "fields.xdmf"
 // Files that are written beside their place first have a name with this behind it then.
 constexpr const char* unfinished = ".tmp";
 
+/// The deck of the run that left its results in the folder; empty if there is none.
+std::string read_earlier_deck(const std::string& folder) {
+  std::ifstream file(fs::path(folder) / "run_deck.yaml", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Whether a deck has a key of this name.
+bool has_key(const std::string& deck, const std::string& name) {
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  };
+  for (std::size_t at = deck.find(name); at != std::string::npos; at = deck.find(name, at + 1)) {
+    const std::size_t end = deck.find_first_not_of(" \"'", at + name.size());
+    if ((at == 0 || !is_of_name(deck[at - 1])) && end != std::string::npos && deck[end] == ':') return true;
+  }
+  return false;
+}
+
+/// Files of field outputs of the earlier run: others may have such names too.
+std::vector<std::string> list_output_files(const std::string& folder, const std::string& behind = "") {
+  const std::string deck = read_earlier_deck(folder), begin = name_fields("") + "_";
+  std::vector<std::string> files = list_fields_files(folder, behind);
+  std::erase_if(files, [&](const std::string& file) {
+    const std::string stem = fs::path(file).stem().string();
+    return !stem.starts_with(begin) || !has_key(deck, stem.substr(begin.size()));
+  });
+  return files;
+}
+
 /// Files that a run may have left in the folder: all that have a fixed name, and those of field outputs that are there.
 std::vector<std::string> list_result_files(const std::string& folder) {
   std::vector<std::string> files(result_files.begin(), result_files.end());
   files.insert(files.end(), fields_files.begin(), fields_files.end());
-  for (std::string& file : list_fields_files(folder)) files.push_back(std::move(file));
+  for (std::string& file : list_output_files(folder)) files.push_back(std::move(file));
   return files;
 }
 
@@ -117,23 +149,23 @@ void check_folder_is_empty(const std::string& folder) {
       folder, what));
 }
 
-void refuse_to_remove(const std::string& checkpoint, const std::string& folder) {
+void refuse_to_remove(const std::string& path, const std::string& what, const std::string& folder) {
   for (const std::string& file : list_result_files(folder)) {
-    if (!is_same_file(fs::path(folder) / file, checkpoint)) continue;
-    throw InputError(
-        fmt::format("{}: error: --force would remove this checkpoint (it is {} in the folder of results {}): choose "
-                    "another folder with --out",
-                    checkpoint, file, folder));
+    if (!is_same_file(fs::path(folder) / file, path)) continue;
+    throw InputError(fmt::format(
+        "{}: error: --force would remove this {} (it is {} in the folder of results {}): choose another folder with "
+        "--out",
+        path, what, file, folder));
   }
 }
 
 void remove_results(const std::string& folder) {
+  const std::vector<std::string> begun = list_output_files(folder, unfinished);
   for (const std::string& file : list_result_files(folder)) {
     remove_file(fs::path(folder) / file);
     remove_file(fs::path(folder) / (file + unfinished));
   }
-  for (const std::string& file : list_fields_files(folder, unfinished))
-    remove_file(fs::path(folder) / (file + unfinished));
+  for (const std::string& file : begun) remove_file(fs::path(folder) / (file + unfinished));
 }
 
 }  // namespace percuss

@@ -28,8 +28,8 @@ void make_output_folder(const std::string& folder);
 /// Throws InputError if anything but the lock of a run is in the folder, SystemError if it cannot be read.
 void check_folder_is_empty(const std::string& folder);
 
-/// Throws InputError if remove_results() would remove the checkpoint, by whatever name.
-void refuse_to_remove(const std::string& checkpoint, const std::string& folder);
+/// Throws InputError if remove_results() would remove a file that the run needs, by whatever name. what: it is.
+void refuse_to_remove(const std::string& path, const std::string& what, const std::string& folder);
 
 /// Removes the files that an earlier run wrote, with those that it was about to replace when it was killed. Others
 /// stay. Throws SystemError.

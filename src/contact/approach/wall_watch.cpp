@@ -133,7 +133,7 @@ Approach WallWatch::find_shortest(const std::vector<Front>& fronts, double horiz
   Approach shortest;
   for (const Front& front : fronts) {
     const bool is_apart = front.gap > 0;
-    if (!(front.closing > 0)) continue;
+    if (!(front.closing > 0) || !(front.size > 0)) continue;  // beams have no size: they have no contact either
     const double speed = is_apart || moment == Moment::start ? front.speed : front.drift;
     if (!(speed > 0)) continue;
     const double travel_step = approach_share * front.size / speed;

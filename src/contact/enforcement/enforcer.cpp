@@ -348,11 +348,12 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     else
       system_.num_nodes = 0;
     clear_last_impulse(motion);
+    if (ties_rotations_) Kokkos::deep_copy(space, motion.spins.moment, 0.0);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     has_solved_ = solved.rows > 0;
     if (has_solved_) {
       apply_impulses(space, system_, motion.v, motion.impulse);
-      if (ties_rotations_) apply_moments(space, system_, motion.spins.spin);
+      if (ties_rotations_) apply_moments(space, system_, motion.spins);
     }
     if (meeting_.any_rows) {
       report_outcome(space, motion, num_touches, solved, report);

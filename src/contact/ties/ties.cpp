@@ -199,6 +199,7 @@ std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& tie
     if (c.tied == 0)
       line = fmt::format("tie of '{}' and '{}' is ignored: it ties nothing, {} nodes not in reach", name_side(tie.a),
                          name_side(tie.b), c.apart);
+    if (tie.rotations) line += ", with the rotations of shells and beams";
     if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
     if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
     lines.push_back(line);

@@ -27,6 +27,7 @@ DeckErrors::DeckErrors(std::string file, std::vector<std::string> override_paths
     : file_(std::move(file)), override_paths_(std::move(override_paths)) {}
 
 void DeckErrors::add(Spot spot, std::string message) {
+  if (spot.place.line < 0) spot.override = -spot.place.line - 1;  // of a value that is read: see Deck::where()
   errors_.push_back({spot, "", std::move(message)});
   if (errors_.size() >= most_errors) throw_if_any();
 }

@@ -39,6 +39,8 @@ ResultsFormat find_results_format(const std::string& path) {
 }
 
 FileResults read_results_of(ResultsFormat format, const std::string& path, const ResultsWish& wish) {
+  if (path.ends_with(".vtkhdf"))
+    throw InputError("results are read from Exodus II and .vtu files: write them with output.fields.format: exodus");
   if (format == ResultsFormat::exodus) return ExodusFile(path).read_results(wish);
   if (wish.time) throw InputError("a VTK file has no times: leave out the key time");
   return read_vtu_results(path, wish);

@@ -32,7 +32,7 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
         const double m = mass(n), v_mean = 0.5 * (v(n, k) + v_before(n, k));
         double j[3] = {0, 0, 0};
         j[k] = reactions(owned(i));
-        add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k) - find_welded(welded, n, k)) * v_mean -
+        add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k) - find_joined(welded, n, k)) * v_mean -
                    dt * v(n, k) * (0.5 * force(n, k) + share * m * gravity.g[k]));
         const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
         add_impulse(r, j, 1, add);
@@ -41,18 +41,21 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   add_to_books(sums, 1, state.books);
 }
 
-/// The same for held rotations: J = I (w+ - w-) - dt_mean m, a moment impulse without a lever.
+/// The same for held rotations: J = I (w+ - w-) - dt_mean m less what welds and ties give, a moment impulse without a
+/// lever.
 void book_spin_conditions(ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
   if (state.owned_held_spins.extent(0) == 0) return;
   const auto held = state.held_spins;
   const auto owned = state.owned_held_spins;
   const auto inertia = state.inertia;
-  const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment,
+             tied = state.tie_moment;
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
-        const double change = inertia(n) * (w(n, k) - w_before(n, k)) - find_welded(welded, n, k);
+        const double change =
+            inertia(n) * (w(n, k) - w_before(n, k)) - find_joined(welded, n, k) - find_joined(tied, n, k);
         add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
         add(4 + k, change - dt_mean * moment(n, k));
       });

@@ -5,19 +5,14 @@
 namespace percuss {
 
 StiffnessDampingStage::StiffnessDampingStage(const Model& model)
-    : model_(model),
-      force_("percuss::stiffness_damping_force", static_cast<std::size_t>(model.slot_count)),
-      factor_(to_host(model.stiffness_damping)) {
-  if (model.has_rotations)
-    moment_ = Rows3<double>("percuss::stiffness_damping_moment", static_cast<std::size_t>(model.slot_count));
-}
+    : model_(model), factor_(to_host(model.stiffness_damping)) {}
 
 ShellDampingFields StiffnessDampingStage::find_fields(const State& state) const {
   ShellDampingFields fields;
-  fields.force = force_;
+  fields.force = state.damping_force;
   fields.slot_force = state.slot_force;
   fields.work = state.results.work;
-  fields.moment = moment_;
+  fields.moment = state.damping_moment;
   fields.slot_moment = state.slot_moment;
   fields.state = state.elements;
   return fields;
@@ -33,15 +28,6 @@ void StiffnessDampingStage::damp_others(const State& state, const DampedMotions&
   const ShellDampingFields fields = find_fields(state);
   damp_solids(ExecSpace(), model_.chunks, model_.damped_solids, motions.solids, fields);
   damp_shells(ExecSpace(), model_.chunks, model_.damped_shells, motions.shells, fields);
-}
-
-void StiffnessDampingStage::restore(const State& state, const DampedMotions& motions) const {
-  State spare = state;
-  spare.slot_force = Rows3<double>("percuss::spare_forces", static_cast<std::size_t>(model_.slot_count));
-  if (model_.has_rotations)
-    spare.slot_moment = Rows3<double>("percuss::spare_moments", static_cast<std::size_t>(model_.slot_count));
-  damp_sending(spare, motions);
-  damp_others(spare, motions);
 }
 
 }  // namespace percuss

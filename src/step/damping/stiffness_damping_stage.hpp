@@ -21,9 +21,6 @@ class StiffnessDampingStage {
   void damp_sending(const State& state, const DampedMotions& motions) const;
   void damp_others(const State& state, const DampedMotions& motions) const;
 
-  /// For a state from a checkpoint, whose slots hold the forces at n: their damping alone. motions: with the step 0.
-  void restore(const State& state, const DampedMotions& motions) const;
-
   /// The step that a chunk allows with its damping. bounds: [chunks] without it.
   double find_step(std::size_t chunk, double bound) const { return find_damped_step(bound, factor_(chunk)); }
 
@@ -31,7 +28,6 @@ class StiffnessDampingStage {
   ShellDampingFields find_fields(const State& state) const;
 
   const Model& model_;
-  Rows3<double> force_, moment_;  // of the damping, by slot, at n
   HostMirror<Array<double>> factor_;
 };
 

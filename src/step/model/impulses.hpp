@@ -44,8 +44,8 @@ void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books&
   add_to_books(&sums[first], &sums[first + 3], books);
 }
 
-/// What welds give a node in a direction, of rows that are empty without welds.
-KOKKOS_INLINE_FUNCTION double find_welded(const Rows3<const double>& rows, int n, int k) {
+/// What welds or ties give a node in a direction, of rows that are empty without them.
+KOKKOS_INLINE_FUNCTION double find_joined(const Rows3<const double>& rows, int n, int k) {
   return rows.extent(0) > 0 ? rows(n, k) : 0;
 }
 
@@ -63,7 +63,7 @@ struct HeldReactions {
     const int n = held.node(i), k = held.direction(i);
     const double m = mass(n);
     return m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k) -
-           find_welded(welded, n, k);
+           find_joined(welded, n, k);
   }
 };
 

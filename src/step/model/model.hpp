@@ -85,6 +85,7 @@ struct Model {
 
   // Whether any rank has shells or beams that bend, whose nodes turn; without them what follows is empty.
   bool has_rotations = false;
+  bool ties_rotations = false;
   ShellBlocks sending_shell_blocks;  // as sending_blocks
   ShellBlocks shell_blocks;
   Array<double> start_thickness;                             // [elements] of shells [length]

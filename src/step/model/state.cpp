@@ -101,12 +101,21 @@ void start_shells(const Model& model, const Array<Real>& elements) {
       });
 }
 
+void start_damping(const Model& model, State& s) {
+  if (model.stiffness_damping.extent(0) == 0) return;
+  const auto slots = static_cast<std::size_t>(model.slot_count);
+  s.damping_force = Rows3<double>("percuss::stiffness_damping_force", slots);
+  if (model.has_rotations) s.damping_moment = Rows3<double>("percuss::stiffness_damping_moment", slots);
+}
+
 void start_connections(const Model& model, State& s) {
+  const auto nodes = static_cast<std::size_t>(model.node_count);
+  if (model.ties_rotations) s.tie_moment = Rows3<double>("percuss::tie_moment", nodes);
   if (!model.welds.any() && !model.constraints.any()) return;
   for (const Weld& weld : model.welds.welds) s.welds.push_back({weld.normal});
   s.constraints.resize(model.constraints.constraints.size());
-  s.weld_impulse = Rows3<double>("percuss::weld_impulse", static_cast<std::size_t>(model.node_count));
-  s.weld_moment = Rows3<double>("percuss::weld_moment", static_cast<std::size_t>(model.node_count));
+  s.weld_impulse = Rows3<double>("percuss::weld_impulse", nodes);
+  s.weld_moment = Rows3<double>("percuss::weld_moment", nodes);
 }
 
 /// Rotary inertia and axes of beams into the records.
@@ -279,6 +288,7 @@ State make_initial_state(const Model& model) {
   start_beams(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
   if (model.has_rotations) start_rotations(model, s);
+  start_damping(model, s);
   s.results = make_results(model.chunks);
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);

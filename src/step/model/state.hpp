@@ -99,6 +99,8 @@ struct State {
   std::vector<ConstraintState> constraints;
   // Of the last step on their nodes, of constraints too; empty without any; scratch of the step.
   Rows3<double> weld_impulse, weld_moment;
+  Rows3<double> tie_moment;                     // likewise of ties that carry rotations, on this rank's own nodes
+  Rows3<double> damping_force, damping_moment;  // by slot, of damping in proportion to stiffness; empty without
   Books books;
 
   /// What an evaluation of the elements reads and writes.

@@ -254,6 +254,9 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_elements(archive, model, state);
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
+  for (const auto& [name, slots] : {std::pair("elements/damping_force", state.damping_force),
+                                    std::pair("elements/damping_moment", state.damping_moment)})
+    if (slots.extent(0) > 0) archive_slots(archive, name, model, slots);
   archive_bodies(archive, state.bodies);
   archive_joints(archive, state.joints);
   archive_springs(archive, state);
@@ -328,6 +331,23 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
 
 std::vector<std::string> list_changed_values(const CheckpointHeader& checkpoint, const Deck& deck) {
   return compare_free_values(deck.motion_values, split_lines(checkpoint.deck));
+}
+
+void refuse_changed_regions(const CheckpointHeader& checkpoint, const Deck& deck,
+                            const std::vector<std::string>& changes) {
+  constexpr std::string_view outputs = "output.field_outputs.";
+  for (const std::string& change : changes) {
+    if (!change.starts_with(outputs)) continue;
+    const std::string name = change.substr(outputs.size(), change.find('.', outputs.size()) - outputs.size());
+    const std::string path = fmt::format("{}{}.", outputs, name),
+                      key = change.substr(std::min(path.size(), change.size()));
+    const bool is_region = key.starts_with("elements") || key.starts_with("faces");
+    if (!is_region || checkpoint.deck.find(path) == std::string::npos) continue;
+    throw InputError(
+        fmt::format("{}: error: field output '{}' shows other elements than in the run of the checkpoint "
+                    "({}): give it another name, or continue in another folder with --out",
+                    deck.file, name, change));
+  }
 }
 
 }  // namespace percuss

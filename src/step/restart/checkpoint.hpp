@@ -28,4 +28,8 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
 /// Values of the deck that differ from those of the checkpoint, a text each; all of them may.
 std::vector<std::string> list_changed_values(const CheckpointHeader& checkpoint, const Deck& deck);
 
+/// Throws InputError if a field output of the checkpoint's run shows another region now: its file would hold both.
+void refuse_changed_regions(const CheckpointHeader& checkpoint, const Deck& deck,
+                            const std::vector<std::string>& changes);
+
 }  // namespace percuss

@@ -112,6 +112,7 @@ void Run::restart() {
                           deck_);
   archive(reader);
   summary_.restart_changes = list_changed_values(reader.header(), deck_);
+  if (options_.goes_on_in_place) refuse_changed_regions(reader.header(), deck_, summary_.restart_changes);
   warnings_.restore(reader.header(), options_.restart);
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
     throw InputError(

@@ -13,8 +13,9 @@
 namespace percuss {
 namespace {
 
-/// Stress across a shell that is round-off of its file, relative to the largest component.
-constexpr double negligible_across = 1e-3;
+/// Stress across a shell that is round-off of its file, relative to the largest component, or of a turn that does not
+/// matter, relative to the shear modulus.
+constexpr double negligible_across = 1e-3, negligible_turned = 3e-6;
 constexpr int shear_place = 3;  // ShellState::shear
 
 /// Elastic energy of a stress per volume: (s:s - lambda / (3 lambda + 2 mu) (tr s)^2) / 4 mu.
@@ -118,8 +119,11 @@ std::string StartRecords::set_shell_stress(const StartElement& of, const StartRo
   const ShellPlace place = find_place(mesh_, at(of.element), thickness, of.moduli.mu);
   const double* const g = row.stress;
   const Symmetric3<double> s = push_forward(place.frame, Symmetric3<double>{g[0], g[1], g[2], g[3], g[4], g[5]});
-  if (std::abs(s.zz) > negligible_across * find_largest(g))
-    return fmt::format("has the stress {:.4g} across its surface (shells have none)", s.zz);
+  if (std::abs(s.zz) > std::max(negligible_across * find_largest(g), negligible_turned * of.moduli.mu))
+    return fmt::format(
+        "has the stress {:.4g} across its surface (shells have none): is the file of a shape that has "
+        "turned since time 0?",
+        s.zz);
   const ThicknessPoints rule = find_thickness_points(chunks.points(of.chunk));
   const int size = find_layer_size(chunks, of.chunk);
   const double volume = place.area * thickness, in_plane[6] = {s.xx, s.yy, 0, s.xy, 0, 0};
