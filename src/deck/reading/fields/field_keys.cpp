@@ -1,10 +1,11 @@
+#include "kernels/material/point/elastic.hpp"  // first: its names would hide those of keys/values.hpp
+
 #include "src/deck/reading/fields/field_keys.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <string_view>
 
-#include "kernels/material/point/elastic.hpp"
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/reading/forces/force_keys.hpp"
 
