@@ -43,7 +43,7 @@ class WallWatch {
   struct Front;
   enum class Moment { start, later };
 
-  std::vector<Front> measure_fronts(const MovedWalls& walls, const SurfaceMotion& motion) const;
+  std::vector<Front> measure_fronts(const MovedWalls& moved, const SurfaceMotion& motion) const;
   Approach find_shortest(const std::vector<Front>& fronts, double horizon, Moment moment) const;
 
   const Communicator ranks_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/contact/geometry/point3.hpp"
-#include "kernels/contact/rows/row_bodies.hpp"
+#include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/rows/wall_sums.hpp"
 #include "kernels/core/views.hpp"
 #include "src/deck/deck.hpp"
