@@ -85,7 +85,8 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
   return q;
 }
 
-/// Deviatoric forces of the 2x2x2 points: modes of A(h) u without its volumetric part, 512 times. `elastic`: h^2/4.
+/// Deviatoric forces of the 2x2x2 points: modes of 2 mu times the rate of shear times `elastic`, 512 times. With h^2/4
+/// it is A(h) u without its volumetric part.
 template <class T>
 PERCUSS_FORCE_INLINE VectorModes<T> probe_points(const T& mu, const VectorModes<T>& a, const VectorModes<T>& u,
                                                  const T& elastic) {

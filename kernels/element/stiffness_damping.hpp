@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-#include "kernels/element/hex8/hex8_full.hpp"
-#include "kernels/element/internal_force.hpp"
+#include "kernels/element/elastic_operator.hpp"
 
 namespace percuss {
 
@@ -52,16 +51,7 @@ template <class T>
 PERCUSS_FORCE_INLINE void find_full_damping(const DampingModuli& moduli, const VectorModes<T>& a,
                                             const VectorModes<T>& u, const CornerForces<T>& out) {
   const VolumeGradient<T> b = find_volume_gradient(a);
-  const T third = number<T>(1.0 / 3.0), shear = number<T>(2 * moduli.mu);
-  VectorModes<T> force;
-  for (int m = 1; m <= 7; ++m) force[m] = {T(0), T(0), T(0)};
-  for (int p = 0; p < 8; ++p) {
-    const GaussPoint at = find_gauss_point(p);
-    const PointGeometry<T> point = find_point_geometry(a, at);
-    const Symmetric3<T> d = symmetric_part(find_point_gradient(point, at, u, identity_matrix<T>()));
-    const T mean = third * trace(d);
-    add_point_force(shear * (d + Symmetric3<T>{-mean, -mean, -mean, T(0), T(0), T(0)}), point, at, force);
-  }
+  const VectorModes<T> force = probe_points(number<T>(moduli.mu), a, u, T(1));
   const T bulk = number<T>(moduli.lambda + 2.0 / 3.0 * moduli.mu);
   find_full_forces(force, identity_matrix<T>(), bulk * trace(symmetric_part(find_velocity_gradient(u, b))), b, out);
 }

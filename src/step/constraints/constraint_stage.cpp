@@ -5,7 +5,6 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/step/model/impulses.hpp"
-#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 
@@ -15,27 +14,9 @@ ConstraintStage::ConstraintStage(const Model& model)
       outcomes_(3 * model.constraints.nodes.size()),
       own_rows_("percuss::constrained_rows", model.constraints.owned_node.extent(0), NodeRow::count) {}
 
-/// Each value is known to one rank; the others give zeros, and bits are added up.
 void ConstraintStage::gather(const State& state) {
-  const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
-  const auto inverse_mass = state.inverse_mass;
-  const auto mass = state.mass;
-  const auto node = model_.constraints.owned_node;
-  const auto own = own_rows_;
-  Kokkos::parallel_for(
-      "percuss::gather_constrained_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = node(i);
-        for (int k = 0; k < 3; ++k) {
-          own(i, NodeRow::place + k) = x(n, k);
-          own(i, NodeRow::velocity + k) = v(n, k);
-          own(i, NodeRow::velocity_before + k) = v_before(n, k);
-          own(i, NodeRow::contact + k) = contact(n, k);
-          own(i, NodeRow::inverse_mass + k) = inverse_mass(n, k);
-        }
-        own(i, NodeRow::mass) = mass(n);
-      });
-  gather_rows(model_.ranks, own_rows_, model_.constraints.owned_place, NodeRow::count, rows_);
+  const auto& constraints = model_.constraints;
+  gather_nodes(model_, state, {constraints.owned_node, constraints.owned_place}, own_rows_, rows_);
 }
 
 void ConstraintStage::solve() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/step/model/state.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 
@@ -19,18 +20,6 @@ class ConstraintStage {
   void join(State& state, double dt_mean);
 
  private:
-  /// What the owner of a node tells.
-  struct NodeRow {
-    enum : std::size_t {
-      place,
-      velocity = place + 3,
-      velocity_before = velocity + 3,
-      contact = velocity_before + 3,
-      inverse_mass = contact + 3,
-      mass = inverse_mass + 3,
-      count
-    };
-  };
   /// A direction of a node: its velocity with the constraint, and the impulse that this takes.
   struct Outcome {
     double velocity = 0, impulse = 0;
@@ -50,7 +39,7 @@ class ConstraintStage {
   const Model& model_;
   std::vector<double> rows_;       // [ConstraintModel::nodes][NodeRow::count] of the last gather()
   std::vector<Outcome> outcomes_;  // [ConstraintModel::nodes][3]
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+  OwnRows own_rows_;
 };
 
 }  // namespace percuss

@@ -9,6 +9,7 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/step/model/state.hpp"
 
 namespace percuss {
 
@@ -24,6 +25,60 @@ void gather_rows(const Communicator& ranks, const Rows& own, const Places& place
     for (std::size_t k = 0; k < count; ++k) bits[at(where(i)) * count + k] = std::bit_cast<std::uint64_t>(host(i, k));
   all_reduce(ranks, Reduce::sum, bits);
   for (std::size_t i = 0; i < bits.size(); ++i) rows[i] = std::bit_cast<double>(bits[i]);
+}
+
+/// What the owner of a node tells of it where nodes are joined; the place of each in a row of `count` numbers.
+struct NodeRow {
+  enum : std::size_t {
+    place,
+    velocity = place + 3,
+    velocity_before = velocity + 3,
+    contact = velocity_before + 3,
+    inverse_mass = contact + 3,
+    spin = inverse_mass + 3,
+    spin_before = spin + 3,
+    inverse_inertia = spin_before + 3,
+    inertia = inverse_inertia + 3,
+    mass,
+    count
+  };
+};
+using OwnRows = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
+
+/// Which nodes are joined: those that this rank owns, as mesh nodes, and their places among those of all ranks.
+struct JoinedNodes {
+  Array<const int> owned_node, owned_place;
+};
+
+/// The rows of all joined nodes, on every rank. own: scratch, [owned nodes][NodeRow::count]; rows: out, [all
+/// nodes][NodeRow::count]. Collective.
+inline void gather_nodes(const Model& model, const State& state, const JoinedNodes& nodes, const OwnRows& own,
+                         std::vector<double>& rows) {
+  const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
+  const auto inverse_mass = state.inverse_mass, w = state.w, w_before = state.w_before,
+             inverse_inertia = state.inverse_inertia;
+  const auto mass = state.mass, inertia = state.inertia;
+  const auto node = nodes.owned_node;
+  const OwnRows out = own;
+  const bool turns = model.has_rotations;
+  Kokkos::parallel_for(
+      "percuss::gather_joined_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = node(i);
+        for (int k = 0; k < 3; ++k) {
+          out(i, NodeRow::place + k) = x(n, k);
+          out(i, NodeRow::velocity + k) = v(n, k);
+          out(i, NodeRow::velocity_before + k) = v_before(n, k);
+          out(i, NodeRow::contact + k) = contact(n, k);
+          out(i, NodeRow::inverse_mass + k) = inverse_mass(n, k);
+          out(i, NodeRow::spin + k) = turns ? w(n, k) : 0;
+          out(i, NodeRow::spin_before + k) = turns ? w_before(n, k) : 0;
+          out(i, NodeRow::inverse_inertia + k) = turns ? inverse_inertia(n, k) : 0;
+        }
+        out(i, NodeRow::inertia) = turns ? inertia(n) : 0;
+        out(i, NodeRow::mass) = mass(n);
+      });
+  gather_rows(model.ranks, own, nodes.owned_place, NodeRow::count, rows);
 }
 
 }  // namespace percuss

@@ -40,33 +40,8 @@ WeldStage::WeldStage(const Model& model)
       sums_(model.welds.welds.size()),
       own_rows_("percuss::weld_rows", model.welds.owned_node.extent(0), NodeRow::count) {}
 
-/// Each value is known to one rank; the others give zeros, and bits are added up.
 void WeldStage::gather(const State& state) {
-  const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
-  const auto inverse_mass = state.inverse_mass, w = state.w, w_before = state.w_before,
-             inverse_inertia = state.inverse_inertia;
-  const auto mass = state.mass, inertia = state.inertia;
-  const auto node = model_.welds.owned_node;
-  const auto own = own_rows_;
-  const bool turns = model_.has_rotations;
-  Kokkos::parallel_for(
-      "percuss::gather_welded_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = node(i);
-        for (int k = 0; k < 3; ++k) {
-          own(i, NodeRow::place + k) = x(n, k);
-          own(i, NodeRow::velocity + k) = v(n, k);
-          own(i, NodeRow::velocity_before + k) = v_before(n, k);
-          own(i, NodeRow::contact + k) = contact(n, k);
-          own(i, NodeRow::inverse_mass + k) = inverse_mass(n, k);
-          own(i, NodeRow::spin + k) = turns ? w(n, k) : 0;
-          own(i, NodeRow::spin_before + k) = turns ? w_before(n, k) : 0;
-          own(i, NodeRow::inverse_inertia + k) = turns ? inverse_inertia(n, k) : 0;
-        }
-        own(i, NodeRow::inertia) = turns ? inertia(n) : 0;
-        own(i, NodeRow::mass) = mass(n);
-      });
-  gather_rows(model_.ranks, own_rows_, model_.welds.owned_place, NodeRow::count, rows_);
+  gather_nodes(model_, state, {model_.welds.owned_node, model_.welds.owned_place}, own_rows_, rows_);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const double* row = &rows_[n * NodeRow::count];
     nodes_[n] = {vector(n, NodeRow::place),        vector(n, NodeRow::velocity),        vector(n, NodeRow::spin),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/step/model/state.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 #include "src/step/springs/weld_solve.hpp"
 #include "src/warning.hpp"
 
@@ -27,22 +28,6 @@ class WeldStage {
   std::vector<Warning> take_warnings();
 
  private:
-  /// What the owner of a node tells.
-  struct NodeRow {
-    enum : std::size_t {
-      place,
-      velocity = place + 3,
-      velocity_before = velocity + 3,
-      contact = velocity_before + 3,
-      inverse_mass = contact + 3,
-      spin = inverse_mass + 3,
-      spin_before = spin + 3,
-      inverse_inertia = spin_before + 3,
-      inertia = inverse_inertia + 3,
-      mass,
-      count
-    };
-  };
   /// Sums over the welds of a node.
   struct NodeImpulse {
     Vector3<double> impulse{}, moment{};
@@ -68,7 +53,7 @@ class WeldStage {
   std::vector<WeldImpulse> sums_;      // [welds] of the step
   std::size_t slowest_ = 0;            // weld that changed most in the last turn
   std::vector<Warning> warnings_;
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+  OwnRows own_rows_;
 };
 
 }  // namespace percuss

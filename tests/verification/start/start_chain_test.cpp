@@ -12,43 +12,12 @@
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
-#include "tests/verification/support/run_deck.hpp"
+#include "tests/verification/support/deck_folder.hpp"
 
 namespace percuss::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// Decks beside the files that they read, and the results of a run.
-class ChainFolder {
- public:
-  std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
-  void add(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  Deck parse(const std::string& text) const { return parse_deck(text, path("deck.yaml"), {}); }
-  HistoryTable run_into(const std::string& text, const std::string& results) const {
-    std::filesystem::create_directory(path(results));
-    run_scene(parse(text), {path(results), Progress::Style::quiet});
-    return HistoryTable(path(results + "/history.csv"));
-  }
-  Outcome run(const std::string& text) const { return run_deck(parse(text)); }
-  std::string find_error(const std::string& text) const {
-    try {
-      run(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 /// A hot block and a bent plate of three layers; a rigid part and a truss that have nothing.
 std::string make_scene(const std::string& start, const std::string& fields = "") {
@@ -116,7 +85,7 @@ output: {{history: {{every: 0}}}}
 // The first row of a run that begins with the results of another is that of the other, to round-off: plastic strains,
 // temperatures, layers, velocities and energies; parts have ids of their own.
 TEST(StartChain, ARunGoesOnFromTheExodusFileOfAnother) {
-  const ChainFolder folder;
+  const DeckFolder folder;
   folder.add("block.csv", block_table);
   folder.add("plate.csv", plate_table);
   folder.add("v.csv", velocity_table);
@@ -143,7 +112,7 @@ TEST(StartChain, ARunGoesOnFromTheExodusFileOfAnother) {
 }
 
 TEST(StartChain, ExodusFilesThatDoNotFitAreRefused) {
-  const ChainFolder folder;
+  const DeckFolder folder;
   folder.add("block.csv", block_table);
   folder.run_into(
       make_scene("{file: block.csv, part: block}", "  fields: {every: 1e-5, format: exodus, write: [stress]}\n"), "a");
@@ -164,7 +133,7 @@ TEST(StartChain, ExodusFilesThatDoNotFitAreRefused) {
 }
 
 TEST(StartChain, AVtkFileGivesStressesAndVelocities) {
-  const ChainFolder folder;
+  const DeckFolder folder;
   folder.add("cube.vtu", make_vtu("1e6 0 0 0 0 0", "1 2 3" + no_velocity.substr(5)));
   const Outcome run = folder.run(make_cube());
   EXPECT_DOUBLE_EQ(run.history["internal"][0], 1e12 / 2e9);
@@ -177,7 +146,7 @@ TEST(StartChain, AVtkFileGivesStressesAndVelocities) {
 }
 
 TEST(StartChain, VtkFilesThatDoNotFitAreRefused) {
-  const ChainFolder folder;
+  const DeckFolder folder;
   const auto find = [&](const std::string& text, const std::string& keys = "",
                         const std::string& mesh = "box: {size: [1, 1, 1], cells: [1, 1, 1]}") {
     folder.add("cube.vtu", text);

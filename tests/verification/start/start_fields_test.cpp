@@ -13,7 +13,7 @@
 
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "tests/verification/support/run_deck.hpp"
+#include "tests/verification/support/deck_folder.hpp"
 
 namespace percuss::test {
 namespace {
@@ -22,27 +22,6 @@ using testing::HasSubstr;
 
 constexpr double young = 200e9, density = 7850, gravity = 1e4;
 constexpr int elements = 20;
-
-/// A deck in a folder beside its tables.
-class FieldsScene {
- public:
-  void add_file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() + "/" + name) << text;
-  }
-  std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
-  Outcome run(const std::string& text) const { return run_deck(parse_deck(text, folder_.path() + "/deck.yaml", {})); }
-  std::string find_error(const std::string& text) const {
-    try {
-      run(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 /// A bar of 1 m that hangs from its upper end.
 std::string hang(const std::string& more, const std::string& material = "elastic") {
@@ -85,21 +64,21 @@ void expect_rest(const Outcome& run) {
 }  // namespace
 
 TEST(StartFields, ABarWithTheStressOfItsWeightStaysAtRest) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", hang_stresses());
+  const DeckFolder scene;
+  scene.add("s.csv", hang_stresses());
   expect_rest(scene.run(hang("")));
   expect_rest(scene.run(hang(", integration: full")));
 }
 
 TEST(StartFields, ABarThatHasYieldedStaysAtRest) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   std::string text = hang_stresses();
   const std::string with_strain = std::string(heading) + ",equivalent_plastic_strain";
   text.replace(text.find(heading), std::string(heading).size(), with_strain);
   std::string rows = text.substr(0, text.find(with_strain) + with_strain.size() + 1);
   for (int e = 1; e <= elements; ++e)
     rows += fmt::format("{},0,0,{},0,0,0,0.01\n", e, density * gravity * (e - 0.5) / elements);
-  scene.add_file("s.csv", rows);
+  scene.add("s.csv", rows);
   // Yield stress 60 MPa + 0.01 x 2 GPa = 80 MPa, above the largest stress, 76.5 MPa; without the strain it would yield.
   std::string deck = hang("", "j2_plasticity, yield_stress: 60e6, hardening_modulus: 2e9");
   deck.replace(deck.find("nodes: [{name: tip"), 0, "elements: [{name: top, near: [0.05, 0.05, 0.975]}], ");
@@ -109,25 +88,25 @@ TEST(StartFields, ABarThatHasYieldedStaysAtRest) {
 }
 
 TEST(StartFields, AByteOrderMarkIsSkipped) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", "\xEF\xBB\xBF" + hang_stresses());
+  const DeckFolder scene;
+  scene.add("s.csv", "\xEF\xBB\xBF" + hang_stresses());
   expect_rest(scene.run(hang("")));
 }
 
 TEST(StartFields, APipeAndATableThatIsTooLongAreRefused) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   ASSERT_EQ(mkfifo(scene.path("s.csv").c_str(), 0600), 0);
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("s.csv: error: the table is a pipe (a regular file is needed)"));
   std::filesystem::remove(scene.path("s.csv"));
-  scene.add_file("s.csv", "");
+  scene.add("s.csv", "");
   std::filesystem::resize_file(scene.path("s.csv"), std::uintmax_t{1} << 31);  // without blocks on the disk
   EXPECT_THAT(scene.find_error(hang("")),
               HasSubstr("s.csv: error: the table has 2147483648 bytes (must have less than 2 GiB)"));
 }
 
 TEST(StartFields, AVelocityIsThatOfItsNodes) {
-  const FieldsScene scene;
-  scene.add_file("v.csv", "node,velocity_x,velocity_y,velocity_z\n1,2,3,4\n8,-1,0,0\n");
+  const DeckFolder scene;
+  scene.add("v.csv", "node,velocity_x,velocity_y,velocity_z\n1,2,3,4\n8,-1,0,0\n");
   const Outcome run = scene.run(R"yaml(
 time: {end: 1e-6}
 parts: {cube: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}
@@ -142,9 +121,9 @@ output: {history: {every: 0}}
 }
 
 TEST(StartFields, AWrongFileIsRefusedWithItsLine) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   const auto refuse = [&](const std::string& rows, const std::string& line, const std::string& text) {
-    scene.add_file("s.csv", rows);
+    scene.add("s.csv", rows);
     EXPECT_THAT(scene.find_error(hang("")), HasSubstr("s.csv:" + line + ": error: " + text));
   };
   const std::string top = std::string(heading) + "\n";
@@ -164,22 +143,22 @@ TEST(StartFields, AWrongFileIsRefusedWithItsLine) {
 }
 
 TEST(StartFields, ElementsThatCannotHaveAStressAreRefused) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", std::string(heading) + "\n3,0,0,1,0,0,0\n");
+  const DeckFolder scene;
+  scene.add("s.csv", std::string(heading) + "\n3,0,0,1,0,0,0\n");
   EXPECT_THAT(scene.find_error(hang("", "neo_hookean")),
               HasSubstr("s.csv:2: error: element 3 is of material 'steel' (whose stress does not grow in increments)"));
   std::string rigid = hang(", rigid: true");
   rigid.erase(rigid.find("conditions:"), rigid.find("loads:") - rigid.find("conditions:"));
   EXPECT_THAT(scene.find_error(rigid), HasSubstr("element 3 is rigid and has no stress"));
-  scene.add_file("s.csv", "element,temperature\n3,300\n");
+  scene.add("s.csv", "element,temperature\n3,300\n");
   EXPECT_THAT(scene.find_error(rigid), HasSubstr("s.csv:2: error: element 3 is rigid and has no temperature"));
-  scene.add_file("s.csv", "element,equivalent_plastic_strain,temperature\n3,0,300\n");
+  scene.add("s.csv", "element,equivalent_plastic_strain,temperature\n3,0,300\n");
   EXPECT_THAT(scene.find_error(rigid), HasSubstr("element 3 is rigid and has no plastic strain"));
-  scene.add_file("s.csv", std::string(heading) + ",equivalent_plastic_strain\n3,0,0,1,0,0,0,0.1\n");
+  scene.add("s.csv", std::string(heading) + ",equivalent_plastic_strain\n3,0,0,1,0,0,0,0.1\n");
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a plastic strain (its material has none)"));
-  scene.add_file("s.csv", "element,temperature\n3,300\n");
+  scene.add("s.csv", "element,temperature\n3,300\n");
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 has a temperature (its material has none)"));
-  scene.add_file("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n3,1,0,0,1,0,0,0\n");
+  scene.add("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n3,1,0,0,1,0,0,0\n");
   EXPECT_THAT(scene.find_error(hang("")), HasSubstr("element 3 is no shell and has no layers"));
 }
 
@@ -234,7 +213,7 @@ void expect_held(const Outcome& run, double energy) {
 
 // Between two ends that hold it, a stretched plate is at rest, and so is one that is bent by a constant moment.
 TEST(StartFields, APlateThatIsStretchedOrBentStaysAtRest) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   const double s = 80e6, volume = 0.1 * 0.01;
   std::string stretched = std::string(heading) + "\n";
   std::string bent = std::string("element,layer") + std::string(heading).substr(7) + "\n";
@@ -244,18 +223,17 @@ TEST(StartFields, APlateThatIsStretchedOrBentStaysAtRest) {
     for (const int side : {1, -1})
       bent += fmt::format("{},{},{}\n", e, side + 2, join(turn_stress(side * std::sqrt(0.6) * s)));
   }
-  scene.add_file("s.csv", stretched);
+  scene.add("s.csv", stretched);
   expect_held(scene.run(plate("", "elastic", held_ends)), volume * s * s / (2 * young));
-  scene.add_file("s.csv", bent);
+  scene.add("s.csv", bent);
   const Outcome run = scene.run(plate("    points: 3", "elastic", held_ends));
   expect_held(run, volume * s * s / (6 * young));
 }
 
 TEST(StartFields, AShellHasTheStressOfItsFile) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   // In the plane of the plate and across it: a turned stress without a part normal to the surface.
-  scene.add_file("s.csv",
-                 std::string(heading) + ",equivalent_plastic_strain\n7," + join(turn_stress(50e6)) + ",0.02\n");
+  scene.add("s.csv", std::string(heading) + ",equivalent_plastic_strain\n7," + join(turn_stress(50e6)) + ",0.02\n");
   const Outcome run = scene.run(plate("", "j2_plasticity, yield_stress: 40e6, hardening_modulus: 2e9", held_ends));
   EXPECT_NEAR(run.history["one_eps"][0], 0.02, 1e-16);  // the mean of all layers
   EXPECT_NEAR(run.history["one_von_mises"][0], 50e6, 1e-9 * 50e6);
@@ -266,19 +244,19 @@ TEST(StartFields, AShellHasTheStressOfItsFile) {
 }
 
 TEST(StartFields, ShellsRefuseLayersAndStressesThatTheyDoNotHave) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n7,4,0,0,0,0,0,0\n");
+  const DeckFolder scene;
+  scene.add("s.csv", std::string("element,layer") + std::string(heading).substr(7) + "\n7,4,0,0,0,0,0,0\n");
   EXPECT_THAT(scene.find_error(plate("    points: 3", "elastic", held_ends)),
               HasSubstr("s.csv:2: error: element 7 has no layer 4 (it has 3)"));
-  scene.add_file("s.csv", std::string(heading) + "\n7,0,0,1e6,0,0,0\n");
+  scene.add("s.csv", std::string(heading) + "\n7,0,0,1e6,0,0,0\n");
   EXPECT_THAT(scene.find_error(plate("", "elastic", held_ends)), HasSubstr("across its surface (shells have none)"));
 }
 
 // A hot bar yields at A (1 - t^m), with t = (400 - 300) / (800 - 300) and m = 1: at 80 of 100 MPa. The law's own start
 // temperature is that of the room. Without heat and hardening the stress stays there.
 TEST(StartFields, AHotBodyYieldsAtItsTemperature) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", "element,temperature\n1,400\n");
+  const DeckFolder scene;
+  scene.add("s.csv", "element,temperature\n1,400\n");
   const std::string law =
       "johnson_cook, a: 100e6, b: 0, n: 1, melt_temperature: 800, room_temperature: 300, start_temperature: 300, "
       "specific_heat: 500, heating_share: 0";
@@ -303,13 +281,13 @@ output: {{history: {{every: 1e-4, elements: [{{name: one, id: 1}}]}}}}
 
 // Of a table as of the deck: below melt_temperature, and with an equation of state 70 above absolute_zero.
 TEST(StartFields, ATemperatureAtWhichItsLawMayNotStartIsRefused) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   const std::string law =
       "johnson_cook, a: 100e6, b: 0, n: 1, melt_temperature: 800, room_temperature: 300, start_temperature: 300, "
       "specific_heat: 500";
   const std::string state = ", equation_of_state: {kind: mie_grueneisen, sound_speed: 4000, slope: 1.5, grueneisen: 2}";
   const auto find_error = [&](double temperature, const std::string& more) {
-    scene.add_file("s.csv", fmt::format("element,temperature\n2,300\n3,{}\n", temperature));
+    scene.add("s.csv", fmt::format("element,temperature\n2,300\n3,{}\n", temperature));
     return scene.find_error(hang("", law + more));
   };
   const std::string start = "s.csv:3: error: element 3 begins with the temperature ";
@@ -324,22 +302,22 @@ TEST(StartFields, ATemperatureAtWhichItsLawMayNotStartIsRefused) {
 }
 
 TEST(StartFields, ABeamTakesNothingFromFiles) {
-  const FieldsScene scene;
+  const DeckFolder scene;
   const std::string deck = R"yaml(
 time: {end: 1e-5}
 parts: {bar: {line: {from: [0, 0, 0], to: [1, 0, 0], cells: 2}, section: {round: {radius: 0.1}}, material: steel}}
 materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
 start: {fields: [{file: s.csv}]}
 )yaml";
-  scene.add_file("s.csv", "element,temperature\n1,300\n");
+  scene.add("s.csv", "element,temperature\n1,300\n");
   EXPECT_THAT(scene.find_error(deck), HasSubstr("element 1 is a beam (beams take no temperature from files)"));
-  scene.add_file("s.csv", std::string(heading) + "\n1,1,0,0,0,0,0\n");
+  scene.add("s.csv", std::string(heading) + "\n1,1,0,0,0,0,0\n");
   EXPECT_THAT(scene.find_error(deck), HasSubstr("element 1 is a beam (beams take no stress from files)"));
 }
 
 TEST(StartFields, AnElementHasAStressFromOneFileOnly) {
-  const FieldsScene scene;
-  scene.add_file("s.csv", std::string(heading) + "\n2,0,0,1,0,0,0\n3,0,0,1,0,0,0\n");
+  const DeckFolder scene;
+  scene.add("s.csv", std::string(heading) + "\n2,0,0,1,0,0,0\n3,0,0,1,0,0,0\n");
   std::string twice = hang("");
   const std::string once = "{file: s.csv";
   ASSERT_NE(twice.find(once), std::string::npos) << twice;
