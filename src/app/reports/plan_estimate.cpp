@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "src/mesh/decomposition/element_costs.hpp"
+
 namespace percuss {
 namespace {
 
@@ -98,6 +100,7 @@ RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, cons
   RankSpreads spreads;
   spreads.chunks = spread([&](std::size_t r) { return number(mesh[r].chunks); });
   spreads.elements = spread([&](std::size_t r) { return number(mesh[r].elements); });
+  spreads.work = spread([&](std::size_t r) { return number(mesh[r].work) / hexahedron_cost; });
   spreads.shared_nodes = spread([&](std::size_t r) { return number(mesh[r].shared_nodes); });
   spreads.neighbours = spread([&](std::size_t r) { return number(mesh[r].neighbours); });
   spreads.halo_messages = spread([&](std::size_t r) { return find_halo_cost(mesh[r], pattern).messages; });
@@ -117,11 +120,11 @@ StepEstimate estimate_step(const RanksPlan& plan, const StepPattern& pattern, co
     return find_spread(plan.ranks, find).most;
   };
   const RankSpreads spreads = find_spreads(plan, pattern, figures);
-  const auto compute = [&](double elements, double points) {
-    return 1e-9 * (elements * figures.element_ns + points * figures.contact_node_ns);
+  const auto compute = [&](double work, double points) {
+    return 1e-9 * (work * figures.element_ns + points * figures.contact_node_ns);
   };
   StepEstimate step;
-  step.computing = compute(spreads.elements.most, spreads.contact_points.most);
+  step.computing = compute(spreads.work.most, spreads.contact_points.most);
   if (plan.ranks == 1) return step;
   step.halo =
       slowest([&](std::size_t r) { return find_seconds(find_halo_cost(plan.mesh.ranks[r], pattern), figures); });
@@ -129,7 +132,7 @@ StepEstimate estimate_step(const RanksPlan& plan, const StepPattern& pattern, co
     return find_seconds(find_contact_cost(plan.mesh.ranks[r], plan.contact.ranks[r], pattern, figures), figures);
   });
   step.reductions = count_reductions(pattern, figures) * std::ceil(std::log2(plan.ranks)) * figures.latency;
-  step.efficiency = compute(spreads.elements.mean, spreads.contact_points.mean) / step.step();
+  step.efficiency = compute(spreads.work.mean, spreads.contact_points.mean) / step.step();
   return step;
 }
 

@@ -38,8 +38,8 @@ struct Spread {
 
 /// What the ranks have and send in a step; messages and bytes are means over the steps between two searches.
 struct RankSpreads {
-  Spread chunks, elements, shared_nodes, neighbours, halo_messages, halo_bytes;
-  Spread contact_points, contact_messages, contact_bytes, memory;  // memory [byte]
+  Spread chunks, elements, work, shared_nodes, neighbours, halo_messages, halo_bytes;
+  Spread contact_points, contact_messages, contact_bytes, memory;  // work [hexahedra]; memory [byte]
 };
 
 /// Times of a step [s].

@@ -87,7 +87,8 @@ void add_mesh_rows(PlanTable& table) {
   table.add("chunks per rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.chunks.least; });
   table.add("elements per rank, fewest", "{:.0f}", [](const Column& c) { return c.spreads.elements.least; });
   table.add_mean_and_most("elements per rank", &RankSpreads::elements);
-  table.add_most_over_mean(&RankSpreads::elements);
+  table.add_mean_and_most("element work per rank", &RankSpreads::work);
+  table.add_most_over_mean(&RankSpreads::work);
   table.add_mean_and_most("shared nodes per rank", &RankSpreads::shared_nodes);
   table.add_mean_and_most("neighbours per rank", &RankSpreads::neighbours);
   table.add_mean_and_most("halo messages per step", &RankSpreads::halo_messages);
@@ -156,11 +157,11 @@ void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog&
     log.add(warn("idle_ranks", fmt::format("{} of {} ranks would have no elements (the mesh has {} chunks, and a chunk "
                                            "is never split): take fewer ranks or a finer mesh",
                                            empty, ranks, scene.chunks)));
-  } else if (ranks > 1 && spreads.elements.imbalance() > uneven) {
-    log.add(warn("uneven_ranks", fmt::format("on {} ranks the heaviest has {:.2f} times the mean of the elements "
+  } else if (ranks > 1 && spreads.work.imbalance() > uneven) {
+    log.add(warn("uneven_ranks", fmt::format("on {} ranks the heaviest has {:.2f} times the mean work of elements "
                                              "({:.1f} chunks per rank, and a chunk is never split): take fewer ranks "
                                              "or a finer mesh",
-                                             ranks, spreads.elements.imbalance(), spreads.chunks.mean)));
+                                             ranks, spreads.work.imbalance(), spreads.chunks.mean)));
   }
   if (ranks > 1 && scene.pattern.has_pairs && spreads.contact_points.mean < few_points) {
     log.add(warn("few_contact_points",

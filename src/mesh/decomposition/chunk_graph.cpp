@@ -9,6 +9,7 @@
 #include "comm/exchange/item_exchange.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
+#include "src/mesh/decomposition/element_costs.hpp"
 #include "src/mesh/decomposition/near_chunks.hpp"
 #include "src/mesh/decomposition/node_homes.hpp"
 
@@ -53,16 +54,25 @@ std::vector<std::int64_t> number_owned_nodes(const std::vector<int>& users, cons
   return numbers;
 }
 
-/// [chunks of the scene] exterior faces of each, on every rank.
-std::vector<std::int64_t> count_faces(const Communicator& ranks, const SceneParts& scene, const ChunkPieces& pieces) {
-  std::vector<std::int64_t> faces(at(scene.chunk_count()), 0);
+/// [chunks of the scene] sums over the elements of each, on every rank.
+template <class Find>
+std::vector<std::int64_t> sum_over_elements(const Communicator& ranks, const SceneParts& scene,
+                                            const ChunkPieces& pieces, const Find& find) {
+  std::vector<std::int64_t> sums(at(scene.chunk_count()), 0);
   for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
-    for (int e = pieces.first_element[c]; e < pieces.first_element[c + 1]; ++e) {
-      faces[at(pieces.chunks[c])] += std::popcount(pieces.exterior[at(e)]);
-    }
+    for (int e = pieces.first_element[c]; e < pieces.first_element[c + 1]; ++e)
+      sums[at(pieces.chunks[c])] += find(at(e));
   }
-  all_reduce(ranks, Reduce::sum, faces);
-  return faces;
+  all_reduce(ranks, Reduce::sum, sums);
+  return sums;
+}
+
+/// [blocks of all parts]
+std::vector<int> list_element_costs(const Deck& deck, const SceneParts& scene) {
+  std::vector<int> costs;
+  for (const ScenePart& part : scene.parts)
+    for (const ElementBlock& block : part.blocks) costs.push_back(find_element_cost(deck, block));
+  return costs;
 }
 
 /// A chunk in the message to rank 0.
@@ -92,13 +102,10 @@ std::vector<ChunkBox> gather_boxes(const Communicator& ranks, const SceneParts& 
   return boxes;
 }
 
-/// [chunks of the scene] on every rank.
-std::vector<int> find_costs(const SceneParts& scene, const std::vector<std::int64_t>& faces, int face_cost) {
+std::vector<int> find_costs(const std::vector<std::int64_t>& work, const std::vector<std::int64_t>& faces,
+                            int face_cost) {
   std::vector<int> costs(faces.size());
-  for (std::size_t c = 0; c < costs.size(); ++c) {
-    const auto elements = static_cast<int>(scene.first_element[c + 1] - scene.first_element[c]);
-    costs[c] = element_cost * elements + face_cost * static_cast<int>(faces[c]);
-  }
+  for (std::size_t c = 0; c < costs.size(); ++c) costs[c] = static_cast<int>(work[c] + face_cost * faces[c]);
   return costs;
 }
 
@@ -117,10 +124,14 @@ NumberedChunks number_chunks(const Deck& deck, const Communicator& ranks, const 
   }
   std::vector<GraphEdge> edges = homes.gather_edges();
   const bool has_contact = deck.contact.surfaces != ContactDeck::Surfaces::none;
-  const std::vector<std::int64_t> faces = count_faces(ranks, scene, pieces);
+  const std::vector<std::int64_t> faces =
+      sum_over_elements(ranks, scene, pieces, [&](std::size_t e) { return std::popcount(pieces.exterior[e]); });
+  const std::vector<int> element_costs = list_element_costs(deck, scene);
+  numbered.work =
+      sum_over_elements(ranks, scene, pieces, [&](std::size_t e) { return element_costs[at(pieces.blocks[e])]; });
   std::vector<ChunkBox> boxes;
   if (has_contact) boxes = gather_boxes(ranks, scene, pieces, faces);
-  std::vector<int> costs = find_costs(scene, faces, has_contact ? contact_face_cost : 0);
+  std::vector<int> costs = find_costs(numbered.work, faces, has_contact ? contact_face_cost : 0);
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
     if (has_contact) edges = add_near_chunks(boxes, std::move(edges));

@@ -10,15 +10,16 @@
 
 namespace percuss {
 
-/// Work of a chunk in thirty-seconds of an element's: its elements, and, in a scene with contact, its exterior faces,
+/// Work of a chunk on the scale of hexahedron_cost: its elements, and, in a scene with contact, its exterior faces,
 /// which take part in the search. Faces weigh little because the contact work is divided otherwise and only what each
 /// rank does for its own nodes and faces stays with it.
-inline constexpr int element_cost = 32, contact_face_cost = 1;
+inline constexpr int contact_face_cost = 1;
 
 /// Pieces whose nodes have their numbers in the whole mesh.
 struct NumberedChunks {
   std::vector<std::int64_t> numbers;  // [nodes of the pieces]
   Numbering numbering;                // the same on every rank; nobody holds any chunk yet (no ranks)
+  std::vector<std::int64_t> work;     // [chunks] of its elements, on the scale of hexahedron_cost; on every rank
   Graph graph;  // rank 0: a vertex a chunk, an edge where chunks share nodes or, with contact, lie next to each other
 };
 

@@ -63,6 +63,7 @@ DecompositionPlanner::DecompositionPlanner(const Deck& deck) {
   check_pieces(deck, self, pieces, scene);
   NumberedChunks numbered = number_chunks(deck, self, scene, pieces);
   graph_ = std::move(numbered.graph);
+  work_ = std::move(numbered.work);
   elements_.resize(at(scene.chunk_count()));
   for (std::size_t c = 0; c < elements_.size(); ++c) {
     elements_[c] = scene.first_element[c + 1] - scene.first_element[c];
@@ -86,6 +87,7 @@ DecompositionPlan DecompositionPlanner::plan(int rank_count) const {
   for (std::size_t c = 0; c < ranks.size(); ++c) {
     ++plan.ranks[at(ranks[c])].chunks;
     plan.ranks[at(ranks[c])].elements += elements_[c];
+    plan.ranks[at(ranks[c])].work += work_[c];
   }
   NodeCount count(plan.ranks);
   std::vector<int> slots;

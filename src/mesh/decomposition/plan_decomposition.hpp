@@ -16,6 +16,7 @@ inline constexpr std::int64_t halo_slot_bytes = 24;
 struct RankPlan {
   int chunks = 0;
   std::int64_t elements = 0;
+  std::int64_t work = 0;          // of its elements, on the scale of hexahedron_cost
   std::int64_t nodes = 0;         // of its elements
   std::int64_t shared_nodes = 0;  // those that other ranks hold too
   int neighbours = 0;             // ranks that it shares nodes with
@@ -43,9 +44,9 @@ class DecompositionPlanner {
 
  private:
   Graph graph_;
-  std::vector<std::int64_t> elements_;   // [chunks]
-  std::vector<std::int64_t> first_use_;  // [nodes + 1] into chunks_
-  std::vector<int> chunks_;              // that use each node, ascending: a slot each
+  std::vector<std::int64_t> elements_, work_;  // [chunks]
+  std::vector<std::int64_t> first_use_;        // [nodes + 1] into chunks_
+  std::vector<int> chunks_;                    // that use each node, ascending: a slot each
 };
 
 /// One plan alone.

@@ -6,7 +6,10 @@
 
 #include "comm/halo/node_copies.hpp"
 #include "comm/halo/shared_nodes.hpp"
+#include "kernels/material/laws/neo_hookean.hpp"
+#include "kernels/material/point/elastic.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "src/mesh/decomposition/element_costs.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss {
@@ -89,6 +92,45 @@ TEST(PlanDecomposition, IsEvenAtAThousandElementsARank) {
     EXPECT_LE(find_imbalance(plan_decomposition(make_brick_wall(), ranks)), 1.05) << "brick wall on " << ranks;
     EXPECT_LE(find_imbalance(plan_decomposition(make_shells(), ranks)), 1.05) << "shells on " << ranks;
   }
+}
+
+TEST(PlanDecomposition, GivesEachRankEqualWorkOfUnequalElements) {
+  if (Communicator::world().rank() != 0) return;
+  // 4096 elements of one point, 4096 of eight, 4096 that only move.
+  Deck deck = make_deck({make_part_deck("one", BoxShape{{1, 1, 1}, {16, 16, 16}}),
+                         make_part_deck("eight", BoxShape{{1, 1, 1}, {16, 16, 16}}),
+                         make_part_deck("rigid", BoxShape{{1, 1, 1}, {16, 16, 16}})});
+  deck.materials.front().law.model = Elastic::name;
+  deck.parts[1].own_elements.integration = ElementDeck::Integration::full;
+  deck.parts[2].rigid = RigidDeck{};
+  const DecompositionPlan plan = plan_decomposition(deck, 3);
+  std::int64_t most = 0, all = 0, fewest_elements = 12288, most_elements = 0;
+  for (const RankPlan& rank : plan.ranks) {
+    most = std::max(most, rank.work);
+    all += rank.work;
+    fewest_elements = std::min(fewest_elements, rank.elements);
+    most_elements = std::max(most_elements, rank.elements);
+  }
+  EXPECT_EQ(all, 4096 * (hexahedron_cost + 76 + 9));
+  EXPECT_LE(3.0 * double(most) / double(all), 1.05);
+  EXPECT_GT(most_elements, 2 * fewest_elements);
+}
+
+TEST(ElementCosts, FollowKindLawAndPart) {
+  Deck deck = make_deck({make_part_deck("a", BoxShape{{1, 1, 1}, {1, 1, 1}})});
+  deck.materials.front().law.model = Elastic::name;
+  ElementBlock block;
+  EXPECT_EQ(find_element_cost(deck, block), hexahedron_cost);
+  block.topology = TopologyKind::pyramid5;
+  EXPECT_LT(find_element_cost(deck, block), hexahedron_cost);
+  block.topology = TopologyKind::hex8;
+  deck.materials.front().law.model = NeoHookean::name;
+  const int called = find_element_cost(deck, block);
+  EXPECT_GT(called, hexahedron_cost);
+  deck.elements.integration = ElementDeck::Integration::full;
+  EXPECT_GT(find_element_cost(deck, block), 2 * called);
+  deck.parts.front().rigid = RigidDeck{};
+  EXPECT_LT(find_element_cost(deck, block), hexahedron_cost / 2);
 }
 
 TEST(PlanDecomposition, IsEvenOnManyRanks) {
