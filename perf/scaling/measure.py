@@ -88,15 +88,16 @@ def read_run(out):
     return run
 
 
-def run_point(options, deck, scene, kind, mode, ranks):
+def run_point(options, deck, series, ranks):
     """The medians of several runs of one point. Kind "whole": the mesh of so many ranks, on one."""
-    settings = find_settings(scene, kind, mode, ranks, options.steps)
+    scene, kind, mode, size = series
+    settings = find_settings(scene, kind, mode, size, ranks, options.steps)
     repeats = options.repeats if ranks <= options.repeat_up_to else 1
     used_ranks = 1 if kind == "whole" else ranks
     runs = [run for _ in range(repeats) for run in run_copies(options, deck, used_ranks, settings)]
     if len({run["state_hash"] for run in runs}) > 1:
         sys.exit(f"scaling: error: runs of {scene} on {ranks} ranks differ in their last state")
-    point = {"scene": scene, "kind": kind, "mode": mode}
+    point = {"scene": scene, "kind": kind, "mode": mode, "size": size}
     for name, value in runs[0].items():
         point[name] = value if isinstance(value, str) else statistics.median(run[name] for run in runs)
     point["ranks"] = ranks

@@ -6,40 +6,49 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def tube_and_box(tube, box):
-    return {"parts.container.tube.cells": tube, "parts.plate.box.cells": box}
+# Elements of a rank in the scaled problems, by the name of their size, and the numbers of ranks of a size (empty: all).
+SIZES = {"1900": [], "10000": [1, 8, 64], "30000": [1, 4, 16]}
 
-
-def brick_and_rod(brick, rod):
-    return {"parts.bricks.box.cells": brick, "parts.rod.cylinder.cells": rod}
-
-
-# Cells of the scaled problems, as the README of each scene has them: ranks times 1890 or 1875 elements.
-SCALED_CELLS = {
-    "apart": {2**n: {"parts.tubes.array.count": [1, 1, 2**n]} for n in range(7)},
-    "brick_wall": {
-        1: brick_and_rod([2, 3, 2], [5, 10]),
-        2: brick_and_rod([2, 6, 2], [5, 20]),
-        4: brick_and_rod([4, 6, 2], [10, 10]),
-        8: brick_and_rod([4, 6, 4], [10, 20]),
-        16: brick_and_rod([4, 12, 4], [10, 40]),
-        32: brick_and_rod([8, 12, 4], [10, 80]),
-        64: brick_and_rod([8, 12, 8], [10, 160]),
-    },
-    "can_crush": {
-        1: tube_and_box([3, 16, 34], [9, 9, 3]),
-        2: tube_and_box([3, 16, 68], [18, 9, 3]),
-        4: tube_and_box([3, 32, 68], [18, 18, 3]),
-        8: tube_and_box([6, 32, 68], [18, 18, 6]),
-        16: tube_and_box([6, 32, 136], [36, 18, 6]),
-        32: tube_and_box([6, 64, 136], [36, 36, 6]),
-        64: tube_and_box([12, 64, 136], [36, 36, 12]),
-    },
+# Cells of the scaled problems on one rank: a brick and the rod (across, along); the container and the plate; a tube.
+CELLS = {
+    "brick_wall": {"1900": ([2, 3, 2], [5, 10]), "10000": ([4, 4, 4], [9, 17]), "30000": ([6, 6, 5], [13, 28])},
+    "can_crush": {"1900": ([3, 16, 34], [9, 9, 3]), "10000": ([5, 28, 62], [16, 16, 5]), "30000": ([8, 40, 81], [23, 23, 8])},
+    "apart": {"1900": [3, 16, 39], "10000": [5, 28, 71], "30000": [8, 40, 94]},
 }
+
+
+def double(cells, axes, doublings):
+    """Cells after so many doublings of the directions that axes lists, one after the other."""
+    cells = list(cells)
+    for i in range(doublings):
+        cells[axes[i % len(axes)]] *= 2
+    return cells
+
+
+def find_cells(scene, size, doublings):
+    """The cells of a scaled problem on 2^doublings ranks, as the README of each scene has them."""
+    own = CELLS[scene][size]
+    if scene == "brick_wall":
+        across, along = own[1]
+        rod = [across, along * 2**doublings] if doublings < 2 else [2 * across, along * 2**(doublings - 2)]
+        return {"parts.bricks.box.cells": double(own[0], [1, 0, 2], doublings), "parts.rod.cylinder.cells": rod}
+    if scene == "can_crush":
+        return {"parts.container.tube.cells": double(own[0], [2, 1, 0], doublings),
+                "parts.plate.box.cells": double(own[1], [0, 1, 2], doublings)}
+    return {"parts.tubes.tube.cells": own, "parts.tubes.array.count": [1, 1, 2**doublings]}
+
 
 # The plate of the can crush begins where it touches the rim, so that there is contact from the first step on; the rod of
 # the brick wall arrives within three steps anyway, and its bricks touch from the start.
 START_IN_CONTACT = {"apart": {}, "brick_wall": {}, "can_crush": {"parts.plate.at": [-0.26, 0, 0.4]}}
+
+# Velocities at the start in place of those of the scene: everything moves, and the wall is pressed together. What rests is
+# skipped, and the first steps of a fine mesh would leave most ranks without work.
+EVERYTHING_MOVES = {
+    "brick_wall": "initial: [{part: rod, velocity: [200, 0, 0]}, {part: bricks, radial_velocity: "
+                  "{speed: -10, center: [0.05, 0.73, 0.63], axis: x}}]",
+    "can_crush": "initial: [{part: plate, velocity: [0, 0, -120]}, {part: container, velocity: [0, 0, -10]}]",
+}
 
 # How contact is divided and searched: "every_step" as in the paper, "when_due" as percuss does by itself.
 MODES = {
@@ -59,29 +68,36 @@ CONTROL = "apart"
 CONTROL_STEPS = 200
 
 
-def list_series(scenes, kinds, modes):
-    """Scene, kind and mode of each series of points. modes: empty for what each scene has by default."""
-    series = [(CONTROL, "scaled", "when_due")] if CONTROL in scenes and "scaled" in kinds else []
+def list_series(scenes, kinds, modes, sizes):
+    """Scene, kind, mode and size of each series of points. modes: empty for what each scene has by default."""
+    series = [(CONTROL, "scaled", "when_due", size) for size in sizes if CONTROL in scenes and "scaled" in kinds]
     for scene in scenes:
-        if scene != CONTROL:
-            series += [(scene, kind, mode) for kind in kinds for mode in modes or DEFAULT_MODES[scene]]
+        if scene == CONTROL:
+            continue
+        for size in sizes:
+            for kind in kinds:
+                if size == "1900":  # the paper's problems, in every mode
+                    series += [(scene, kind, mode, size) for mode in modes or DEFAULT_MODES[scene]]
+                elif kind != "fixed":
+                    series.append((scene, kind, "when_due", size))
     return series
 
 
-def find_settings(scene, kind, mode, ranks, steps):
+def find_settings(scene, kind, mode, size, ranks, steps):
     """The --set options of a point as a dictionary."""
     settings = {"time.max_steps": CONTROL_STEPS if scene == CONTROL else steps}
     settings.update(START_IN_CONTACT[scene])
     settings.update(MODES[mode])
     if kind != "fixed":
-        settings.update(SCALED_CELLS[scene][ranks])
+        settings.update(find_cells(scene, size, ranks.bit_length() - 1))
     return settings
 
 
 def write_deck(scene, folder):
-    """The deck of a scene without its output, for timing."""
+    """The deck of a scene for timing: without its output, and moving in all its elements."""
     own = ROOT / "perf" / "scaling" / f"{scene}.yaml"
     text = (own if own.exists() else ROOT / "inputs" / scene / "deck.yaml").read_text()
     deck = pathlib.Path(folder) / f"{scene}.yaml"
-    deck.write_text(re.sub(r"^output:\n(?:[ #].*\n)*", "", text, flags=re.MULTILINE))
+    text = re.sub(r"^output:\n(?:[ #].*\n)*", "", text, flags=re.MULTILINE)
+    deck.write_text(re.sub(r"^initial: .*$", EVERYTHING_MOVES.get(scene, r"\g<0>"), text, flags=re.MULTILINE))
     return deck

@@ -102,42 +102,51 @@ def tabulate_messages(points):
     return make_table(heading, rows)
 
 
-def tabulate_forecast(points, control, shares, latency, bandwidth):
+def tabulate_forecast(points, control, shares, network):
     heading = ["ranks", "FE [us]", "contact [us]", "messages [us]", "collectives [us]", "efficiency",
-               "efficiency, work over the control"]
+               "efficiency, work over the control", "the same, busiest rank"]
     as_measured = {p["ranks"]: 1.0 for p in points}
     growth = {p["ranks"]: find_growth(control, p["ranks"]) for p in points}
     most = points[-1]["ranks"]
     rows = []
     for ranks in FORECAST_RANKS[1:]:
-        parts, efficiency = forecast(points, shares, as_measured, ranks, latency, bandwidth)
-        _, corrected = forecast(points, shares, growth, ranks, latency, bandwidth)
+        if ranks < most and ranks not in growth:
+            continue
+        parts, efficiency, _ = forecast(points, shares, as_measured, ranks, network)
+        _, corrected, busiest = forecast(points, shares, growth, ranks, network)
         rows.append([f"{ranks}" + ("" if ranks <= most else " (extrapolated)")] +
                     [f"{1e6 * parts[name]:.0f}" for name in ("fe", "contact", "messages", "collectives")] +
-                    [f"{efficiency:.3f}", f"{corrected:.3f}"])
+                    [f"{efficiency:.3f}", f"{corrected:.3f}", f"{busiest:.3f}"])
     return make_table(heading, rows)
 
 
-def write_tables(points, latency, bandwidth):
-    """All tables of all series, with headings."""
-    control = [p for p in points if p["scene"] == CONTROL]
+def write_series(own, control, shares, network):
+    """The tables of one scene, kind, mode and size."""
+    kind = own[0]["kind"]
+    text = tabulate_fixed_work(own) if kind == "fixed" else tabulate_scaled_work(own, control, shares)
+    text += "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
+    if kind == "scaled" and all(p["ranks"] in shares and "mpi_hops" in p for p in own) and len(own) > 1:
+        text += f"Forecast for {1e6 * network[0]:g} us per message or hop, {1e-9 * network[1]:g} GB/s per rank:\n\n"
+        text += tabulate_forecast(own, control, shares, network) + "\n"
+    return text
+
+
+def write_tables(points, network):
+    """All tables of all series, with headings. network: latency [s] and bandwidth [bytes/s] of the forecast."""
+
+    def select(*wanted):
+        own = [p for p in points if (p["scene"], p["kind"], p["mode"], p["size"]) == wanted]
+        return sorted(own, key=lambda p: p["ranks"])
+
     text = ""
-    if control:
-        text += "### Control: bodies apart, scaled size\n\n" + tabulate_control(control) + "\n"
-    measured = [p for p in points if p["scene"] != CONTROL]
-    for scene, kind, mode in dict.fromkeys((p["scene"], p["kind"], p["mode"]) for p in measured):
-        if kind == "whole":
-            continue
-
-        def select(wanted):
-            own = [p for p in measured if (p["scene"], p["kind"], p["mode"]) == (scene, wanted, mode)]
-            return sorted(own, key=lambda p: p["ranks"])
-
-        own, shares = select(kind), find_shares(select("whole"))
-        text += f"### {SCENE_NAMES[scene]}, {kind} size, {MODE_NAMES[mode]}\n\n"
-        text += tabulate_fixed_work(own) if kind == "fixed" else tabulate_scaled_work(own, control, shares)
-        text += "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
-        if kind == "scaled" and all(p["ranks"] in shares and "mpi_hops" in p for p in own) and len(own) > 1:
-            text += f"Forecast for {1e6 * latency:g} us per message or hop, {1e-9 * bandwidth:g} GB/s per rank:\n\n"
-            text += tabulate_forecast(own, control, shares, latency, bandwidth) + "\n"
+    for scene, kind, mode, size in dict.fromkeys((p["scene"], p["kind"], p["mode"], p["size"]) for p in points):
+        per_rank = f"{int(size):,}".replace(",", " ") + " elements a rank"
+        own = select(scene, kind, mode, size)
+        if scene == CONTROL:
+            text += f"### Control: bodies apart, {per_rank}\n\n" + tabulate_control(own) + "\n"
+        elif kind != "whole":
+            heading = "fixed size" if kind == "fixed" else per_rank
+            text += f"### {SCENE_NAMES[scene]}, {heading}, {MODE_NAMES[mode]}\n\n"
+            control, whole = select(CONTROL, "scaled", "when_due", size), select(scene, "whole", mode, size)
+            text += write_series(own, control, find_shares(whole), network)
     return text
