@@ -145,6 +145,69 @@ struct SolidChunkSums {
   }
 };
 
+/// A pack of a chunk in work.
+struct SolidPack {
+  const SolidChunk& chunk;
+  int pack, lanes;
+  const std::uint16_t* corners;
+  const SolidScratch& scratch;
+
+  KOKKOS_FUNCTION int first_element() const { return chunk.first_element + pack * solid_width; }
+};
+
+/// Forces of N corners by the shares that lanes leave of them; nothing from inactive lanes and from those that must
+/// stop.
+template <int N, class Field>
+PERCUSS_FORCE_INLINE void settle_forces(const Lanes& share, Field& f) {
+  const Lanes zero(0.0);
+  const auto lives = !(share < zero);
+  for (int i = 0; i < N; ++i)
+    f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
+            select(lives, share * f[i].z, zero)};
+}
+
+/// Step bound and volume of the lanes that live; harmless ones of the others.
+PERCUSS_FORCE_INLINE void settle_step(const Lanes& share, Lanes& step, Lanes& volume) {
+  const auto lives = !(share < Lanes(0.0));
+  step = select(lives, step, Lanes(1e300));
+  volume = select(lives, volume, Lanes(1.0));
+}
+
+/// The elements of a block, whose packs read and write a state of their own and leave forces on their corners.
+template <class Material, class Block>
+struct SolidKernel {
+  using Living = LivingSolids<Material>;
+  HexChunks chunks;
+  Block block;
+  ElementMotion motion;
+  ChunkFields fields;
+
+  /// Calls advance_pack(parameters, pack, living, state, sums) for each pack of the team's chunk that has living
+  /// elements.
+  template <class State, class AdvancePack>
+  KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AdvancePack& advance_pack) const {
+    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    parameters.time = motion.time;
+    SolidChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
+    Real* record = &fields.state(chunks.first_state(chunk.c));
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      advance_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
+    });
+    sums.leave_work(chunk.c, fields.results);
+    sums.leave_step(chunk.c, chunk.first_element, fields.results);
+    copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
+  }
+};
+
 /// Launches a kernel over chunks, a team each.
 template <class Kernel>
 void launch_solids(const char* label, const ExecSpace& space, const HexChunks& chunks, const Array<int>& list,

@@ -112,72 +112,39 @@ struct AdvanceTetStresses {
 
 /// The plain form.
 template <class Material>
-struct AdvancePlainTets {
-  using Living = LivingSolids<Material>;
-  HexChunks chunks;
-  TetBlock<Material> block;
-  ElementMotion motion;
-  Array<Real> state;
-  Rows3<double> slot_force;
-  ChunkResults results;
+struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
+  using Base = SolidKernel<Material, TetBlock<Material>>;
+  using typename Base::Living;
+  using State = TetState<Lanes, Material>;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
-    parameters.time = motion.time;
-    SolidChunkSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
-    Real* record = &state(chunks.first_state(chunk.c));
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      auto& state_of_pack =
-          *reinterpret_cast<TetState<Lanes, Material>*>(record + size * static_cast<std::size_t>(pack));
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      const int first = chunk.first_element + pack * solid_width;
-      advance_pack(parameters, {corners, lanes, first, scratch.nodes, scratch.forces}, living, state_of_pack, sums);
-    });
-    sums.leave_work(chunk.c, results);
-    sums.leave_step(chunk.c, chunk.first_element, results);
-    copy_force_rows(scratch.forces, chunk.slot_count, &slot_force(chunk.first_slot, 0));
+    this->template advance_chunk<State>(
+        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+                    SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
   }
 
-  struct Work {
-    const std::uint16_t* corners;
-    int lanes, first_element;
-    const double* nodes;
-    double* forces;
-  };
-
-  KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
-                                    TetState<Lanes, Material>& of, SolidChunkSums& sums) const {
+  KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const SolidPack& on,
+                                    const Living& living, State& of, SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
-    gather_corners<4>(on.nodes, node_record, on.corners, x);
-    gather_corners<4>(on.nodes + 4, node_record, on.corners, v);
-    const Lanes dt(motion.dt), zero(0.0);
+    gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
+    gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
+    const Lanes dt(this->motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     TetPoint<Lanes> point = advance_tet4<false>(parameters, x, own, own.d, dt, of);
     Lanes step = find_plain_step(point.geometry, of.mass, point.own), volume = point.geometry.volume;
     TetCorners<Lanes> f = find_tet_forces(point.geometry, add_to_diagonal(point.stress, zero - of.viscous_pressure));
     if (living.can_fail()) {
       const Lanes share = living.take_force_share(step, volume);
-      const auto lives = !(share < zero);
-      for (int i = 0; i < 4; ++i)
-        f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
-                select(lives, share * f[i].z, zero)};
+      settle_forces<4>(share, f);
       living.take_work(share, 0, point.work.internal);
       living.take_work(share, 2, point.work.viscous);
-      step = select(lives, step, Lanes(1e300));
-      volume = select(lives, volume, Lanes(1.0));
+      settle_step(share, step, volume);
     }
-    scatter_corners<4>(f, on.corners, on.lanes, on.forces);
+    scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_work(0, point.work.internal, on.lanes);
     sums.take_work(2, point.work.viscous, on.lanes);
     sums.take_work(3, point.work.guard, on.lanes);
-    sums.take_step(step, volume, on.first_element, on.lanes);
+    sums.take_step(step, volume, on.first_element(), on.lanes);
   }
 };
 
@@ -196,7 +163,7 @@ void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlo
                    const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::advance_plain_tets", space, chunks, block.chunks,
-                  AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
+                  AdvancePlainTets<Material>{{chunks, block, motion, fields}});
   }
 }
 

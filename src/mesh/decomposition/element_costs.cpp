@@ -19,12 +19,18 @@ KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
   switch (kind) {
     case TopologyKind::hex8:
       return settings.integration == ElementDeck::Integration::full ? KindCost{76, 60} : KindCost{hexahedron_cost, 18};
-    case TopologyKind::quad4: return {43, 0};
-    case TopologyKind::tri3: return {32, 0};
-    case TopologyKind::tet4: return {34, 12};
-    case TopologyKind::wedge6: return {36, 18};
-    case TopologyKind::pyramid5: return {26, 18};
-    case TopologyKind::line2: break;
+    case TopologyKind::quad4:
+      return {43, 0};
+    case TopologyKind::tri3:
+      return {32, 0};
+    case TopologyKind::tet4:
+      return {34, 12};
+    case TopologyKind::wedge6:
+      return {36, 18};
+    case TopologyKind::pyramid5:
+      return {26, 18};
+    case TopologyKind::line2:
+      break;
   }
   return {50, 0};
 }
