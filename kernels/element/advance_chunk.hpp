@@ -181,8 +181,8 @@ struct AdvanceChunk {
       resists_ = fold.resists || resists_;
     }
     KOKKOS_FUNCTION bool acted() const { return acted_; }
-    KOKKOS_FUNCTION void leave(const ChunkResults& results, int c) const {
-      if (threshold_ > 0) results.resists(c) = resists_ ? 1 : 0;
+    KOKKOS_FUNCTION void leave(const ChunkResults& of_chunks, int c) const {
+      if (threshold_ > 0) of_chunks.resists(c) = resists_ ? 1 : 0;
     }
 
    private:
