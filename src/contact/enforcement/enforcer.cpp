@@ -199,22 +199,6 @@ void Enforcer::repeat(const ContactMotion& motion) {
   last_dt_ = motion.dt;
 }
 
-Rows3<double> Enforcer::find_pushes() {
-  if (restored_pushes_.extent(0) > 0) return restored_pushes_;
-  const Rows3<double> pushes("contact::node_pushes", node_numbers_.extent(0));
-  if (!has_solved_) return pushes;
-  Array<RowSides> marks("contact::push_marks", 0);
-  Array<NormalPush> sent("contact::sent_pushes", 0), remote("contact::remote_pushes", 0);
-  const ExecSpace space;
-  mark_pushes(space, system_, marks);
-  list_sent_pushes(space, system_, marks, sent);
-  space.fence();
-  exchange_.send_pushes(sent, system_, remote);
-  sum_pushes(space, {system_, marks, remote}, pushes);
-  space.fence();
-  return pushes;
-}
-
 void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>& use) const {
   run_where_it_pays(system_.num_rows / 8, [&](const auto& space) {
     percuss::find_tie_uses(space, system_, strengths, last_dt_mean_, use);
