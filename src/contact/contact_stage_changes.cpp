@@ -7,56 +7,62 @@ void ContactStage::Impl::redefine_surface() {
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   breaking.use(ties);
   tie_rows = TieRows(seen(), ties, contact);
-  redefine_share();
+  share = build_surface_share(chunks, deck, ties, exchange, folds.folds());
   walls = build_walls(chunks, deck, share);
-  approach.redefine();
-  redefine_finder();
+  enforcer.redefine(mesh, share, walls, tie_rows.geometry());
+  follow_share();
+  renew_finder();
 }
 
-void ContactStage::Impl::redefine_share() {
-  forget_last_step();
+/// Faces and nodes are others, or named by other classes.
+void ContactStage::Impl::follow_share() {
   areas.reset();
-  share = build_surface_share(chunks, deck, ties, exchange, folds.folds());
+  approach.redefine();
+  forces.set_surface(seen(), share);
+}
+
+void ContactStage::Impl::renew_finder() {
+  forget_last_step();
   bound.redefine();
   is_new_surface = true;
-}
-
-void ContactStage::Impl::redefine_finder() {
   std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
   next->take_over(*finder);
   finder = std::move(next);
-  enforcer.redefine(mesh, share, walls, tie_rows.geometry());
-  forces.set_surface(seen(), share);
   candidates = 0;
 }
 
-/// Nodes, faces, walls and ties are as they were.
-void ContactStage::Impl::redefine_edges() {
-  redefine_share();
-  approach.redefine_bodies();  // numbers of classes are others
-  redefine_finder();
+/// For a surface that has changed: one search for both, where it overlaps now and the pairs of the next steps.
+void ContactStage::Impl::search_changed(const SurfaceMotion& here) {
+  candidates = finder->search(here, bound.restart(here, true));
+  count_search();
 }
 
-void ContactStage::Impl::redefine(Rows3<const double> x, Rows3<const double> v, const SurfaceCause& cause) {
+/// ties: those whose surfaces may touch from now on; null: elements have died.
+void ContactStage::Impl::redefine(const SurfaceMotion& here, const ReleasedTies* ties_let_go) {
   const Phase phase("percuss::contact_redefine", clocks.search);
-  const bool are_folds = cause.kind == SurfaceCause::Kind::folds;
   const HistoryOwners before = list_owners();
-  if (are_folds) {
-    redefine_edges();
-  } else {
-    folds.redefine();
-    redefine_surface();
-  }
+  folds.redefine();
+  redefine_surface();
   const HistoryOwners now = list_owners();
   history = carry_history(ranks, history, before, now, share, walls);
   if (!has_pairs()) return;
-  // One search for both: where opened surfaces overlap, and the pairs of the next steps.
-  const SurfaceMotion here{x, v, 0};
-  candidates = finder->search(here, bound.restart(here, true));
-  count_search();
-  const SurfaceChange change{before, now, cause.released.nodes, cause.released.faces};
-  if (cause.kind != SurfaceCause::Kind::elements) seed_edges(look_for_overlap(*finder), here, change, history.edges);
-  if (!are_folds) seed_opened(look_for_overlap(*finder), here, contact.overlap, change, history);
+  search_changed(here);
+  const ReleasedTies released = ties_let_go == nullptr ? ReleasedTies{} : *ties_let_go;
+  if (ties_let_go != nullptr)
+    seed_edges(look_for_overlap(*finder), here, {before.edges, now.edges, released.nodes}, history.edges);
+  seed_opened(look_for_overlap(*finder), here, contact.overlap, {before, now, released.nodes, released.faces}, history);
+}
+
+/// Nodes, faces, walls and ties are as they were.
+void ContactStage::Impl::redefine_folds(const SurfaceMotion& here) {
+  const Phase phase("percuss::contact_redefine", clocks.search);
+  const std::vector<EdgeTopology> before = share.edges;
+  if (!change_folds(chunks, deck, ties, exchange, folds.folds(), share)) follow_share();
+  renew_finder();
+  history.edges = carry_edges(ranks, history.edges, before, share.edges);
+  if (!has_pairs()) return;
+  search_changed(here);
+  seed_edges(look_for_overlap(*finder), here, {before, share.edges, {}}, history.edges);
 }
 
 void ContactStage::restore_surface() {
@@ -67,7 +73,7 @@ void ContactStage::restore_surface() {
   stage.history.ties = Rows3<double>("contact::history_ties", stage.tie_rows.keys().size());
 }
 
-void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine(x, v, {}); }
+void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine({x, v, 0}, nullptr); }
 
 void ContactStage::watch_folds(Rows3<const double> x, Rows3<const double> v, long step) {
   Impl& stage = *impl_;
@@ -76,13 +82,14 @@ void ContactStage::watch_folds(Rows3<const double> x, Rows3<const double> v, lon
     const Phase phase("percuss::contact_folds", stage.clocks.search);
     if (!stage.folds.look(stage.share, x, step)) return;
   }
-  stage.redefine(x, v, {SurfaceCause::Kind::folds});
+  stage.redefine_folds({x, v, 0});
 }
 
 bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   if (!stage.breaking.are_failing()) return false;
-  stage.redefine(x, v, {SurfaceCause::Kind::ties, stage.breaking.release(stage.ties_of_start)});
+  const ReleasedTies released = stage.breaking.release(stage.ties_of_start);
+  stage.redefine({x, v, 0}, &released);
   return true;
 }
 

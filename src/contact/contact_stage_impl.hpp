@@ -21,12 +21,6 @@
 
 namespace percuss {
 
-/// Why the surface is another now.
-struct SurfaceCause {
-  enum class Kind { elements, ties, folds } kind = Kind::elements;
-  ReleasedTies released = {};  // whose surfaces may touch from now on
-};
-
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
       : ranks(world),
@@ -71,10 +65,11 @@ struct ContactStage::Impl {
   const AreaNodes& find_areas(const Rows3<const double>& x);
   void forget_last_step();
   void redefine_surface();
-  void redefine_share();
-  void redefine_finder();
-  void redefine_edges();
-  void redefine(Rows3<const double> x, Rows3<const double> v, const SurfaceCause& cause);
+  void follow_share();
+  void renew_finder();
+  void search_changed(const SurfaceMotion& here);
+  void redefine(const SurfaceMotion& here, const ReleasedTies* ties_let_go);
+  void redefine_folds(const SurfaceMotion& here);
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
 
   const Communicator ranks;
