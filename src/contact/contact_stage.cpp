@@ -13,9 +13,10 @@
 namespace percuss {
 
 /// (1.7) Search for potential contacts, if the candidate pairs may have become too few. Returns whether it searched.
-bool ContactStage::Impl::search(const SurfaceMotion& motion) {
+/// fastest: no node of this rank is faster in the motion; negative: not known.
+bool ContactStage::Impl::search(const SurfaceMotion& motion, double fastest) {
   if (!has_pairs()) {
-    approach.look_at_walls_alone(motion, enforcer.walls());
+    approach.look_at_walls_alone(motion, fastest, enforcer.walls());
     return false;
   }
   const Phase phase("percuss::contact_search", clocks.search);
@@ -116,6 +117,8 @@ ContactStage::~ContactStage() = default;
 
 bool ContactStage::is_active() const { return impl_->is_active; }
 
+bool ContactStage::wants_speeds() const { return impl_->has_walls && impl_->contact.reuse_search; }
+
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
@@ -199,7 +202,8 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   stage.enforcer.show_seen(motion);
   const SurfaceMotion seen{motion.x, motion.v, motion.dt};
   stage.is_step_counted = false;
-  const bool has_searched = stage.search(seen);
+  const bool is_speed_known = motion.fastest >= 0 && motion.fastest_before >= 0;
+  const bool has_searched = stage.search(seen, is_speed_known ? std::max(motion.fastest, motion.fastest_before) : -1);
   if (has_searched) stage.count_search();
   const int num_touches = stage.check(seen);
   stage.enforcer.show_predicted(motion);

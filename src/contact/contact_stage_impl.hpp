@@ -53,7 +53,7 @@ struct ContactStage::Impl {
   ContactRanks seen() const { return {ranks, numbering, mesh}; }
   bool has_pairs() const { return share.total_searched_faces > 0; }
 
-  bool search(const SurfaceMotion& motion);
+  bool search(const SurfaceMotion& motion, double fastest);
   void count_search();
   void search_again();
   int check(const SurfaceMotion& motion);

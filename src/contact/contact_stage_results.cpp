@@ -82,6 +82,7 @@ DecompositionReport ContactStage::decomposition() const {
 }
 SearchLoad ContactStage::load() const { return impl_->finder->load(); }
 PairCounts ContactStage::pair_counts() const { return impl_->finder->pair_counts(); }
+WallCounts ContactStage::wall_counts() const { return impl_->enforcer.wall_counts(); }
 
 std::vector<double> ContactStage::contact_ranks() const {
   const Impl& stage = *impl_;

@@ -1,5 +1,7 @@
 #include "src/contact/approach/approach_bound.hpp"
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 namespace {
 
@@ -16,7 +18,7 @@ std::vector<WallMotion> list_motions(const Deck& deck, const MovingWalls& moving
 
 ApproachBound::ApproachBound(const Communicator& ranks, const SurfaceShare& share, const WallPairs& walls,
                              const Deck& deck, const Mesh& mesh)
-    : deck_(deck), pairs_(walls), bodies_(ranks, share), walls_(ranks, deck, mesh) {
+    : ranks_(ranks), deck_(deck), pairs_(walls), bodies_(ranks, share), walls_(ranks, deck, mesh) {
   walls_.redefine(pairs_);
 }
 
@@ -50,8 +52,14 @@ void ApproachBound::look(const SurfaceMotion& motion, double way, const MovingWa
   next_ = choose_shorter(bodies_.look(motion, way), look_at_walls(motion, way, moving));
 }
 
-void ApproachBound::look_at_walls_alone(const SurfaceMotion& motion, const MovingWalls& moving) {
-  next_ = deck_.walls.empty() ? Approach{} : look_at_walls(motion, walls_.find_way(pairs_, motion), moving);
+void ApproachBound::look_at_walls_alone(const SurfaceMotion& motion, double fastest, const MovingWalls& moving) {
+  next_ = {};
+  if (deck_.walls.empty()) return;
+  if (fastest >= 0) {
+    all_reduce(ranks_, Reduce::largest, fastest);
+    if (!may_walls_limit(motion.dt * fastest, motion.dt, moving)) return;
+  }
+  next_ = look_at_walls(motion, walls_.find_way(pairs_, motion), moving);
 }
 
 }  // namespace percuss

@@ -25,8 +25,9 @@ class ApproachBound {
 
   /// Looks at the step after that of `motion`. way: the longest of a node in it.
   void look(const SurfaceMotion& motion, double way, const MovingWalls& moving);
-  /// The same where bodies cannot touch each other.
-  void look_at_walls_alone(const SurfaceMotion& motion, const MovingWalls& moving);
+  /// The same where bodies cannot touch each other. fastest: no node of this rank is faster in the motion; negative:
+  /// not known.
+  void look_at_walls_alone(const SurfaceMotion& motion, double fastest, const MovingWalls& moving);
   /// Nothing can bound the step after this one.
   void clear() { next_ = {}; }
 
@@ -39,6 +40,7 @@ class ApproachBound {
   bool may_walls_limit(double way, double dt, const MovingWalls& moving) const;
   Approach look_at_walls(const SurfaceMotion& motion, double way, const MovingWalls& moving) const;
 
+  const Communicator ranks_;
   const Deck& deck_;
   const WallPairs& pairs_;
   ApproachWatch bodies_;
