@@ -8,17 +8,9 @@
 // velocity alone leaves all forces whole: they balance at rest. v(n+1/2) = (1 - h) / (1 + h) v(n-1/2) + dt_mean f / m.
 // The largest stable step is then 2 / w / sqrt(1 + h). It limits h.
 
-#include "kernels/core/views.hpp"
+#include "kernels/node/damped_nodes.hpp"
 
 namespace percuss {
-
-/// Which coefficient damps each node; const after set-up.
-struct DampedNodes {
-  Array<int> entry;  // [nodes] row of the coefficients; -1: not damped; empty: no node of this rank is
-};
-
-/// What the damping of a step acts on: the mean of v(n-1/2) and v(n+1/2), or v(n-1/2) alone.
-enum class DampedVelocity { mean, old };
 
 /// Largest share of the old velocity that a step takes: 1 + h = 2 / (2 - share), and steps are at most 0.9 of the
 /// bound.

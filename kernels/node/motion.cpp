@@ -1,6 +1,7 @@
 #include "kernels/node/motion.hpp"
 
 #include "kernels/core/prefetch.hpp"
+#include "kernels/core/simd.hpp"
 #include "kernels/core/tensor.hpp"
 
 namespace percuss {
@@ -30,6 +31,63 @@ KOKKOS_INLINE_FUNCTION double predict(double v, double force, double inverse_mas
   return inverse_mass > 0 ? v + dt_mean * (force * inverse_mass + gravity) : v;
 }
 
+/// What predict_velocities() does to a node.
+struct Predictor {
+  NodeForces forces;
+  double dt_mean;
+  Rows3<double> force, v_before, v;
+  bool some_stay;
+
+  KOKKOS_INLINE_FUNCTION void advance(int n) const {
+    if (some_stay && forces.inertia(n) == 0) return;
+    const Vector3<double> sum = sum_slots(forces.nodes_to_slots, forces.slot_force, n);
+    const double f[3] = {sum.x, sum.y, sum.z};
+    for (int k = 0; k < 3; ++k) {
+      const double before = v(n, k);
+      force(n, k) = f[k];
+      v_before(n, k) = before;
+      v(n, k) = predict(before, f[k], forces.inverse_mass(n, k), forces.gravity.g[k], dt_mean);
+    }
+  }
+};
+
+/// Rows from first to last - 1, whose first value is aligned to a register: the largest magnitude of a component.
+KOKKOS_INLINE_FUNCTION double find_largest_in(const double* rows, int first, int last) {
+  constexpr int chains = 4, lanes = pack_size<double>;  // each waits for its own last comparison only
+  Pack<double> largest[chains] = {0.0, 0.0, 0.0, 0.0};
+  int i = 3 * first;
+  for (; i + chains * lanes <= 3 * last; i += chains * lanes) {
+    for (int c = 0; c < chains; ++c) {
+      const Pack<double> value = load_pack(rows + i + c * lanes);
+      largest[c] = larger(largest[c], larger(value, -value));
+    }
+  }
+  double of_all = find_largest_lane(larger(larger(largest[0], largest[1]), larger(largest[2], largest[3])));
+  for (; i < 3 * last; ++i) of_all = larger(of_all, larger(rows[i], -rows[i]));
+  return of_all;
+}
+
+/// Calls advance(n) for all nodes and returns the largest magnitude of a component of v afterwards. A block of nodes is
+/// measured while it is in the first cache, a register at a time.
+template <class Advance>
+double advance_and_measure(const char* label, const ExecSpace& space, const Rows3<const double>& v,
+                           const Advance& advance) {
+  constexpr int block = 64;
+  const int count = static_cast<int>(v.extent(0));
+  const Rows3<const double> rows = v;
+  double most = 0;
+  Kokkos::parallel_reduce(
+      label, Range(space, 0, (count + block - 1) / block),
+      KOKKOS_LAMBDA(const int b, double& largest) {
+        const int first = b * block, last = first + block < count ? first + block : count;
+        for (int n = first; n < last; ++n) advance(n);
+        const double one = find_largest_in(rows.data(), first, last);
+        if (one > largest) largest = one;
+      },
+      Kokkos::Max<double>(most));
+  return count > 0 ? most : 0;
+}
+
 }  // namespace
 
 void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
@@ -45,19 +103,17 @@ void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, con
 
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v) {
-  const bool some_stay = forces.inertia.extent(0) > 0;
+  const Predictor predictor{forces, dt_mean, force, v_before, v, forces.inertia.extent(0) > 0};
   Kokkos::parallel_for(
-      "percuss::predict_velocities", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
-        if (some_stay && forces.inertia(n) == 0) return;
-        const Vector3<double> sum = sum_slots(forces.nodes_to_slots, forces.slot_force, n);
-        const double f[3] = {sum.x, sum.y, sum.z};
-        for (int k = 0; k < 3; ++k) {
-          const double before = v(n, k);
-          force(n, k) = f[k];
-          v_before(n, k) = before;
-          v(n, k) = predict(before, f[k], forces.inverse_mass(n, k), forces.gravity.g[k], dt_mean);
-        }
-      });
+      "percuss::predict_velocities", Range(space, 0, static_cast<int>(v.extent(0))),
+      KOKKOS_LAMBDA(const int n) { predictor.advance(n); });
+}
+
+double predict_and_measure(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
+                           const Rows3<double>& v_before, const Rows3<double>& v) {
+  const Predictor predictor{forces, dt_mean, force, v_before, v, forces.inertia.extent(0) > 0};
+  return advance_and_measure("percuss::predict_velocities", space, v,
+                             [predictor] KOKKOS_FUNCTION(int n) { predictor.advance(n); });
 }
 
 void advance_free_nodes(const ExecSpace& space, const NodeForces& forces, double dt_mean, double dt,
@@ -86,6 +142,28 @@ void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt,
       "percuss::move_nodes", Range(space, 0, static_cast<int>(x.extent(0))), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) x(n, k) += dt * v(n, k);
       });
+}
+
+double move_and_measure(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x) {
+  return advance_and_measure("percuss::move_nodes", space, v, [v, dt, x] KOKKOS_FUNCTION(int n) {
+    for (int k = 0; k < 3; ++k) x(n, k) += dt * v(n, k);
+  });
+}
+
+double find_largest_component(const ExecSpace& space, const Rows3<const double>& v) {
+  return advance_and_measure("percuss::largest_component", space, v, [] KOKKOS_FUNCTION(int) {});
+}
+
+double find_largest_component(const ExecSpace& space, const Array<const int>& nodes, int count,
+                              const Rows3<const double>& v) {
+  double most = 0;
+  Kokkos::parallel_reduce(
+      "percuss::largest_component_of_nodes", Range(space, 0, count),
+      KOKKOS_LAMBDA(const int i, double& largest) {
+        for (int k = 0; k < 3; ++k) largest = larger(largest, larger(v(nodes(i), k), -v(nodes(i), k)));
+      },
+      Kokkos::Max<double>(most));
+  return count > 0 ? most : 0;
 }
 
 }  // namespace percuss

@@ -35,6 +35,10 @@ struct NodeForces {
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v);
 
+/// The same; returns the largest magnitude of a component of v(n+1/2).
+double predict_and_measure(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
+                           const Rows3<double>& v_before, const Rows3<double>& v);
+
 /// predict_velocities() and move_nodes() in one pass, for nodes on which nothing else acts; to the same bits.
 void advance_free_nodes(const ExecSpace& space, const NodeForces& forces, double dt_mean, double dt,
                         const Rows3<double>& v, const Rows3<double>& x);
@@ -45,5 +49,13 @@ void mirror_velocities(const ExecSpace& space, const Rows3<const double>& v, con
 
 /// x(n+1) = x(n) + dt v(n+1/2).
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
+
+/// The same; returns the largest magnitude of a component of v.
+double move_and_measure(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
+
+/// The largest magnitude of a component of the velocities of all nodes, or of `count` nodes in a list.
+double find_largest_component(const ExecSpace& space, const Rows3<const double>& v);
+double find_largest_component(const ExecSpace& space, const Array<const int>& nodes, int count,
+                              const Rows3<const double>& v);
 
 }  // namespace percuss

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "comm/phase.hpp"
+#include "kernels/contact/walls/wall_sleep.hpp"
 #include "src/contact/approach/approach.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
@@ -43,6 +44,9 @@ class ContactStage {
 
   /// Whether the scene has contact, ties or walls at all; if not, apply() must not be called.
   bool is_active() const;
+
+  /// Whether apply() does less if it knows the largest speeds, ContactMotion::fastest and fastest_before.
+  bool wants_speeds() const;
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Throws
@@ -119,6 +123,7 @@ class ContactStage {
   DecompositionReport decomposition() const;
   SearchLoad load() const;         // of this rank
   PairCounts pair_counts() const;  // likewise
+  WallCounts wall_counts() const;  // likewise
 
   /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched,
   /// for copies of nodes that other ranks own. After prepare(). Not collective.

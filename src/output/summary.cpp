@@ -110,6 +110,7 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("chunk_updates", s.skipped.chunk_updates);
     v.value("searches", s.skipped.searches);
     v.value("pair_checks", s.skipped.pair_checks);
+    v.value("wall_looks", s.skipped.wall_looks);
     v.value("enforcements", s.skipped.enforcements);
     v.value("rebalances", s.skipped.rebalances);
   });

@@ -81,7 +81,7 @@ struct Summary {
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;
   struct {
-    double chunk_updates = 0, searches = 0, pair_checks = 0, enforcements = 0, rebalances = 0;
+    double chunk_updates = 0, searches = 0, pair_checks = 0, wall_looks = 0, enforcements = 0, rebalances = 0;
   } skipped;
   EnergySummary energy;
   MomentumSummary momentum;

@@ -1,5 +1,7 @@
 #include "src/step/step.hpp"
 
+#include <algorithm>
+
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
@@ -7,6 +9,15 @@
 #include "src/step/sensors/held_directions.hpp"
 
 namespace percuss {
+namespace {
+
+/// Of the speeds of nodes, whose velocities have components of at most this magnitude; negative: not known.
+double bound_speed(double component) {
+  constexpr double root_of_3 = 1.7320508076;  // rounded up
+  return component < 0 ? component : root_of_3 * component;
+}
+
+}  // namespace
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
     : deck_(deck),
@@ -160,11 +171,25 @@ bool Stepper::are_nodes_free() const {
 void Stepper::predict_motion(State& state, double dt, double dt_mean) {
   integrate_motion(state, dt, dt_mean);
   hold_conditions(state, dt);
+  if (contact_.is_active() && contact_.wants_speeds()) measure_predicted(state);
+}
+
+/// The nodal update has measured what it predicts; what changes velocities after it is measured again.
+void Stepper::measure_predicted(const State& state) {
+  const Phase phase("percuss::integrate", clocks_.integrate);
+  if (rigid_.any() || damping_)
+    predicted_component_ = find_largest_component(space_, state.v);
+  else if (state.held.count > 0)
+    predicted_component_ =
+        std::max(predicted_component_, find_largest_component(space_, state.held.node, state.held.count, state.v));
 }
 
 void Stepper::accept_motion(State& state, double dt) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  move_nodes(space_, state.v, dt, state.x);
+  if (contact_.is_active() && contact_.wants_speeds())
+    moved_component_ = move_and_measure(space_, state.v, dt, state.x);
+  else
+    move_nodes(space_, state.v, dt, state.x);
   rigid_.place(state);
 }
 
@@ -191,8 +216,11 @@ void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
 void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
   if (damping_) damping_->begin_step(state.time);
-  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity}, dt_mean,
-                     state.force, state.v_before, state.v);
+  const NodeForces forces{model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity};
+  if (contact_.is_active() && contact_.wants_speeds())
+    predicted_component_ = predict_and_measure(space_, forces, dt_mean, state.force, state.v_before, state.v);
+  else
+    predict_velocities(space_, forces, dt_mean, state.force, state.v_before, state.v);
   if (rigid_.any()) rigid_.predict(state, dt, dt_mean, damping_ ? damping_->coefficients() : std::vector<double>());
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
   if (damping_) damping_->damp(state, dt_mean);
@@ -249,7 +277,9 @@ void Stepper::resolve_contact(State& state, double dt) {
                              {center[0], center[1], center[2]},
                              rigid_.inputs(),
                              state.time,
-                             {state.w, state.w_before, state.inverse_inertia, state.inertia, state.tie_moment}};
+                             {state.w, state.w_before, state.inverse_inertia, state.inertia, state.tie_moment},
+                             bound_speed(predicted_component_),
+                             bound_speed(moved_component_)};
   report_ = contact_.apply(motion);
   if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;

@@ -117,6 +117,7 @@ class Stepper {
  private:
   bool are_nodes_free() const;
   void predict_motion(State& state, double dt, double dt_mean);
+  void measure_predicted(const State& state);
   void accept_motion(State& state, double dt);
   void book_motion(State& state, double dt, double dt_mean);
   void book_forces(State& state, double dt);
@@ -169,6 +170,9 @@ class Stepper {
   Array<double> pressures_;
   NodalLoadValues nodal_values_;
   ContactReport report_;
+  // Largest magnitudes of components of the velocities of this rank's nodes, for contact: as predicted, and as nodes
+  // moved in the last step; negative: not measured.
+  double predicted_component_ = -1, moved_component_ = -1;
   bool some_died_ = false;       // of this rank's elements, in the last step
   bool is_mass_wanted_ = false;  // by any rank's elements, after the last step
   PhaseClocks clocks_;

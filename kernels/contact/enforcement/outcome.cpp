@@ -248,19 +248,19 @@ WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& wall
                              RowSumMemory& memory) {
   const WallPairs w = walls;
   const RowInputs in = inputs;
-  return sum_rows<WallMeeting>(space, static_cast<int>(walls.node.extent(0)), memory.meeting,
-                               [w, in, wall] KOKKOS_FUNCTION(int p, WallMeeting& s) {
-                                 if (w.wall(p) != wall || (!in.looks_inside && w.is_inner(p) != 0)) return;
-                                 const ContactWall& of = w.walls(wall);
-                                 const Point3 n = of.normal, inverse = load_row(in.inverse_mass, w.node(p));
-                                 const double mobility = dot(n, {inverse.x * n.x, inverse.y * n.y, inverse.z * n.z});
-                                 const double gap = find_wall_gap(w, in.motion, p, 0);
-                                 const double touching =
-                                     dot(n, load_row(in.motion.v, w.node(p))) + (gap > 0 ? gap / in.motion.dt : 0);
-                                 if (!(mobility > 0) || !(touching < of.speed) || !can_stop(w, in.motion, p)) return;
-                                 s.mass.add(1 / mobility);
-                                 s.momentum.add(touching / mobility);
-                               });
+  return sum_rows<WallMeeting>(
+      space, walls.count_looked_at(), memory.meeting, [w, in, wall] KOKKOS_FUNCTION(int i, WallMeeting& s) {
+        const int p = w.look_at(i);
+        if (w.wall(p) != wall || (!in.looks_inside && w.is_inner(p) != 0)) return;
+        const ContactWall& of = w.walls(wall);
+        const Point3 n = of.normal, inverse = load_row(in.inverse_mass, w.node(p));
+        const double mobility = dot(n, {inverse.x * n.x, inverse.y * n.y, inverse.z * n.z});
+        const double gap = find_wall_gap(w, in.motion, p, 0);
+        const double touching = dot(n, load_row(in.motion.v, w.node(p))) + (gap > 0 ? gap / in.motion.dt : 0);
+        if (!(mobility > 0) || !(touching < of.speed) || !can_stop(w, in.motion, p)) return;
+        s.mass.add(1 / mobility);
+        s.momentum.add(touching / mobility);
+      });
 }
 
 template <class Space>

@@ -203,34 +203,6 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   limit_closing(at, inputs.motion.dt, row);
 }
 
-/// Gap of pair p, of a wall that is a cylinder or a sphere.
-KOKKOS_INLINE_FUNCTION WallGap find_round_gap(const WallPairs& walls, const SurfaceMotion& motion, int p) {
-  const double offset = walls.offset.extent(0) > 0 ? walls.offset(p) : 0;
-  return find_round_gap(walls.walls(walls.wall(p)), load_row(motion.x, walls.node(p)),
-                        load_row(motion.v, walls.node(p)), motion.dt, offset);
-}
-
-/// Gap between the node and the wall of pair p, `share` of the step after n: 0 or 1.
-KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const SurfaceMotion& motion, int p, double share) {
-  const ContactWall& wall = walls.walls(walls.wall(p));
-  const int node = walls.node(p);
-  if (wall.shape != WallShape::plane) {
-    const WallGap gap = find_round_gap(walls, motion, p);
-    return share > 0 ? gap.end : gap.start;
-  }
-  const Point3 from_wall = load_row(motion.x, node) - wall.point;
-  const double closing = dot(wall.normal, load_row(motion.v, node)) - wall.speed;
-  const double gap = dot(wall.normal, from_wall) + share * motion.dt * closing;
-  return walls.offset.extent(0) > 0 ? gap - walls.offset(p) : gap;
-}
-
-/// Whether the wall of pair p can stop its node at n.
-KOKKOS_INLINE_FUNCTION bool can_stop(const WallPairs& walls, const SurfaceMotion& motion, int p) {
-  const ContactWall& wall = walls.walls(walls.wall(p));
-  if (!(wall.size[0] > 0)) return true;
-  return !is_beside(wall, load_row(motion.x, walls.node(p)), -find_wall_gap(walls, motion, p, 0), walls.size(p));
-}
-
 /// The row of pair p of a wall and a node, whose place is set.
 KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactHistory& history,
                                           const RowInputs& inputs, const RowNodes& at, int p, ContactRow& row) {

@@ -45,19 +45,26 @@ int count_edge_touches(const Space& space, const Array<const RowTouch>& touches,
 /// Lists the wall pairs in reach; returns how many.
 template <class Space>
 int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs& inputs, RowSystem& system) {
-  const int pairs = static_cast<int>(walls.node.extent(0));
+  const int pairs = walls.count_looked_at();
   if (pairs == 0) return 0;
   const WallPairs w = walls;
   const SurfaceMotion m = inputs.motion;
   const bool leaves_out_inner = !inputs.looks_inside && walls.is_inner.extent(0) > 0;
   reserve(system.near_walls, pairs);
-  return list_where<Space>(
+  const int num_near = list_where<Space>(
       space, pairs,
-      [w, m, leaves_out_inner] KOKKOS_FUNCTION(int p) {
+      [w, m, leaves_out_inner] KOKKOS_FUNCTION(int i) {
+        const int p = w.look_at(i);
         if (leaves_out_inner && w.is_inner(p) != 0) return false;
         return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p) && can_stop(w, m, p);
       },
       system.near_walls);
+  const Array<int> near = system.near_walls;
+  if (walls.num_awake >= 0)
+    Kokkos::parallel_for(
+        "contact::near_walls", RangeOf<Space>(space, 0, num_near),
+        KOKKOS_LAMBDA(int i) { near(i) = w.look_at(near(i)); });
+  return num_near;
 }
 
 /// Numbers the nodes of this rank that rows and remote entries touch, in the order in which these do: a thread then

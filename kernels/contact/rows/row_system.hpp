@@ -10,27 +10,13 @@
 #include "kernels/contact/check/detailed_check.hpp"
 #include "kernels/contact/check/edge_check.hpp"
 #include "kernels/contact/geometry/tie_geometry.hpp"
-#include "kernels/contact/geometry/wall_geometry.hpp"
 #include "kernels/contact/rows/contact_row.hpp"
 #include "kernels/contact/rows/row_bodies.hpp"
 #include "kernels/contact/rows/row_pack.hpp"
 #include "kernels/contact/rows/row_sums.hpp"
+#include "kernels/contact/walls/wall_pairs.hpp"
 
 namespace percuss {
-
-/// Walls and the nodes of this rank that each stops, const after set-up but for where moving walls are.
-struct WallPairs {
-  Array<ContactWall> walls;      // [walls]
-  Array<const int> wall;         // [pairs] ascending
-  Array<const int> node;         // [pairs] mesh node, ascending within a wall
-  Array<const double> size;      // [pairs] shortest edge at the node at the start, the h of its row
-  Array<const double> offset{};  // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
-  Array<const int> is_inner{};   // [pairs] whether the node is inside its body; empty: none is
-  Array<const double> spring{};  // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
-  // For reports.
-  Array<const int> part{};             // [pairs] of the mesh that the node belongs to
-  Array<const std::int64_t> number{};  // [pairs] of the node in the whole mesh
-};
 
 /// A touch of the detailed check as its row needs it.
 struct RowTouch {

@@ -25,6 +25,8 @@ struct ContactMotion {
   BodyInputs bodies{};               // rigid ones as they stand at n, which alone says how their nodes move
   double time = 0;                   // at n
   SpinInputs spins{};                // rotations of nodes
+  // Bounds of the speeds of this rank's nodes: as predicted at n+1/2, and as they came to n; negative: not known.
+  double fastest = -1, fastest_before = -1;
 };
 
 /// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the

@@ -60,6 +60,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
                    const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces)
     : walls_(walls),
       moving_walls_(deck, ranks.ranks),
+      wall_sleep_(deck.contact.reuse_search),
       ties_(ties),
       node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
       has_many_ranks_(ranks.ranks.size() > 1),
@@ -78,6 +79,7 @@ void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallP
                         const Array<const TieGeometry>& ties) {
   walls_ = walls;
   moving_walls_.place(walls_);
+  wall_sleep_.wake();
   ties_ = ties;
   spring_ = find_springs(mesh, share, walls, deck_);
   remembers_ = true;
@@ -162,10 +164,13 @@ void Enforcer::update_copies(const ContactMotion& motion) {
 void Enforcer::hold_walls() {
   moving_walls_.hold(true);
   moving_walls_.place(walls_);
+  wall_sleep_.wake();
 }
 
 void Enforcer::begin_anew() {
   moving_walls_.hold(false);
+  wall_sleep_.wake();
+  wall_sleep_.clear_counts();
   last_dt_ = 0;
   starts_loaded_ = true;
   std::fill(pair_work_.begin(), pair_work_.end(), PairWork{});
@@ -174,7 +179,10 @@ void Enforcer::begin_anew() {
 void Enforcer::archive(CheckpointArchive& archive) {
   if (archive.is_loading()) system_.num_written = -1;
   moving_walls_.archive(archive);
-  if (archive.is_loading()) moving_walls_.place(walls_);
+  if (archive.is_loading()) {
+    moving_walls_.place(walls_);
+    wall_sleep_.wake();
+  }
   archive.number("contact/last_dt", last_dt_);
   archive.number("contact/last_pushes", last_pushes_);
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
@@ -197,22 +205,6 @@ void Enforcer::repeat(const ContactMotion& motion) {
   clear_last_impulse(motion);
   has_solved_ = false;
   last_dt_ = motion.dt;
-}
-
-Rows3<double> Enforcer::find_pushes() {
-  if (restored_pushes_.extent(0) > 0) return restored_pushes_;
-  const Rows3<double> pushes("contact::node_pushes", node_numbers_.extent(0));
-  if (!has_solved_) return pushes;
-  Array<RowSides> marks("contact::push_marks", 0);
-  Array<NormalPush> sent("contact::sent_pushes", 0), remote("contact::remote_pushes", 0);
-  const ExecSpace space;
-  mark_pushes(space, system_, marks);
-  list_sent_pushes(space, system_, marks, sent);
-  space.fence();
-  exchange_.send_pushes(sent, system_, remote);
-  sum_pushes(space, {system_, marks, remote}, pushes);
-  space.fence();
-  return pushes;
 }
 
 void Enforcer::find_tie_uses(const TieStrengths& strengths, const Array<double>& use) const {
@@ -285,11 +277,20 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           ties_rotations_ ? motion.spins : SpinInputs{}};
 }
 
+WallWays Enforcer::find_wall_ways(const ContactMotion& motion) const {
+  WallWays ways;
+  if (motion.fastest >= 0)
+    ways.next = motion.dt * (motion.fastest + moving_walls_.find_fastest(motion.time, motion.dt));
+  if (motion.fastest_before >= 0) ways.last = last_dt_ * (motion.fastest_before + moving_walls_.find_fastest_before());
+  return ways;
+}
+
 RowMeeting Enforcer::meet(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                           bool is_same) {
   const RowInputs inputs = make_inputs(motion);
   exchange_.find_foreign_nodes(touches, num_touches, system_);
-  run_where_it_pays(num_touches + static_cast<int>(walls_.node.extent(0)) / 8, [&](const auto& space) {
+  if (walls_.count() > 0) wall_sleep_.enter_step(find_wall_ways(motion), motion.x, walls_);
+  run_where_it_pays(num_touches + walls_.count_looked_at() / 8, [&](const auto& space) {
     moving_walls_.start_step(space, walls_, inputs, motion.time, sums_);
     count_rows(space, inputs, {touches, num_touches, walls_}, system_);
     space.fence();
@@ -342,7 +343,8 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   remembers_ = true;
   exchange_.announce_foreign_nodes(system_);
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
-  run_where_it_pays(num_touches + static_cast<int>(walls_.node.extent(0)) / 8, [&](const auto& space) {
+  if (walls_.count() > 0) wall_sleep_.enter_step(find_wall_ways(motion), motion.x, walls_);
+  run_where_it_pays(num_touches + walls_.count_looked_at() / 8, [&](const auto& space) {
     if (exchange_.takes_part(system_))
       build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
     else

@@ -8,6 +8,7 @@
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
 #include "kernels/contact/enforcement/tie_strength.hpp"
+#include "kernels/contact/walls/wall_sleep.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/moving_walls.hpp"
@@ -54,8 +55,8 @@ class Enforcer {
   /// What the pushes along the normals gave to the nodes in the last step [force x time]: [mesh nodes], of copies of
   /// others' nodes zero. Collective.
   Rows3<double> find_pushes();
-  /// After a restart they are these until the next step.
-  void restore_pushes(const Rows3<double>& pushes) { restored_pushes_ = pushes; }
+  /// The same in a checkpoint, if the deck that wrote it had them: after a restart they are these until the next step.
+  void archive_pushes(CheckpointArchive& archive, const ChunkedMesh& chunked, const OwnedContactNodes& nodes);
 
   /// Walls that move stand still until begin_anew().
   void hold_walls();
@@ -68,11 +69,14 @@ class Enforcer {
   const std::vector<PairWork>& pair_work() const { return pair_work_; }
 
   const MovingWalls& walls() const { return moving_walls_; }
+  /// Pairs of a wall and a node of this rank since begin_anew().
+  const WallCounts& wall_counts() const { return wall_sleep_.counts(); }
 
   Traffic traffic() const;
 
  private:
   RowInputs make_inputs(const ContactMotion& motion) const;
+  WallWays find_wall_ways(const ContactMotion& motion) const;
   template <class Space>
   void report_outcome(const Space& space, const ContactMotion& motion, int num_touches, const SolveReport& solved,
                       ContactReport& report);
@@ -88,6 +92,7 @@ class Enforcer {
 
   WallPairs walls_;
   MovingWalls moving_walls_;
+  WallSleep wall_sleep_;
   Array<const TieGeometry> ties_;
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
   const bool has_many_ranks_, is_first_rank_;

@@ -22,7 +22,7 @@ std::vector<int> list_moving_walls(const Deck& deck) {
 }
 
 /// The largest speed of all nodes [mesh nodes, of all ranks]. Collective.
-double find_fastest(const Rows3<const double>& v, const Communicator& ranks) {
+double find_fastest_node(const Rows3<const double>& v, const Communicator& ranks) {
   const auto host = to_host(v);
   double square = 0;
   for (std::size_t n = 0; n < host.extent(0); ++n)
@@ -55,6 +55,19 @@ MovingWalls::MovingWalls(const Deck& deck, const Communicator& ranks)
 double MovingWalls::find_speed(std::size_t i, double time, double dt) const {
   if (wall(i).speed) return (*wall(i).speed)(time + 0.5 * dt);
   return has_begun_ ? motions_[i].speed : wall(i).start_speed;
+}
+
+/// A wall with a mass, which is a plane, only slows down where bodies meet it.
+double MovingWalls::find_fastest(double time, double dt) const {
+  double fastest = 0;
+  for (std::size_t i = 0; i < moving_.size(); ++i) fastest = std::max(fastest, std::abs(find_speed(i, time, dt)));
+  return fastest;
+}
+
+double MovingWalls::find_fastest_before() const {
+  double fastest = 0;
+  for (const WallMotion& motion : motions_) fastest = std::max(fastest, std::abs(motion.speed));
+  return fastest;
 }
 
 void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speeds) const {
@@ -108,7 +121,7 @@ void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const do
   constexpr double margin = 1.1;
   const double before = motions_[i].speed, alone = std::max(std::abs(before), std::abs(2 * speeds_[i] - before));
   if (std::abs(after) <= margin * alone) return;
-  if (std::abs(after) <= margin * std::max(alone, std::abs(before) + 2 * find_fastest(v_before, ranks_))) return;
+  if (std::abs(after) <= margin * std::max(alone, std::abs(before) + 2 * find_fastest_node(v_before, ranks_))) return;
   throw RunError(
       fmt::format("wall '{}' would be thrown back (from speed {:.3g} to {:.3g} in a step, because contact does not "
                   "converge: held nodes, or nodes against another wall, cannot move away): use a rigid part of this "

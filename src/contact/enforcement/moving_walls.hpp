@@ -52,6 +52,10 @@ class MovingWalls {
   WallWork finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
                        const RowSystem& system, RowSumMemory& memory);
 
+  /// No wall comes towards bodies faster in the step from n = time to n+1; none went faster in the last one.
+  double find_fastest(double time, double dt) const;
+  double find_fastest_before() const;
+
   /// Of the walls that move, in the order of the deck.
   const std::vector<WallMotion>& motions() const { return motions_; }
 

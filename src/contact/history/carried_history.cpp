@@ -133,6 +133,31 @@ std::vector<SentRecord> gather_records(const Communicator& ranks, const EdgeHist
   return gather_items(ranks, records);
 }
 
+}  // namespace
+
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
+  const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
+  const std::size_t records = faces + walls.node.extent(0);
+  ContactHistory history{
+      Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
+      Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
+  Kokkos::deep_copy(history.face, std::int64_t{-1});
+  return history;
+}
+
+HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
+                                  const std::vector<std::int64_t>& tie_keys) {
+  HistoryOwners owners;
+  owners.nodes = share.nodes.numbers;
+  for (const FaceTopology& face : share.faces) owners.faces.push_back(face.number);
+  const auto wall = to_host(walls.wall), node = to_host(walls.node);
+  for (std::size_t p = 0; p < wall.extent(0); ++p)
+    owners.wall_pairs.push_back(wall(p) * chunked.numbering.node_count() + chunked.mesh.node_numbers[at(node(p))]);
+  owners.ties = tie_keys;
+  owners.edges = share.edges;
+  return owners;
+}
+
 EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const std::vector<EdgeTopology>& before,
                         const std::vector<EdgeTopology>& now) {
   std::vector<SentRecord> records = gather_records(ranks, old);
@@ -171,31 +196,6 @@ EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const
     held.values.insert(held.values.end(), std::begin(record.values), std::end(record.values));
   }
   return make_edge_history(held);
-}
-
-}  // namespace
-
-ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
-  const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
-  const std::size_t records = faces + walls.node.extent(0);
-  ContactHistory history{
-      Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
-      Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
-  Kokkos::deep_copy(history.face, std::int64_t{-1});
-  return history;
-}
-
-HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
-                                  const std::vector<std::int64_t>& tie_keys) {
-  HistoryOwners owners;
-  owners.nodes = share.nodes.numbers;
-  for (const FaceTopology& face : share.faces) owners.faces.push_back(face.number);
-  const auto wall = to_host(walls.wall), node = to_host(walls.node);
-  for (std::size_t p = 0; p < wall.extent(0); ++p)
-    owners.wall_pairs.push_back(wall(p) * chunked.numbering.node_count() + chunked.mesh.node_numbers[at(node(p))]);
-  owners.ties = tie_keys;
-  owners.edges = share.edges;
-  return owners;
 }
 
 ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,

@@ -27,4 +27,8 @@ HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare
 ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,
                              const HistoryOwners& now, const SurfaceShare& share, const WallPairs& walls);
 
+/// The same of edges alone, where all else is as it was. before, now: whose home this rank is. Collective.
+EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const std::vector<EdgeTopology>& before,
+                        const std::vector<EdgeTopology>& now);
+
 }  // namespace percuss

@@ -235,18 +235,18 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
   Kokkos::deep_copy(history.reference, reference);
 }
 
-void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
+void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
                 EdgeHistory& history) {
   if (search.share.total_searched_faces == 0) return;
   std::vector<EdgeEnds> before;
-  for (const EdgeTopology& edge : change.before.edges) before.push_back({edge.ends[0], edge.ends[1]});
+  for (const EdgeTopology& edge : change.before) before.push_back({edge.ends[0], edge.ends[1]});
   std::sort(before.begin(), before.end());
   const auto& released = change.released_nodes;
   const auto is_released = [&](std::int64_t node) {
     return std::binary_search(released.begin(), released.end(), node);
   };
   std::vector<std::int64_t> own;
-  for (const EdgeTopology& edge : change.now.edges)
+  for (const EdgeTopology& edge : change.now)
     if (is_released(edge.ends[0]) || is_released(edge.ends[1]) ||
         !std::binary_search(before.begin(), before.end(), EdgeEnds{edge.ends[0], edge.ends[1]}))
       own.push_back(edge.number);

@@ -52,6 +52,13 @@ struct SurfaceChange {
   const std::vector<std::int64_t>& released_faces;  // numbers of this rank's faces that were
 };
 
+/// The edges before and after ties have let go, or others have folded.
+struct EdgeChange {
+  const std::vector<EdgeTopology>& before;
+  const std::vector<EdgeTopology>& now;
+  const std::vector<std::int64_t>& released_nodes;  // as of SurfaceChange
+};
+
 /// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
 /// deepest_id: the user's of deepest_node.
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
@@ -71,7 +78,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
 
 /// The same of pairs of edges of which one has folded, or has an end that was tied: what they overlap by has cost
 /// nothing, and is accepted. Records that are there stay.
-void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
+void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
                 EdgeHistory& history);
 
 /// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.

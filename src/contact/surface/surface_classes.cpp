@@ -67,12 +67,6 @@ PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const Sur
   return {};
 }
 
-void sort_unique(std::vector<SurfaceSet>& sets) {
-  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());  // neighbours are mostly alike: little is left to sort
-  std::sort(sets.begin(), sets.end());
-  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
-}
-
 /// The sets of all ranks, each as its length and its surfaces.
 std::vector<int> gather_sets(const Communicator& ranks, const std::vector<SurfaceSet>& sets) {
   std::vector<int> own;
@@ -149,6 +143,12 @@ std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck) {
     if (row.b) add(*row.b, a + 1);
   }
   return sets;
+}
+
+void sort_unique(std::vector<SurfaceSet>& sets) {
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());  // neighbours are mostly alike: little is left to sort
+  std::sort(sets.begin(), sets.end());
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
 }
 
 SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets) {

@@ -38,6 +38,9 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
 /// [parts] surfaces that a part belongs to as a whole: what its particles touch as.
 std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck);
 
+/// Each set once, ascending.
+void sort_unique(std::vector<SurfaceSet>& sets);
+
 /// All sets that occur on any rank. Collective over Mesh::ranks.
 SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets);
 

@@ -270,9 +270,12 @@ std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, 
 
 /// Keeps the edges that may touch others, with their mesh nodes.
 void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<FoundEdge>& edges,
-               const std::vector<SurfaceSet>& sets, const SurfaceClasses& classes, SurfaceShare& share) {
+               const std::vector<SurfaceSet>& sets, SurfaceShare& share) {
+  const SurfaceClasses& classes = share.classes;
   const auto friction = to_host(share.pair_friction);
   const std::size_t n = at(classes.count());
+  share.edges.clear();
+  share.edge_ends.clear();
   std::vector<double> lengths;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int surface_class = classes.find(sets[e]);
@@ -293,8 +296,9 @@ void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<Fo
 }
 
 /// Classes of nodes and faces, who may touch whom, and which nodes and faces a search must look at.
-void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const SurfaceClasses& classes,
-                 const std::vector<SurfaceSet>& node_sets, SurfaceShare& share) {
+void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const std::vector<SurfaceSet>& node_sets,
+                 SurfaceShare& share) {
+  const SurfaceClasses& classes = share.classes;
   const auto renumber = [&](FaceTopology& face) {
     face.surface_class = classes.find(of_faces.sets[at(face.surface_class)]);
   };
@@ -391,19 +395,37 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
              share, particle_classes);
   std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
   release_nodes(deck, ties, share.nodes.numbers, node_sets);
-  std::vector<SurfaceSet> all = of_faces.sets;
-  all.insert(all.end(), node_sets.begin(), node_sets.end());
+  share.own_sets = of_faces.sets;
+  share.own_sets.insert(share.own_sets.end(), node_sets.begin(), node_sets.end());
+  sort_unique(share.own_sets);
+  std::vector<SurfaceSet> all = share.own_sets;
   std::vector<FoundEdge> edges;
   const bool has_edges = has_edge_contact(deck.contact);
   if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange, folds);
   const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
   all.insert(all.end(), edge_sets.begin(), edge_sets.end());
-  const SurfaceClasses classes = agree_on_classes(mesh, std::move(all));
-  set_classes(deck, of_faces, classes, node_sets, share);
-  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, classes, share);
+  share.classes = agree_on_classes(mesh, std::move(all));
+  set_classes(deck, of_faces, node_sets, share);
+  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, share);
   set_lists(mesh, exchange.ranks(), share);
   set_offsets(mesh, exchange.ranks(), share);
   return share;
+}
+
+bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                  UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds, SurfaceShare& share) {
+  const std::vector<FoundEdge> edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange, folds);
+  const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, share.classes);
+  std::vector<SurfaceSet> all = share.own_sets;
+  all.insert(all.end(), edge_sets.begin(), edge_sets.end());
+  if (agree_on_classes(chunked.mesh, std::move(all)).sets != share.classes.sets) {  // the same on all ranks
+    share = build_surface_share(chunked, deck, ties, exchange, folds);
+    return false;
+  }
+  set_edges(chunked.mesh, exchange.ranks(), edges, edge_sets, share);
+  share.total_edges = static_cast<std::int64_t>(share.edges.size());
+  all_reduce(exchange.ranks(), Reduce::sum, share.total_edges);
+  return true;
 }
 
 }  // namespace percuss

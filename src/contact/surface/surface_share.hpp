@@ -9,6 +9,7 @@
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "src/contact/surface/feature_edges.hpp"
+#include "src/contact/surface/surface_classes.hpp"
 #include "src/contact/surface/tied_surfaces.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
@@ -58,6 +59,9 @@ struct SurfaceShare {
   std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
+  SurfaceClasses classes;            // what surface_class of faces, nodes and edges names
+  std::vector<SurfaceSet> own_sets;  // of this rank's nodes and all ranks' faces: edges may add others
+
   double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
 
   // For kernels over the share.
@@ -84,6 +88,11 @@ inline bool has_edge_contact(const ContactDeck& contact) {
 /// surfaces. Collective.
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                  UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds = {});
+
+/// Makes `share`, of the same mesh and ties, what build_surface_share() would make with other folds. Returns whether
+/// all but its edges stayed as it was, as almost always. Collective.
+bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                  UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds, SurfaceShare& share);
 
 /// The deck's rigid walls with the owned nodes that they stop, inside bodies and on their surfaces. Throws InputError,
 /// on all ranks, for unknown selections. Collective over Mesh::ranks.

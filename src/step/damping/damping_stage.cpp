@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/node/damping.hpp"
 #include "src/step/model/impulses.hpp"
 
 namespace percuss {

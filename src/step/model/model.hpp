@@ -16,7 +16,7 @@
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/stiffness_damping.hpp"
 #include "kernels/node/conditions.hpp"
-#include "kernels/node/damping.hpp"
+#include "kernels/node/damped_nodes.hpp"
 #include "kernels/node/motion.hpp"
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/node/damping.hpp"
 #include "src/error.hpp"
 #include "src/step/model/impulses.hpp"
 #include "src/step/rigid/rigid_step.hpp"

@@ -21,6 +21,10 @@ void fill_contact_summary(const SummedRun& run, Summary& summary) {
   const std::int64_t candidates = sum_counts(run.model.ranks, own.candidates),
                      left_out = sum_counts(run.model.ranks, own.left_out);
   if (candidates > 0) summary.skipped.pair_checks = static_cast<double>(left_out) / static_cast<double>(candidates);
+  const WallCounts walls = run.contact.wall_counts();
+  const std::int64_t pairs = sum_counts(run.model.ranks, walls.pairs),
+                     looked_at = sum_counts(run.model.ranks, walls.looked_at);
+  if (pairs > 0) summary.skipped.wall_looks = 1 - static_cast<double>(looked_at) / static_cast<double>(pairs);
   summary.balance.contact = done.imbalance;
   summary.decomposition = {done.rebalances, done.ghost_faces, done.worst_imbalance, done.rounds_per_cut};
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace percuss::test {
 
 namespace {
@@ -79,6 +82,45 @@ TEST(Motion, OnePassOverFreeNodesGivesTheBitsOfTwo) {
       EXPECT_EQ(one.x(n, k), two.x(n, k));
     }
   }
+}
+
+TEST(Motion, MeasuredPassesMoveNodesAsTheOthersDo) {
+  Scene plain, measured;
+  const Rows3<double> force("force", Scene::nodes), before("before", Scene::nodes);
+  predict_velocities(ExecSpace(), plain.forces, 0.37, force, before, plain.v);
+  move_nodes(ExecSpace(), plain.v, 0.41, plain.x);
+  const double predicted = predict_and_measure(ExecSpace(), measured.forces, 0.37, force, before, measured.v);
+  const double moved = move_and_measure(ExecSpace(), measured.v, 0.41, measured.x);
+  double largest = 0;
+  for (int n = 0; n < Scene::nodes; ++n) {
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(measured.v(n, k), plain.v(n, k));
+      EXPECT_EQ(measured.x(n, k), plain.x(n, k));
+      largest = std::max(largest, std::abs(plain.v(n, k)));
+    }
+  }
+  EXPECT_EQ(predicted, largest);
+  EXPECT_EQ(moved, largest);
+}
+
+TEST(Motion, FindsTheLargestComponentWhereverItIs) {
+  for (const int count : {1, 64, 100}) {
+    const Rows3<double> v("v", static_cast<std::size_t>(count));
+    const Array<int> all("all", static_cast<std::size_t>(count));
+    EXPECT_EQ(find_largest_component(ExecSpace(), v), 0);
+    Kokkos::deep_copy(v, 0.5);
+    for (int n = 0; n < count; ++n) {
+      all(n) = n;
+      for (int k = 0; k < 3; ++k) {
+        v(n, k) = -2;
+        EXPECT_EQ(find_largest_component(ExecSpace(), v), 2);
+        EXPECT_EQ(find_largest_component(ExecSpace(), all, n + 1, v), 2);
+        EXPECT_EQ(find_largest_component(ExecSpace(), all, n, v), n == 0 ? 0 : 0.5);
+        v(n, k) = 0.5;
+      }
+    }
+  }
+  EXPECT_EQ(find_largest_component(ExecSpace(), Rows3<double>("v", 0)), 0);
 }
 
 }  // namespace percuss::test

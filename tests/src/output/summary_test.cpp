@@ -116,6 +116,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "skipped.chunk_updates",
                                           "skipped.searches",
                                           "skipped.pair_checks",
+                                          "skipped.wall_looks",
                                           "skipped.enforcements",
                                           "skipped.rebalances",
                                           "energy.initial",

@@ -1,4 +1,4 @@
-// What is skipped changes no bit: chunks of elements that rest.
+// What is skipped changes no bit: chunks of elements that rest, nodes far from walls.
 
 #include <gtest/gtest.h>
 
@@ -53,6 +53,38 @@ TEST(Skip, AnElasticBarWakesAndRestsAgain) {
 TEST(Skip, NothingRestsUnderGravity) {
   const Outcome run = run_deck(bar, {"loads={gravity: [0, 0, -9.81]}"});
   EXPECT_EQ(run.summary.skipped.chunk_updates, 0);
+}
+
+// Elements die, a sensor switches a condition on, and steps before time 0 bring the block to rest.
+TEST(Skip, NodesFarFromWallsAreNotLookedAt) {
+  const std::string deck = R"(
+title: a block is pushed against a wall and erodes
+time: {end: 1.0, max_steps: 300}
+parts: {block: {box: {size: [0.02, 0.02, 0.06], cells: [4, 4, 12]}, at: [0, 0, 2e-4], material: steel}}
+materials:
+  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 300e6, failure: {plastic_strain: 0.1}}
+initial: [{velocity: [0, 0, -100]}]
+conditions: [{nodes: block/z_max, velocity: {z: -300}, from: late}]
+sensors: {late: {time: 1e-5}}
+walls: [{name: floor, normal: z, friction: 0.1}]
+output: {history: {every: 0, forces: [{name: push, wall: floor}]}}
+)";
+  const auto run = [&](std::vector<std::string> settings, const std::string& reuse) {
+    settings.emplace_back("contact={surfaces: all, reuse_search: " + reuse + "}");
+    return run_deck(deck, settings);
+  };
+  for (const std::string nodes : {"keep", "remove"}) {
+    const std::string free = "erosion={free_nodes: " + nodes + "}";
+    const Outcome some = run({free}, "true"), all = run({free}, "false");
+    EXPECT_GT(some.summary.eroded.elements, 0);
+    EXPECT_EQ(some.summary.state_hash, all.summary.state_hash);
+    EXPECT_EQ(all.summary.skipped.wall_looks, 0);
+    EXPECT_GT(some.summary.skipped.wall_looks, 0.2);
+    EXPECT_EQ(some.history["fz:push"], all.history["fz:push"]);
+  }
+  const std::vector<std::string> relaxed{"start={relaxation: {tolerance: 1e-6}}", "loads={gravity: [0, 0, -1e5]}",
+                                         "parts.block.at=[0, 0, 0]"};
+  EXPECT_EQ(run(relaxed, "true").summary.state_hash, run(relaxed, "false").summary.state_hash);
 }
 
 }  // namespace percuss::test

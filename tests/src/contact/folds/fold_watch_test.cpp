@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/contact/ties/ties.hpp"
@@ -15,10 +16,10 @@ namespace {
 
 /// A strip of elements along x, in several chunks where it is long.
 struct Strip {
-  Strip(const std::string& shape, const Communicator& world)
+  Strip(const std::string& shape, const Communicator& world, const std::string& surfaces = "all")
       : ranks(world),
-        deck(parse_deck("time: {end: 1}\nparts: {a: {" + shape +
-                            ", material: m}}\ncontact: {surfaces: all}\nmaterials: {m: {model: elastic, density: 1, "
+        deck(parse_deck("time: {end: 1}\nparts: {a: {" + shape + ", material: m}}\ncontact: {surfaces: " + surfaces +
+                            "}\nmaterials: {m: {model: elastic, density: 1, "
                             "youngs_modulus: 1, poissons_ratio: 0}}\n",
                         "deck.yaml")),
         chunked(load_mesh(deck, ranks)),
@@ -93,6 +94,52 @@ TEST(FoldWatch, AFoldIsAnEdgeOfTheSurface) {
       build_surface_share(strip.chunked, strip.deck, find_ties(strip.chunked, strip.deck, strip.ranks), strip.exchange,
                           strip.watch.folds());
   EXPECT_EQ(share.total_edges, before + 1);
+}
+
+namespace {
+
+/// Changes the folds of the strip's share, which then is as one made anew. Whether all but its edges stayed.
+bool change_and_compare(Strip& strip) {
+  const TiedSurfaces ties = find_ties(strip.chunked, strip.deck, strip.ranks);
+  const SurfaceShare fresh = build_surface_share(strip.chunked, strip.deck, ties, strip.exchange, strip.watch.folds());
+  const bool stayed = change_folds(strip.chunked, strip.deck, ties, strip.exchange, strip.watch.folds(), strip.share);
+  const SurfaceShare& share = strip.share;
+  EXPECT_EQ(share.classes.sets, fresh.classes.sets);
+  EXPECT_EQ(share.nodes.classes, fresh.nodes.classes);
+  EXPECT_EQ(share.face_searched, fresh.face_searched);
+  EXPECT_EQ(share.edge_ends, fresh.edge_ends);
+  EXPECT_EQ(share.edge_piece, fresh.edge_piece);
+  EXPECT_EQ(share.total_edges, fresh.total_edges);
+  EXPECT_EQ(share.edges.size(), fresh.edges.size());
+  for (std::size_t e = 0; e < std::min(share.edges.size(), fresh.edges.size()); ++e) {
+    const EdgeTopology &edge = share.edges[e], &of = fresh.edges[e];
+    EXPECT_EQ(edge.number, of.number);
+    EXPECT_EQ(edge.surface_class, of.surface_class);
+    EXPECT_EQ(edge.pieces, of.pieces);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(edge.wings[k], of.wings[k]);
+  }
+  return stayed;
+}
+
+}  // namespace
+
+TEST(FoldWatch, FoldsChangeTheEdgesOfTheSurfaceAlone) {
+  Strip strip(long_strip, Communicator::world());
+  for (const double degrees : {12.0, -12.0, 0.0}) {
+    ASSERT_TRUE(strip.bend(degrees));
+    EXPECT_TRUE(change_and_compare(strip));
+  }
+}
+
+// The fold lies on the surfaces of both faces, and its nodes on those of a third one: no node or face has its class.
+TEST(FoldWatch, AFoldOfANewClassMakesAllAnew) {
+  Strip strip(two_elements, Communicator(MPI_COMM_SELF),
+              "[{a: {name: a/z_max, inside: [[-1, -1, -1], [1.1, 2, 2]]}, b: a/z_min}, "
+              "{a: {name: a/z_max, inside: [[0.9, -1, -1], [3, 2, 2]]}, b: a/z_min}, {a: a/y_min, b: a/y_max}]");
+  ASSERT_TRUE(strip.bend(12));
+  EXPECT_FALSE(change_and_compare(strip));
+  ASSERT_TRUE(strip.bend(0));
+  EXPECT_FALSE(change_and_compare(strip));
 }
 
 TEST(FoldWatch, AShellFoldsBothWays) {

@@ -1,0 +1,117 @@
+#pragma once
+// The parts of the contact stage and its state. contact_stage.cpp has the steps, contact_stage_changes.cpp what makes
+// the surface another, contact_stage_results.cpp what the stage tells.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/contact/approach/approach_bound.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/contact/enforcement/enforcer.hpp"
+#include "src/contact/enforcement/node_areas.hpp"
+#include "src/contact/folds/fold_watch.hpp"
+#include "src/contact/history/carried_history.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/ties/breaking_ties.hpp"
+#include "src/contact/ties/tie_rows.hpp"
+#include "src/contact/ties/ties.hpp"
+
+namespace percuss {
+
+struct ContactStage::Impl {
+  Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
+      : ranks(world),
+        deck(scene),
+        chunks(chunked),
+        numbering(chunked.numbering),
+        mesh(chunked.mesh),
+        exchange(world),
+        ties_of_start(find_ties(chunked, deck, world)),
+        ties(ties_of_start),
+        share(build_surface_share(chunked, deck, ties, exchange)),
+        breaking(chunked, deck, ties, world),
+        tie_rows(seen(), ties, deck.contact),
+        walls(build_walls(chunked, deck, share)),
+        has_walls(!deck.walls.empty()),
+        contact(deck.contact),
+        bound(world, share, deck.contact.reuse_search),
+        approach(world, share, walls, scene, chunked.mesh),
+        folds(chunked, deck.contact, ranks),
+        finder(make_contact_finder(seen(), share, deck.contact)),
+        forces(scene, chunked, world),
+        enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
+        history(make_history(share, walls)) {
+    history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
+    forces.set_surface(seen(), share);
+    is_active = has_pairs() || has_walls || ties.any();
+    if (ties.any()) start_notes = describe_ties(deck, ties);
+  }
+
+  ContactRanks seen() const { return {ranks, numbering, mesh}; }
+  bool has_pairs() const { return share.total_searched_faces > 0; }
+
+  bool search(const SurfaceMotion& motion, double fastest);
+  void count_search();
+  void search_again();
+  int check(const SurfaceMotion& motion);
+  RowMeeting meet(const ContactMotion& motion, int num_touches);
+  void judge_ties(double time, ContactReport& report);
+  OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
+  std::int64_t find_user_id(std::int64_t node) const;
+  void refuse_torn_ties(const ContactReport& report) const;
+  const AreaNodes& find_areas(const Rows3<const double>& x);
+  void forget_last_step();
+  void redefine_surface();
+  void follow_share();
+  void renew_finder();
+  void search_changed(const SurfaceMotion& here);
+  void redefine(const SurfaceMotion& here, const ReleasedTies* ties_let_go);
+  void redefine_folds(const SurfaceMotion& here);
+  HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
+
+  const Communicator ranks;
+  const Deck& deck;
+  const ChunkedMesh& chunks;
+  const Numbering& numbering;
+  const Mesh& mesh;
+  UnstructuredExchange exchange;
+  TiedSurfaces ties_of_start;  // but those that have failed
+  TiedSurfaces ties;           // those that erosion has left
+  SurfaceShare share;
+  BreakingTies breaking;
+  TieRows tie_rows;
+  WallPairs walls;
+  const bool has_walls;
+  bool is_active = false;  // from the start to the end
+  const ContactDeck contact;
+  ReuseBound bound;
+  ApproachBound approach;  // bounds the next step
+  FoldWatch folds;
+  std::unique_ptr<ContactFinder> finder;
+  ContactForces forces;
+  Enforcer enforcer;
+  std::optional<NodeAreas> areas;  // of the surface as it is; none: not asked for since it was redefined
+  ContactHistory history;
+  std::vector<std::string> start_notes;
+  StartOverlap start_overlap;
+  std::int64_t overlap_at_start = 0;  // nodes and pairs of edges that began inside another
+  Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
+  std::int64_t candidates = 0;  // of the last search, on all ranks
+  long searches = 0;            // steps that did
+  bool is_step_counted = true;  // among these; the start is no step
+  bool is_new_surface = false;  // since the last step
+  Array<double> tie_uses = Array<double>("contact::tie_uses", 0);
+  ContactReport last;     // of the last step
+  int touches_last = 0;   // of this rank in it
+  int same_steps = 0;     // in a row that found, on all ranks, what the step before did
+  long enforcements = 0;  // steps that looked for impulses
+  ContactClocks clocks;
+  PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
+  Traffic sent_at_start;           // in steps before time 0
+  long rebalances_at_start = 0;    // likewise
+};
+
+}  // namespace percuss
