@@ -50,7 +50,7 @@ class InFolder(unittest.TestCase):
 
     def accept(self, text, name="deck.k"):
         """The whole way: imported, and its deck checked by the program."""
-        for words in (("import", self.write(text, name), "--out", "accepted"), ("check", "accepted/deck.yaml")):
+        for words in (("import", self.write(text, name), "--out", "accepted", "--force"), ("check", "accepted/deck.yaml")):
             done = self.percuss(*words)
             self.assertEqual(done.returncode, 0, done.stderr)
 
@@ -835,6 +835,40 @@ class Strictness(InFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("--allow NOTHING fits nothing", done.stderr)
         self.assertIn("left out or approximated, as you allow", done.stdout)
+
+    def test_an_edited_deck_is_overwritten_with_force_alone(self):
+        path, deck = self.write(decks.SMALL), os.path.join(self.folder, "out/deck.yaml")
+        again = ("import", path, "--out", "out", "--no-check", "--quiet")
+        self.assertEqual(self.percuss(*again).returncode, 0)
+        done = self.percuss(*again)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, "out/deck.yaml: error: there is a deck.yaml of an earlier import, which would be lost (an import overwrites "
+                                      "nothing without --force): choose another folder with --out, or give --force\n")
+        with open(deck, "a", encoding="utf-8") as file:
+            file.write("# edited\n")
+        done = self.percuss(*again)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/deck.yaml: error: this deck was edited after its import, and the edits would be lost (", done.stderr)
+        with open(deck, encoding="utf-8") as file:
+            self.assertTrue(file.read().endswith("# edited\n"))
+        self.assertEqual(self.percuss(*again, "--force").returncode, 0)
+        with open(deck, encoding="utf-8") as file:
+            self.assertNotIn("# edited", file.read())
+
+    def test_a_deck_beside_which_nothing_tells_of_its_import_is_kept(self):
+        self.write("time: {end: 1}\n", "out/deck.yaml")
+        done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/deck.yaml: error: there is a deck already, which would be lost (", done.stderr)
+        self.assertEqual(os.listdir(os.path.join(self.folder, "out")), ["deck.yaml"])
+
+    def test_a_mesh_is_not_written_over_the_model(self):
+        self.write(decks.SMALL, "mesh.k")
+        done = self.percuss("import", "mesh.k", "--out", ".", "--force")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("mesh.k: error: this is the model itself (", done.stderr)
+        with open(os.path.join(self.folder, "mesh.k"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), decks.SMALL)
 
     def test_units_are_hinted_at_and_not_assumed(self):
         done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
