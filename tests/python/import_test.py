@@ -12,7 +12,7 @@ sys.path[:0] = [os.path.join(ROOT, "scripts")]
 import import_decks as decks  # noqa: E402
 from importing.abaqus.read import read_abaqus_deck  # noqa: E402
 from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
-from importing.deck_text import format_section  # noqa: E402
+from importing.deck_text import format_section, write_deck  # noqa: E402
 from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
 from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
@@ -221,14 +221,14 @@ class Mesh(InFolder):
             nodes = next(text for text in list_blocks(model) if text.startswith("500,")).split(",")[2:]
             self.assertEqual(set(nodes), set(line.split(",")[2:]))
             self.assertEqual(len(model.blocks[0].solids[0][1]), len(set(nodes)))
-            result = self.percuss("import", path, "--out", "solids", "--units", "m, kg, s", "--allow", "all")
+            result = self.percuss("import", path, "--out", "solids", "--force", "--units", "m, kg, s", "--allow", "all")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
     def test_tetrahedra_are_checked_by_the_program(self):
         plain = "       1       2       3       4      11      12      13      14\n"
         for corners in ("1,2,3,11,11,11,11,11\n", "1,2,3,3,11,11,11,11\n"):
-            result = self.percuss("import", self.write(decks.SMALL.replace(plain, corners)), "--out", "tets", "--units", "m, kg, s", "--allow", "all")
+            result = self.percuss("import", self.write(decks.SMALL.replace(plain, corners)), "--out", "tets", "--force", "--units", "m, kg, s", "--allow", "all")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
@@ -474,6 +474,16 @@ class Scene(InFolder):
         self.assertIn("INITIAL_STRESS_SECTION", told)
         self.assertNotIn("ELEMENT_BEAM.N3", told)
         self.accept(decks.BOLTS)
+
+    def test_a_deck_with_preloads_tells_that_nothing_is_held(self):
+        gravity = "*LOAD_BODY_Z\n12,1.0\n*DEFINE_CURVE\n12\n0.0,9.81\n1.0,9.81\n*END"
+        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and conditions hold the model.\n# start.relaxation.hold is empty: name there"),
+                           (decks.BOLTS, "No load acts in them, and conditions hold the model.\nstart:")):
+            model, _ = self.read(text)
+            written = write_deck(model, "deck.k", "mesh.k", "")
+            self.assertIn(f"# Preloads are reached in damped steps before time 0. {told}", written)
+        self.accept(decks.BOLTS.replace("*END", gravity))
+        self.assertNotIn("# Preloads", write_deck(self.read(decks.SMALL)[0], "deck.k", "mesh.k", ""))
 
     def test_forces_of_bolts_that_are_refused(self):
         for old, new, name in (
