@@ -51,7 +51,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
       sensors_(deck, ranks_),
-      checkpoints_(deck, options.out_dir),
+      checkpoints_(deck, options.out_dir, options.allows_external_files),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
