@@ -51,6 +51,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"wall_radius", "cylinder or sphere that is small against the elements beside it"},
       {"spring_length", "rest length far above the size of the scene"},
       {"still_scene", "scene in which nothing moves"},
+      {"unused_displacement", "displacements in a file of start.fields, which a start does not use"},
       {"idle_part", "part without velocity, condition, load and contact"},
       {"unreached_body", "moving body that touches nothing before the end"},
       // contact (src/checks/rules/motion_rules.cpp, contact_rules.cpp)

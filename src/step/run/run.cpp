@@ -86,7 +86,7 @@ ChunkedMesh Run::load_scene() {
 
 void Run::begin() {
   start_sensors();
-  set_start_states(deck_, chunked_, model_, state_);
+  warnings_.add(set_start_states(deck_, chunked_, model_, state_));
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
     warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
