@@ -63,6 +63,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"inside_wall", "nodes that begin deep inside a cylinder that ends"},
       {"friction", "coefficient of friction that no surface has"},
       {"tie_distance", "tie that reaches beyond an element"},
+      {"tie_hinge", "tie that holds one row of shell nodes, without rotations"},
       {"contact_tolerance", "tolerance that leaves contact undone"},
       {"idle_force", "contact force of the history that stays 0"},
       {"key_without_effect", "setting that has no effect because of other settings"},

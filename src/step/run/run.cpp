@@ -96,8 +96,9 @@ void Run::begin() {
   compute_start_ = compute_seconds();
   stepper_.start(state_);
   begin_books();
-  warnings_.add(check_start(
-      {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
+  const std::vector<TieHinge> hinges = contact_.find_hinges();
+  const double bound = model_.rigid.is_all ? state_.next_dt : state_.bound.step;
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &hinges}));
   erode();
   // What collapses is the step of elements.
   const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;
