@@ -4,7 +4,7 @@ import argparse
 import os
 import sys
 
-from . import proof, report, units
+from . import earlier, proof, report, units
 from .abaqus.read import read_abaqus_deck
 from .deck_text import clean, write_deck
 from .dyna.read import read_keyword_deck
@@ -12,6 +12,7 @@ from .ledger import BadInput, Ledger
 from .mesh_text import write_mesh
 from .model import Model
 
+DECK, MESH = "deck.yaml", "mesh.k"
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
@@ -38,6 +39,7 @@ def import_model(arguments: argparse.Namespace) -> int:
     """Returns the exit code."""
     if not os.path.isfile(arguments.model):
         raise BadInput(clean(arguments.model), "is not a file: check the name")
+    earlier.refuse_to_overwrite(arguments, [DECK, MESH])
     ledger = make_ledger(arguments.allow)
     try:
         model = choose_reader(arguments.model)(ledger)
@@ -47,10 +49,11 @@ def import_model(arguments: argparse.Namespace) -> int:
     refused = ledger.list_refused()
     if not refused and not model.blocks:
         raise BadInput(clean(arguments.model), "no part is left to run (every part was left out): read import_report.md and allow less")
+    earlier.refuse_to_overwrite(arguments, list(model.tables))
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
-    write_reports(arguments, ledger, summary)
     deck = "" if refused else write_files(arguments, model)  # before what is printed, whose reader may end
+    write_reports(arguments, ledger, summary, deck)
     if not arguments.quiet:
         report.print_table(ledger)
     tell_unused(ledger)
@@ -64,9 +67,10 @@ def tell_unused(ledger: Ledger) -> None:
             print(f"percuss import: --allow {clean(pattern)} fits nothing that is refused", file=sys.stderr)
 
 
-def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str]) -> None:
+def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str], deck: str) -> None:
+    """deck: the file just written; empty: none, and one of an earlier import stays."""
     report.write_report(os.path.join(arguments.out, "import_report.md"), arguments.model, ledger, summary)
-    report.write_json(os.path.join(arguments.out, "import_report.json"), arguments.model, ledger, summary)
+    report.write_json(os.path.join(arguments.out, "import_report.json"), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
 
 
 def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
@@ -87,12 +91,12 @@ def print_refused(ledger: Ledger) -> None:
 
 def write_files(arguments: argparse.Namespace, model: Model) -> str:
     """Writes the deck and its mesh. Returns the name of the deck."""
-    deck = os.path.join(arguments.out, "deck.yaml")
+    deck = os.path.join(arguments.out, DECK)
     try:
-        text = write_deck(model, os.path.basename(arguments.model), "mesh.k", arguments.units)
+        text = write_deck(model, os.path.basename(arguments.model), MESH, arguments.units)
     except OverflowError as error:
         raise BadInput(clean(arguments.model), str(error)) from None
-    write_mesh(model, os.path.join(arguments.out, "mesh.k"))
+    write_mesh(model, os.path.join(arguments.out, MESH))
     for name, lines in model.tables.items():
         with open(os.path.join(arguments.out, name), "w", encoding="utf-8", newline="\n") as file:
             file.writelines(f"{line}\n" for line in lines)

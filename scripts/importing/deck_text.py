@@ -111,6 +111,19 @@ def make_parts(model: Model, mesh_file: str) -> Deck:
     return parts
 
 
+def list_start_remarks(deck: Deck) -> list[str]:
+    """Comments: what preloads move before time 0, and that nothing is held for them."""
+    if "preload" not in deck.get("start", {}):
+        return []
+    loads = deck.get("loads", {})
+    forces = f"{'Gravity acts' if 'gravity' in loads else 'Loads act'} in them" if loads else "No load acts in them"
+    held = "conditions hold" if deck.get("conditions") else "no condition holds"
+    lines = [f"# Preloads are reached in damped steps before time 0. {forces}, and {held} the model."]
+    if loads:
+        lines.append("# start.relaxation.hold is empty: name there the parts or nodes that would fall or fly, such as relaxation: {hold: [PART]}.")
+    return lines
+
+
 def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     """The text of deck.yaml."""
     lines = [f"# From {clean(source)} by percuss import; import_report.md tells what became of each card."]
@@ -119,7 +132,11 @@ def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     if units:
         lines.append(f"units: {units}")
     sections = {**model.deck, "parts": make_parts(model, mesh_file), "materials": model.materials}
-    lines += [format_section(name, sections[name]) for name in ORDER if sections.get(name)]
+    for name in ORDER:
+        if name == "start":
+            lines += list_start_remarks(model.deck)
+        if sections.get(name):
+            lines.append(format_section(name, sections[name]))
     return "\n".join(lines) + "\n"
 
 

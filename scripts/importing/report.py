@@ -86,10 +86,10 @@ def escape(text: str) -> str:
     return clean(text).replace("|", "\\|").replace("<", "&lt;")
 
 
-def write_json(path: str, source: str, ledger: Ledger, summary: list[str]) -> None:
-    """The same for programs."""
+def write_json(path: str, source: str, ledger: Ledger, summary: list[str], mark: str) -> None:
+    """The same for programs. mark: of the deck as written (earlier.py); empty: none is written."""
     cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file, "line": entry.first.line,
               "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
     with open(path, "w", encoding="utf-8", newline="\n") as file:
-        json.dump({"source": source, "cards": cards, "model": summary}, file, indent=1)
+        json.dump({"source": source, "cards": cards, "model": summary, "deck_sha256": mark}, file, indent=1)
         file.write("\n")

@@ -9,6 +9,7 @@ from .findings import BAD, GOOD
 from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
 from .motion import tell_motions
+from .welds import tell_welds
 
 MOST_CHANGES = 6
 UNRESOLVED = 0.5  # of a peak: a row beside it below this does not show the rise or the fall
@@ -56,7 +57,29 @@ def tell_events(run):
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
         text += f" Loads, gravity and prescribed motion did the work {show(run, energy['external'], 'energy')}."
     limit = [f"The run was {run.step_limit}."] if run.step_limit else []
-    return [*limit, text, *tell_motions(run), *tell_erosion(run)]
+    return [*tell_relaxation(run), *limit, text, *tell_motions(run), *tell_erosion(run), *tell_welds(run, show_time), *tell_ties(run)]
+
+
+def tell_relaxation(run):
+    """How the run came to its state at time 0."""
+    relaxation = run.summary.get("relaxation") or {}
+    if not relaxation.get("state"):
+        return []
+    preloads = run.deck.get("start.preload") or {}
+    reached = f"; preloads are reached to {relaxation['preload_error']:.2g} of their forces" if preloads else ""
+    return [f"Before time 0 the relaxation {'settled' if relaxation['state'] == 'settled' else 'did not settle'} in "
+            f"{relaxation['damped_steps']:,} steps, with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
+
+
+def tell_ties(run):
+    """How many nodes of ties have let go, and by when the first."""
+    if not run.has_history or "failed_ties" not in run.history or not len(run.history):
+        return []
+    counts = np.asarray(run.history["failed_ties"])
+    if not counts[-1] > 0:
+        return []
+    first = run.history["time"][int(np.argmax(counts > 0))]
+    return [f"{int(counts[-1]):,} tied nodes have let go, the first by t = {show_time(run, first)}."]
 
 
 def tell_erosion(run):

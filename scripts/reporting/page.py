@@ -18,7 +18,9 @@ from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
 from .motion import make_motion_table
 from .pictures import Worst, choose_field, differ, draw_pictures, find_range
+from .signals import make_accelerometers_table
 from .surface import pack_surface, read_library
+from .welds import make_welds_table
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 MORE_PANELS = ("contact_pairs", "kinetic_by_part", "internal_by_part", "erosion")
@@ -192,7 +194,7 @@ def _make_plots(runs, labels):
         rows = [(number, f"{moment * plot.time_factor:.4g} {plot.time_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
         text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
     if len(runs) == 1:
-        text += make_forces_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
+        text += make_forces_table(runs[0]) + make_accelerometers_table(runs[0]) + make_welds_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
     return f"<div class=plots>{figures}</div>{text}"
 
 
@@ -211,7 +213,7 @@ def _make_scene(run, label, several):
     text = f"<h3>{escape(label)}</h3>" * several + scene.make_parts_table(run)
     if several:
         return text
-    return text + scene.make_materials_table(run.deck) + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck)
+    return text + scene.make_relaxation_table(run) + scene.make_materials_table(run.deck) + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck)
 
 
 def _make_comparison(runs, labels):

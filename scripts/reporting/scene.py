@@ -86,6 +86,28 @@ def make_loads_table(deck):
     return "<h3>Motion, supports, contact</h3>" + make_table(("key", "value"), rows) if rows else ""
 
 
+def make_relaxation_table(run):
+    """What the damped steps before time 0 did."""
+    relaxation = run.summary.get("relaxation") or {}
+    if not relaxation.get("state"):
+        return ""
+    energy = unit_of(run, "energy")
+    tolerance = run.deck.get("start.relaxation.tolerance", 1e-6)
+    frequency = unit_of(run, "frequency")
+    rows = [("state", relaxation["state"]), ("damped steps", f"{relaxation['damped_steps']:,}"),
+            ("residual: kinetic energy over the scale", f"{relaxation['kinetic_ratio']:.3g} (tolerance {format_number(tolerance)})"),
+            ("scale of the energy", with_unit(float(f"{relaxation['scale']:.4g}"), energy)),
+            ("lowest frequency", with_unit(float(f"{relaxation['frequency']:.4g}"), frequency)),
+            ("energy held at time 0", with_unit(float(f"{relaxation['energy']:.4g}"), energy))]
+    preloads = run.deck.get("start.preload") or {}
+    for name, preload in preloads.items() if isinstance(preloads, dict) else ():
+        if isinstance(preload, dict):
+            rows.append((f"preload {name} of {preload.get('part', '')}", with_unit(preload.get("force", ""), unit_of(run, "force"))))
+    if preloads:
+        rows.append(("largest error of a preload", f"{relaxation['preload_error']:.2g} of its force"))
+    return "<h3>Relaxation before time 0</h3>" + make_table(None, rows)
+
+
 def make_deck_section(deck):
     if deck.text:
         return fold(f"Deck: {deck.source}", show_deck(deck.text))

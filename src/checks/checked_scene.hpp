@@ -9,6 +9,7 @@
 
 #include "src/checks/scene_measures.hpp"
 #include "src/contact/start/start_overlap.hpp"
+#include "src/contact/ties/tie_hinges.hpp"
 #include "src/deck/deck.hpp"
 #include "src/warning.hpp"
 
@@ -20,6 +21,7 @@ struct CheckedScene {
   const SceneMeasures* measures = nullptr;  // of the mesh
   const StartOverlap* overlap = nullptr;    // of a scene with contact or walls, at time 0
   double stable_step = 0;                   // smallest bound of an element, without step_scale [time]
+  const std::vector<TieHinge>* hinges = nullptr;
 };
 
 /// Parts beyond which rules that compare each with each other are left out: they would take seconds.

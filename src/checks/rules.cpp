@@ -85,6 +85,7 @@ const std::vector<CheckRule>& check_rules() {
       {"penalty_speed", check_penalty_speed, Needs::mesh},
       {"friction", check_friction},
       {"tie_distance", check_tie_distance, Needs::mesh},
+      {"tie_hinge", check_tie_hinges, Needs::start},
       {"contact_tolerance", check_contact_tolerance},
       {"idle_force", check_idle_forces},
       {"end_time", check_end_time, Needs::start},

@@ -98,6 +98,7 @@ std::vector<Warning> check_behind_wall(const CheckedScene& scene);
 std::vector<Warning> check_inside_wall(const CheckedScene& scene);
 std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
+std::vector<Warning> check_tie_hinges(const CheckedScene& scene);
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
 
 // Time and output (output_rules.cpp)

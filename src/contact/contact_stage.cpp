@@ -121,6 +121,10 @@ bool ContactStage::wants_speeds() const { return impl_->has_walls && impl_->cont
 
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
+std::vector<TieHinge> ContactStage::find_hinges() const {
+  return find_tie_hinges(impl_->chunks, impl_->deck, impl_->ties_of_start, impl_->ranks);
+}
+
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first

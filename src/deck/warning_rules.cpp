@@ -51,6 +51,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"wall_radius", "cylinder or sphere that is small against the elements beside it"},
       {"spring_length", "rest length far above the size of the scene"},
       {"still_scene", "scene in which nothing moves"},
+      {"unused_displacement", "displacements in a file of start.fields, which a start does not use"},
       {"idle_part", "part without velocity, condition, load and contact"},
       {"unreached_body", "moving body that touches nothing before the end"},
       // contact (src/checks/rules/motion_rules.cpp, contact_rules.cpp)
@@ -62,6 +63,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"inside_wall", "nodes that begin deep inside a cylinder that ends"},
       {"friction", "coefficient of friction that no surface has"},
       {"tie_distance", "tie that reaches beyond an element"},
+      {"tie_hinge", "tie that holds one row of shell nodes, without rotations"},
       {"contact_tolerance", "tolerance that leaves contact undone"},
       {"idle_force", "contact force of the history that stays 0"},
       {"key_without_effect", "setting that has no effect because of other settings"},

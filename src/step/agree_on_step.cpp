@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/step.hpp"
@@ -115,6 +116,17 @@ double Stepper::find_mesh_step(const State& state, const StepNotice& notice) {
 const Approach* Stepper::find_limiting_approach(const State& state) const {
   const Approach& approach = contact_.approach();
   return approach.limits(deck_.time.step_scale * state.bound.step) ? &approach : nullptr;
+}
+
+double Stepper::find_undamped_bound(const State& state) const {
+  const auto step = to_host(state.results.stable_step);
+  double bounds[2] = {StepNotice{}.step, StepNotice{}.step};  // without and with it
+  for (std::size_t c = 0; c < step.extent(0); ++c) {
+    bounds[0] = std::min(bounds[0], step(c));
+    bounds[1] = std::min(bounds[1], stiffness_damping_ ? stiffness_damping_->find_step(c, step(c)) : step(c));
+  }
+  all_reduce(model_.ranks, Reduce::least, bounds);
+  return bounds[1] < bounds[0] ? bounds[0] : 0;
 }
 
 void Stepper::choose_step(State& state) const {

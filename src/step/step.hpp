@@ -104,6 +104,10 @@ class Stepper {
   void note_stored(double energy) { report_.stored = energy; }
   /// Bodies that ask for a shorter next step than elements and springs do; null: none.
   const Approach* find_limiting_approach(const State& state) const;
+
+  /// The bound of the elements at their last step without damping in proportion to stiffness; 0 where that does not
+  /// make it shorter. Collective.
+  double find_undamped_bound(const State& state) const;
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
   /// What this rank has sent of the forces of shared nodes.

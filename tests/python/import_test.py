@@ -12,7 +12,7 @@ sys.path[:0] = [os.path.join(ROOT, "scripts")]
 import import_decks as decks  # noqa: E402
 from importing.abaqus.read import read_abaqus_deck  # noqa: E402
 from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
-from importing.deck_text import format_section  # noqa: E402
+from importing.deck_text import format_section, write_deck  # noqa: E402
 from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
 from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
@@ -50,7 +50,7 @@ class InFolder(unittest.TestCase):
 
     def accept(self, text, name="deck.k"):
         """The whole way: imported, and its deck checked by the program."""
-        for words in (("import", self.write(text, name), "--out", "accepted"), ("check", "accepted/deck.yaml")):
+        for words in (("import", self.write(text, name), "--out", "accepted", "--force"), ("check", "accepted/deck.yaml")):
             done = self.percuss(*words)
             self.assertEqual(done.returncode, 0, done.stderr)
 
@@ -221,14 +221,14 @@ class Mesh(InFolder):
             nodes = next(text for text in list_blocks(model) if text.startswith("500,")).split(",")[2:]
             self.assertEqual(set(nodes), set(line.split(",")[2:]))
             self.assertEqual(len(model.blocks[0].solids[0][1]), len(set(nodes)))
-            result = self.percuss("import", path, "--out", "solids", "--units", "m, kg, s", "--allow", "all")
+            result = self.percuss("import", path, "--out", "solids", "--force", "--units", "m, kg, s", "--allow", "all")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
     def test_tetrahedra_are_checked_by_the_program(self):
         plain = "       1       2       3       4      11      12      13      14\n"
         for corners in ("1,2,3,11,11,11,11,11\n", "1,2,3,3,11,11,11,11\n"):
-            result = self.percuss("import", self.write(decks.SMALL.replace(plain, corners)), "--out", "tets", "--units", "m, kg, s", "--allow", "all")
+            result = self.percuss("import", self.write(decks.SMALL.replace(plain, corners)), "--out", "tets", "--force", "--units", "m, kg, s", "--allow", "all")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("The deck and its meshes can be run", result.stdout)
 
@@ -474,6 +474,16 @@ class Scene(InFolder):
         self.assertIn("INITIAL_STRESS_SECTION", told)
         self.assertNotIn("ELEMENT_BEAM.N3", told)
         self.accept(decks.BOLTS)
+
+    def test_a_deck_with_preloads_tells_that_nothing_is_held(self):
+        gravity = "*LOAD_BODY_Z\n12,1.0\n*DEFINE_CURVE\n12\n0.0,9.81\n1.0,9.81\n*END"
+        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and conditions hold the model.\n# start.relaxation.hold is empty: name there"),
+                           (decks.BOLTS, "No load acts in them, and conditions hold the model.\nstart:")):
+            model, _ = self.read(text)
+            written = write_deck(model, "deck.k", "mesh.k", "")
+            self.assertIn(f"# Preloads are reached in damped steps before time 0. {told}", written)
+        self.accept(decks.BOLTS.replace("*END", gravity))
+        self.assertNotIn("# Preloads", write_deck(self.read(decks.SMALL)[0], "deck.k", "mesh.k", ""))
 
     def test_forces_of_bolts_that_are_refused(self):
         for old, new, name in (
@@ -835,6 +845,40 @@ class Strictness(InFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("--allow NOTHING fits nothing", done.stderr)
         self.assertIn("left out or approximated, as you allow", done.stdout)
+
+    def test_an_edited_deck_is_overwritten_with_force_alone(self):
+        path, deck = self.write(decks.SMALL), os.path.join(self.folder, "out/deck.yaml")
+        again = ("import", path, "--out", "out", "--no-check", "--quiet")
+        self.assertEqual(self.percuss(*again).returncode, 0)
+        done = self.percuss(*again)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, "out/deck.yaml: error: there is a deck.yaml of an earlier import, which would be lost (an import overwrites "
+                                      "nothing without --force): choose another folder with --out, or give --force\n")
+        with open(deck, "a", encoding="utf-8") as file:
+            file.write("# edited\n")
+        done = self.percuss(*again)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/deck.yaml: error: this deck was edited after its import, and the edits would be lost (", done.stderr)
+        with open(deck, encoding="utf-8") as file:
+            self.assertTrue(file.read().endswith("# edited\n"))
+        self.assertEqual(self.percuss(*again, "--force").returncode, 0)
+        with open(deck, encoding="utf-8") as file:
+            self.assertNotIn("# edited", file.read())
+
+    def test_a_deck_beside_which_nothing_tells_of_its_import_is_kept(self):
+        self.write("time: {end: 1}\n", "out/deck.yaml")
+        done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/deck.yaml: error: there is a deck already, which would be lost (", done.stderr)
+        self.assertEqual(os.listdir(os.path.join(self.folder, "out")), ["deck.yaml"])
+
+    def test_a_mesh_is_not_written_over_the_model(self):
+        self.write(decks.SMALL, "mesh.k")
+        done = self.percuss("import", "mesh.k", "--out", ".", "--force")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("mesh.k: error: this is the model itself (", done.stderr)
+        with open(os.path.join(self.folder, "mesh.k"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), decks.SMALL)
 
     def test_units_are_hinted_at_and_not_assumed(self):
         done = self.percuss("import", self.write(decks.SMALL), "--out", "out")

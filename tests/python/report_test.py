@@ -27,16 +27,21 @@ except ImportError as error:
 from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from percuss.deck import Deck  # noqa: E402
 from percuss.history import History  # noqa: E402
+from percuss.units import Units  # noqa: E402
 from reporting.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
-                               suggest_forces, tell_events, tell_force)
+                               suggest_forces, tell_events, tell_force, tell_relaxation)
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
 from reporting.forces import find_balances, find_force, find_impulse, find_momentum_balances, list_forces, make_balance_table  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.motion import find_motions  # noqa: E402
 from reporting.pictures import Worst, differ  # noqa: E402
+from reporting.scene import make_relaxation_table  # noqa: E402
+from reporting.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
 from reporting.surface import pack_surface, read_library  # noqa: E402
+from reporting.welds import find_use, make_welds_table, tell_welds  # noqa: E402
 
 
 
@@ -429,6 +434,101 @@ class Surface(unittest.TestCase):
         visible = rest[about["frames"] * about["faces"] :].reshape(about["frames"], -1)
         self.assertEqual([int(v) for v in visible.sum(axis=1)[[0, -1]]], [40, 40])
         self.assertEqual(Worst(fields, "part").frame, 0)
+
+
+def make_history(columns, units="m, kg, s"):
+    """A history of columns by name."""
+    dimensions = {"time": "time", "local_a": "acceleration", "weld_": "force"}
+    sidecar = {name: {"dimension": next((value for key, value in dimensions.items() if name.startswith(key)), "-")} for name in columns}
+    return History(list(columns), np.stack(list(columns.values()), axis=1), Units(units) if units else None, sidecar)
+
+
+def make_run(history, deck=None, summary=None):
+    return SimpleNamespace(history=history, has_history=True, deck=Deck("", deck or {}), units=history.units, summary=summary or {"time": 1.0})
+
+
+class Signals(unittest.TestCase):
+    def make_signal(self, units="m, kg, s"):
+        time = np.linspace(0, 0.1, 5001)
+        slow, fast = 100 * np.sin(2 * np.pi * 20 * time), 500 * np.sin(2 * np.pi * 5000 * time)
+        return make_history({"time": time, "local_ax:chest": slow + fast, "local_ay:chest": 0 * time, "local_az:chest": 0.5 * slow}, units)
+
+    def test_peaks_are_those_behind_the_filter(self):
+        peak, time, parts = find_filtered_peak(self.make_signal(), "chest")
+        self.assertAlmostEqual(peak, 100 * 1.25**0.5, delta=0.5)
+        self.assertLess(min(abs(time - top) for top in (0.0125, 0.0375, 0.0625, 0.0875)), 5e-4)
+        self.assertAlmostEqual(parts[2], 50, delta=0.3)
+        table = make_accelerometers_table(make_run(self.make_signal()))
+        for text in ("<td>chest</td>", "CFC 180", "<td class=number>11.4"):  # in g
+            self.assertIn(text, table)
+        self.assertIn("<td class=number>577.7 m/s²</td></tr>", table)  # without filter
+
+    def test_an_end_within_a_vibration_gives_no_peak_and_an_impact_at_time_0_keeps_its_own(self):
+        time = np.linspace(0, 0.02, 2001)
+        vibration = 500 * np.sin(2 * np.pi * 5025 * time)  # it ends at its largest value
+        columns = {"time": time, **{f"local_a{axis}:chest": 0 * time for axis in "yz"}}
+        peak, _, _ = find_filtered_peak(make_history({**columns, "local_ax:chest": vibration}), "chest")
+        self.assertLess(peak, 20)  # of half a wave that nothing follows
+        pulse = np.where(time < 0.01, 100 * np.sin(np.pi * time / 0.01), 0)
+        peak, when, _ = find_filtered_peak(make_history({**columns, "local_ax:chest": pulse}), "chest")
+        self.assertAlmostEqual(peak, 100, delta=3)
+        self.assertAlmostEqual(when, 0.005, delta=2e-4)
+
+    def test_what_cannot_be_filtered_is_told(self):
+        self.assertIn("chest: the deck names no units", make_accelerometers_table(make_run(self.make_signal(units=None))))
+        time = np.linspace(0, 0.1, 11)
+        coarse = make_history({"time": time, **{f"local_a{axis}:chest": time for axis in "xyz"}})
+        self.assertIn("chest: samples every 0.01 s are too far apart for CFC 180", make_accelerometers_table(make_run(coarse)))
+        self.assertEqual(make_accelerometers_table(make_run(make_history({"time": time}))), "")
+
+
+class Welds(unittest.TestCase):
+    def make(self, failed=2):
+        time = np.linspace(0, 1, 6)
+        forces = {"seam_1": ([0, 3, 4, 0, 0, 0], [0, 1, 0, 0, 0, 0]), "seam_2": ([0, 1, 2, 3, 0, 0], [0, 5, 5, 5, 0, 0]),
+                  "seam_3": ([0, 3.2, 1, 1, 1, 1], [0, 0, 0, 0, 0, 0]), "seam_4": ([0, 0, 0.4, 0, 0.4, 0.1], [0] * 6)}
+        columns = {"time": time, "welds_failed": np.array([0, 0, 0, min(failed, 1), failed, failed], dtype=float)}
+        for name, (normal, shear) in forces.items():
+            columns[f"weld_normal:{name}"], columns[f"weld_shear:{name}"] = np.array(normal, dtype=float), np.array(shear, dtype=float)
+        return make_run(make_history(columns), {"welds": {"seam": {"failure": {"normal": 4, "shear": 6}}}})
+
+    def test_that_failed_and_those_near_to_it_are_told(self):
+        texts = tell_welds(self.make(), lambda run, time: f"{time:g} s")
+        self.assertEqual(texts[0], "2 welds failed, the first by t = 0.6 s (seam_1), the last by t = 0.8 s (seam_2).")
+        self.assertEqual(texts[1], "Of the welds that hold, seam_3 came nearest to its failure: 0.64 of it at t = 0.2 s.")
+        table = make_welds_table(self.make())
+        self.assertIn("<td>seam_2</td><td>failed</td>", table)
+        self.assertIn("<td>seam_3</td><td>holds</td>", table)
+        self.assertNotIn("seam_4", table)
+
+    def test_that_fail_without_columns_are_counted(self):
+        self.assertIn("1 more have failed that have no columns", make_welds_table(self.make(failed=3)))
+
+    def test_exponents_are_those_of_the_deck(self):
+        self.assertAlmostEqual(float(find_use({"normal": 4, "normal_exponent": 1, "shear": 5}, np.array([-2.0]), np.array([2.0]))[0]), 0.5 + 0.16)
+        self.assertIsNone(find_use({"time": 1}, np.array([1.0]), np.array([1.0])))
+
+    def test_nothing_is_told_of_a_run_without_welds(self):
+        run = make_run(make_history({"time": np.linspace(0, 1, 3)}))
+        self.assertEqual((tell_welds(run, None), make_welds_table(run)), ([], ""))
+
+
+class Relaxation(unittest.TestCase):
+    SUMMARY = {"time": 1.0, "relaxation": {"state": "settled", "damped_steps": 4310, "kinetic_ratio": 8e-7, "scale": 2.0, "frequency": 300.0,
+                                           "energy": 1.5, "preload_error": 2e-5, "contact_stored": 0.0}}
+    DECK = {"start": {"relaxation": {}, "preload": {"bolt": {"part": "shank", "force": 4e4}}}}
+
+    def test_is_told_with_its_residual_and_preloads(self):
+        run = make_run(make_history({"time": np.linspace(0, 1, 3)}), self.DECK, self.SUMMARY)
+        self.assertEqual(tell_relaxation(run), ["Before time 0 the relaxation settled in 4,310 steps, with 8e-07 of the energy left as motion; "
+                                                "preloads are reached to 2e-05 of their forces."])
+        table = make_relaxation_table(run)
+        for text in ("<td>damped steps</td><td>4,310</td>", "8e-07 (tolerance 1e-06)", "preload bolt of shank", "40000 N", "2e-05 of its force"):
+            self.assertIn(text, table)
+
+    def test_is_not_told_where_there_is_none(self):
+        run = make_run(make_history({"time": np.linspace(0, 1, 3)}), {}, {"relaxation": {"state": ""}})
+        self.assertEqual((tell_relaxation(run), make_relaxation_table(run)), ([], ""))
 
 
 class Pieces(unittest.TestCase):

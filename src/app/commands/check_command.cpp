@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -16,6 +18,7 @@
 #include "src/output/warning_log.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
+#include "src/step/relaxation/relaxation.hpp"
 #include "src/step/results/fields/frame_scene.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run_notes.hpp"
@@ -60,6 +63,8 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
   for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
   for (const DampingDeck& damping : deck.dampings) nodes(damping.where);
+  if (deck.start.relaxation)
+    for (const Selector& where : deck.start.relaxation->hold) nodes(where);
   for (const WallDeck& wall : deck.walls) {
     for (const Selector& where : wall.nodes) nodes(where);
   }
@@ -84,14 +89,35 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   }
 }
 
+/// The state at time 0, and what is to be said of files that it takes.
+struct StartState {
+  State state;
+  std::vector<Warning> warnings;
+};
+
 /// What a run of the scene would warn of at its start. Collective.
-std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh& chunked) {
-  WarningLog log(scene.deck.silenced);
-  log.add(scene.deck.warnings);
-  log.add(find_start_warnings(scene.deck, chunked));
+std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                                   const ContactStage& contact, const StartState& start) {
+  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
+  const double bound = model.rigid.is_all ? start.state.next_dt : start.state.bound.step;
+  const std::vector<TieHinge> hinges = contact.find_hinges();
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), bound, &hinges};
+  WarningLog log(deck.silenced);
+  log.add(deck.warnings);
+  log.add(find_start_warnings(deck, chunked));
   log.add(check_input(scene));
+  log.add(start.warnings);
   log.add(check_start(scene));
   return log.list();
+}
+
+/// Throws what a relaxation cannot begin with: preloads that the mesh does not have. Contact is that of a scene that
+/// relaxes from then on. Collective.
+void check_relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact) {
+  if (!deck.start.relaxation) return;
+  State state = make_initial_state(model);
+  set_start_states(deck, chunked, model, state);
+  const Relaxation relaxation(deck, chunked, model, contact, state);
 }
 
 /// What limits the first step.
@@ -103,6 +129,14 @@ std::string name_controller(const ChunkedMesh& chunked, const Model& model, cons
                                                : describe_element(chunked, state.bound.element);
 }
 
+/// The first step if nothing were damped in proportion to its stiffness; 0 where that makes no difference. Collective.
+double find_undamped_step(const Deck& deck, const State& state, const Stepper& stepper) {
+  const double bound = stepper.find_undamped_bound(state);
+  if (stepper.find_limiting_approach(state) != nullptr || state.bound.spring >= 0) return 0;
+  const double step = std::min(deck.time.step_scale * bound, deck.time.max_step.value_or(HUGE_VAL));
+  return step > state.next_dt ? step : 0;
+}
+
 /// What the model tells of the scene.
 void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scene) {
   scene.mesh_notes = chunked.mesh.notes;
@@ -112,15 +146,23 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
   scene.spring_notes.insert(scene.spring_notes.end(), model.constraints.notes.begin(), model.constraints.notes.end());
 }
 
-/// The state at time 0; throws what files of stresses and sensors have wrong. Collective.
-State make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
-  State state = make_initial_state(model);
-  set_start_states(deck, chunked, model, state);
-  if (deck.sensors.empty()) return state;
+/// overlap: what contact says of it; empty: there is none.
+void add_contact(const ContactStage& contact, const std::string& overlap, SceneReport& scene) {
+  scene.contact_nodes = contact.contact_nodes();
+  scene.contact_faces = contact.contact_faces();
+  scene.contact_notes = contact.start_notes();
+  if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
+}
+
+/// Throws what files of stresses and sensors have wrong. Collective.
+StartState make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  StartState start{make_initial_state(model), {}};
+  start.warnings = set_start_states(deck, chunked, model, start.state);
+  if (deck.sensors.empty()) return start;
   Sensors sensors(deck, model.ranks);
   sensors.find_columns(History::list_columns(deck, chunked, model));
-  state.happened = sensors.find_happened(0);
-  return state;
+  start.state.happened = sensors.find_happened(0);
+  return start;
 }
 
 /// What each entry of output.field_outputs shows. Collective.
@@ -152,7 +194,8 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
-  State state = make_checked_state(deck, chunked, model);
+  StartState start = make_checked_state(deck, chunked, model);
+  State& state = start.state;
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);
@@ -161,16 +204,13 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
   scene.controlling_element = name_controller(chunked, model, state, stepper);
+  scene.undamped_step = find_undamped_step(deck, state, stepper);
   add_notes(chunked, model, scene);
   scene.field_outputs = find_sizes(deck, chunked, ranks);
-  scene.contact_nodes = contact.contact_nodes();
-  scene.contact_faces = contact.contact_faces();
-  scene.contact_notes = contact.start_notes();
-  if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
+  add_contact(contact, overlap, scene);
   stage.show("looking for suspicious input");
-  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
-  const double bound = model.rigid.is_all ? state.next_dt : state.bound.step;
-  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), bound}, chunked);
+  scene.warnings = list_warnings(deck, chunked, model, contact, start);
+  check_relaxation(deck, chunked, model, contact);
   stage.clear();
   if (command.json)
     print_text(stdout, format_scene_json(scene, chunked, contact.start_overlap(), state.results));

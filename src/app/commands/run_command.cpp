@@ -80,6 +80,7 @@ std::unique_ptr<FolderLock> prepare_folder(const Command& command, const Deck& d
   options.out_dir = out_dir;
   options.restart = command.restart;
   options.may_remove_results = command.force;
+  options.allows_external_files = command.allow_external;
   options.goes_on_in_place = check_restart(command, out_dir, ranks);
   std::unique_ptr<FolderLock> lock;
   fail_together(ranks, [&] {

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 #include "src/app/reports/report_lines.hpp"
 #include "src/error.hpp"
@@ -12,6 +15,7 @@
 #include "src/mesh/quality/mesh_doubts.hpp"
 #include "src/mesh/reading/mesh_reader.hpp"
 #include "src/mesh/reading/part_reader.hpp"
+#include "src/mesh/reading/results_reader.hpp"
 
 namespace percuss {
 namespace {
@@ -126,6 +130,49 @@ std::string format_reading(const std::string& file, const MeshContents& contents
   return text;
 }
 
+/// "stress" of "stress_zx".
+std::string find_field(const std::string& component) {
+  static const std::array<std::string_view, 9> ends{"_x", "_y", "_z", "_xx", "_yy", "_zz", "_xy", "_yz", "_zx"};
+  for (const std::string_view end : ends)
+    if (component.size() > end.size() && component.ends_with(end))
+      return component.substr(0, component.size() - end.size());
+  return component;
+}
+
+/// A line a field, components together.
+std::string format_fields(const std::vector<std::string>& names, const char* place, const char* label) {
+  std::vector<std::pair<std::string, int>> fields;
+  for (const std::string& name : names) {
+    const std::string field = find_field(name);
+    if (fields.empty() || fields.back().first != field) fields.emplace_back(field, 0);
+    ++fields.back().second;
+  }
+  std::string text;
+  for (const auto& [field, components] : fields)
+    text += mesh_line(
+        text.empty() ? label : "",
+        fmt::format("{}, of {}{}", field, place, components == 1 ? "" : fmt::format(", {} components", components)));
+  return text;
+}
+
+/// Times and names of the results, if the file has some.
+std::string format_results(const std::string& file) {
+  ResultsContents contents;
+  try {
+    contents = read_results_contents(file);
+  } catch (const InputError& error) {
+    return mesh_line("results", fmt::format("cannot be read: {}", error.what()));
+  }
+  std::string text;
+  const std::vector<double>& times = contents.times;
+  if (!times.empty())
+    text = mesh_line("times",
+                     fmt::format("{}, {:.6g} to {:.6g}", count_of(static_cast<std::int64_t>(times.size()), "step"),
+                                 times.front(), times.back()));
+  text += format_fields(contents.node_names, "nodes", "fields");
+  return text + format_fields(contents.element_names, "elements", contents.node_names.empty() ? "fields" : "");
+}
+
 }  // namespace
 
 bool is_mesh_file(const std::string& file) {
@@ -145,6 +192,7 @@ std::string describe_mesh_file(const std::string& file) {
   text += mesh_line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
   text += format_sets(contents.node_sets, "node sets", "node") + format_sets(contents.side_sets, "side sets", "face");
   if (!contents.element_sets.empty()) text += format_sets(contents.element_sets, "elem. sets", "element");
+  text += format_results(file);
   try {
     return text + format_reading(file, contents);
   } catch (const InputError& error) {  // what is there helps to choose blocks without what is wrong

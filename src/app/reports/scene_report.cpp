@@ -156,9 +156,13 @@ std::string format_output(const Deck& deck, const std::vector<FieldOutputSize>& 
 std::string format_step(const SceneReport& scene) {
   const double end = scene.deck.time.end;
   const std::string unit = unit_suffix(scene.deck.units, dimensions::time);
+  const bool is_damped = scene.undamped_step > 0;
+  const std::string without =
+      is_damped ? fmt::format("; without this damping {:.4g}{}", scene.undamped_step, unit) : std::string();
   return format_line(
-      "time", fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps of this size", end,
-                          unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
+      "time", fmt::format("0 to {:g}{}; first step {:.4g}{} ({}{} controls it{}), about {:.0f} steps of this size", end,
+                          unit, scene.first_step, unit, is_damped ? "stiffness_damping of " : "",
+                          scene.controlling_element, without, std::ceil(end / scene.first_step)));
 }
 
 std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {

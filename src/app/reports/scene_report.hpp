@@ -32,6 +32,7 @@ struct SceneReport {
   std::vector<Warning> warnings = {};    // of everything; on rank 0
   double first_step = 0;                 // time unit of the deck
   std::string controlling_element = {};  // that limits it, in words; a spring where that does
+  double undamped_step = 0;              // first step without stiffness_damping, which makes it shorter; 0: it does not
   std::int64_t contact_nodes = 0, contact_faces = 0;
   std::vector<std::string> spring_notes = {};
   std::vector<std::string> mesh_notes = {};     // imperfections and added masses

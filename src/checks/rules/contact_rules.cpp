@@ -153,6 +153,23 @@ std::vector<Warning> check_friction(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_tie_hinges(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const TieHinge& hinge : *scene.hinges) {
+    const auto i = static_cast<std::size_t>(hinge.tie);
+    const std::string path = join_path("contact.ties", i) + ".rotations";
+    if (scene.deck.places.has(path)) continue;  // a hinge is meant
+    const TieDeck& tie = scene.deck.contact.ties[i];
+    warnings.push_back(
+        warn_at(scene.deck, "tie_hinge", path,
+                fmt::format("the tie of '{}' and '{}' holds {} nodes of shells in one row, from node {} to node {} "
+                            "(without rotations the row is a hinge, about which the shells turn freely): set "
+                            "{}: true, or false if a hinge is meant",
+                            tie.a.name, tie.b.name, hinge.nodes, hinge.first, hinge.last, path)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene) {
   constexpr double most = 0.1;  // of the penetration that a step without contact would have
   const ContactDeck& contact = scene.deck.contact;

@@ -42,8 +42,11 @@ class ExodusFile : public MeshFile {
 
   /// Throws InputError, too, if it has no such time.
   FileResults read_results(const ResultsWish& wish) const;
+  ResultsContents read_results_contents() const;
 
  private:
+  void require_time_steps() const;
+  std::vector<double> read_times() const;
   int find_time_step(const ResultsWish& wish) const;
   std::vector<std::string> read_variable_names(int kind) const;
   ResultsColumn read_element_variable(int step, int variable, const std::string& name) const;

@@ -28,13 +28,26 @@ std::size_t count_of(std::int64_t count) { return static_cast<std::size_t>(count
 
 }  // namespace
 
-/// From 1.
-int ExodusFile::find_time_step(const ResultsWish& wish) const {
-  const std::int64_t count = ex_inquire_int(file_, EX_INQ_TIME);
-  if (count < 1) throw InputError("the file has no time steps (it is a mesh without results)");
+/// Throws where the file ends before its last time step.
+void ExodusFile::require_time_steps() const {
+  if (container_.records_end > static_cast<double>(container_.bytes))
+    throw InputError(fmt::format("the file is truncated (it has {} bytes, its time steps need {:.0f}); copy it again",
+                                 container_.bytes, container_.records_end));
+}
+
+std::vector<double> ExodusFile::read_times() const {
+  const std::int64_t count = std::max<std::int64_t>(ex_inquire_int(file_, EX_INQ_TIME), 0);
   require_room(count, least_value_bytes, "time steps");
   std::vector<double> times(count_of(count));
-  check_results(ex_get_all_times(file_, times.data()), "the list of times");
+  if (count > 0) check_results(ex_get_all_times(file_, times.data()), "the list of times");
+  return times;
+}
+
+/// From 1.
+int ExodusFile::find_time_step(const ResultsWish& wish) const {
+  const std::vector<double> times = read_times();
+  const std::size_t count = times.size();
+  if (count < 1) throw InputError("the file has no time steps (it is a mesh without results)");
   if (!wish.time) return static_cast<int>(count);
   const auto nearest = std::min_element(times.begin(), times.end(), [&](double a, double b) {
     return std::abs(a - *wish.time) < std::abs(b - *wish.time);
@@ -83,10 +96,13 @@ ResultsColumn ExodusFile::read_element_variable(int step, int variable, const st
   return column;
 }
 
+ResultsContents ExodusFile::read_results_contents() const {
+  require_time_steps();
+  return {read_times(), read_variable_names(EX_ELEM_BLOCK), read_variable_names(EX_NODAL)};
+}
+
 FileResults ExodusFile::read_results(const ResultsWish& wish) const {
-  if (container_.records_end > static_cast<double>(container_.bytes))
-    throw InputError(fmt::format("the file is truncated (it has {} bytes, its time steps need {:.0f}); copy it again",
-                                 container_.bytes, container_.records_end));
+  require_time_steps();
   const int step = find_time_step(wish);
   FileResults results;
   results.blocks = blocks_;

@@ -32,6 +32,12 @@ struct FileResults {
   std::vector<std::string> element_names, node_names;          // all that it has
 };
 
+/// What there is, without the values.
+struct ResultsContents {
+  std::vector<double> times;                           // of its steps; empty: the format has none, or the file
+  std::vector<std::string> element_names, node_names;  // of components
+};
+
 /// Names of the components of an array: itself, or with _x, _y, _z, or _xx, _yy, _zz, _xy, _yz, _zx; empty: of another
 /// number of components.
 std::vector<std::string> name_result_components(const std::string& array, std::int64_t components);

@@ -50,6 +50,14 @@ FileResults read_results_of(ResultsFormat format, const std::string& path, const
 
 bool has_results_format(const std::string& path) { return find_results_format(path) != ResultsFormat::none; }
 
+ResultsContents read_results_contents(const std::string& path) {
+  const ResultsFormat format = find_results_format(path);
+  if (format == ResultsFormat::none) return {};
+  if (format == ResultsFormat::exodus) return ExodusFile(path).read_results_contents();
+  const FileResults results = read_vtu_results(path, {});
+  return {{}, results.element_names, results.node_names};
+}
+
 FileResults read_file_results(const std::string& path, const ResultsWish& wish) {
   const ResultsFormat format = find_results_format(path);
   try {

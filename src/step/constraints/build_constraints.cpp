@@ -116,28 +116,28 @@ EqualGroups find_groups(const std::vector<EqualLists>& entries, const Constraint
   return groups;
 }
 
-/// Throws if a node of a constraint is marked. why: what its message says of such a node.
-void refuse_marked(const std::vector<EqualLists>& entries, const ConstraintModel& model,
+/// Throws, on all ranks, if a node of a constraint is marked. why: what its message says of such a node.
+void refuse_marked(const ChunkedMesh& chunked, const std::vector<EqualLists>& entries, const ConstraintModel& model,
                    const std::vector<int>& is_marked, const char* why) {
   for (std::size_t c = 0; c < entries.size(); ++c) {
     for (const auto& list : entries[c]) {
       for (const std::int64_t number : list) {
         if (is_marked[at(find_place(model, number))] == 0) continue;
-        throw InputError(fmt::format("{}: error: constraint '{}' names node {} of the mesh, {}",
-                                     model.constraints[c].place, model.constraints[c].name, number, why));
+        throw InputError(fmt::format("{}: error: constraint '{}' names node {}, {}", model.constraints[c].place,
+                                     model.constraints[c].name, find_node_id(chunked, number), why));
       }
     }
   }
 }
 
-void refuse_connected(const std::vector<EqualLists>& entries, const Model& model) {
+void refuse_connected(const ChunkedMesh& chunked, const std::vector<EqualLists>& entries, const Model& model) {
   const ConstraintModel& constraints = model.constraints;
-  refuse_marked(entries, constraints, mark_rigid_nodes(model, constraints),
+  refuse_marked(chunked, entries, constraints, mark_rigid_nodes(model, constraints),
                 "which belongs to a rigid body (constraints are of nodes that deform): join nodes with rigid_sets");
   std::vector<int> is_welded;
   for (const std::int64_t number : constraints.nodes)
     is_welded.push_back(std::binary_search(model.welds.nodes.begin(), model.welds.nodes.end(), number) ? 1 : 0);
-  refuse_marked(entries, constraints, is_welded,
+  refuse_marked(chunked, entries, constraints, is_welded,
                 "which is welded (welds and constraints of one node would break each other): leave it out of one");
 }
 
@@ -155,7 +155,8 @@ std::vector<int> find_motions(const Model& model, std::size_t k) {
 }
 
 /// Nodes that conditions hold must be held alike, or the first of them would move the others.
-void refuse_held_to_differ(const std::vector<EqualLists>& entries, const Model& model, std::size_t k) {
+void refuse_held_to_differ(const ChunkedMesh& chunked, const std::vector<EqualLists>& entries, const Model& model,
+                           std::size_t k) {
   const EqualGroups& groups = model.constraints.groups[k];
   const std::vector<int> motion = find_motions(model, k);
   std::vector<int> is_marked(motion.size(), 0);
@@ -168,7 +169,7 @@ void refuse_held_to_differ(const std::vector<EqualLists>& entries, const Model& 
       if (motion[n] != first) is_marked[n] = 1;
     }
   }
-  refuse_marked(entries, model.constraints, is_marked,
+  refuse_marked(chunked, entries, model.constraints, is_marked,
                 "which another condition holds than a node that it moves equally with: hold them by one condition, or "
                 "leave one of them out");
 }
@@ -197,10 +198,10 @@ void build_constraints(const Deck& deck, const ChunkedMesh& chunked, Model& mode
     }
   }
   find_connected_nodes(chunked, constraints);
-  refuse_connected(entries, model);
+  refuse_connected(chunked, entries, model);
   for (std::size_t k = 0; k < 3; ++k) {
     constraints.groups[k] = find_groups(entries, constraints, k);
-    refuse_held_to_differ(entries, model, k);
+    refuse_held_to_differ(chunked, entries, model, k);
   }
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "comm/agreement.hpp"
 
 namespace percuss {
 
@@ -33,6 +36,16 @@ int find_local_element(const ChunkedMesh& chunked, std::int64_t number) {
   if (chunk == chunked.chunks.end() || chunk->number != chunk_number) return -1;
   const std::int64_t first = chunked.numbering.first_element[static_cast<std::size_t>(chunk_number)];
   return chunk->first_element + static_cast<int>(number - first);
+}
+
+std::int64_t find_node_id(const ChunkedMesh& chunked, std::int64_t number) {
+  const Communicator ranks = find_ranks(chunked.mesh);
+  const int owner = chunked.numbering.find_node_owner(number);
+  std::vector<std::int64_t> id{0};
+  if (owner == ranks.rank())
+    id.front() = chunked.mesh.node_ids[static_cast<std::size_t>(find_local_node(chunked, number))];
+  broadcast_values(ranks, id, owner);
+  return id.front();
 }
 
 std::string name_element(const Mesh& mesh, int element) {

@@ -22,6 +22,9 @@ std::int64_t find_element_number(const ChunkedMesh& chunked, int element);
 int find_local_node(const ChunkedMesh& chunked, std::int64_t number);
 int find_local_element(const ChunkedMesh& chunked, std::int64_t number);
 
+/// The user's id of a node of the whole mesh, which messages name. Collective. Throws MpiError.
+std::int64_t find_node_id(const ChunkedMesh& chunked, std::int64_t number);
+
 /// "element 7 of part 'bar'", of an element of this rank.
 std::string name_element(const Mesh& mesh, int element);
 

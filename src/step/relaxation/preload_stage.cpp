@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
@@ -167,18 +168,36 @@ struct ShortenLayer {
 PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
     : deck_(deck), model_(model), gain_(find_gain(deck)), forces_(deck.start.preloads.size(), 0) {
   for (const PreloadDeck& preload : deck.start.preloads) {
-    Layer layer = make_layer(deck, preload, chunked, model);
+    Layer layer = make_layer(deck, preload);
     find_elements(chunked, layer);
+    if (preload.point) layer.section.emplace(deck, make_section(preload), chunked, model);
     layers_.push_back(layer);
   }
 }
 
-PreloadStage::Layer PreloadStage::make_layer(const Deck& deck, const PreloadDeck& preload, const ChunkedMesh& chunked,
-                                             const Model& model) {
+PreloadStage::Layer PreloadStage::make_layer(const Deck& deck, const PreloadDeck& preload) {
   const MaterialDeck& material = find_material(deck, preload.part);
-  Layer layer{preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}};
-  if (preload.point) layer.section.emplace(deck, make_section(preload), chunked, model);
-  return layer;
+  return {preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}};
+}
+
+/// Throws, on all ranks. A plane is told with the heights of the part above it.
+void PreloadStage::refuse_no_elements(const Mesh& mesh, const PreloadDeck& preload) const {
+  const std::string begin = fmt::format("{}: error: preload '{}'", deck_.where(preload.place), preload.name);
+  if (!preload.point)
+    throw InputError(
+        fmt::format("{} is of part '{}', which has no beams: give it point and normal", begin, preload.part));
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const int n : mesh.node_sets.at(preload.part)) {
+    const double height = dot(subtract(mesh.nodes[at(n)], *preload.point), *preload.normal);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  all_reduce(model_.ranks, Reduce::least, low);
+  all_reduce(model_.ranks, Reduce::largest, high);
+  throw InputError(fmt::format(
+      "{} cuts no element (its plane lies beside part '{}', which begins {:.6g} and ends {:.6g} from it along "
+      "the normal): move its point into the part",
+      begin, preload.part, low, high));
 }
 
 void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const {
@@ -199,10 +218,7 @@ void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const
   }
   int some = elements.empty() ? 0 : 1;
   all_reduce(model_.ranks, Reduce::largest, some);
-  if (some == 0)
-    throw InputError(
-        fmt::format("{}: error: preload '{}' is of part '{}', which has no beams: give it point and normal",
-                    deck_.where(layer.deck.place), layer.deck.name, layer.deck.part));
+  if (some == 0) refuse_no_elements(chunked.mesh, layer.deck);
   layer.chunks = to_view("percuss::preloaded_chunks", chunks);
   layer.first = to_view("percuss::first_preloaded", first);
   layer.elements = to_view("percuss::preloaded_elements", elements);
@@ -304,7 +320,9 @@ void PreloadStage::tighten(State& state, double share) {
     const Layer& layer = layers_[i];
     const double wanted = share * layer.deck.force;
     const double lack = layer.section ? wanted - forces_[i] : shorten_beams(layer, wanted, state);
-    largest_lack_ = std::max(largest_lack_, std::abs(lack / layer.deck.force));
+    const double share_lacking = std::abs(lack / layer.deck.force);
+    if (!(share_lacking <= largest_lack_)) largest_lacking_ = i;
+    largest_lack_ = std::max(largest_lack_, share_lacking);
     forces_[i] = layer.section ? forces_[i] : wanted - lack;
     if (layer.section) shorten(layer, gain_ * lack / layer.stiffness, state);
   }

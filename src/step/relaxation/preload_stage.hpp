@@ -33,6 +33,8 @@ class PreloadStage {
 
   /// Largest lack of a section in the last call, relative to its preload.
   double largest_lack() const { return largest_lack_; }
+  /// Which preload of the deck lacks that.
+  std::size_t largest_lacking() const { return largest_lacking_; }
 
   /// Normal forces in the last call, in the order of the deck; of beams that which lacks most.
   const std::vector<double>& forces() const { return forces_; }
@@ -52,8 +54,9 @@ class PreloadStage {
     Array<double> axes;         // [elements][2] the normal in the frame of a shell, or along a beam
   };
 
-  static Layer make_layer(const Deck& deck, const PreloadDeck& preload, const ChunkedMesh& chunked, const Model& model);
+  static Layer make_layer(const Deck& deck, const PreloadDeck& preload);
   void find_elements(const ChunkedMesh& chunked, Layer& layer) const;
+  [[noreturn]] void refuse_no_elements(const Mesh& mesh, const PreloadDeck& preload) const;
   void shorten(const Layer& layer, double strain, State& state) const;
   double shorten_beams(const Layer& layer, double force, State& state) const;
   std::vector<double> find_forces(const State& state);
@@ -64,6 +67,7 @@ class PreloadStage {
   std::vector<Layer> layers_;
   std::vector<double> forces_;
   double largest_lack_ = 0;
+  std::size_t largest_lacking_ = 0;
 };
 
 }  // namespace percuss

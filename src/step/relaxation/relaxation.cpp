@@ -24,6 +24,9 @@ constexpr double fading = 0.8;
 constexpr long least_quiet_steps = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
 constexpr double tolerated_lack = 1e-3;
+/// A preload whose least lack falls by less than this share in so many steps, or a share of the most steps, is stuck.
+constexpr double least_progress = 0.01;
+constexpr long progress_steps = 5000, progress_checks = 20;
 /// Of the bound, with penalty contact: what largest_old_share is stable with.
 constexpr double largest_step_scale = 0.9;
 
@@ -145,7 +148,20 @@ void Relaxation::advance() {
   const double dt_mean = 0.5 * (dt + state_.dt);
   if (state_.step % look_steps == look_steps - 1) sums_.keep(state_, dt_mean);
   if (state_.step % look_steps == 0) look(dt, dt_mean);
+  if (preloads_.any() && state_.step > rules_.ramp) watch_preloads();
   report_.steps = state_.step;
+}
+
+/// What does not yield and is held comes nearer in every period.
+void Relaxation::watch_preloads() {
+  const long every = std::max(progress_steps, rules_.max_steps / progress_checks), since = state_.step - rules_.ramp;
+  const double lack = preloads_.largest_lack();
+  lack_since_ = since == 1 ? lack : std::min(lack_since_, lack);
+  if (since == every) least_lack_ = lack_since_;
+  if (since == every || since % every != 0) return;
+  is_stuck_ = lack_since_ > tolerated_lack && lack_since_ > (1 - least_progress) * least_lack_;
+  least_lack_ = lack_since_;
+  lack_since_ = lack;
 }
 
 /// dt: between the forces of the last two steps; dt_mean: what the last of them acted.
@@ -195,6 +211,33 @@ void Relaxation::finish() {
   Kokkos::deep_copy(Kokkos::subview(state_.results.work, Kokkos::ALL, viscous), 0.0);
   Kokkos::deep_copy(state_.results.skipped, std::int64_t{0});
   if (contact_.is_active()) contact_.end_relaxation(state_.x);
+}
+
+Warning Relaxation::warn_unreached(std::size_t preload) const {
+  const PreloadDeck& of = relaxed_deck_.start.preloads[preload];
+  const std::string what = fmt::format("start.preload.{}.force", of.name);
+  const std::string carries = of.point ? "its section carries" : fmt::format("a beam of '{}' carries", of.part);
+  const std::string remedy =
+      is_stuck_
+          ? "lower the force below what the part can carry, or let conditions, contact or ties keep its ends apart"
+          : "give start.relaxation.max_steps more; if the force does not grow, lower it, or keep the ends of the "
+            "part apart";
+  return {"unsettled_relaxation",
+          fmt::format("preload '{}' is not reached in {} steps ({} {:.6g}, {} is {:g}; {}kinetic energy {:.2g} of the "
+                      "scale): {}",
+                      of.name, report_.steps, carries, preloads_.forces()[preload], what, of.force,
+                      is_stuck_ ? "the force comes no nearer; " : "", report_.kinetic_ratio, remedy),
+          relaxed_deck_.where(of.place), 0, 1};
+}
+
+Warning Relaxation::warn_unsettled() const {
+  if (preloads_.any() && report_.preload_error > tolerated_lack && state_.step > rules_.ramp)
+    return warn_unreached(preloads_.largest_lacking());
+  return {"unsettled_relaxation",
+          fmt::format("the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {}): give "
+                      "start.relaxation.max_steps more, a larger tolerance, or hold what nothing supports",
+                      report_.steps, rules_.tolerance, describe()),
+          "", 0, 1};
 }
 
 std::string Relaxation::describe() const {

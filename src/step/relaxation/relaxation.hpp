@@ -16,6 +16,7 @@
 #include "src/step/relaxation/motion_sums.hpp"
 #include "src/step/relaxation/preload_stage.hpp"
 #include "src/step/step.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -28,8 +29,8 @@ class Relaxation {
   Relaxation(const Relaxation&) = delete;
   Relaxation& operator=(const Relaxation&) = delete;
 
-  /// Whether the scene is at rest, or max_steps are made.
-  bool is_over() const { return is_settled() || state_.step >= rules_.max_steps; }
+  /// Whether the scene is at rest, a preload comes no nearer, or max_steps are made.
+  bool is_over() const { return is_settled() || is_stuck_ || state_.step >= rules_.max_steps; }
   bool is_settled() const { return report_.state == "settled"; }
 
   /// A damped step. Afterwards state.bound tells whether an element failed, as of Stepper::advance().
@@ -39,6 +40,11 @@ class Relaxation {
   void finish();
 
   const RelaxationSummary& report() const { return report_; }
+
+  /// Whether a preload came no nearer for many steps.
+  bool is_stuck() const { return is_stuck_; }
+  /// Why the scene is not at rest, and what to do.
+  Warning warn_unsettled() const;
 
   /// "kinetic energy 2.1e-07 of the scale, section 'bolt' 19999.8".
   std::string describe() const;
@@ -58,6 +64,8 @@ class Relaxation {
   double find_share(long step) const;
   void look(double dt, double dt_mean);
   void judge(const MotionTotals& totals);
+  void watch_preloads();
+  Warning warn_unreached(std::size_t preload) const;
 
   const RelaxationDeck& rules_;
   Deck relaxed_deck_;
@@ -76,6 +84,9 @@ class Relaxation {
   double power_ = 0, inertia_ = 0;  // of the last looks, which fade
   double frequency_ = 0;            // [rad / time]
   long quiet_steps_ = 0;
+  double least_lack_ = 0;  // of preloads, until the last check of their progress
+  double lack_since_ = 0;  // the least since then
+  bool is_stuck_ = false;
 };
 
 }  // namespace percuss

@@ -32,10 +32,11 @@ std::string quote_for_shell(const std::string& word) {
   return quoted + "'";
 }
 
-RunCheckpoints::RunCheckpoints(const Deck& deck, const std::string& directory)
+RunCheckpoints::RunCheckpoints(const Deck& deck, const std::string& directory, bool allows_external_files)
     : deck_(deck),
       output_(deck.output),
       file_(directory.empty() ? "" : directory + file_name),
+      allows_external_files_(allows_external_files),
       due_(deck.output.checkpoint_every) {}
 
 bool RunCheckpoints::is_clock_due() const {
@@ -62,8 +63,8 @@ void RunCheckpoints::write(const CheckpointHeader& header, const ChunkedMesh& ch
 std::string RunCheckpoints::describe_resume() const {
   std::string settings;
   for (const std::string& setting : deck_.settings) settings += " --set " + quote_for_shell(setting);
-  return fmt::format("to continue: percuss run {}{} --restart {}", quote_for_shell(deck_.file), settings,
-                     quote_for_shell(path_));
+  return fmt::format("to continue: percuss run {}{} --restart {}{}", quote_for_shell(deck_.file), settings,
+                     quote_for_shell(path_), allows_external_files_ ? " --allow-external" : "");
 }
 
 std::string RunCheckpoints::describe() const {

@@ -15,8 +15,9 @@ std::string quote_for_shell(const std::string& word);
 
 class RunCheckpoints {
  public:
-  /// directory: where the file goes; empty: none is written. The deck outlives this.
-  RunCheckpoints(const Deck& deck, const std::string& directory);
+  /// directory: where the file goes; empty: none is written. allows_external_files: a run that continues is to allow
+  /// them, too. The deck outlives this.
+  RunCheckpoints(const Deck& deck, const std::string& directory, bool allows_external_files);
 
   /// Whether the deck asks for any; then one is left at the end, too.
   bool are_wanted() const { return output_.checkpoint_every || output_.checkpoint_wall; }
@@ -39,8 +40,8 @@ class RunCheckpoints {
   void write(const CheckpointHeader& header, const ChunkedMesh& chunked, const Communicator& ranks, const State& state,
              const std::function<void(CheckpointArchive&)>& archive);
 
-  /// "to continue: percuss run DECK --set KEY=VALUE --restart CHECKPOINT", from the last one: it fits the deck only
-  /// with the same settings.
+  /// "to continue: percuss run DECK --set KEY=VALUE --restart CHECKPOINT --allow-external", from the last one: it fits
+  /// the deck only with the same settings.
   std::string describe_resume() const;
 
   /// The last one, and how to continue from it; empty: there is none, or its file is gone.
@@ -52,6 +53,7 @@ class RunCheckpoints {
   const Deck& deck_;
   const OutputDeck& output_;
   std::string file_;  // empty: none is written
+  bool allows_external_files_;
   Schedule due_;
   Clock::time_point clock_ = Clock::now();  // when the last one was written, or the run began
   std::string path_;                        // of the last one, as are the next

@@ -15,11 +15,6 @@ namespace {
 
 constexpr long steps_between_stops = 50, steps_between_lines = 5000;
 
-std::string describe_unsettled(const Relaxation& relaxation, const RelaxationDeck& rules) {
-  return fmt::format("the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {})",
-                     relaxation.report().steps, rules.tolerance, relaxation.describe());
-}
-
 }  // namespace
 
 /// From the mesh at rest to the state at time 0, if the deck asks for it. A stop ends the program as one before the
@@ -40,18 +35,17 @@ void Run::relax() {
   }
   summary_.relaxation = relaxation.report();
   summary_.relaxation.contact_stored = relaxation.find_contact_stored();
-  if (!relaxation.is_settled()) note_unsettled(describe_unsettled(relaxation, *deck_.start.relaxation));
+  if (!relaxation.is_settled()) note_unsettled(relaxation.warn_unsettled());
   say({fmt::format("relaxation: {} after {} steps: {}", summary_.relaxation.state, summary_.relaxation.steps,
                    relaxation.describe())});
   stepper_.note_stored(summary_.relaxation.contact_stored);
   relaxation.finish();
 }
 
-void Run::note_unsettled(const std::string& text) {
-  const char* const remedy = "give start.relaxation.max_steps more, a larger tolerance, or hold what nothing supports";
+void Run::note_unsettled(const Warning& warning) {
   if (deck_.start.relaxation->unsettled == RelaxationDeck::Unsettled::refuse)
-    throw RunError(fmt::format("{}: {}", text, remedy));
-  warnings_.add({{"unsettled_relaxation", fmt::format("{}: {}", text, remedy), "", 0, 1}});
+    throw RunError(warning.place.empty() ? warning.text : fmt::format("{}: error: {}", warning.place, warning.text));
+  warnings_.add({warning});
 }
 
 /// What elements hold at time 0 is initial energy, also that of stresses from files. The work of gravity counts from

@@ -51,7 +51,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
       sensors_(deck, ranks_),
-      checkpoints_(deck, options.out_dir),
+      checkpoints_(deck, options.out_dir, options.allows_external_files),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
@@ -86,7 +86,7 @@ ChunkedMesh Run::load_scene() {
 
 void Run::begin() {
   start_sensors();
-  set_start_states(deck_, chunked_, model_, state_);
+  warnings_.add(set_start_states(deck_, chunked_, model_, state_));
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
     warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
@@ -96,8 +96,9 @@ void Run::begin() {
   compute_start_ = compute_seconds();
   stepper_.start(state_);
   begin_books();
-  warnings_.add(check_start(
-      {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
+  const std::vector<TieHinge> hinges = contact_.find_hinges();
+  const double bound = model_.rigid.is_all ? state_.next_dt : state_.bound.step;
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &hinges}));
   erode();
   // What collapses is the step of elements.
   const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;

@@ -16,9 +16,10 @@ namespace percuss {
 struct RunOptions {
   std::string out_dir;  // exists; empty: write no files at all (tests, studies)
   Progress::Style progress = Progress::Style::quiet;
-  std::string restart = {};         // checkpoint to go on from; empty: the run begins at time 0
-  bool goes_on_in_place = false;    // with it: out_dir holds the files of the run that wrote it, which are continued
-  bool may_remove_results = false;  // with that: also if the files hold what this run does not write again
+  std::string restart = {};            // checkpoint to go on from; empty: the run begins at time 0
+  bool goes_on_in_place = false;       // with it: out_dir holds the files of the run that wrote it, which are continued
+  bool may_remove_results = false;     // with that: also if the files hold what this run does not write again
+  bool allows_external_files = false;  // HDF5 files may take data from others: a run that continues needs that, too
   std::function<void()> prepare_output = {};  // called once set-up has succeeded, before the first file is made; rank 0
   // Called in the handler of an error that this rank alone has met, while the others wait for it; ends all of them.
   std::function<void()> end_all_ranks = {};

@@ -43,7 +43,7 @@ class Run {
   ChunkedMesh load_scene();
   void begin();
   void relax();
-  void note_unsettled(const std::string& text);
+  void note_unsettled(const Warning& warning);
   void begin_books();
   void archive_relaxation(CheckpointArchive& archive);
   void restart();

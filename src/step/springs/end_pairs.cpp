@@ -55,17 +55,19 @@ class EndFinder {
   std::size_t next_ = 0;
 };
 
-void check_nearest(const std::string& place, const std::string& entry, const Item& item, const Nearest& found) {
+/// Collective, as is check_counterparts().
+void check_nearest(const ChunkedMesh& chunked, const std::string& place, const std::string& entry, const Item& item,
+                   const Nearest& found) {
   if (found.score == std::numeric_limits<double>::infinity())
     throw InputError(
-        fmt::format("{}: error: {} has no node at its second end whose distance from node {} of the mesh is a "
-                    "number (squares of coordinates this large overflow): move the parts together",
-                    place, entry, item.number));
+        fmt::format("{}: error: {} has no node at its second end whose distance from node {} is a number "
+                    "(squares of coordinates this large overflow): move the parts together",
+                    place, entry, find_node_id(chunked, item.number)));
   if (found.number == item.number)
     throw InputError(
-        fmt::format("{}: error: both ends of {} are node {} of the mesh (a {} connects two different "
-                    "nodes): let its ends share no node",
-                    place, entry, found.number, entry.substr(0, entry.find(' '))));
+        fmt::format("{}: error: both ends of {} are node {} (a {} connects two different nodes): let "
+                    "its ends share no node",
+                    place, entry, find_node_id(chunked, found.number), entry.substr(0, entry.find(' '))));
 }
 
 Vec3 find_mean(const std::vector<Item>& items) {
@@ -75,8 +77,8 @@ Vec3 find_mean(const std::vector<Item>& items) {
   return mean;
 }
 
-void check_counterparts(const std::string& place, const std::string& entry, std::size_t count,
-                        const std::vector<NodePair>& pairs) {
+void check_counterparts(const ChunkedMesh& chunked, const std::string& place, const std::string& entry,
+                        std::size_t count, const std::vector<NodePair>& pairs) {
   if (pairs.size() != count)
     throw InputError(
         fmt::format("{}: error: {} has {} nodes on its first side and {} on its second (each needs one counterpart): "
@@ -86,9 +88,9 @@ void check_counterparts(const std::string& place, const std::string& entry, std:
   for (const NodePair& pair : pairs) {
     if (taken.insert(pair.second.number).second) continue;
     throw InputError(
-        fmt::format("{}: error: node {} of the mesh would be the counterpart of two nodes of {} (the sides have "
-                    "different meshes): name sides of the same mesh",
-                    place, pair.second.number, entry));
+        fmt::format("{}: error: node {} would be the counterpart of two nodes of {} (the sides have different "
+                    "meshes): name sides of the same mesh",
+                    place, find_node_id(chunked, pair.second.number), entry));
   }
 }
 
@@ -117,12 +119,13 @@ std::vector<std::vector<NodePair>> find_node_pairs(const Deck& deck, const Chunk
     for (const Item& item : first) {
       const Nearest found =
           nearest.find({item.place[0] + shift[0], item.place[1] + shift[1], item.place[2] + shift[2]});
-      check_nearest(deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), item, found);
+      check_nearest(chunked, deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), item, found);
       pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
                                                [](const Item& i, std::int64_t number) { return i.number < number; })});
     }
     if (entry.are_counterparts)
-      check_counterparts(deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), second.size(), pairs);
+      check_counterparts(chunked, deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), second.size(),
+                         pairs);
   }
   return all;
 }

@@ -22,25 +22,47 @@
 namespace percuss {
 namespace {
 
-/// Rank 0 reads, all have it. Of a mesh file those of one place, of a table all.
-std::vector<StartPiece> load_pieces(const Deck& deck, const Communicator& ranks, const StartFieldsDeck& fields,
-                                    StartPlace place) {
-  std::string text;
+/// Of the longest edge of the scene: smaller displacements are round-off.
+constexpr double noted_displacement = 1e-6;
+
+/// What a file gives to a start.
+struct LoadedFile {
   std::vector<StartPiece> pieces;
+  FileDisplacement unused = {};
+};
+
+/// Rank 0 reads, all have it. Of a mesh file what it has of one place, of a table all.
+LoadedFile load_file(const Deck& deck, const Communicator& ranks, const StartFieldsDeck& fields, StartPlace place) {
+  std::string text;
+  LoadedFile loaded;
   std::vector<int> is_mesh{0};
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
     is_mesh.front() = has_results_format(fields.file) ? 1 : 0;
-    if (is_mesh.front() != 0) return void(pieces = read_mesh_tables(deck, fields, place));
+    if (is_mesh.front() != 0) return void(loaded.pieces = read_mesh_tables(deck, fields, place, loaded.unused));
     text = read_start_file(fields.file);
     if (fields.time || !fields.take.empty())
       throw InputError(fmt::format("{}: error: {} has no effect on a table (it is of mesh files): leave it out",
                                    fields.file, fields.time ? "time" : "take"));
   });
   broadcast_values(ranks, is_mesh, 0);
-  if (is_mesh.front() == 0) return {{fields.part, parse_start_table(broadcast_text(ranks, text, 0), fields.file)}};
-  share_pieces(ranks, pieces);
-  return pieces;
+  if (is_mesh.front() == 0) return {{{fields.part, parse_start_table(broadcast_text(ranks, text, 0), fields.file)}}};
+  share_pieces(ranks, loaded.pieces);
+  share_displacement(ranks, loaded.unused);
+  return loaded;
+}
+
+/// Displacements of a file that are no round-off.
+std::vector<Warning> warn_of_displacement(const Deck& deck, const Mesh& mesh, const StartFieldsDeck& fields,
+                                          const FileDisplacement& unused) {
+  const double size = std::max({mesh.high[0] - mesh.low[0], mesh.high[1] - mesh.low[1], mesh.high[2] - mesh.low[2]});
+  if (!(unused.largest > noted_displacement * size)) return {};
+  return {{"unused_displacement",
+           fmt::format("the displacements of {} are not used, '{}' reaches {:.6g} (stresses and velocities go onto the "
+                       "mesh of the deck, which is not deformed): use a mesh of the deformed shape with its stresses, "
+                       "or silence this rule if hardly anything has bent or turned",
+                       fields.file, unused.name, unused.largest),
+           deck.where(fields.place), 0, 1}};
 }
 
 /// The rows of an id.
@@ -222,13 +244,14 @@ void set_velocities_of(const Deck& deck, const ChunkedMesh& chunked, const Start
 void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<char>& is_rigid,
                           std::vector<Vec3>& velocity) {
   for (const StartFieldsDeck& fields : deck.start.fields) {
-    for (const StartPiece& piece : load_pieces(deck, find_ranks(chunked.mesh), fields, StartPlace::nodes))
+    for (const StartPiece& piece : load_file(deck, find_ranks(chunked.mesh), fields, StartPlace::nodes).pieces)
       if (piece.table.is_of_nodes) set_velocities_of(deck, chunked, fields, piece, is_rigid, velocity);
   }
 }
 
-void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
-  if (deck.start.fields.empty()) return;
+std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state) {
+  std::vector<Warning> warnings;
+  if (deck.start.fields.empty()) return warnings;
   StartTarget target{deck,
                      chunked,
                      model,
@@ -239,7 +262,10 @@ void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model&
                      {}};
   for (const PartDeck& part : deck.parts) target.moduli.push_back(find_moduli(find_material(deck, part)));
   for (const StartFieldsDeck& fields : deck.start.fields) {
-    for (const StartPiece& piece : load_pieces(deck, model.ranks, fields, StartPlace::elements)) {
+    const LoadedFile loaded = load_file(deck, model.ranks, fields, StartPlace::elements);
+    for (Warning& warning : warn_of_displacement(deck, chunked.mesh, fields, loaded.unused))
+      warnings.push_back(std::move(warning));
+    for (const StartPiece& piece : loaded.pieces) {
       if (piece.table.is_of_nodes) continue;
       TableSetter setter(fields, piece, target);
       for (std::size_t c = 0; c < chunked.chunks.size(); ++c) setter.set_chunk(static_cast<int>(c));
@@ -248,6 +274,7 @@ void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model&
   }
   target.records.give_back(state);
   Kokkos::deep_copy(state.results.work, target.work);
+  return warnings;
 }
 
 }  // namespace percuss

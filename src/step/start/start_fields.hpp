@@ -5,6 +5,7 @@
 
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/state.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -17,7 +18,7 @@ void set_start_velocities(const Deck& deck, const ChunkedMesh& chunked, const st
 /// Sets the stresses, plastic strains and temperatures of the elements that files name, in a state at time 0. Books
 /// their elastic energy as internal energy. Collective. Throws likewise: an id that is not there, a rigid part, a beam;
 /// a stress of a material whose stress does not grow in increments, a history that the material does not have; a
-/// temperature at which its law may not start.
-void set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
+/// temperature at which its law may not start. Returns warnings of what files have and a start does not use.
+std::vector<Warning> set_start_states(const Deck& deck, const ChunkedMesh& chunked, const Model& model, State& state);
 
 }  // namespace percuss

@@ -56,6 +56,15 @@ std::string list_or_none(const std::vector<std::string>& names) {
   return fmt::format("{}{}", fmt::join(shown, ", "), names.size() > most ? ", ..." : "");
 }
 
+/// Names that percuss and other programs give to the components of displacements.
+std::vector<std::string> list_displacement_names() {
+  std::vector<std::string> names;
+  for (const char* stem : {"displacement", "Displacement", "disp", "Disp", "DISP", "displ", "DISPL", "U", "u"})
+    for (const char* gap : {"_", ""})
+      for (const char* axis : {"x", "y", "z", "X", "Y", "Z"}) names.push_back(fmt::format("{}{}{}", stem, gap, axis));
+  return names;
+}
+
 class MeshTables {
  public:
   MeshTables(const Deck& deck, const StartFieldsDeck& fields, StartPlace place)
@@ -69,7 +78,21 @@ class MeshTables {
            ++layer)
         for (std::string& name : list_components(of, layer)) names.push_back(std::move(name));
     }
+    if (place == StartPlace::elements) wish.of_nodes = list_displacement_names();
     results_ = read_file_results(fields.file, wish);
+  }
+
+  /// Of the nodes; what is not a number says nothing.
+  FileDisplacement find_displacement() const {
+    FileDisplacement found;
+    if (place_ != StartPlace::elements) return found;
+    for (const auto& [name, column] : results_.of_nodes) {
+      for (const double value : column.values) {
+        if (!(std::abs(value) > found.largest)) continue;
+        found = {name, std::abs(value)};
+      }
+    }
+    return found;
   }
 
   std::vector<StartPiece> list() {
@@ -238,8 +261,18 @@ class MeshTables {
 
 }  // namespace
 
-std::vector<StartPiece> read_mesh_tables(const Deck& deck, const StartFieldsDeck& fields, StartPlace place) {
-  return MeshTables(deck, fields, place).list();
+std::vector<StartPiece> read_mesh_tables(const Deck& deck, const StartFieldsDeck& fields, StartPlace place,
+                                         FileDisplacement& unused) {
+  MeshTables tables(deck, fields, place);
+  unused = tables.find_displacement();
+  return tables.list();
+}
+
+void share_displacement(const Communicator& ranks, FileDisplacement& displacement) {
+  displacement.name = broadcast_text(ranks, displacement.name, 0);
+  std::vector<double> largest{displacement.largest};
+  broadcast_values(ranks, largest, 0);
+  displacement.largest = largest.front();
 }
 
 void share_pieces(const Communicator& ranks, std::vector<StartPiece>& pieces) {

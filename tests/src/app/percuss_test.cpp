@@ -1,5 +1,6 @@
 // The executable: its commands, what they leave behind and their exit codes.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,6 +46,44 @@ TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
   EXPECT_THAT(stiff.out, HasSubstr("(spring 's' controls it)")) << stiff.err;
   const ProcessResult soft = run_percuss({"check", folder.write("soft.yaml", cube + ends + "1e-20}}\n")});
   EXPECT_THAT(soft.out, HasSubstr("of part 'cube' controls it)")) << soft.err;
+}
+
+TEST(PercussCheck, NamesTheDampingThatMakesTheStepShorter) {
+  // beta = 0.75 h halves the step h, which is 0.9 of that bound. The end is far: it does not change the step.
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const auto check = [&](const std::string& before, double beta) {
+    return run_percuss(
+        {"check", file, "--set", "time.end=50", "--set", fmt::format("elements.stiffness_damping={}", beta)}, before);
+  };
+  const double plain =
+      nlohmann::json::parse(run_percuss({"check", file, "--set", "time.end=50", "--json"}).out)["first_step"];
+  const std::string shorter = check("", 0.75 * plain / 0.9).out, without = check("", 0).out;
+  EXPECT_THAT(shorter, HasSubstr(fmt::format("first step {:.4g} (stiffness_damping of element ", plain / 2)));
+  EXPECT_THAT(shorter,
+              HasSubstr(fmt::format(" of part 'cube' controls it; without this damping {:.4g}), about ", plain)));
+  EXPECT_EQ(without.find("damping"), std::string::npos) << without;
+  const std::string on_ranks = check(launch_on(2), 0.75 * plain / 0.9).out;  // of which one has no elements
+  EXPECT_THAT(on_ranks, HasSubstr(shorter.substr(0, shorter.find("No errors"))));
+}
+
+TEST(PercussCheck, RefusesAPreloadThatCutsNothing) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const std::string start =
+      "start={relaxation: {}, preload: {bolt: {part: cube, point: [0, 0, 9], normal: z, force: 1}}}";
+  for (const std::string& before : {std::string(), launch_on(2)}) {
+    for (const char* command : {"check", "run"}) {
+      const ProcessResult result = run_percuss({command, file, "--set", start}, before);
+      EXPECT_EQ(result.exit_code, 2) << result.err;
+      EXPECT_EQ(
+          count(result.err, "error: preload 'bolt' cuts no element (its plane lies beside part 'cube', which begins "),
+          1)
+          << result.err;
+    }
+  }
+  const ProcessResult held = run_percuss({"check", file, "--set", "start={relaxation: {hold: [none]}}"});
+  EXPECT_EQ(held.exit_code, 2) << held.err;
 }
 
 TEST(PercussCheck, TellsTheFormOfCylindersAndSpheres) {
@@ -144,6 +183,30 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   EXPECT_THAT(info.out, HasSubstr("velocity"));
   EXPECT_EQ(run_percuss({"info", out + "/fields.vtkhdf"}).exit_code, 0);
   EXPECT_EQ(run_percuss({"info", out + "/summary.json"}).exit_code, 0);
+}
+
+TEST(PercussInfo, ListsTimesAndFieldsOfMeshFilesWithResults) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  const ProcessResult run = run_percuss({"run", folder.write("deck.yaml", cube), "--out", out, "--set",
+                                         "output.fields={every: 0.25, format: exodus, write: [velocity, stress]}"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string exodus = run_percuss({"info", out + "/fields.exo"}).out;
+  EXPECT_THAT(exodus, HasSubstr("times       3 steps, 0 to 0.5\nfields      displacement, of nodes, 3 components\n"));
+  EXPECT_THAT(exodus, HasSubstr("\n            velocity, of nodes, 3 components\n"));
+  EXPECT_THAT(exodus, HasSubstr("\n            stress, of elements, 6 components\n"));
+  const std::string vtu = run_percuss({"info", folder.write("cube.vtu", R"xml(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="1">
+<CellData><DataArray type="Float64" Name="temperature" format="ascii">300</DataArray></CellData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>
+)xml")})
+                              .out;
+  EXPECT_THAT(vtu, HasSubstr("\nfields      temperature, of elements\n"));
 }
 
 TEST(PercussHelp, IsThatOfTheToolItself) {

@@ -32,7 +32,8 @@ std::vector<Warning> check(const std::string& text) {
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
-  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step};
+  const std::vector<TieHinge> hinges = contact.find_hinges();
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step, &hinges};
   std::vector<Warning> warnings = deck.warnings;
   for (const auto& found : {chunked.mesh.warnings, check_input(scene), check_start(scene)})
     warnings.insert(warnings.end(), found.begin(), found.end());

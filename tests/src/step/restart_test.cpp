@@ -407,7 +407,7 @@ TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   const std::string output = "output: {";
   const Deck deck = parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {every: 1e-3}, "), "d.yaml",
                                {"time.step_scale=0.5", "title=a drop"});
-  RunCheckpoints checkpoints(deck, folder.path());
+  RunCheckpoints checkpoints(deck, folder.path(), false);
   EXPECT_TRUE(checkpoints.are_wanted());
   EXPECT_FALSE(checkpoints.is_clock_due());
   checkpoints.begin(0);
@@ -428,9 +428,12 @@ TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   EXPECT_THAT(checkpoints.describe(),
               AllOf(HasSubstr("step 7, t = 0.0025;"),
                     HasSubstr("percuss run d.yaml --set time.step_scale=0.5 --set 'title=a drop' --restart " + file)));
+  RunCheckpoints external(deck, folder.path(), true);
+  external.note(file, state);
+  EXPECT_THAT(external.describe(), testing::EndsWith(" --restart " + file + " --allow-external"));
   std::filesystem::remove(file);
   EXPECT_EQ(checkpoints.describe(), "");
-  EXPECT_FALSE(RunCheckpoints(parse_deck(blocks, "d.yaml"), folder.path()).are_wanted());
+  EXPECT_FALSE(RunCheckpoints(parse_deck(blocks, "d.yaml"), folder.path(), false).are_wanted());
 }
 
 }  // namespace percuss::test

@@ -123,8 +123,26 @@ TEST(PreloadOfBeams, ThatYieldBelowItIsNotReached) {
              {"start.relaxation.max_steps=2000"});
     ADD_FAILURE() << "it settled";
   } catch (const RunError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("beams of 'bolt' "));
+    EXPECT_THAT(error.what(),
+                HasSubstr("deck.yaml:5:51: error: preload 'bolt' is not reached in 2000 steps (a beam of 'bar' "
+                          "carries 54000, start.preload.bolt.force is 60000; "));
+    EXPECT_THAT(error.what(), HasSubstr("give start.relaxation.max_steps more; if the force does not grow, lower it"));
   }
+}
+
+// The relaxation does not make all of its 100 000 steps for it.
+TEST(PreloadOfBeams, ThatComeNoNearerAreToldEarly) {
+  const std::string yields =
+      hold_part(square, "", "j2_plasticity, yield_stress: 0.9e8, hardening_modulus: 0") + both_ends;
+  const Outcome run = run_deck(yields, {"start.relaxation.unsettled=warn"});
+  EXPECT_EQ(run.summary.relaxation.state, "unsettled");
+  EXPECT_EQ(run.summary.relaxation.steps, 10500);
+  const Warning& told = run.summary.warnings.back();
+  EXPECT_EQ(told.rule, "unsettled_relaxation");
+  EXPECT_EQ(told.place, "deck.yaml:5:51");
+  EXPECT_THAT(told.text, HasSubstr("start.preload.bolt.force is 60000; the force comes no nearer; "));
+  EXPECT_THAT(told.text, HasSubstr("): lower the force below what the part can carry, or let conditions, contact or "
+                                   "ties keep its ends apart"));
 }
 
 TEST(PreloadOfBeams, WithoutAPlaneIsOfBeamsAlone) {

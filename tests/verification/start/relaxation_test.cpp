@@ -274,7 +274,7 @@ TEST(Preload, ThatCutsNothingIsRefused) {
     }
   };
   expect_refused(clamp(""), {"start.preload.bolt.point=[0, 0, 2]"},
-                 "cuts no element (its plane lies beside part 'bar')");
+                 ": error: preload 'bolt' cuts no element (its plane lies beside part 'bar', which begins ");
 }
 
 }  // namespace percuss::test

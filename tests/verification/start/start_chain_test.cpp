@@ -145,6 +145,26 @@ TEST(StartChain, AVtkFileGivesStressesAndVelocities) {
   EXPECT_DOUBLE_EQ(folder.run(make_cube()).history["internal"][0], 4e12 / 2e9);  // the later array counts
 }
 
+TEST(StartChain, DisplacementsOfAFileAreToldOf) {
+  const DeckFolder folder;
+  const auto list = [&](const std::string& displacement) {
+    std::string file = make_vtu("1e6 0 0 0 0 0", no_velocity);
+    const std::string data = "<PointData>";
+    file.insert(file.find(data) + data.size(),
+                "<DataArray type=\"Float64\" Name=\"displacement\" NumberOfComponents=\"3\" format=\"ascii\">" +
+                    displacement + no_velocity.substr(5) + "</DataArray>");
+    folder.add("cube.vtu", file);
+    std::string text;
+    for (const Warning& warning : folder.run(make_cube()).summary.warnings)
+      if (warning.rule == "unused_displacement") text += format_warning(warning);
+    return text;
+  };
+  EXPECT_EQ(list("0 0 0"), "");
+  const std::string told = list("0 0.1 -0.25");
+  EXPECT_THAT(told, HasSubstr("deck.yaml:5:18: warning: the displacements of "));
+  EXPECT_THAT(told, HasSubstr("cube.vtu are not used, 'displacement_z' reaches 0.25 (stresses and velocities go onto"));
+}
+
 TEST(StartChain, VtkFilesThatDoNotFitAreRefused) {
   const DeckFolder folder;
   const auto find = [&](const std::string& text, const std::string& keys = "",

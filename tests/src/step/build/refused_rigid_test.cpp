@@ -44,6 +44,14 @@ TEST(RigidConditions, MoveABodyOnceInADirection) {
   EXPECT_EQ(take_rigid_error("conditions: [{nodes: right, fixed: [x]}]"), "");
 }
 
+// As files and results do: the first node of a part is 1, not 0.
+TEST(RigidBodies, HaveNodesThatAreNamedByTheirIds) {
+  EXPECT_THAT(take_rigid_error("constraints: {c: {equal: [x], nodes: left/x_min}}"),
+              HasSubstr("deck.yaml:8:15: error: constraint 'c' names node 1, which belongs to a rigid body"));
+  EXPECT_THAT(take_rigid_error("springs: {s: {between: [{id: 64}, left], stiffness: 1}}"),
+              HasSubstr("deck.yaml:8:11: error: both ends of spring 's' are node 64 (a spring connects two"));
+}
+
 TEST(RigidBodies, ThatShareANodeMustBeOne) {
   const std::string touching = R"yaml(
 time: {end: 1}

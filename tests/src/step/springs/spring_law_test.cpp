@@ -220,7 +220,7 @@ std::string take_error(const std::string& springs) {
 
 TEST(Springs, OfOneNodeAreRefused) {
   EXPECT_THAT(take_error("{s: {between: [{near: [1, 1, 1]}, a], stiffness: 1}}"),
-              HasSubstr("deck.yaml:7:11: error: both ends of spring 's' are node"));
+              HasSubstr("deck.yaml:7:11: error: both ends of spring 's' are node 14 (a spring connects two"));
   EXPECT_THAT(take_error("{s: {between: [{id: 999}, a], stiffness: 1}}"),
               HasSubstr("no node has the id 999 (end of spring 's')"));
 }

@@ -1,0 +1,50 @@
+"""An earlier import in the folder: what it wrote may have been edited since."""
+
+import argparse
+import hashlib
+import json
+import os
+
+from .deck_text import clean
+from .ledger import BadInput
+
+
+def find_mark(path: str) -> str:
+    """A digest of a file; empty of none."""
+    if not path:
+        return ""
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def refuse_to_overwrite(arguments: argparse.Namespace, names: list[str]) -> None:
+    """Refuses files that are there, unless --force is given; the imported model in any case."""
+    for name in names:
+        path = os.path.join(arguments.out, name)
+        if not os.path.lexists(path):
+            continue
+        if os.path.exists(path) and os.path.samefile(path, arguments.model):
+            raise BadInput(clean(path), "this is the model itself (the import would write its mesh or deck here): choose another folder with --out")
+        if not arguments.force:
+            raise BadInput(clean(path), f"{tell_loss(path, name, arguments.out)} (an import overwrites nothing without --force): choose another folder with --out, or give --force")
+
+
+def tell_loss(path: str, name: str, folder: str) -> str:
+    """What would be gone."""
+    if name == "deck.yaml" and os.path.isfile(path):
+        written = read_mark(folder)
+        if written and find_mark(path) != written:
+            return "this deck was edited after its import, and the edits would be lost"
+        if not written:
+            return "there is a deck already, which would be lost"
+    return f"there is a {name} of an earlier import, which would be lost"
+
+
+def read_mark(folder: str) -> str:
+    """Of the deck as the last import wrote it; empty if that is not known."""
+    try:
+        with open(os.path.join(folder, "import_report.json"), encoding="utf-8") as file:
+            mark = json.load(file)["deck_sha256"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return ""
+    return mark if isinstance(mark, str) else ""
