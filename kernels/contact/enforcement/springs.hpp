@@ -13,7 +13,7 @@ namespace percuss {
 
 /// A spring gives way by this share of h: below what history keeps (contact_limits::history_depth), far above what slow
 /// impacts need.
-inline constexpr double spring_cushion = 0.05;
+inline constexpr double spring_cushion = 0.02;
 
 /// Stiffness of a row [force/length]. s: [places] of its nodes.
 KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<const double>& s) {
