@@ -18,7 +18,7 @@ namespace percuss {
 namespace contact_limits {
 
 /// New pairs may be parted less well than reach_through, by this sine, once they have crossed by crossed_depth. Pairs
-/// that only run past each other, as of bricks in line, do not come so deep.
+/// that only run past each other, as of bricks in line, do not come so deep. Pairs of blunt edges touch from there on.
 inline constexpr double wide_reach_through = history_reach_through;
 inline constexpr double crossed_depth = 5e-3;
 
@@ -116,11 +116,11 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
   return flips ? back : reach;
 }
 
-/// Whether wedges that a plane parts but for `reach` may push each other. gap: predicted; size: h.
-KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool known, double gap, double size) {
+/// Whether wedges that a plane parts but for `reach` may push each other. has_crossed: they were in contact, or have
+/// crossed.
+KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool has_crossed) {
   namespace limits = contact_limits;
-  const bool is_wide = known || gap < -limits::crossed_depth * size;
-  return reach <= (is_wide ? limits::wide_reach_through : limits::reach_through);
+  return reach <= (has_crossed ? limits::wide_reach_through : limits::reach_through);
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
@@ -232,7 +232,9 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   if (dot(start.normal, along_cross) < 0) return false;
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
-  if (!are_parted(reach, known, end.gap - offset, h)) return false;
+  const bool has_crossed = known || end.gap - offset < -contact_limits::crossed_depth * h;
+  if (!has_crossed && is_blunt_pair(surface, a, b)) return false;
+  if (!are_parted(reach, has_crossed)) return false;
   touch.normal = end.normal;
   touch.gap_end = end.gap - offset;
   touch.gap_start = measure_line_gap(start, end.normal) - offset;
@@ -248,10 +250,11 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
 /// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
-/// that side.
+/// that side. Blunt edges are inside nothing.
 KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                               EdgeTouch& touch) {
   constexpr double deepest = 0.5;
+  if (is_blunt_pair(surface, a, b)) return 0;
   Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
   if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);

@@ -1,5 +1,6 @@
 #include "kernels/contact/check/edge_touches.hpp"
 
+#include "kernels/contact/check/rim_check.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/index_lists.hpp"
 
@@ -90,7 +91,10 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
         const bool has_touched = is_still && (touches(i) & touching) != 0;
         touches(i) = touch.record >= 0 ? remembered : 0;
         if (touch.record >= 0) last = load_row(past.normal, touch.record);
-        if (!check_edge_pair(s, m, a(i), b(i), touch.record >= 0 ? &last : nullptr, touch)) return;
+        const Point3* const last_normal = touch.record >= 0 ? &last : nullptr;
+        if (!check_edge_pair(s, m, a(i), b(i), last_normal, touch) &&
+            !check_rim_pair({s, m, a(i), b(i), last_normal}, touch))
+          return;
         touches(i) |= touching;
         found += has_touched && is_same_touch(touch, out(i)) ? 0 : 1;
         out(i) = touch;

@@ -3,12 +3,13 @@
 namespace percuss {
 namespace {
 
-/// What is deeper, as the element behind a face is crushed, comes back by this share of h a step.
-constexpr double recovery = 5e-3;
+/// What is deeper, as the element behind a face is crushed, comes back by this share of h a step: more may add energy.
+constexpr double recovery = 1e-3;
 
 /// How far a row would go in deeper than its cushion, or than it is, if it ended the step at `gap`.
 KOKKOS_INLINE_FUNCTION double find_excess(const ContactRow& row, double gap) {
-  const double least = find_floor(row) - spring_cushion * row.size, reached = row.gap_start + recovery * row.size;
+  const double cushion = row.has_thickness ? shell_cushion : spring_cushion;
+  const double least = find_floor(row) - cushion * row.size, reached = row.gap_start + recovery * row.size;
   return (reached < least ? reached : least) - gap;
 }
 

@@ -45,6 +45,8 @@ inline constexpr double independent = 0.95;
 
 /// Edges where faces meet convexly with less than this cosine (30 degrees) between their normals can cross others.
 inline constexpr double feature = 0.8660254037844386;
+/// With less than this one (20 degrees) they hold what has crossed them.
+inline constexpr double blunt = 0.9396926207859084;
 /// Edges that cross at a lesser angle than with this sine are nearly parallel: their nodes meet faces.
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.

@@ -25,6 +25,7 @@ struct EdgeSurface {
   Array<const double> pair_friction;  // [classes * classes] friction; negative: may not touch
   Array<const int> pair_number;       // likewise: which of the deck's pairs
   Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
+  Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; empty: the scene has none
 };
 
 /// Pairs of edges, by (a, b), a before b.
@@ -40,6 +41,11 @@ struct EdgePairs {
 /// Half the thickness of the shells of an edge, 0 of solids.
 KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int edge) {
   return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
+}
+
+/// Whether two edges touch only once they have crossed.
+KOKKOS_INLINE_FUNCTION bool is_blunt_pair(const EdgeSurface& surface, int a, int b) {
+  return surface.is_blunt.extent(0) > 0 && (surface.is_blunt(a) != 0 || surface.is_blunt(b) != 0);
 }
 
 /// Coulomb friction between two edges, negative if they may not touch.

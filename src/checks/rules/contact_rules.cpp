@@ -77,7 +77,7 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
 // The pressure rho c v / 2 of a plane impact on springs of the stiffness scale M / h that a unit of area has on both
 // sides together.
 std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
-  constexpr double most = 0.1;  // of an element; beyond 0.05 springs give way to stops that dissipate
+  constexpr double most = 0.1;  // of an element; beyond 0.02 springs give way to stops that dissipate
   const ContactDeck& contact = scene.deck.contact;
   if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, slowest = 0;

@@ -15,6 +15,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   std::vector<std::array<std::int64_t, 2>> elements;
   std::vector<int> classes;
   std::vector<double> offsets;
+  std::vector<int> blunt;
   for (const EdgeTopology& edge : edges) {
     numbers.push_back(edge.number);
     ends.push_back({find_row(edge.ends[0]), find_row(edge.ends[1])});
@@ -23,7 +24,9 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
     elements.push_back({edge.elements[0], edge.elements[1]});
     classes.push_back(edge.surface_class);
     if (share.largest_offset > 0) offsets.push_back(edge.offset);
+    blunt.push_back(edge.is_blunt);
   }
+  if (std::count(blunt.begin(), blunt.end(), 1) == 0) blunt.clear();
   EdgeSurface surface;
   surface.num_edges = static_cast<int>(edges.size());
   surface.numbers = to_view("contact::edge_numbers", numbers);
@@ -32,6 +35,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   surface.elements = to_rows("contact::edge_elements", elements);
   surface.edge_class = to_view("contact::edge_class", classes);
   surface.offset = to_view("contact::edge_offset", offsets);
+  surface.is_blunt = to_view("contact::blunt_edges", blunt);
   surface.num_classes = share.num_classes;
   surface.pair_friction = share.pair_friction;
   surface.pair_number = share.pair_number;

@@ -32,8 +32,9 @@ struct EdgeSide {
   bool is_shell() const { return offset > 0; }
 };
 
+/// Whether faces with these normals may meet at an edge that touches others.
 inline bool are_at_angle(const Point3& normal, const Point3& other) {
-  return dot(normal, other) < contact_limits::feature;
+  return dot(normal, other) < contact_limits::blunt;
 }
 
 inline bool is_same_edge(const EdgeSide& a, const EdgeSide& b) {
@@ -217,17 +218,27 @@ void visit_meetings(const EdgeSide* first, const EdgeSide* last, const Visit& vi
   if (num_left == 2) visit(EdgeKind::solid, *left[0], *left[1]);
 }
 
-/// Whether an edge is a feature by the angle at the start.
-inline bool is_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
+/// Whether an edge is sharper than this cosine at the start.
+inline bool is_sharp(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, double cosine) {
   switch (kind) {
     case EdgeKind::rim:
       return true;
     case EdgeKind::fold:
-      return dot(a.inward, b.inward) > -contact_limits::feature;  // whichever way the faces look
+      return dot(a.inward, b.inward) > -cosine;  // whichever way the faces look
     case EdgeKind::solid:
       break;
   }
-  return are_at_angle(a.normal, b.normal) && dot(a.normal, b.inward) < 0;
+  return dot(a.normal, b.normal) < cosine && dot(a.normal, b.inward) < 0;
+}
+
+/// Whether an edge is a feature by the angle at the start.
+inline bool is_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
+  return is_sharp(kind, a, b, contact_limits::feature);
+}
+
+/// Whether an edge touches others by the angle at the start, as a feature or once they have crossed.
+inline bool is_blunt_or_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
+  return is_sharp(kind, a, b, contact_limits::blunt);
 }
 
 }  // namespace percuss

@@ -49,7 +49,9 @@ std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, con
     const std::size_t first_edge = edges.size();
     told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
       visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
-        if (is_feature(kind, a, b) || is_folded(folds, a)) edges.push_back(make_edge(a, b));
+        if (!is_blunt_or_feature(kind, a, b) && !is_folded(folds, a)) return;
+        edges.push_back(make_edge(a, b));
+        edges.back().edge.is_blunt = is_feature(kind, a, b) || is_folded(folds, a) ? 0 : 1;
       });
     });
     if (edges.size() - first_edge > most_edges)

@@ -24,6 +24,7 @@ struct EdgeTopology {
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
   int pieces = 1;              // that search sees, each as a point
   double offset = 0;           // half the thickness of its shells, 0 of solids [length]
+  int is_blunt = 0;            // 1: touches only what has crossed it
 };
 
 /// An edge of the surface by the numbers of its nodes.

@@ -161,6 +161,22 @@ TEST(ContactScenes, WithoutEdgesTheSameCubesFeelNothing) {
   EXPECT_EQ(run_scene_text(crossed_cubes(0.005, 90, "{surfaces: all, edges: false}"), 84).pushes, 0);
 }
 
+TEST(ContactScenes, AnEdgeThatCrossesABluntEdgeIsHeld) {
+  // The edges of a tube of 16 elements around are of 22 degrees. A cube falls on one with its edge, between nodes.
+  const Outcome o = run_scene_text(R"(
+time: {end: 1}
+parts:
+  tube: {tube: {inner_radius: 0.06, outer_radius: 0.1, length: 0.1, cells: [1, 16, 1]}, rotate: [{axis: x, angle: 90}], material: steel}
+  cube: {box: {size: [0.1, 0.1, 0.1], cells: [1, 1, 1]}, rotate: [{axis: x, angle: 45}], at: [-0.05, -0.05, 0.1001], material: steel}
+initial: [{part: cube, velocity: [0, 0, -5]}]
+contact: {surfaces: all})",
+                                   60);
+  EXPECT_GT(o.pushes, 0);
+  EXPECT_TRUE(o.converged);
+  EXPECT_LT(o.audit.momentum.angular_error, 1e-12);
+  EXPECT_LT(o.audit.energy.contact, 1e-4 * o.audit.energy.initial);
+}
+
 std::string crossed_bars(int angle) {
   return R"(
 time: {end: 1}

@@ -101,6 +101,25 @@ contact: {surfaces: all}
   for (const double z : scene.find_range("b", 2)) EXPECT_LT(z, -0.0002 * (1 - 1e-2));
 }
 
+TEST(ShellContact, ACornerStopsBeforeARimThatItMeetsFromTheFront) {
+  // The corner of a cube, pointing along x, comes to the rim of a plate between its two sides and between two nodes.
+  for (const char* height : {"0", "0.0003", "-0.0013"}) {
+    ShellScene scene(R"(
+parts:
+  plate: {shell_plate: {size: [0.1, 0.05], cells: [2, 1]}, thickness: 0.004, material: steel}
+  cube: {box: {size: [0.05, 0.05, 0.05], cells: [1, 1, 1]}, rotate: [{axis: z, angle: 45}, {axis: x, angle: 54.7356103}, {axis: y, angle: -90}], at: [-0.0021, 0.018, )" +
+                     std::string(height) + R"(], material: steel}
+initial: [{part: cube, velocity: [10, 0, 0]}]
+conditions: [{nodes: plate, fixed: [x, y, z, rx, ry, rz]}]
+contact: {surfaces: all}
+)");
+    scene.advance_into_contact(60);
+    EXPECT_TRUE(scene.touched);
+    const double z = std::stod(height);
+    EXPECT_LT(scene.find_range("cube", 0)[1], -0.98 * std::sqrt(0.002 * 0.002 - z * z)) << height;
+  }
+}
+
 TEST(ShellContact, FreeEdgesThatCrossKeepHalfTheThicknessOfBoth) {
   // Upright plates, one along x above one along y: no node of either is near the other.
   const auto scene = [](const std::string& edges) {

@@ -78,6 +78,12 @@ struct Roofs {
     surface.ends = ends;
     surface.wings = to_rows4({{4, 5, 6, 7}, {8, 9, 10, 11}});
   }
+  /// The edge of A.
+  void set_blunt() {
+    const Array<int> blunt("test::blunt", 2);
+    blunt(0) = 1;
+    surface.is_blunt = blunt;
+  }
   bool check(const Point3* last = nullptr) { return check_edge_pair(surface, motion, 0, 1, last, touch); }
 
   EdgeSurface surface;
@@ -125,6 +131,20 @@ TEST(EdgeCheck, EdgesBesideAFaceThatRisesThroughTheirPlaneDoNotSayWhereTheyCameF
   const double rising = 0.2;
   EXPECT_TRUE(Roofs(-0.015, 0.01, 0, rising).check());
   EXPECT_FALSE(Roofs(-0.025, 0.01, 0, rising).check());
+}
+
+TEST(EdgeCheck, BluntEdgesTouchOnlyOnceTheyHaveCrossed) {
+  const auto touches = [](double height, double fall, const Point3* last = nullptr) {
+    Roofs r(height, fall);
+    r.set_blunt();
+    return r.check(last);
+  };
+  EXPECT_FALSE(touches(0.01, 0.014));
+  EXPECT_TRUE(touches(0.01, 0.016));
+  EXPECT_TRUE(touches(0.3, 50));
+  EXPECT_FALSE(touches(-0.025, 0.01));
+  const Point3 up{0, 0, 1};
+  EXPECT_TRUE(touches(0.01, 0.005, &up));  // remembered
 }
 
 TEST(EdgeCheck, EndsBelongToNodesAndFaces) {

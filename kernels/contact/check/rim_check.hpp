@@ -1,0 +1,164 @@
+#pragma once
+// The detailed check of an end of an edge before the rim of a shell.
+//
+// A corner that meets a rim from its front comes in between the two sides of the shell: it goes through no face, and
+// none of its edges crosses the rim away from the corner. A rim is therefore round before its line, by half the
+// thickness: the corner is pushed from the closest point of the rim. Further on, beside the shell, it belongs to the
+// faces, and edges that cross the rim to edge_check.hpp.
+
+#include "kernels/contact/check/edge_check.hpp"
+
+namespace percuss {
+
+namespace contact_limits {
+
+/// An end is before a rim if the way to it goes outward by at least this cosine ...
+inline constexpr double rim_front = 0.3;
+/// ... or, with history, by this one.
+inline constexpr double history_rim_front = 0.05;
+/// Beyond the ends of a rim by this share of it it still pushes, with history by twice as much
+inline constexpr double rim_end_band = 0.02;
+
+}  // namespace contact_limits
+
+/// Where a point is closest to a rim.
+struct RimPoint {
+  double t = 0;     // on the rim, 0 to 1
+  double past = 0;  // beyond its ends, share of the rim
+  Point3 away{};    // from there to the point
+};
+
+KOKKOS_INLINE_FUNCTION RimPoint find_rim_point(const Point3 rim[2], const Point3& point) {
+  const Point3 along = rim[1] - rim[0];
+  const double square = dot(along, along), t = square > 0 ? dot(point - rim[0], along) / square : 0;
+  RimPoint found;
+  found.t = t < 0 ? 0 : t > 1 ? 1 : t;
+  found.past = t < found.t ? found.t - t : t - found.t;
+  found.away = point - ((1 - found.t) * rim[0] + found.t * rim[1]);
+  return found;
+}
+
+/// A rim: an edge with one face as both of its sides.
+KOKKOS_INLINE_FUNCTION bool is_rim(const EdgeSurface& surface, int edge) {
+  return find_edge_offset(surface, edge) > 0 && surface.wings(edge, 0) == surface.wings(edge, 2) &&
+         surface.wings(edge, 1) == surface.wings(edge, 3);
+}
+
+/// An end of one edge before the other one, over the step.
+struct EndBeforeRim {
+  bool is_of_b = false;  // an end of edge B before rim A
+  RimPoint from, to;     // at n and at the end of the step
+  Point3 along{};        // from the end to the other end of its edge, at the end of the step
+  double offset = 0;     // that both keep by thickness
+};
+
+/// place: 0 or 1, which end.
+KOKKOS_INLINE_FUNCTION EndBeforeRim load_end(const EdgePair& from, const EdgePair& to, bool is_of_b, int place) {
+  EndBeforeRim found;
+  found.is_of_b = is_of_b;
+  found.from = find_rim_point(is_of_b ? from.a : from.b, is_of_b ? from.b[place] : from.a[place]);
+  found.to = find_rim_point(is_of_b ? to.a : to.b, is_of_b ? to.b[place] : to.a[place]);
+  found.along = is_of_b ? to.b[1 - place] - to.b[place] : to.a[1 - place] - to.a[place];
+  return found;
+}
+
+/// Whether an end may come as near to the rim in the step as a row has it, by their distances alone.
+KOKKOS_INLINE_FUNCTION bool may_reach(const EndBeforeRim& e, double widest) {
+  const Point3 &from = e.from.away, &to = e.to.away;
+  return dot(from, to) <= 0 || dot(from, from) <= widest * widest || dot(to, to) <= widest * widest;
+}
+
+/// Whether a rim may push an end this way: forward, and the edge of the end and its faces lie away from the rim.
+KOKKOS_INLINE_FUNCTION bool is_before_rim(const EndBeforeRim& e, const EdgeFaces faces[2], const Point3& push,
+                                          bool known) {
+  namespace limits = contact_limits;
+  const Wedge &rim = faces[e.is_of_b ? 0 : 1].wedge, &edge = faces[e.is_of_b ? 1 : 0].wedge;
+  const double slack = known ? limits::history_reach_through : limits::reach_through;
+  if (-dot(push, rim.inward[0]) < (known ? limits::history_rim_front : limits::rim_front)) return false;
+  return dot(push, e.along) >= -slack * norm(e.along) && dot(push, edge.inward[0]) >= -slack &&
+         dot(push, edge.inward[1]) >= -slack;
+}
+
+/// last_push: of the end, if it was in contact. In: touch.size; out: t, normal (push direction of the
+/// end) and gaps.
+KOKKOS_INLINE_FUNCTION bool check_end(const EndBeforeRim& e, const EdgeFaces faces[2], const Point3* last_push,
+                                      EdgeTouch& touch) {
+  namespace limits = contact_limits;
+  const bool known = last_push != nullptr;
+  const double offset = e.offset, h = touch.size;
+  const Point3& before = known ? *last_push : e.from.away;
+  Point3 push = normalize(e.to.away);
+  const bool has_turned = !(dot(push, before) > 0);  // it would go through the line
+  if (has_turned) push = normalize(before);
+  const double start = norm(e.from.away);
+  touch.gap_start = (dot(e.from.away, push) < 0 ? -start : start) - offset;
+  touch.gap_end = dot(e.to.away, push) - offset;
+  touch.t = has_turned ? e.from.t : e.to.t;
+  touch.normal = push;
+  const double deepest = known ? limits::history_depth * h + offset : limits::new_depth * h;
+  return touch.gap_start >= -deepest && touch.gap_end <= find_edge_row_gap(known, h) &&
+         is_before_rim(e, faces, push, known);
+}
+
+/// The nearer of two touches of ends; place: 0 or 1, which end.
+KOKKOS_INLINE_FUNCTION void take_nearer(const EdgeTouch& end, bool is_of_b, double place, bool is_first,
+                                        EdgeTouch& touch) {
+  if (!is_first && !(end.gap_end < touch.gap_end)) return;
+  touch = end;
+  touch.s = is_of_b ? end.t : place;
+  touch.t = is_of_b ? place : end.t;
+  if (is_of_b) touch.normal = -end.normal;
+}
+
+/// A pair with a rim, as it is seen for all ends.
+struct RimPair {
+  const EdgeSurface& surface;
+  const SurfaceMotion& motion;
+  int a, b;
+  const Point3* last_normal;
+};
+
+/// The faces of both edges.
+KOKKOS_INLINE_FUNCTION void load_both_faces(const RimPair& p, EdgeFaces faces[2]) {
+  faces[0] = load_edge_faces(p.surface, p.motion, p.a);
+  faces[1] = load_edge_faces(p.surface, p.motion, p.b);
+}
+
+/// Whether an end is so near its rim that the faces of both decide.
+KOKKOS_INLINE_FUNCTION bool is_near_rim(const EndBeforeRim& e, double shorter, bool known) {
+  const double past = e.from.past < e.to.past ? e.from.past : e.to.past;
+  return past <= (known ? 2 : 1) * contact_limits::rim_end_band &&
+         may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
+}
+
+/// Checks the ends of one edge of a pair before the other one; touch is meaningful if the answer is true. last_normal:
+/// of the contact that touch.record continues.
+KOKKOS_INLINE_FUNCTION bool check_rim_pair(const RimPair& p, EdgeTouch& touch) {
+  const bool is_rim_of[2] = {is_rim(p.surface, p.a), is_rim(p.surface, p.b)};
+  if (!is_rim_of[0] && !is_rim_of[1]) return false;
+  const bool known = p.last_normal != nullptr;
+  const MovingPair pair = load_moving_pair(p.surface, p.motion, p.a, p.b);
+  const EdgePair from = pair.start, to = pair.at(1);
+  const double of_a = norm(from.a[1] - from.a[0]), of_b = norm(from.b[1] - from.b[0]);
+  EdgeFaces faces[2];
+  bool has_faces = false, found = false;
+  for (int i = 0; i < 4; ++i) {
+    const bool is_of_b = i >= 2;
+    if (!is_rim_of[is_of_b ? 0 : 1]) continue;
+    EndBeforeRim e = load_end(from, to, is_of_b, i % 2);
+    e.offset = find_edge_offset(p.surface, p.a) + find_edge_offset(p.surface, p.b);
+    if (!is_near_rim(e, of_a < of_b ? of_a : of_b, known)) continue;
+    if (!has_faces) load_both_faces(p, faces);
+    has_faces = true;
+    EdgeTouch end = touch;
+    end.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
+    end.offset = static_cast<float>(e.offset);
+    const Point3 last = !known ? Point3{} : is_of_b ? -*p.last_normal : *p.last_normal;
+    if (!check_end(e, faces, known ? &last : nullptr, end)) continue;
+    take_nearer(end, is_of_b, i % 2, !found, touch);
+    found = true;
+  }
+  return found;
+}
+
+}  // namespace percuss
