@@ -379,6 +379,8 @@ class Laws(InFolder):
         self.assertEqual(law["failure"]["johnson_cook"]["d3"], -3.03)
         _, cards, state, _ = decks.LAWS["johnson_cook"]
         self.assertIn("MAT_JOHNSON_COOK.D3", self.refusals(decks.make_block(cards.replace("3.03", "-3.03"), state)))
+        (brittle,) = self.read(decks.make_block(cards.replace("0.014\n", "-0.014\n"), state))[0].materials.values()
+        self.assertEqual(brittle["failure"]["johnson_cook"]["d4"], -0.014)
 
     def test_other_laws_and_fields_are_refused(self):
         text = decks.make_block("*MAT_OGDEN_RUBBER\n1,1e3\n")

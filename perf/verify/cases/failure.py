@@ -7,6 +7,7 @@ from cases.paper import read_deck
 
 YOUNG, NU, DENSITY = 200e9, 0.3, 7850
 SPEED = np.sqrt(YOUNG * (1 - NU) / ((1 + NU) * (1 - 2 * NU) * DENSITY))
+IMPACT = 10.0  # speed of the flyer that spalls a plate [m/s]
 
 SPALL = """
 title: A plate spalls
@@ -15,7 +16,7 @@ parts:
   flyer:  {box: {size: [0.05, $edge, $edge], cells: [$cells, 1, 1]}, material: steel}
   target: {box: {size: [0.1, $edge, $edge], cells: [$twice, 1, 1]}, at: [0.05, 0, 0], material: steel}
 materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, failure: {principal_stress: $strength}}}
-initial: [{part: flyer, velocity: [100, 0, 0]}]
+initial: [{part: flyer, velocity: [$velocity, 0, 0]}]
 conditions: [{nodes: all, fixed: [y, z]}]
 contact: {surfaces: [{a: flyer, b: target}]}
 output:
@@ -26,15 +27,17 @@ output:
 
 @case("spall", "failure", "A plate spalls")
 def spall(bench):
-    """A plate of 50 mm hits one of 100 mm at 100 m/s, in uniaxial strain, and elements fail at half of the tension rho c v
+    """A plate of 50 mm hits one of 100 mm at 10 m/s, in uniaxial strain, and elements fail at half of the tension rho c v
     / 2. The pulse returns from the far end as tension. It meets the release from the flyer's far end in the middle of
     the target, 3 L / c after the impact. Elements must fail there and nowhere else: their middle within half an
     element, the time within 2 %. Viscosity spreads the rise of the tension over some elements, which therefore reach
     the strength together; the thickness of that layer depends on the elements. The wave speed at the far end is v until
-    then."""
+    then. The strain of 0.1 % keeps the waves linear. With J sigma = M ln(stretch) a wave of compression at 100 m/s is
+    1.3 % faster than a weak one, and the waves meet up to an element beside the middle."""
     rows, far = [], None
     for cells in (50, 100) if bench.quick else (50, 100, 200):
-        run = bench.run(SPALL, cells=cells, twice=2 * cells, edge=0.05 / cells, strength=0.25 * DENSITY * SPEED * 100)
+        run = bench.run(SPALL, cells=cells, twice=2 * cells, edge=0.05 / cells, strength=0.25 * DENSITY * SPEED * IMPACT,
+                        velocity=IMPACT)
         h, frames = run.history, run.frames
         centers = frames.points(0)[frames.corners].mean(axis=1)[:, 0]
         dead = centers[frames.element("alive") < 0.5]
@@ -46,7 +49,7 @@ def spall(bench):
         bench.below(f"{cells} elements: energy balance, largest error", h.largest("energy_error"), 0.01)
         rows.append([cells, len(dead), f"{1e3 * (dead.max() - dead.min()) + 50 / cells:.2f}"])
         far = h
-    bench.near("speed of the far end before", far.mean(2.7e-5, 2.9e-5, "far_vx"), 100.0, relative=0.02, unit="m/s")
+    bench.near("speed of the far end before", far.mean(2.7e-5, 2.9e-5, "far_vx"), IMPACT, relative=0.02, unit="m/s")
     bench.below("thickness of the layer that fails, finest over coarsest mesh", float(rows[-1][2]) / float(rows[0][2]), 0.6)
     bench.table(["elements of the flyer", "failed", "thickness of their layer [mm]"], rows)
 

@@ -11,7 +11,7 @@ const Keys<JohnsonCookDamageDeck>& damage_keys() {
       need("d1", &JohnsonCookDamageDeck::d1, NumberValue{not_negative}),
       may("d2", &JohnsonCookDamageDeck::d2, NumberValue{not_negative}),
       may("d3", &JohnsonCookDamageDeck::d3, NumberValue{}),
-      may("d4", &JohnsonCookDamageDeck::d4, NumberValue{not_negative}),
+      may("d4", &JohnsonCookDamageDeck::d4, NumberValue{}),
       may("d5", &JohnsonCookDamageDeck::d5, NumberValue{not_negative}),
       may("reference_rate", &JohnsonCookDamageDeck::reference_rate, NumberValue{positive}),
   };

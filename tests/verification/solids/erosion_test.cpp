@@ -101,9 +101,10 @@ TEST(Failure, TimeAtYieldIsMetInItsStep) {
   });
 }
 
-TEST(Failure, JohnsonCookDamageIsMetInItsStep) {
-  const HistoryTable history =
-      pull_cube(plastic, "johnson_cook: {d1: 0.05, d2: 0.3, d3: -0.5, d4: 0.1, reference_rate: 0.01}");
+/// Damage with this d4 is met in the step in which its sum over the rows reaches 1.
+void expect_johnson_cook_death(double d4) {
+  const HistoryTable history = pull_cube(
+      plastic, fmt::format("johnson_cook: {{d1: 0.05, d2: 0.3, d3: -0.5, d4: {}, reference_rate: 0.01}}", d4));
   double damage = 0;
   expect_death(history, [&](std::size_t row) {
     if (row == 0) return false;
@@ -111,10 +112,14 @@ TEST(Failure, JohnsonCookDamageIsMetInItsStep) {
     if (!(growth > 0)) return false;
     const double ratio = std::min(1.5, -history["e_pressure"][row] / history["e_von_mises"][row]);
     const double rate = std::max(1.0, growth / history["dt"][row] / 0.01);
-    damage += growth / ((0.05 + 0.3 * std::exp(-0.5 * ratio)) * (1 + 0.1 * std::log(rate)));
+    damage += growth / ((0.05 + 0.3 * std::exp(-0.5 * ratio)) * (1 + d4 * std::log(rate)));
     return damage >= 1;
   });
 }
+
+TEST(Failure, JohnsonCookDamageIsMetInItsStep) { expect_johnson_cook_death(0.1); }
+
+TEST(Failure, JohnsonCookDamageOfANegativeRateConstantIsMetInItsStep) { expect_johnson_cook_death(-0.05); }
 
 TEST(Failure, FadesInEqualParts) {
   const HistoryTable whole = pull_cube(elastic, ""),

@@ -268,9 +268,9 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
             "D3 below 0 makes the material tougher in tension in LS-DYNA, whose triaxiality is that of pressure",
             "the sign is taken as a mistake: less ductile in tension",
         )
-    if d1 < 0 or d4 < 0 or d2 < 0:
-        deck.ledger.refuse(f"{card.keyword}.D1", heat.place, "D1, D2 or D4 below 0", "0 is used")
-    damage = {"d1": max(d1, 0.0), "d2": max(d2, 0.0), "d3": -abs(d3), "d4": max(d4, 0.0), "d5": d5, "reference_rate": rate}
+    if d1 < 0 or d2 < 0:
+        deck.ledger.refuse(f"{card.keyword}.D1", heat.place, "D1 or D2 below 0", "0 is used")
+    damage = {"d1": max(d1, 0.0), "d2": max(d2, 0.0), "d3": -abs(d3), "d4": d4, "d5": d5, "reference_rate": rate}
     law.setdefault("failure", {})["johnson_cook"] = damage
     deck.ledger.approximated(f"{card.keyword}.D1", heat.place, "damage by percuss' form, without the lower limit EFMIN")
 

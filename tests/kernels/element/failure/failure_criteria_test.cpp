@@ -74,6 +74,14 @@ TEST(FailureStrain, IsJohnsonAndCooks) {
               1e-14);
 }
 
+TEST(Failure, ARateThatLeavesNoFailureStrainFailsAtOnce) {
+  FailureLimits limits;
+  limits.johnson_cook = {0.1, 0, 0, -0.1, 0, 1};  // 1 - 0.1 ln(rate) is 0 at a rate of e^10
+  FailureHistory slow, fast;
+  EXPECT_FALSE(fails(limits, stretch_to(1e-4, {}), 1e-3, slow));
+  EXPECT_TRUE(fails(limits, stretch_to(1e-4, {}), 1e-9, fast));
+}
+
 TEST(Failure, DamageAddsUpOverUnlikeSteps) {
   FailureLimits limits;
   limits.johnson_cook = {0.1, 0, 0, 0, 0, 1};
