@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
@@ -25,6 +26,7 @@ struct TurningNode {
   std::int64_t number = -1, id = 0;
   Vec3 x{};
   int tie = 0;
+  int body = 0;               // of the mesh
   std::array<int, 3> held{};  // 1: rotations about x, y, z that something else holds
 
   bool operator<(const TurningNode& other) const { return number < other.number; }
@@ -53,21 +55,20 @@ std::vector<int> list_ties(const Mesh& mesh, const TiedSurfaces& ties) {
 
 TiedShells list_tied_shells(const Mesh& mesh, const std::vector<int>& tie_of_node) {
   TiedShells found;
-  std::vector<int> nodes;
+  std::map<int, int> body_of_node;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
     int last = -1;
     for (const int n : mesh.corners(e)) {
       if (tie_of_node[at(n)] < 0) continue;
-      nodes.push_back(n);
+      body_of_node[n] = mesh.bodies[e];
       if (last >= 0) found.edges.push_back({mesh.node_numbers[at(last)], mesh.node_numbers[at(n)]});
       last = n;
     }
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  for (const int n : nodes)
-    found.nodes.push_back({mesh.node_numbers[at(n)], mesh.node_ids[at(n)], mesh.nodes[at(n)], tie_of_node[at(n)], {}});
+  for (const auto& [n, body] : body_of_node)
+    found.nodes.push_back(
+        {mesh.node_numbers[at(n)], mesh.node_ids[at(n)], mesh.nodes[at(n)], tie_of_node[at(n)], body, {}});
   return found;
 }
 
@@ -147,19 +148,34 @@ std::size_t find_farthest(const std::vector<TurningNode>& nodes, const std::vect
   });
 }
 
-/// Whether a row is straight, and free to turn about its line.
-bool is_hinge(const std::vector<TurningNode>& nodes, const std::vector<std::size_t>& row, std::size_t first,
-              std::size_t last) {
-  const Vec3 way = subtract(nodes[last].x, nodes[first].x);
-  const double length = std::sqrt(dot(way, way)), spacing = length / static_cast<double>(row.size() - 1);
-  return length > 0 && std::all_of(row.begin(), row.end(), [&](std::size_t i) {
-           const Vec3 from = subtract(nodes[i].x, nodes[first].x);
-           const double along = dot(from, way) / length;
-           if (dot(from, from) - along * along > straight * straight * spacing * spacing) return false;
-           for (std::size_t k = 0; k < 3; ++k)
-             if (nodes[i].held[k] != 0 && std::abs(way[k]) > across * length) return false;
-           return true;
-         });
+/// From the first node of a row to its last.
+struct RowLine {
+  Vec3 from{}, way{};
+  double length = 0, spacing = 0;
+};
+
+/// Whether a node lies on the line of a row, and may turn about it.
+bool turns_about(const RowLine& line, const TurningNode& node) {
+  const Vec3 from = subtract(node.x, line.from);
+  const double along = dot(from, line.way) / line.length, most = straight * line.spacing;
+  if (dot(from, from) - along * along > most * most) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (node.held[k] != 0 && std::abs(line.way[k]) > across * line.length) return false;
+  return true;
+}
+
+/// Of the nodes of a row between its ends.
+RowLine make_line(const TurningNode& first, const TurningNode& last, std::size_t count) {
+  const Vec3 way = subtract(last.x, first.x);
+  const double length = std::sqrt(dot(way, way));
+  return {first.x, way, length, length / static_cast<double>(count - 1)};
+}
+
+/// [tie, body] places of the nodes.
+std::map<std::pair<int, int>, std::vector<std::size_t>> list_sides(const std::vector<TurningNode>& nodes) {
+  std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
+  for (std::size_t i = 0; i < nodes.size(); ++i) sides[{nodes[i].tie, nodes[i].body}].push_back(i);
+  return sides;
 }
 
 }  // namespace
@@ -175,14 +191,20 @@ std::vector<TieHinge> find_tie_hinges(const ChunkedMesh& chunked, const Deck& de
   if (some == 0) return {};
   RotationHolder(mesh, deck, own).mark();
   const TiedShells all = gather(ranks, own);
+  const auto sides = list_sides(all.nodes);
   std::vector<TieHinge> hinges;
   for (const std::vector<std::size_t>& row : list_rows(all)) {
     if (row.size() < 2) continue;
     const std::size_t first = find_farthest(all.nodes, row, row.front()), last = find_farthest(all.nodes, row, first);
-    if (!is_hinge(all.nodes, row, first, last)) continue;
+    const TurningNode& any = all.nodes[row.front()];
+    const RowLine line = make_line(all.nodes[first], all.nodes[last], row.size());
+    const auto turns_there = [&](std::size_t i) { return turns_about(line, all.nodes[i]); };
+    const std::vector<std::size_t>& side = sides.at({any.tie, any.body});
+    if (!(line.length > 0) || !std::all_of(row.begin(), row.end(), turns_there) ||
+        !std::all_of(side.begin(), side.end(), turns_there))
+      continue;
     const auto [low, high] = std::minmax(first, last);
-    hinges.push_back(
-        {all.nodes[row.front()].tie, static_cast<std::int64_t>(row.size()), all.nodes[low].id, all.nodes[high].id});
+    hinges.push_back({any.tie, static_cast<std::int64_t>(row.size()), all.nodes[low].id, all.nodes[high].id});
   }
   std::stable_sort(hinges.begin(), hinges.end(), [](const TieHinge& a, const TieHinge& b) { return a.tie < b.tie; });
   return hinges;

@@ -20,7 +20,8 @@ struct TieHinge {
 };
 
 /// The hinges of ties without rotations, by tie, then along the mesh: rows of which nothing else holds a rotation about
-/// their line, be it a condition, a rigid body, or a tie with rotations. The same on all ranks. Collective.
+/// their line, be it a condition, a rigid body, a tie with rotations, or another row of the same body in the tie. The
+/// same on all ranks. Collective.
 std::vector<TieHinge> find_tie_hinges(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                       const Communicator& ranks);
 

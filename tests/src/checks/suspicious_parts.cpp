@@ -254,6 +254,15 @@ std::vector<SuspiciousDeck> contact_decks() {
        {{surfaces,
          "contact: {surfaces: all, ties: [{a: {name: sheet, inside: [[0.07, -1, -1], [0.11, 1, 1]]}, b: plate/z_min, "
          "distance: 0.0035}]}"}}},
+      {"SheetOnOneBarAndOnTwo",
+       "tie_hinge",
+       "{a: sheet, b: bars",
+       {add_part(
+            "bars: {box: {size: [0.004, 0.1, 0.002], cells: [1, 5, 1]}, at: [0.058, 0, -0.0075], material: steel}"),
+        {surfaces, "contact: {surfaces: all, ties: [{a: sheet, b: bars, distance: 0.0008}]}"}},
+       {add_part("bars: {box: {size: [0.004, 0.1, 0.002], cells: [1, 5, 1]}, at: [0.058, 0, -0.0075], array: {count: "
+                 "[2, 1, 1], pitch: [0.04, 0, 0]}, material: steel}"),
+        {surfaces, "contact: {surfaces: all, ties: [{a: sheet, b: bars, distance: 0.0008}]}"}}},
       {"BeamThatABodyHits",
        "beam_contact",
        "bar: {line",
