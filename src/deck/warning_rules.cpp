@@ -88,7 +88,7 @@ const std::vector<WarningRule>& warning_rules() {
       // ranks and runs (src/app, src/step)
       {"idle_ranks", "ranks without elements"},
       {"crowded_cores", "more threads than cores"},
-      {"uneven_ranks", "ranks with many more elements than the mean"},
+      {"uneven_ranks", "a rank with much more work of elements than the mean"},
       {"few_contact_points", "ranks with too few contact nodes and faces"},
       {"plan_without_erosion", "plan of a scene whose elements can fail"},
       {"lost_frames", "frames before a failure that a restart does not have"},

@@ -5,6 +5,7 @@
 #include "src/deck/reading/connections/node_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/reading/sensors/sensor_keys.hpp"
+#include "src/deck/reading/walls/wall_keys.hpp"
 #include "src/deck/units.hpp"
 #include "src/deck/warning_rules.hpp"
 

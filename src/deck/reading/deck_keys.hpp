@@ -42,7 +42,6 @@ struct ConditionValue {
 MapValue<PressureDeck> pressure_value();
 MapValue<NodalLoadDeck> nodal_load_value();
 MapValue<DampingDeck> damping_value();
-MapValue<WallDeck> wall_value();
 MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
 NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();
