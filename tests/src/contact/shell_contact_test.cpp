@@ -120,6 +120,24 @@ contact: {surfaces: all}
   }
 }
 
+TEST(ShellContact, RimsThatMeetInOnePlaneKeepHalfTheThicknessOfBoth) {
+  ShellScene scene(R"(
+parts:
+  a: {shell_plate: {size: [0.1, 0.1], cells: [2, 5]}, thickness: 0.004, material: steel}
+  b: {shell_plate: {size: [0.05, 0.08], cells: [2, 3]}, at: [0.1032, 0.011, 0], thickness: 0.002, material: steel}
+initial: [{part: b, velocity: [-10, 0, 0]}]
+conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
+contact: {surfaces: all, tolerance: 1e-7}
+)");
+  double nearest = 1;
+  for (int i = 0; i < 40; ++i) {
+    scene.advance_into_contact(1);
+    nearest = std::min(nearest, scene.find_range("b", 0)[0]);
+  }
+  EXPECT_TRUE(scene.touched);
+  EXPECT_NEAR(nearest, 0.103, 1e-3 * 0.003);
+}
+
 TEST(ShellContact, FreeEdgesThatCrossKeepHalfTheThicknessOfBoth) {
   // Upright plates, one along x above one along y: no node of either is near the other.
   const auto scene = [](const std::string& edges) {
