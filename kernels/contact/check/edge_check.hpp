@@ -18,7 +18,8 @@ namespace percuss {
 namespace contact_limits {
 
 /// New pairs may be parted less well than reach_through, by this sine, once they have crossed by crossed_depth. Pairs
-/// that only run past each other, as of bricks in line, do not come so deep. Pairs of blunt edges touch from there on.
+/// that only run past each other, as of bricks in line, do not come so deep. Pairs of blunt edges touch from there on,
+/// or deeper (find_blunt_depth).
 inline constexpr double wide_reach_through = history_reach_through;
 inline constexpr double crossed_depth = 5e-3;
 
@@ -114,6 +115,14 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
     c.gap = -c.gap;
   }
   return flips ? back : reach;
+}
+
+/// How far a new pair with a blunt edge has crossed before it touches, share of h: springs of nodes and faces that give
+/// way hold their bodies without it.
+KOKKOS_INLINE_FUNCTION double find_blunt_depth(const EdgeSurface& surface, double offset) {
+  namespace limits = contact_limits;
+  if (!surface.has_springs) return limits::crossed_depth;
+  return limits::crossed_depth + (offset > 0 ? limits::shell_cushion : limits::spring_cushion);
 }
 
 /// Whether wedges that a plane parts but for `reach` may push each other. has_crossed: they were in contact, or have
@@ -233,7 +242,8 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
   const bool has_crossed = known || end.gap - offset < -contact_limits::crossed_depth * h;
-  if (!has_crossed && is_blunt_pair(surface, a, b)) return false;
+  if (!known && is_blunt_pair(surface, a, b) && end.gap - offset >= -find_blunt_depth(surface, offset) * h)
+    return false;
   if (!are_parted(reach, has_crossed)) return false;
   touch.normal = end.normal;
   touch.gap_end = end.gap - offset;

@@ -11,12 +11,6 @@
 
 namespace percuss {
 
-/// A spring gives way by this share of h: below what history keeps (contact_limits::history_depth), far above what slow
-/// impacts need. Faces that are stretched or crushed have another h than at the start.
-inline constexpr double spring_cushion = 0.02;
-/// The same with thickness between the sides, where h is that of the shell: flat plates need it to rebound.
-inline constexpr double shell_cushion = 0.05;
-
 /// Stiffness of a row [force/length]. s: [places] of its nodes.
 KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<const double>& s) {
   double front = 0, back = 0;

@@ -34,6 +34,12 @@ inline constexpr double play = 1e-14;
 /// Depths below this are round-off of a mesh that touches, not an overlap.
 inline constexpr double overlap = 1e-6;
 
+/// Springs of contact (penalty) give way by this share of h: below what history keeps (history_depth), far above what
+/// slow impacts need. Faces that are stretched or crushed have another h than at the start.
+inline constexpr double spring_cushion = 0.02;
+/// The same with thickness between the sides, where h is that of the shell: flat plates need it to rebound.
+inline constexpr double shell_cushion = 0.05;
+
 /// A node can hit a face only if one of the node's own faces looks against it, by this cosine.
 inline constexpr double opposing = -0.2;
 /// Faces of one smooth surface: within this cosine vertex normals are averaged ...
@@ -43,10 +49,11 @@ inline constexpr double inherited = 0.7;
 /// Two accepted normals of a node are further apart than this cosine.
 inline constexpr double independent = 0.95;
 
-/// Edges where faces meet convexly with less than this cosine (30 degrees) between their normals can cross others.
-inline constexpr double feature = 0.8660254037844386;
-/// With less than this one (20 degrees) they hold what has crossed them.
-inline constexpr double blunt = 0.9396926207859084;
+/// Edges where faces meet convexly with less than this cosine between their normals can cross others: above 30 degrees
+/// by more than round-off, which would choose among the edges of a cylinder of twelve sides.
+inline constexpr double feature = 0.866025403;
+/// With less than this one (likewise 20 degrees) they hold what has crossed them by blunt_depth.
+inline constexpr double blunt = 0.939692620;
 /// Edges that cross at a lesser angle than with this sine are nearly parallel: their nodes meet faces.
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.

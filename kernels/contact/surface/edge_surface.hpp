@@ -26,6 +26,7 @@ struct EdgeSurface {
   Array<const int> pair_number;       // likewise: which of the deck's pairs
   Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
   Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; empty: the scene has none
+  bool has_springs = false;           // contacts give way (penalty)
 };
 
 /// Pairs of edges, by (a, b), a before b.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kernels/contact/enforcement/springs.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
 #include "src/checks/rules.hpp"
 
 namespace percuss {
@@ -100,7 +100,8 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
                   "about {:.2g} of "
                   "an element; beyond {:g} they are stopped without springing back): use enforcement kinematic, or a "
                   "penalty_scale of {:.2g} at least",
-                  closing, closing / slowest, depth, spring_cushion, contact.penalty_scale * depth / most))};
+                  closing, closing / slowest, depth, contact_limits::spring_cushion,
+                  contact.penalty_scale * depth / most))};
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {

@@ -36,6 +36,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   surface.edge_class = to_view("contact::edge_class", classes);
   surface.offset = to_view("contact::edge_offset", offsets);
   surface.is_blunt = to_view("contact::blunt_edges", blunt);
+  surface.has_springs = share.has_springs;
   surface.num_classes = share.num_classes;
   surface.pair_friction = share.pair_friction;
   surface.pair_number = share.pair_number;

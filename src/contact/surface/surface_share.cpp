@@ -376,6 +376,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
                                  UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
   const Mesh& mesh = chunked.mesh;
   SurfaceShare share;
+  share.has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
   list_faces(chunked, faces, share);
   const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);

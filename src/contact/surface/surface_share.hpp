@@ -63,6 +63,7 @@ struct SurfaceShare {
   std::vector<SurfaceSet> own_sets;  // of this rank's nodes and all ranks' faces: edges may add others
 
   double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
+  bool has_springs = false;   // contacts give way (penalty)
 
   // For kernels over the share.
   Array<const int> node_list;       // [owned contact nodes] mesh nodes

@@ -43,8 +43,8 @@ TEST(Springs, StopWhatWouldGoDeeperThanTheirCushion) {
   // Unit masses on a held floor: D = 1, h = 1. At -20 they would end 0.2 deep; 0.02 is left, at -2.
   const Scene fast = push(make_sunk_block(0, {0, 0, -20}), 0);
   for (int n = 8; n < 12; ++n) {
-    EXPECT_NEAR(fast.v(n).z, -spring_cushion / dt, 1e-12);
-    EXPECT_NEAR(fast.p(n).z, (0.2 - spring_cushion) / dt, 1e-12);
+    EXPECT_NEAR(fast.v(n).z, -contact_limits::spring_cushion / dt, 1e-12);
+    EXPECT_NEAR(fast.p(n).z, (0.2 - contact_limits::spring_cushion) / dt, 1e-12);
   }
   const Scene slow = push(make_sunk_block(0, {0, 0, -1.5}), 0);
   for (int n = 8; n < 12; ++n) EXPECT_EQ(slow.v(n).z, -1.5);
