@@ -11,6 +11,9 @@ namespace percuss {
 template <class Material, class Shape>
 struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> {
   using Base = SolidKernel<Material, OnePointBlock<Material, Shape>>;
+  using Base::block;
+  using Base::chunks;
+  using Base::motion;
   using typename Base::Living;
   using State = OnePointState<Lanes, Material, Shape>;
   using Field = CornerField<Lanes, Shape>;
@@ -19,12 +22,11 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
     this->template advance_chunk<State>(
         member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
-    if (this->motion.watch.bound.extent(0) > 0) this->motion.watch.growth(this->block.chunks(member.league_rank())) = 0;
+    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const SolidPack& on,
                                     const Living& living, State& of, SolidChunkSums& sums) const {
-    const ElementMotion& motion = this->motion;
     Field x, v, f;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
@@ -36,7 +38,7 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
     sums.take_work(2, result.work.viscous, on.lanes);
     sums.take_step(result.stable_step, result.volume, on.first_element(), on.lanes);
     if (motion.watch.bound.extent(0) > 0) {
-      const auto pack = static_cast<std::size_t>(this->chunks.first_pack(on.chunk.c) + on.pack);
+      const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
       store_pack(&motion.watch.bound(pack * solid_width), result.stable_step);
     }
   }

@@ -235,7 +235,7 @@ KOKKOS_FORCEINLINE_FUNCTION FilledRows fill_face_rows(const TouchPack& touch, co
   const PackedPoint predicted = dt * velocity.work, seen_way = dt * seen.work, normal = load_point(touch.normal);
   const PackedPoint gradient =
       filling::find_gradient(normal, seen_way, gap_end - load_pack(touch.gap_start), load_pack(touch.size));
-  row.normal = select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
+  row.normal = has_springs(inputs) ? normal : select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
   row.gap = gap_end + dot(row.normal, predicted - seen_way);
   filling::complete_rows(touch, velocity, inputs, row);
   filling::limit_recovery(touch, predicted, row);

@@ -84,7 +84,8 @@ KOKKOS_INLINE_FUNCTION RowWays find_ways(const RowNodes& at, double dt, const Co
 /// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a contact that
 /// goes on, along the way that the two sides slide, so that the motion that the check saw changes the gap by what it
 /// was seen to change by. A push then gives no energy where the gap stays as it is, however normals turn and bodies
-/// dent. change: of the gap.
+/// dent. change: of the gap. Not for springs: their sides come together far more than they slide, and what a dent
+/// changes would turn the push of two tips along their slide, which grows in a few steps.
 KOKKOS_INLINE_FUNCTION Point3 find_discrete_gradient(const Point3& normal, const Point3& way, double change,
                                                      double size) {
   constexpr double most_turn = 0.2, least_slide = 1e-5;  // tangent of an angle; share of h
@@ -192,7 +193,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   take_touch(touch, row);
   set_arms(at.x, row);
   const RowWays ways = find_ways(at, inputs.motion.dt, row);
-  if (touch.old_record >= 0)
+  if (touch.old_record >= 0 && !has_springs(inputs))
     row.normal = row.gap_gradient =
         find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start, touch.size);
   row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.seen);

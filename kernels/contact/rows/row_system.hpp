@@ -174,6 +174,9 @@ struct RowInputs {
   SpinInputs spins{};
 };
 
+/// Whether springs push (penalty).
+KOKKOS_INLINE_FUNCTION bool has_springs(const RowInputs& inputs) { return inputs.spring.extent(0) > 0; }
+
 /// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
 struct RowSources {
   Array<const RowTouch> touches;
