@@ -882,6 +882,33 @@ class Strictness(InFolder):
         with open(os.path.join(self.folder, "mesh.k"), encoding="utf-8") as file:
             self.assertEqual(file.read(), decks.SMALL)
 
+    def test_no_file_of_the_model_is_written_over(self):
+        nodes, rest = decks.SMALL.index("*NODE"), decks.SMALL.index("*", decks.SMALL.index("*NODE") + 1)
+        part = "*KEYWORD\n" + decks.SMALL[nodes:rest]
+        for name in ("mesh.k", "deck.yaml", "import_report.md"):
+            main, included = self.write(decks.SMALL[:nodes] + f"*INCLUDE\n{name}\n" + decks.SMALL[rest:], f"{name}_of/main.k"), f"{name}_of/{name}"
+            self.write(part, included)
+            done = self.percuss("import", main, "--out", f"{name}_of", "--force", "--no-check")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f"{included}: error: this is a file that the model includes (", done.stderr)
+            with open(os.path.join(self.folder, included), encoding="utf-8") as file:
+                self.assertEqual(file.read(), part)
+            self.assertEqual(sorted(os.listdir(os.path.dirname(main))), sorted(["main.k", name]))
+        main = self.write(decks.ABAQUS + "*INCLUDE, INPUT=mesh.k\n", "abaqus/main.inp")
+        self.write("** nothing\n", "abaqus/mesh.k")
+        done = self.percuss("import", main, "--out", "abaqus", "--force", "--no-check")
+        self.assertIn("abaqus/mesh.k: error: this is a file that the model includes (", done.stderr)
+
+    def test_a_file_is_of_an_earlier_import_where_the_report_says_so(self):
+        path = self.write(decks.SMALL)
+        self.write("mine\n", "out/mesh.k")
+        done = self.percuss("import", path, "--out", "out")
+        self.assertIn("out/mesh.k: error: there is a mesh.k already, which would be lost (", done.stderr)
+        self.assertEqual(self.percuss("import", path, "--out", "out", "--no-check", "--force").returncode, 0)
+        os.remove(os.path.join(self.folder, "out/deck.yaml"))
+        done = self.percuss("import", path, "--out", "out")
+        self.assertIn("out/mesh.k: error: there is a mesh.k of an earlier import, which would be lost (", done.stderr)
+
     def test_units_are_hinted_at_and_not_assumed(self):
         done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
         self.assertIn("would fit 'm, kg, s'", done.stdout)
