@@ -13,7 +13,7 @@ from .mesh_text import write_mesh
 from .model import Model
 
 DECK, MESH = "deck.yaml", "mesh.k"
-REPORTS = ["import_report.md", "import_report.json"]
+REPORTS = ["import_report.md", earlier.REPORT]
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
@@ -73,7 +73,7 @@ def tell_unused(ledger: Ledger) -> None:
 def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str], deck: str) -> None:
     """deck: the file just written; empty: none, and one of an earlier import stays."""
     report.write_report(os.path.join(arguments.out, "import_report.md"), arguments.model, ledger, summary)
-    report.write_json(os.path.join(arguments.out, "import_report.json"), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
+    report.write_json(os.path.join(arguments.out, earlier.REPORT), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
 
 
 def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:

@@ -8,6 +8,8 @@ import os
 from .deck_text import clean
 from .ledger import BadInput
 
+REPORT = "import_report.json"
+MOST_BYTES = 64 << 20  # of a report
 
 def find_mark(path: str) -> str:
     """A digest of a file; empty of none."""
@@ -29,7 +31,8 @@ def refuse_to_overwrite(arguments: argparse.Namespace, names: list[str], sources
 
 
 def refuse_source(path: str, model: str, sources: set[str]) -> None:
-    """Refuses a file to write that the model is read from."""
+    """Refuses a file to write that the model is read from, and what is no file."""
+    refuse_no_file(path)
     if not os.path.exists(path):
         return
     if os.path.samefile(path, model):
@@ -50,10 +53,19 @@ def tell_loss(path: str, name: str, folder: str) -> str:
 
 
 def read_mark(folder: str) -> str:
-    """Of the deck as the last import wrote it; empty if that is not known."""
+    """Of the deck as the last import wrote it; empty if that is not known, as of a report that no import has written."""
+    path = os.path.join(folder, REPORT)
     try:
-        with open(os.path.join(folder, "import_report.json"), encoding="utf-8") as file:
+        if not os.path.isfile(path) or os.path.getsize(path) > MOST_BYTES:
+            return ""
+        with open(path, encoding="utf-8") as file:
             mark = json.load(file)["deck_sha256"]
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return ""
     return mark if isinstance(mark, str) else ""
+
+
+def refuse_no_file(path: str) -> None:
+    """Refuses what is there and is no regular file: a pipe would wait for a reader, a device would be written to."""
+    if os.path.lexists(path) and not os.path.isfile(path):
+        raise BadInput(clean(path), "this is not a regular file (the import would write here): choose another folder with --out")

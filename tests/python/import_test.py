@@ -909,6 +909,22 @@ class Strictness(InFolder):
         done = self.percuss("import", path, "--out", "out")
         self.assertIn("out/mesh.k: error: there is a mesh.k of an earlier import, which would be lost (", done.stderr)
 
+    def test_a_report_that_no_import_wrote_proves_nothing(self):
+        path, report = self.write(decks.SMALL), os.path.join(self.folder, "out/import_report.json")
+        self.write("mine\n", "out/mesh.k")
+        refused = "out/mesh.k: error: there is a mesh.k already, which would be lost ("
+        for text in ("[" * 200000, '{"deck_sha256": 1}', "[]", '{"deck_sha256": "' + "0" * (65 << 20) + '"}'):
+            self.write(text, "out/import_report.json")
+            done = self.percuss("import", path, "--out", "out")
+            self.assertEqual((done.returncode, done.stderr[: len(refused)]), (2, refused))
+        os.remove(report)
+        os.mkfifo(report)
+        done = subprocess.run([PERCUSS, "import", path, "--out", "out"], capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stderr[: len(refused)]), (2, refused))
+        done = subprocess.run([PERCUSS, "import", path, "--out", "out", "--force"], capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/import_report.json: error: this is not a regular file (", done.stderr)
+
     def test_units_are_hinted_at_and_not_assumed(self):
         done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
         self.assertIn("would fit 'm, kg, s'", done.stdout)
