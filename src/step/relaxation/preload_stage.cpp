@@ -213,10 +213,12 @@ void PreloadStage::refuse_no_elements(const Mesh& mesh, const PreloadDeck& prelo
   }
   all_reduce(model_.ranks, Reduce::least, low);
   all_reduce(model_.ranks, Reduce::largest, high);
+  const bool is_inside = low < 0 && high > 0;
   throw InputError(fmt::format(
-      "{} cuts no element (its plane lies beside part '{}', which begins {:.6g} and ends {:.6g} from it along "
-      "the normal): move its point into the part",
-      begin, preload.part, low, high));
+      "{} cuts no element (its plane lies {} part '{}', which begins {:.6g} and ends {:.6g} from it along the normal): "
+      "move its point into {}",
+      begin, is_inside ? "between elements of" : "beside", preload.part, low, high,
+      is_inside ? "an element" : "the part"));
 }
 
 void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const {
