@@ -479,8 +479,8 @@ class Scene(InFolder):
 
     def test_a_deck_with_preloads_tells_that_nothing_is_held(self):
         gravity = "*LOAD_BODY_Z\n12,1.0\n*DEFINE_CURVE\n12\n0.0,9.81\n1.0,9.81\n*END"
-        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and conditions hold the model.\n# start.relaxation.hold is empty: name there"),
-                           (decks.BOLTS, "No load acts in them, and conditions hold the model.\nstart:")):
+        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and the conditions of the deck act; nothing is held beyond them.\n# start.relaxation.hold is empty: name there"),
+                           (decks.BOLTS, "No load acts in them, and the conditions of the deck act; nothing is held beyond them.\nstart:")):
             model, _ = self.read(text)
             written = write_deck(model, "deck.k", "mesh.k", "")
             self.assertIn(f"# Preloads are reached in damped steps before time 0. {told}", written)
