@@ -13,6 +13,7 @@ from .mesh_text import write_mesh
 from .model import Model
 
 DECK, MESH = "deck.yaml", "mesh.k"
+REPORTS = ["import_report.md", earlier.REPORT]
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
@@ -39,7 +40,7 @@ def import_model(arguments: argparse.Namespace) -> int:
     """Returns the exit code."""
     if not os.path.isfile(arguments.model):
         raise BadInput(clean(arguments.model), "is not a file: check the name")
-    earlier.refuse_to_overwrite(arguments, [DECK, MESH])
+    earlier.refuse_to_overwrite(arguments, [DECK, MESH], set())
     ledger = make_ledger(arguments.allow)
     try:
         model = choose_reader(arguments.model)(ledger)
@@ -49,7 +50,9 @@ def import_model(arguments: argparse.Namespace) -> int:
     refused = ledger.list_refused()
     if not refused and not model.blocks:
         raise BadInput(clean(arguments.model), "no part is left to run (every part was left out): read import_report.md and allow less")
-    earlier.refuse_to_overwrite(arguments, list(model.tables))
+    earlier.refuse_to_overwrite(arguments, [DECK, MESH, *model.tables], ledger.files)
+    for name in REPORTS:
+        earlier.refuse_source(os.path.join(arguments.out, name), arguments.model, ledger.files)
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
     deck = "" if refused else write_files(arguments, model)  # before what is printed, whose reader may end
@@ -70,7 +73,7 @@ def tell_unused(ledger: Ledger) -> None:
 def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str], deck: str) -> None:
     """deck: the file just written; empty: none, and one of an earlier import stays."""
     report.write_report(os.path.join(arguments.out, "import_report.md"), arguments.model, ledger, summary)
-    report.write_json(os.path.join(arguments.out, "import_report.json"), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
+    report.write_json(os.path.join(arguments.out, earlier.REPORT), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
 
 
 def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:

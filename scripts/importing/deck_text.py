@@ -117,8 +117,8 @@ def list_start_remarks(deck: Deck) -> list[str]:
         return []
     loads = deck.get("loads", {})
     forces = f"{'Gravity acts' if 'gravity' in loads else 'Loads act'} in them" if loads else "No load acts in them"
-    held = "conditions hold" if deck.get("conditions") else "no condition holds"
-    lines = [f"# Preloads are reached in damped steps before time 0. {forces}, and {held} the model."]
+    held = "the conditions of the deck act; nothing is held beyond them" if deck.get("conditions") else "no condition holds the model"
+    lines = [f"# Preloads are reached in damped steps before time 0. {forces}, and {held}."]
     if loads:
         lines.append("# start.relaxation.hold is empty: name there the parts or nodes that would fall or fly, such as relaxation: {hold: [PART]}.")
     return lines

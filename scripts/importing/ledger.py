@@ -59,6 +59,7 @@ class Ledger:
     allowed: list[str] = field(default_factory=list)
     entries: dict[tuple[str, Status, str], Entry] = field(default_factory=dict)
     used_patterns: set[str] = field(default_factory=set)
+    files: set[str] = field(default_factory=set)  # that the model is read from
 
     def note(self, card: str, status: Status, place: Place, text: str) -> None:
         """Adds one card to its row."""

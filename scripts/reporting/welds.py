@@ -18,7 +18,7 @@ class WeldLife:
 
     name: str
     entry: str              # of the deck
-    failed_at: float | None  # time of the first row without force after its failure; None: it holds
+    failed_at: float | None  # time of the first row without force, which lasts to the end; None: it has a force there
     use: float | None        # largest value of the criterion in a row, 1 at failure; None where the deck gives no strength
     time: float              # of that
 
@@ -70,21 +70,40 @@ def count_failed(history):
     return int(counts[-1]), float(history["time"][int(np.argmax(counts > 0))]) if counts[-1] > 0 else None
 
 
+def sort_out(run):
+    """(welds that have failed, in the order in which they did; those without force at the end that have not; those with one).
+
+    A failed weld has no force from then on, and the count of failures rises in its first row without force, or in the row
+    before. One that holds may have no force at the end either. At most as many as the count tells have failed: those that
+    came nearest to it.
+    """
+    counts, time = np.asarray(run.history["welds_failed"]), np.asarray(run.history["time"])
+    lives = list_welds(run)
+
+    def rises(life):
+        row = int(np.searchsorted(time, life.failed_at))
+        return counts[row] > counts[max(row - 2, 0)]
+
+    still = [life for life in lives if life.failed_at is not None]
+    likely = sorted(filter(rises, still), key=lambda life: -(life.use or 0))[: int(counts[-1])]
+    broken = sorted(likely, key=lambda life: life.failed_at)
+    return broken, [life for life in still if life not in broken], [life for life in lives if life.failed_at is None]
+
+
 def tell_welds(run, show_time):
     """Sentences: how many welds failed, which first and last, and which of the others came nearest. show_time(run, time) -> text."""
     if not run.has_history or "welds_failed" not in run.history or len(run.history) < 2:
         return []
     count, first = count_failed(run.history)
-    lives = list_welds(run)
-    broken = sorted((life for life in lives if life.failed_at is not None), key=lambda life: life.failed_at) if count else []
-    held = sorted((life for life in lives if life.failed_at is None and life.use), key=lambda life: -life.use) if lives else []
+    broken, unloaded, holding = sort_out(run)
+    held = sorted((life for life in [*holding, *unloaded] if life.use), key=lambda life: -life.use)
     texts = []
     if count:
         text = f"{count:,} weld{'s' * (count > 1)} failed, the first by t = {show_time(run, first)}"
         if broken:
             text += f" ({broken[0].name})" + (f", the last by t = {show_time(run, broken[-1].failed_at)} ({broken[-1].name})" * (len(broken) > 1))
         texts.append(text + ".")
-    elif lives:
+    elif holding or unloaded:
         texts.append("No weld failed.")
     if held:
         near = [life for life in held if life.use >= NEAR]
@@ -98,13 +117,12 @@ def make_welds_table(run):
     if "welds_failed" not in run.history or len(run.history) < 2:
         return ""
     count, _ = count_failed(run.history)
-    lives = list_welds(run)
-    broken = sorted((life for life in lives if life.failed_at is not None), key=lambda life: life.failed_at) if count else []
-    near = sorted((life for life in lives if life not in broken and life.use and life.use >= NEAR), key=lambda life: -life.use)
+    broken, unloaded, holding = sort_out(run)
+    near = sorted((life for life in [*holding, *unloaded] if life.use and life.use >= NEAR), key=lambda life: -life.use)
     unit, factor = choose_time_unit(run.history.unit("time"), float(run.history["time"][-1]))
     clock = lambda time: f"{time * factor:.4g} {unit}".rstrip()  # noqa: E731
     rows = [(life.name, "failed", clock(life.failed_at), "") for life in broken[:MOST_ROWS]]
-    rows += [(life.name, "holds", "", f"{life.use:.2g} at {clock(life.time)}") for life in near[:MOST_ROWS]]
+    rows += [(life.name, "holds" if life in holding else "without force at the end", "", f"{life.use:.2g} at {clock(life.time)}") for life in near[:MOST_ROWS]]
     if not rows:
         return ""
     left_out = max(0, len(broken) - MOST_ROWS) + max(0, len(near) - MOST_ROWS)

@@ -11,6 +11,7 @@
 #include "src/index.hpp"
 #include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/sensors/held_directions.hpp"
 
 namespace percuss {
 
@@ -192,6 +193,7 @@ void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   if (books != nullptr) books->book_vanished(chunked_, vanished, state);
   empty_nodes(vanished, state.mass, state.inverse_mass, state.v);
   if (model_.has_rotations) empty_nodes(vanished, state.inertia, state.inverse_inertia, state.w);
+  drop_vanished_directions(state);
 }
 
 /// Loads on nodes go with them, and so does the half step's work of their force at n.

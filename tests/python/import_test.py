@@ -479,8 +479,8 @@ class Scene(InFolder):
 
     def test_a_deck_with_preloads_tells_that_nothing_is_held(self):
         gravity = "*LOAD_BODY_Z\n12,1.0\n*DEFINE_CURVE\n12\n0.0,9.81\n1.0,9.81\n*END"
-        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and conditions hold the model.\n# start.relaxation.hold is empty: name there"),
-                           (decks.BOLTS, "No load acts in them, and conditions hold the model.\nstart:")):
+        for text, told in ((decks.BOLTS.replace("*END", gravity), "Gravity acts in them, and the conditions of the deck act; nothing is held beyond them.\n# start.relaxation.hold is empty: name there"),
+                           (decks.BOLTS, "No load acts in them, and the conditions of the deck act; nothing is held beyond them.\nstart:")):
             model, _ = self.read(text)
             written = write_deck(model, "deck.k", "mesh.k", "")
             self.assertIn(f"# Preloads are reached in damped steps before time 0. {told}", written)
@@ -881,6 +881,49 @@ class Strictness(InFolder):
         self.assertIn("mesh.k: error: this is the model itself (", done.stderr)
         with open(os.path.join(self.folder, "mesh.k"), encoding="utf-8") as file:
             self.assertEqual(file.read(), decks.SMALL)
+
+    def test_no_file_of_the_model_is_written_over(self):
+        nodes, rest = decks.SMALL.index("*NODE"), decks.SMALL.index("*", decks.SMALL.index("*NODE") + 1)
+        part = "*KEYWORD\n" + decks.SMALL[nodes:rest]
+        for name in ("mesh.k", "deck.yaml", "import_report.md"):
+            main, included = self.write(decks.SMALL[:nodes] + f"*INCLUDE\n{name}\n" + decks.SMALL[rest:], f"{name}_of/main.k"), f"{name}_of/{name}"
+            self.write(part, included)
+            done = self.percuss("import", main, "--out", f"{name}_of", "--force", "--no-check")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f"{included}: error: this is a file that the model includes (", done.stderr)
+            with open(os.path.join(self.folder, included), encoding="utf-8") as file:
+                self.assertEqual(file.read(), part)
+            self.assertEqual(sorted(os.listdir(os.path.dirname(main))), sorted(["main.k", name]))
+        main = self.write(decks.ABAQUS + "*INCLUDE, INPUT=mesh.k\n", "abaqus/main.inp")
+        self.write("** nothing\n", "abaqus/mesh.k")
+        done = self.percuss("import", main, "--out", "abaqus", "--force", "--no-check")
+        self.assertIn("abaqus/mesh.k: error: this is a file that the model includes (", done.stderr)
+
+    def test_a_file_is_of_an_earlier_import_where_the_report_says_so(self):
+        path = self.write(decks.SMALL)
+        self.write("mine\n", "out/mesh.k")
+        done = self.percuss("import", path, "--out", "out")
+        self.assertIn("out/mesh.k: error: there is a mesh.k already, which would be lost (", done.stderr)
+        self.assertEqual(self.percuss("import", path, "--out", "out", "--no-check", "--force").returncode, 0)
+        os.remove(os.path.join(self.folder, "out/deck.yaml"))
+        done = self.percuss("import", path, "--out", "out")
+        self.assertIn("out/mesh.k: error: there is a mesh.k of an earlier import, which would be lost (", done.stderr)
+
+    def test_a_report_that_no_import_wrote_proves_nothing(self):
+        path, report = self.write(decks.SMALL), os.path.join(self.folder, "out/import_report.json")
+        self.write("mine\n", "out/mesh.k")
+        refused = "out/mesh.k: error: there is a mesh.k already, which would be lost ("
+        for text in ("[" * 200000, '{"deck_sha256": 1}', "[]", '{"deck_sha256": "' + "0" * (65 << 20) + '"}'):
+            self.write(text, "out/import_report.json")
+            done = self.percuss("import", path, "--out", "out")
+            self.assertEqual((done.returncode, done.stderr[: len(refused)]), (2, refused))
+        os.remove(report)
+        os.mkfifo(report)
+        done = subprocess.run([PERCUSS, "import", path, "--out", "out"], capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stderr[: len(refused)]), (2, refused))
+        done = subprocess.run([PERCUSS, "import", path, "--out", "out", "--force"], capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out/import_report.json: error: this is not a regular file (", done.stderr)
 
     def test_units_are_hinted_at_and_not_assumed(self):
         done = self.percuss("import", self.write(decks.SMALL), "--out", "out")

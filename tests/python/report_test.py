@@ -483,10 +483,10 @@ class Signals(unittest.TestCase):
 
 
 class Welds(unittest.TestCase):
-    def make(self, failed=2):
+    def make(self, failed=2, **more):
         time = np.linspace(0, 1, 6)
         forces = {"seam_1": ([0, 3, 4, 0, 0, 0], [0, 1, 0, 0, 0, 0]), "seam_2": ([0, 1, 2, 3, 0, 0], [0, 5, 5, 5, 0, 0]),
-                  "seam_3": ([0, 3.2, 1, 1, 1, 1], [0, 0, 0, 0, 0, 0]), "seam_4": ([0, 0, 0.4, 0, 0.4, 0.1], [0] * 6)}
+                  "seam_3": ([0, 3.2, 1, 1, 1, 1], [0, 0, 0, 0, 0, 0]), "seam_4": ([0, 0, 0.4, 0, 0.4, 0.1], [0] * 6), **more}
         columns = {"time": time, "welds_failed": np.array([0, 0, 0, min(failed, 1), failed, failed], dtype=float)}
         for name, (normal, shear) in forces.items():
             columns[f"weld_normal:{name}"], columns[f"weld_shear:{name}"] = np.array(normal, dtype=float), np.array(shear, dtype=float)
@@ -500,6 +500,21 @@ class Welds(unittest.TestCase):
         self.assertIn("<td>seam_2</td><td>failed</td>", table)
         self.assertIn("<td>seam_3</td><td>holds</td>", table)
         self.assertNotIn("seam_4", table)
+
+    def test_without_force_at_the_end_is_not_failed(self):
+        run = self.make(seam_5=([0, 3.9, 0, 0, 0, 0], [0] * 6))  # the count does not rise when its force ends
+        self.assertEqual(tell_welds(run, lambda run, time: f"{time:g} s")[0],
+                         "2 welds failed, the first by t = 0.6 s (seam_1), the last by t = 0.8 s (seam_2).")  # fmt: skip
+        self.assertIn("<td>seam_5</td><td>without force at the end</td>", make_welds_table(run))
+
+    def test_no_more_have_failed_than_are_counted(self):
+        texts, table = tell_welds(self.make(failed=1), lambda run, time: f"{time:g} s"), make_welds_table(self.make(failed=1))
+        self.assertEqual(texts[0], "1 weld failed, the first by t = 0.6 s (seam_2).")  # which came nearer
+        self.assertIn("<td>seam_2</td><td>failed</td>", table)
+        self.assertIn("<td>seam_1</td><td>without force at the end</td>", table)
+        table = make_welds_table(self.make(failed=0))
+        self.assertIn("<td>seam_1</td><td>without force at the end</td>", table)
+        self.assertNotIn("<td>failed</td>", table)
 
     def test_that_fail_without_columns_are_counted(self):
         self.assertIn("1 more have failed that have no columns", make_welds_table(self.make(failed=3)))

@@ -118,6 +118,7 @@ class BlockReader:
         if path in self._included or len(self._included) >= MOST_INCLUDED:
             raise BadInput(place, f"'{clip(name, 100)}' is included twice: remove one *INCLUDE")
         self._included.add(path)
+        self._ledger.files.add(path)
         return path
 
     def _include(self, block: Block, depth: int) -> Iterator[Block]:

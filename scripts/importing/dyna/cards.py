@@ -114,6 +114,7 @@ class CardReader:
         self._bytes += os.path.getsize(path)
         if self._bytes > MOST_BYTES:
             raise BadInput(place, "the files hold more than 4 GiB (the limit of the importer): divide the model")
+        self._ledger.files.add(path)
         with open(path, "rb") as file:
             return file.read().decode("utf-8", "replace").split("\n")
 

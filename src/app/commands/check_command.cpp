@@ -133,7 +133,7 @@ std::string name_controller(const ChunkedMesh& chunked, const Model& model, cons
 double find_undamped_step(const Deck& deck, const State& state, const Stepper& stepper) {
   const double bound = stepper.find_undamped_bound(state);
   if (stepper.find_limiting_approach(state) != nullptr || state.bound.spring >= 0) return 0;
-  const double step = std::min(deck.time.step_scale * bound, deck.time.max_step.value_or(HUGE_VAL));
+  const double step = std::min({deck.time.step_scale * bound, deck.time.max_step.value_or(HUGE_VAL), deck.time.end});
   return step > state.next_dt ? step : 0;
 }
 

@@ -81,6 +81,25 @@ std::array<double, 2> find_axes(const Mesh& mesh, std::size_t element, const Pre
   return {turned.x, turned.y};
 }
 
+/// Nodes whose places times their shares sum up to the length of an element: the mean place of its corners ahead of the
+/// plane less that of those behind it, along the normal; of a beam without a plane, along its axis at time 0.
+std::vector<std::pair<int, Vec3>> find_end_shares(const Mesh& mesh, std::size_t element, const PreloadDeck& preload) {
+  const auto corners = mesh.corners(element);
+  const Vec3 along = preload.point ? *preload.normal : subtract(mesh.nodes[at(corners[1])], mesh.nodes[at(corners[0])]);
+  const double norm = std::sqrt(dot(along, along));
+  const auto is_behind = [&](std::size_t i) {
+    return preload.point ? dot(subtract(mesh.nodes[at(corners[i])], *preload.point), along) < 0 : i == 0;
+  };
+  double behind = 0, ahead = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) (is_behind(i) ? behind : ahead) += 1;
+  std::vector<std::pair<int, Vec3>> shares;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double share = is_behind(i) ? -1 / (behind * norm) : 1 / (ahead * norm);
+    shares.push_back({corners[i], {share * along[0], share * along[1], share * along[2]}});
+  }
+  return shares;
+}
+
 Shortening make_shortening(const LameConstants& moduli, bool is_kirchhoff, const Vec3& n) {
   Shortening by{};
   const double lambda = moduli.lambda, mu = moduli.mu;
@@ -177,7 +196,7 @@ PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const M
 
 PreloadStage::Layer PreloadStage::make_layer(const Deck& deck, const PreloadDeck& preload) {
   const MaterialDeck& material = find_material(deck, preload.part);
-  return {preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}};
+  return {preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}, {}};
 }
 
 /// Throws, on all ranks. A plane is told with the heights of the part above it.
@@ -194,10 +213,12 @@ void PreloadStage::refuse_no_elements(const Mesh& mesh, const PreloadDeck& prelo
   }
   all_reduce(model_.ranks, Reduce::least, low);
   all_reduce(model_.ranks, Reduce::largest, high);
+  const bool is_inside = low < 0 && high > 0;
   throw InputError(fmt::format(
-      "{} cuts no element (its plane lies beside part '{}', which begins {:.6g} and ends {:.6g} from it along "
-      "the normal): move its point into the part",
-      begin, preload.part, low, high));
+      "{} cuts no element (its plane lies {} part '{}', which begins {:.6g} and ends {:.6g} from it along the normal): "
+      "move its point into {}",
+      begin, is_inside ? "between elements of" : "beside", preload.part, low, high,
+      is_inside ? "an element" : "the part"));
 }
 
 void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const {
@@ -211,6 +232,8 @@ void PreloadStage::find_elements(const ChunkedMesh& chunked, Layer& layer) const
       elements.push_back(e - chunk.first_element);
       volume.push_back(chunked.mesh.topology_of(at(e)).dimension == 3 ? find_element_volume(chunked.mesh, at(e)) : 0);
       for (const double axis : find_axes(chunked.mesh, at(e), layer.deck)) axes.push_back(axis);
+      for (const auto& [node, share] : find_end_shares(chunked.mesh, at(e), layer.deck))
+        layer.corners.push_back({node, share});
     }
     if (static_cast<int>(elements.size()) == first.back()) continue;
     chunks.push_back(static_cast<int>(c));
@@ -293,6 +316,21 @@ std::vector<double> PreloadStage::find_forces(const State& state) {
     forces.push_back(dot(force, layers_[i].deck.normal.value_or(Vec3{})));
   }
   return forces;
+}
+
+std::vector<double> PreloadStage::find_lengths(const State& state) const {
+  const auto x = to_host(state.x);
+  std::vector<ExactSum> sums(2 * layers_.size());
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    for (const Corner& corner : layers_[i].corners)
+      for (std::size_t k = 0; k < 3; ++k) sums[2 * i].add(corner.share[k] * x(at(corner.node), k));
+    sums[2 * i + 1].add(static_cast<double>(layers_[i].elements.extent(0)));
+    sums[2 * i].normalize();
+  }
+  sum_over_ranks(model_.ranks, sums);
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < layers_.size(); ++i) lengths.push_back(sums[2 * i].round() / sums[2 * i + 1].round());
+  return lengths;
 }
 
 void PreloadStage::measure_stiffness(State& state, const std::function<void()>& evaluate) {

@@ -31,6 +31,9 @@ class PreloadStage {
   /// Brings the sections nearer to this share of their preloads. Call with the forces of the state. Collective.
   void tighten(State& state, double share);
 
+  /// Mean length of the elements of each layer along the normal, or along its beams. Collective.
+  std::vector<double> find_lengths(const State& state) const;
+
   /// Largest lack of a section in the last call, relative to its preload.
   double largest_lack() const { return largest_lack_; }
   /// Which preload of the deck lacks that.
@@ -40,18 +43,25 @@ class PreloadStage {
   const std::vector<double>& forces() const { return forces_; }
 
  private:
+  /// What the place of a node adds to the length of an element.
+  struct Corner {
+    int node = 0;
+    Vec3 share;
+  };
+
   /// The elements of a rank that get shorter, by chunk.
   struct Layer {
     const PreloadDeck& deck;
     std::optional<SectionForce> section;  // none: each beam has the force
     LameConstants moduli;
-    bool is_kirchhoff = false;  // whether the law has the rate of J sigma
-    double stiffness = 0;       // of the section, force over strain
-    Array<int> chunks;          // that have some
-    Array<int> first;           // [chunks + 1] of the next three
-    Array<int> elements;        // counted from the first of the chunk
-    Array<double> volume;       // of solids at time 0
-    Array<double> axes;         // [elements][2] the normal in the frame of a shell, or along a beam
+    bool is_kirchhoff = false;    // whether the law has the rate of J sigma
+    double stiffness = 0;         // of the section, force over strain
+    Array<int> chunks;            // that have some
+    Array<int> first;             // [chunks + 1] of the next three
+    Array<int> elements;          // counted from the first of the chunk
+    Array<double> volume;         // of solids at time 0
+    Array<double> axes;           // [elements][2] the normal in the frame of a shell, or along a beam
+    std::vector<Corner> corners;  // of all elements
   };
 
   static Layer make_layer(const Deck& deck, const PreloadDeck& preload);

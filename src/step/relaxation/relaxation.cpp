@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -24,9 +25,12 @@ constexpr double fading = 0.8;
 constexpr long least_quiet_steps = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
 constexpr double tolerated_lack = 1e-3;
-/// A preload whose least lack falls by less than this share in so many steps, or a share of the most steps, is stuck.
+/// A preload is stuck if in so many steps, or a share of the most steps, its least lack falls by less than this share,
+/// and its layer gets shorter by less than this share of what it has got shorter so far.
 constexpr double least_progress = 0.01;
 constexpr long progress_steps = 5000, progress_checks = 20;
+/// Of the length of a layer: what is less is no motion; what has lost more closes no gap.
+constexpr double least_shortening = 1e-6, largest_shortening = 0.5;
 /// Of the bound, with penalty contact: what largest_old_share is stable with.
 constexpr double largest_step_scale = 0.9;
 
@@ -80,6 +84,7 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
   contact.begin_relaxation();
   stepper_->start(state);
   if (!preloads_.any()) return;
+  start_lengths_ = preloads_.find_lengths(state);
   preloads_.measure_stiffness(state, [this] { stepper_->start(state_); });
   state.books = {};  // each start adds what springs hold
   stepper_->start(state);
@@ -152,14 +157,28 @@ void Relaxation::advance() {
   report_.steps = state_.step;
 }
 
-/// What does not yield and is held comes nearer in every period.
+/// Since the last check: whether a layer still gets shorter, as that of a bolt does which closes a gap and has no force
+/// until then. One that nothing stops gets shorter for ever. Collective.
+bool Relaxation::has_moving_layers() {
+  const std::vector<double> before = std::exchange(lengths_, preloads_.find_lengths(state_));
+  bool moves = false;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double start = start_lengths_[i], lost = std::abs(start - lengths_[i]);
+    if (lost > largest_shortening * start) return false;
+    moves = moves || std::abs(before[i] - lengths_[i]) > std::max(least_progress * lost, least_shortening * start);
+  }
+  return moves;
+}
+
+/// What is held and does not yield comes nearer in every period, or its layer gets shorter.
 void Relaxation::watch_preloads() {
   const long every = std::max(progress_steps, rules_.max_steps / progress_checks), since = state_.step - rules_.ramp;
   const double lack = preloads_.largest_lack();
   lack_since_ = since == 1 ? lack : std::min(lack_since_, lack);
-  if (since == every) least_lack_ = lack_since_;
-  if (since == every || since % every != 0) return;
-  is_stuck_ = lack_since_ > tolerated_lack && lack_since_ > (1 - least_progress) * least_lack_;
+  if (since % every != 0) return;
+  const bool moves = has_moving_layers(), is_first = since == every;
+  const bool stagnates = !is_first && lack_since_ > (1 - least_progress) * least_lack_;
+  is_stuck_ = stagnates && lack_since_ > tolerated_lack && !moves;
   least_lack_ = lack_since_;
   lack_since_ = lack;
 }

@@ -41,7 +41,7 @@ class Relaxation {
 
   const RelaxationSummary& report() const { return report_; }
 
-  /// Whether a preload came no nearer for many steps.
+  /// Whether a preload came no nearer for many steps, in which its layer did not get shorter either.
   bool is_stuck() const { return is_stuck_; }
   /// Why the scene is not at rest, and what to do.
   Warning warn_unsettled() const;
@@ -65,6 +65,7 @@ class Relaxation {
   void look(double dt, double dt_mean);
   void judge(const MotionTotals& totals);
   void watch_preloads();
+  bool has_moving_layers();
   Warning warn_unreached(std::size_t preload) const;
 
   const RelaxationDeck& rules_;
@@ -84,8 +85,9 @@ class Relaxation {
   double power_ = 0, inertia_ = 0;  // of the last looks, which fade
   double frequency_ = 0;            // [rad / time]
   long quiet_steps_ = 0;
-  double least_lack_ = 0;  // of preloads, until the last check of their progress
-  double lack_since_ = 0;  // the least since then
+  double least_lack_ = 0;                        // of preloads, until the last check of their progress
+  double lack_since_ = 0;                        // the least since then
+  std::vector<double> start_lengths_, lengths_;  // of the layers of preloads: at the start, at the last check
   bool is_stuck_ = false;
 };
 

@@ -6,7 +6,10 @@
 namespace percuss {
 
 /// Sets the held directions to those of the conditions that hold after the events so far, and the inverse masses that
-/// go with them. Does nothing where no sensor switches a condition.
+/// go with them. Nodes that have vanished are held no more. Does nothing where no sensor switches a condition.
 void set_held_directions(const Model& model, State& state);
+
+/// Leaves out the held directions of nodes that have vanished. Supports list theirs anew then.
+void drop_vanished_directions(State& state);
 
 }  // namespace percuss

@@ -63,6 +63,13 @@ TEST(PercussCheck, NamesTheDampingThatMakesTheStepShorter) {
   EXPECT_THAT(shorter,
               HasSubstr(fmt::format(" of part 'cube' controls it; without this damping {:.4g}), about ", plain)));
   EXPECT_EQ(without.find("damping"), std::string::npos) << without;
+  // An end that limits the first step is not of the damping.
+  const std::vector<std::string> ends{"check", file,
+                                      "--set", fmt::format("time.end={}", 0.3 * plain),
+                                      "--set", fmt::format("elements.stiffness_damping={}", 0.75 * plain / 0.9)};
+  const std::string at_end = run_percuss(ends).out;
+  EXPECT_THAT(at_end, HasSubstr(fmt::format("first step {:.4g} (element ", 0.3 * plain)));
+  EXPECT_EQ(at_end.find("damping"), std::string::npos) << at_end;
   const std::string on_ranks = check(launch_on(2), 0.75 * plain / 0.9).out;  // of which one has no elements
   EXPECT_THAT(on_ranks, HasSubstr(shorter.substr(0, shorter.find("No errors"))));
 }

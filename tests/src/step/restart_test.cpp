@@ -172,6 +172,23 @@ TEST(Restart, WhileMassIsScaledEndsInTheSameBits) {
   for (const int steps : {40, 120}) expect_same_end(scaled_crash, "end: 3e-4", steps);
 }
 
+// A bar that breaks up at both ends; a sensor lets go of its top, of which some nodes have vanished by then.
+const std::string released_bar = R"yaml(
+time: {end: 1.5e-4}
+parts: {bar: {box: {size: [0.02, 0.02, 0.06], cells: [4, 4, 12]}, at: [0, 0, 2e-4], material: steel}}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 300e6, failure: {plastic_strain: 0.15}}}
+erosion: {free_nodes: remove}
+initial: [{part: bar, velocity: [0, 0, -150]}]
+sensors: {release: {time: 8e-5}}
+conditions: [{nodes: bar/z_max, velocity: {z: -400}, until: release}]
+walls: [{normal: z}]
+output: {history: {every: 0}}
+)yaml";
+
+TEST(Restart, AfterHeldNodesHaveVanishedEndsInTheSameBits) {
+  for (const int steps : {100, 230}) expect_same_end(released_bar, "end: 1.5e-4", steps);
+}
+
 // Shells that touch each other, a solid and themselves, by nodes and by edges.
 const std::string touching_shells = R"yaml(
 time: {end: 8e-5}

@@ -145,6 +145,39 @@ TEST(PreloadOfBeams, ThatComeNoNearerAreToldEarly) {
                                    "ties keep its ends apart"));
 }
 
+/// A bolt with a head that stops are apart from. Its layer, of 10 mm, has no force until it has closed the gap.
+std::string pull_head(double stops, double force_of_bolt) {
+  return fmt::format(R"yaml(
+time: {{end: 1e-5, max_steps: 3}}
+parts:
+  bar: {{box: {{size: [0.1, 0.01, 0.01], cells: [10, 1, 1]}}, material: steel}}
+  head: {{box: {{size: [0.01, 0.03, 0.03], cells: [1, 3, 3]}}, at: [0.1, -0.01, -0.01], material: steel}}
+  low: {{box: {{size: [0.01, 0.005, 0.03], cells: [1, 1, 3]}}, at: [{0}, -0.0101, -0.01], material: steel}}
+  high: {{box: {{size: [0.01, 0.005, 0.03], cells: [1, 1, 3]}}, at: [{0}, 0.0151, -0.01], material: steel}}
+materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}}}}
+conditions: [{{nodes: bar/x_min, fixed: [x, y, z]}}, {{nodes: low, fixed: [x, y, z]}}, {{nodes: high, fixed: [x, y, z]}}]
+contact: {{surfaces: all, ties: [{{a: bar/x_max, b: head/x_min}}]}}
+start: {{relaxation: {{unsettled: warn}}, preload: {{bolt: {{part: bar, point: [0.045, 0, 0], normal: x, force: {1}}}}}}}
+)yaml",
+                     stops, force_of_bolt);
+}
+
+// It lacks nearly all of its force for more than two checks of the progress.
+TEST(Preload, ThatClosesAGapIsNotTakenForStuck) {
+  const Outcome run = run_deck(pull_head(0.0885, 1e3));
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  EXPECT_GT(run.summary.relaxation.steps, 10500);
+  EXPECT_LT(run.summary.relaxation.preload_error, 1e-3);
+}
+
+// The layer gets shorter for ever where nothing stops the head: at the second check it has lost more than half.
+TEST(Preload, WithoutAStopIsToldEarly) {
+  const Outcome run = run_deck(pull_head(-0.5, 10e3));
+  EXPECT_EQ(run.summary.relaxation.state, "unsettled");
+  EXPECT_EQ(run.summary.relaxation.steps, 10500);
+  EXPECT_THAT(run.summary.warnings.back().text, HasSubstr("the force comes no nearer; "));
+}
+
 TEST(PreloadOfBeams, WithoutAPlaneIsOfBeamsAlone) {
   const auto find_error = [](const std::string& text) -> std::string {
     try {

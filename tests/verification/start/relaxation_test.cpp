@@ -275,6 +275,10 @@ TEST(Preload, ThatCutsNothingIsRefused) {
   };
   expect_refused(clamp(""), {"start.preload.bolt.point=[0, 0, 2]"},
                  ": error: preload 'bolt' cuts no element (its plane lies beside part 'bar', which begins ");
+  // Two bars one above the other: a part has elements on both sides of the plane.
+  expect_refused(clamp("array: {count: [1, 1, 2], pitch: [1, 1, 0.5]}, "), {"start.preload.bolt.point=[0, 0, 0.45]"},
+                 ": error: preload 'bolt' cuts no element (its plane lies between elements of part 'bar', which begins "
+                 "-0.45 and ends 0.45 from it along the normal): move its point into an element");
 }
 
 }  // namespace percuss::test
