@@ -19,7 +19,7 @@ namespace contact_limits {
 
 /// New pairs may be parted less well than reach_through, by this sine, once they have crossed by crossed_depth. Pairs
 /// that only run past each other, as of bricks in line, do not come so deep. Pairs of blunt edges touch from there on,
-/// or deeper (find_blunt_depth).
+/// or deeper (find_least_depth).
 inline constexpr double wide_reach_through = history_reach_through;
 inline constexpr double crossed_depth = 5e-3;
 
@@ -117,10 +117,11 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
   return flips ? back : reach;
 }
 
-/// How far a new pair with a blunt edge has crossed before it touches, share of h: springs of nodes and faces that give
-/// way hold their bodies without it.
-KOKKOS_INLINE_FUNCTION double find_blunt_depth(const EdgeSurface& surface, double offset) {
+/// How far a new pair has crossed before it touches, or overlaps at the start, share of h: 0 without a blunt edge. With
+/// one, springs of nodes and faces that give way hold their bodies without it.
+KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a, int b, double offset) {
   namespace limits = contact_limits;
+  if (!is_blunt_pair(surface, a, b)) return 0;
   if (!surface.has_springs) return limits::crossed_depth;
   return limits::crossed_depth + (offset > 0 ? limits::shell_cushion : limits::spring_cushion);
 }
@@ -242,8 +243,8 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
   const bool has_crossed = known || end.gap - offset < -contact_limits::crossed_depth * h;
-  if (!known && is_blunt_pair(surface, a, b) && end.gap - offset >= -find_blunt_depth(surface, offset) * h)
-    return false;
+  const double crossed = find_least_depth(surface, a, b, offset) * h;
+  if (!known && crossed > 0 && end.gap - offset >= -crossed) return false;
   if (!are_parted(reach, has_crossed)) return false;
   touch.normal = end.normal;
   touch.gap_end = end.gap - offset;
@@ -253,18 +254,18 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > find_edge_row_gap(known, h)) return false;
-  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
+  const double cushion = crossed > 0 ? crossed - contact_limits::crossed_depth * h : 0;
+  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h + cushion;
   if (touch.gap_start < -deepest) return false;
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
 /// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
-/// that side. Blunt edges are inside nothing.
+/// that side. Pairs with a blunt edge are inside one another once they would touch.
 KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                               EdgeTouch& touch) {
   constexpr double deepest = 0.5;
-  if (is_blunt_pair(surface, a, b)) return 0;
   Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
   if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
@@ -275,7 +276,8 @@ KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const 
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double gap = c.gap - offset, half = deepest * touch.size;
-  return gap < 0 && gap > -(offset > half ? offset : half) ? -gap : 0;
+  const double least = find_least_depth(surface, a, b, offset) * touch.size;
+  return gap < -least && gap > -(offset > half ? offset : half) ? -gap : 0;
 }
 
 }  // namespace percuss

@@ -74,34 +74,64 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
   return warnings;
 }
 
-// The pressure rho c v / 2 of a plane impact on springs of the stiffness scale M / h that a unit of area has on both
-// sides together.
-std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
-  constexpr double most = 0.1;  // of an element; beyond 0.02 springs give way to stops that dissipate
-  const ContactDeck& contact = scene.deck.contact;
-  if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, slowest = 0;
+namespace {
+
+/// The share of an element that springs give way by: with a shell on one side, of its thickness. Two solid parts may
+/// meet without one.
+double find_cushion(const CheckedScene& scene) {
+  const auto is_solid = [](const PartMeasures& part) { return !(part.shell_thickness > 0); };
+  const auto& parts = scene.measures->parts;
+  const auto solids = std::count_if(parts.begin(), parts.end(), is_solid);
+  const bool meets_shells = solids < 2 && solids < static_cast<std::ptrdiff_t>(parts.size());
+  return meets_shells ? contact_limits::shell_cushion : contact_limits::spring_cushion;
+}
+
+/// How fast any two bodies may close in at the start.
+double find_closing_speed(const CheckedScene& scene) {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartMeasures& part = scene.measures->parts[p];
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = p == 0 ? part.velocity_low[k] : std::min(low[k], part.velocity_low[k]);
       high[k] = p == 0 ? part.velocity_high[k] : std::max(high[k], part.velocity_high[k]);
     }
-    const double speed = find_wave_speed(find_material(scene.deck, scene.deck.parts[p]));
+  }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+/// Of any part; 0 if none has one.
+double find_slowest_wave(const Deck& deck) {
+  double slowest = 0;
+  for (const PartDeck& part : deck.parts) {
+    const double speed = find_wave_speed(find_material(deck, part));
     if (speed > 0 && (slowest == 0 || speed < slowest)) slowest = speed;
   }
+  return slowest;
+}
+
+}  // namespace
+
+// The pressure rho c v / 2 of a plane impact on springs of the stiffness scale M / h that a unit of area has on both
+// sides together.
+std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
+  constexpr double stiffest = 1;  // penalty_scale; stiffer springs give bodies that part energy
+  const ContactDeck& contact = scene.deck.contact;
+  if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
+  const double slowest = find_slowest_wave(scene.deck);
   if (slowest == 0) return {};
-  const double closing = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double closing = find_closing_speed(scene), cushion = find_cushion(scene);
   const double depth = closing / (2 * contact.penalty_scale * slowest);
-  if (depth <= most) return {};
-  return {warn_at(
-      scene.deck, "penalty_speed", "contact.enforcement",
-      fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (springs alone would let them penetrate by "
-                  "about {:.2g} of "
-                  "an element; beyond {:g} they are stopped without springing back): use enforcement kinematic, or a "
-                  "penalty_scale of {:.2g} at least",
-                  closing, closing / slowest, depth, contact_limits::spring_cushion,
-                  contact.penalty_scale * depth / most))};
+  if (depth <= cushion) return {};
+  constexpr double margin = 1.01;  // for the digits that are shown
+  const double scale = margin * contact.penalty_scale * depth / cushion;
+  const std::string remedy =
+      scale <= stiffest ? fmt::format("use enforcement kinematic, or a penalty_scale of {:.3g} at least", scale)
+                        : std::string("use enforcement kinematic");
+  return {warn_at(scene.deck, "penalty_speed", "contact.enforcement",
+                  fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (springs alone would let them "
+                              "penetrate by about {:.2g} of an element or thickness; beyond {:g} they are stopped "
+                              "without springing back): {}",
+                              closing, closing / slowest, depth, cushion, remedy))};
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {

@@ -343,7 +343,6 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   remembers_ = true;
   exchange_.announce_foreign_nodes(system_);
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
-  if (walls_.count() > 0) wall_sleep_.enter_step(find_wall_ways(motion), motion.x, walls_);
   run_where_it_pays(num_touches + walls_.count_looked_at() / 8, [&](const auto& space) {
     if (exchange_.takes_part(system_))
       build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);

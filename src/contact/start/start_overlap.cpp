@@ -235,22 +235,32 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
   Kokkos::deep_copy(history.reference, reference);
 }
 
-void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
-                EdgeHistory& history) {
-  if (search.share.total_searched_faces == 0) return;
-  std::vector<EdgeEnds> before;
-  for (const EdgeTopology& edge : change.before) before.push_back({edge.ends[0], edge.ends[1]});
+std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change) {
+  struct Known {
+    EdgeEnds ends;
+    int is_blunt;
+    auto operator<=>(const Known&) const = default;
+  };
+  std::vector<Known> before;
+  for (const EdgeTopology& edge : change.before)
+    for (int blunt = edge.is_blunt; blunt < 2; ++blunt) before.push_back({{edge.ends[0], edge.ends[1]}, blunt});
   std::sort(before.begin(), before.end());
   const auto& released = change.released_nodes;
   const auto is_released = [&](std::int64_t node) {
     return std::binary_search(released.begin(), released.end(), node);
   };
-  std::vector<std::int64_t> own;
+  std::vector<std::int64_t> fresh;
   for (const EdgeTopology& edge : change.now)
     if (is_released(edge.ends[0]) || is_released(edge.ends[1]) ||
-        !std::binary_search(before.begin(), before.end(), EdgeEnds{edge.ends[0], edge.ends[1]}))
-      own.push_back(edge.number);
-  std::vector<std::int64_t> fresh = gather_items(search.ranks, own);
+        !std::binary_search(before.begin(), before.end(), Known{{edge.ends[0], edge.ends[1]}, edge.is_blunt}))
+      fresh.push_back(edge.number);
+  return fresh;
+}
+
+void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
+                EdgeHistory& history) {
+  if (search.share.total_searched_faces == 0) return;
+  std::vector<std::int64_t> fresh = gather_items(search.ranks, list_fresh_edges(change));
   std::sort(fresh.begin(), fresh.end());
   const auto is_fresh = [&](std::int64_t number) { return std::binary_search(fresh.begin(), fresh.end(), number); };
   std::vector<EdgePenetration> found = search.finder.find_edge_penetrations(motion);

@@ -76,6 +76,10 @@ double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overla
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                  const SurfaceChange& change, ContactHistory& history);
 
+/// Numbers of this rank's edges whose overlap has cost nothing: new ones, blunt ones that have folded, and those with
+/// an end that was tied.
+std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change);
+
 /// The same of pairs of edges of which one has folded, or has an end that was tied: what they overlap by has cost
 /// nothing, and is accepted. Records that are there stay.
 void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,

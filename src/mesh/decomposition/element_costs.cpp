@@ -18,7 +18,7 @@ struct KindCost {
 KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
   switch (kind) {
     case TopologyKind::hex8:
-      return settings.integration == ElementDeck::Integration::full ? KindCost{76, 60} : KindCost{hexahedron_cost, 18};
+      return settings.integration == ElementDeck::Integration::full ? KindCost{76, 90} : KindCost{hexahedron_cost, 18};
     case TopologyKind::quad4:
       return {43, 0};
     case TopologyKind::tri3:

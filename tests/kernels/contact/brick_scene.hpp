@@ -107,6 +107,7 @@ class BrickScene {
   }
 
   std::vector<Point3> x, v, inverse_mass;
+  bool has_thickness = false;  // EnforcedScene: its rows are as those of shells
 
  private:
   std::vector<std::array<int, 4>> faces_, backs_;

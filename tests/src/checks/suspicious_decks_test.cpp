@@ -76,6 +76,24 @@ TEST_P(SuspiciousDecks, AreLeftAloneBelowTheLimit) {
 INSTANTIATE_TEST_SUITE_P(Table, SuspiciousDecks, testing::ValuesIn(suspicious_decks()),
                          [](const auto& deck) { return deck.param.name; });
 
+TEST(CheckRules, NameAPenaltyScaleThatIsStiffEnough) {
+  const auto with_scale = [](const std::string& scale) {
+    return check(change({{"friction: 0.2}\noutput", "enforcement: penalty, penalty_scale: " + scale + "}\noutput"}}));
+  };
+  const std::string text = list(with_scale("0.06")), before = "a penalty_scale of ";
+  const auto at = text.find(before);
+  ASSERT_NE(at, std::string::npos) << text;
+  const std::string scale = text.substr(at + before.size(), text.find(' ', at + before.size()) - at - before.size());
+  EXPECT_FALSE(has_rule(with_scale(scale), "penalty_speed")) << scale;
+}
+
+TEST(CheckRules, NameNoPenaltyScaleThatAddsEnergy) {
+  const std::string text = list(
+      check(change({{"[0, 0, -20]", "[0, 0, -300]"}, {"friction: 0.2}\noutput", "enforcement: penalty}\noutput"}})));
+  EXPECT_NE(text.find("penalty_speed"), std::string::npos) << text;
+  EXPECT_EQ(text.find("a penalty_scale of "), std::string::npos) << text;
+}
+
 TEST(CheckRules, FindNothingInASoundDeck) { EXPECT_EQ(list(check(sound_deck)), ""); }
 
 TEST(CheckRules, AreAllTriedByADeck) {

@@ -197,6 +197,22 @@ TEST(ContactScenes, CrossedBarsArePressedAndSlideAlong) {
   }
 }
 
+TEST(ContactScenes, AListOfNodesNearWallsServesSixtyFourStepsOfABodyThatFlies) {
+  Scene scene(R"(
+time: {end: 1, max_step: 1e-6}
+parts: {cube: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [0, 0, 1], material: steel}}
+initial: [{velocity: [0, 0, -20]}]
+walls: [{normal: z}])" +
+              steel);
+  scene.contact.prepare(scene.state.x, scene.state.v);
+  scene.stepper.start(scene.state);
+  for (int i = 0; i < 192; ++i) scene.stepper.advance(scene.state);
+  const WallCounts counts = scene.contact.wall_counts();
+  EXPECT_EQ(counts.pairs, 192 * 27);
+  EXPECT_GE(counts.looked_at, 3 * 27);
+  EXPECT_LE(counts.looked_at, 5 * 27);  // the first step's list, a first step that is shorter
+}
+
 TEST(ContactScenes, TheSwitchForReuseOfSearchesChangesNoBit) {
   const auto hash = [](const std::string& reuse) {
     Scene scene(parse_deck(drop("at: [0.013, 0.017, 0.0006]") + steel, "deck.yaml", {"contact.reuse_search=" + reuse}));

@@ -310,6 +310,32 @@ TEST(ContactStage, OverlapIsRefusedIfTheDeckSaysSo) {
   }
 }
 
+/// Tubes of 16 elements around, crossed: two edges of 22 degrees overlap by 0.026 of the shortest edge, no node does.
+std::string cross_tubes(const std::string& overlap) {
+  return R"(
+parts:
+  a: {tube: {inner_radius: 0.06, outer_radius: 0.1, length: 0.4, cells: [1, 16, 3]}, rotate: [{axis: x, angle: 90}], at: [0, 0.2, 0], material: m}
+  b: {tube: {inner_radius: 0.06, outer_radius: 0.1, length: 0.41, cells: [1, 16, 3]}, rotate: [{axis: y, angle: 90}], at: [-0.2, 0, 0.199], material: m}
+contact: {surfaces: all, overlap: )" +
+         overlap + "}";
+}
+
+TEST(ContactStage, OverlapOfBluntEdgesIsHeldPushedOutOrRefused) {
+  FreeNodes refused(cross_tubes("refuse"));
+  EXPECT_THROW(refused.prepare(), InputError);
+  FreeNodes held(cross_tubes("accept"));
+  EXPECT_THAT(held.prepare(), testing::HasSubstr("1 pair"));
+  held.set_velocity("a", {0, 0, 1});
+  double work = 0;
+  for (int i = 0; i < 10; ++i) work += held.step(1e-4).normal_work;
+  EXPECT_LT(work, 0);
+  EXPECT_LT(held.stage.measure_penetration(held.x), 0.027);
+  FreeNodes pushed(cross_tubes("push_out"));
+  pushed.prepare();
+  for (int i = 0; i < 200; ++i) pushed.step(1e-4);
+  EXPECT_LT(pushed.stage.measure_penetration(pushed.x), 0.015);
+}
+
 TEST(ContactStage, OverlapTooDeepToHoldIsSaidToBe) {
   FreeNodes nodes(R"(
 parts:

@@ -147,6 +147,34 @@ TEST(EdgeCheck, BluntEdgesTouchOnlyOnceTheyHaveCrossed) {
   EXPECT_TRUE(touches(0.01, 0.005, &up));  // remembered
 }
 
+// Springs give way by 0.02 of the size, and blunt edges touch 5e-3 beyond that, however slowly they come there.
+TEST(EdgeCheck, BluntEdgesBetweenSpringsTouchWhereSlowBodiesCross) {
+  const auto touches = [](double height, double fall) {
+    Roofs r(height, fall);
+    r.set_blunt();
+    r.surface.has_springs = true;
+    return r.check();
+  };
+  EXPECT_FALSE(touches(-0.0245, 1e-4));
+  EXPECT_TRUE(touches(-0.02495, 1e-4));
+}
+
+TEST(EdgeCheck, BluntEdgesOverlapAtTheStartOnceTheyWouldTouch) {
+  const auto depth = [](double height, bool has_springs) {
+    Roofs r(height, 0);
+    r.motion.dt = 0;
+    r.set_blunt();
+    r.surface.has_springs = has_springs;
+    return find_edge_depth(r.surface, r.motion, 0, 1, r.touch);
+  };
+  EXPECT_EQ(depth(-0.004, false), 0);
+  EXPECT_NEAR(depth(-0.006, false), 0.006, tight);
+  EXPECT_NEAR(depth(-0.2, false), 0.2, tight);
+  EXPECT_EQ(depth(-0.6, false), 0);
+  EXPECT_EQ(depth(-0.024, true), 0);
+  EXPECT_NEAR(depth(-0.026, true), 0.026, tight);
+}
+
 TEST(EdgeCheck, EndsBelongToNodesAndFaces) {
   EXPECT_TRUE(Roofs(0.01, 0.02, 0.498).check());
   EXPECT_FALSE(Roofs(0.01, 0.02, 0.4995).check());

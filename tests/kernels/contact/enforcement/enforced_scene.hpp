@@ -23,6 +23,7 @@ struct EnforcedScene {
     Array<RowTouch> touches("test::touches", 0);
     collect_touches(space, scene.surface, scene.candidates, scene.touches, {faces, nodes}, touches);
     OneRank others;
+    for (int i = 0; i < scene.touches.count; ++i) touches(i).has_thickness = bricks.has_thickness;
     RowInputs inputs{scene.motion, before, inverse_mass, nodes, 1};
     if (solver == Solver::springs) {
       inputs.spring = to_array(std::vector<double>(bricks.v.size(), 1.0));

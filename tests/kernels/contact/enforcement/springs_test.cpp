@@ -50,6 +50,41 @@ TEST(Springs, StopWhatWouldGoDeeperThanTheirCushion) {
   for (int n = 8; n < 12; ++n) EXPECT_EQ(slow.v(n).z, -1.5);
 }
 
+/// A brick whose lower nodes are `depth` in a wall.
+Scene press_on_wall(double depth, double velocity) {
+  BrickScene bricks;
+  bricks.add_brick({0, 0, -depth}, {1, 1, 1}, {0, 0, velocity});
+  return Scene(bricks, dt, 0,
+               {to_array(std::vector<ContactWall>{{{0, 0, 0}, {0, 0, 1}}}), to_array(std::vector<int>{0, 0, 0, 0}),
+                to_array(std::vector<int>{0, 1, 2, 3}), to_array(std::vector<double>{1, 1, 1, 1})},
+               Solver::springs);
+}
+
+TEST(Springs, StopWhatKeepsTheThicknessOfAShellAtALargerCushion) {
+  BrickScene fast = make_sunk_block(0, {0, 0, -20}), slow = make_sunk_block(0, {0, 0, -4});
+  fast.has_thickness = slow.has_thickness = true;
+  const Scene stopped = push(fast, 0), free = push(slow, 0);
+  for (int n = 8; n < 12; ++n) {
+    EXPECT_NEAR(stopped.v(n).z, -contact_limits::shell_cushion / dt, 1e-12);
+    EXPECT_NEAR(stopped.p(n).z, (0.2 - contact_limits::shell_cushion) / dt, 1e-12);
+    EXPECT_EQ(free.v(n).z, -4);
+  }
+}
+
+// As where the element behind a face has been crushed: 1e-3 of the size a step, if the springs do not give more.
+TEST(Springs, BringWhatIsDeeperThanTheirCushionBackSlowly) {
+  const Scene resting = press_on_wall(0.06, 0), sinking = press_on_wall(0.06, -3);
+  for (int n = 0; n < 4; ++n) {
+    EXPECT_NEAR(resting.v(n).z, 1e-3 / dt, 1e-12);
+    EXPECT_NEAR(sinking.v(n).z, 1e-3 / dt, 1e-12);
+  }
+  const Scene within = press_on_wall(0.0195, 0), leaving = press_on_wall(0.06, 1);
+  for (int n = 0; n < 4; ++n) {
+    EXPECT_NEAR(within.v(n).z, 2 * 0.0195 * dt, 1e-12);
+    EXPECT_NEAR(leaving.v(n).z, 1 + 2 * 0.06 * dt, 1e-12);
+  }
+}
+
 TEST(Springs, DoNotPullNorPushAcrossAGap) {
   const Scene apart = push(make_sunk_block(-0.005, {0, 0, -0.1}), 0.3);
   for (int n = 8; n < 12; ++n) EXPECT_EQ(apart.v(n).z, -0.1);

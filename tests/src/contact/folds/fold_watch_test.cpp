@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/contact/start/start_overlap.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
@@ -46,6 +47,16 @@ struct Strip {
     }
     Kokkos::deep_copy(x, host);
     return watch.look(share, x, step);
+  }
+
+  /// Presses all to this share of its width along y. Whether folds changed.
+  bool press(double share_left) {
+    const Rows3<double> x("x", chunked.mesh.nodes.size());
+    const auto host = Kokkos::create_mirror_view(x);
+    for (std::size_t n = 0; n < chunked.mesh.nodes.size(); ++n)
+      for (std::size_t d = 0; d < 3; ++d) host(n, d) = (d == 1 ? share_left : 1) * chunked.mesh.nodes[n][d];
+    Kokkos::deep_copy(x, host);
+    return watch.look(share, x, slow_fold_steps);
   }
 
   Communicator ranks;
@@ -129,6 +140,24 @@ TEST(FoldWatch, FoldsChangeTheEdgesOfTheSurfaceAlone) {
     ASSERT_TRUE(strip.bend(degrees));
     EXPECT_TRUE(change_and_compare(strip));
   }
+}
+
+// A tube of 16 elements around: its edges of 22 degrees touch only what has crossed them. Pressed flat, four of them on
+// each side fold, and what they overlap by from then on is accepted.
+TEST(FoldWatch, ABluntEdgeThatFoldsIsNewAndOneThatDoesNotIsNot) {
+  Strip strip("tube: {inner_radius: 0.6, outer_radius: 1, length: 1, cells: [1, 16, 1]}", Communicator(MPI_COMM_SELF));
+  const std::vector<EdgeTopology> before = strip.share.edges;
+  EXPECT_TRUE(list_fresh_edges({before, before, {}}).empty());
+  ASSERT_TRUE(strip.press(0.5));
+  ASSERT_TRUE(change_and_compare(strip));
+  std::vector<std::int64_t> folded;
+  for (std::size_t e = 0; e < before.size(); ++e)
+    if (before[e].is_blunt > strip.share.edges[e].is_blunt) folded.push_back(before[e].number);
+  EXPECT_GE(folded.size(), 2U);
+  EXPECT_EQ(list_fresh_edges({before, strip.share.edges, {}}), folded);
+  EXPECT_TRUE(list_fresh_edges({strip.share.edges, before, {}}).empty());  // smooth again
+  const std::vector<std::int64_t> released{before[0].ends[0]};
+  EXPECT_FALSE(list_fresh_edges({before, before, released}).empty());
 }
 
 // The fold lies on the surfaces of both faces, and its nodes on those of a third one: no node or face has its class.
