@@ -119,11 +119,10 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
 
 /// How far a new pair has crossed before it touches, or overlaps at the start, share of h: 0 without a blunt edge. With
 /// one, springs of nodes and faces that give way hold their bodies without it.
-KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a, int b, double offset) {
+KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a, int b) {
   namespace limits = contact_limits;
   if (!is_blunt_pair(surface, a, b)) return 0;
-  if (!surface.has_springs) return limits::crossed_depth;
-  return limits::crossed_depth + (offset > 0 ? limits::shell_cushion : limits::spring_cushion);
+  return limits::crossed_depth + (surface.has_springs ? limits::spring_cushion : 0);
 }
 
 /// Whether wedges that a plane parts but for `reach` may push each other. has_crossed: they were in contact, or have
@@ -243,7 +242,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
   const bool has_crossed = known || end.gap - offset < -contact_limits::crossed_depth * h;
-  const double crossed = find_least_depth(surface, a, b, offset) * h;
+  const double crossed = find_least_depth(surface, a, b) * h;
   if (!known && crossed > 0 && end.gap - offset >= -crossed) return false;
   if (!are_parted(reach, has_crossed)) return false;
   touch.normal = end.normal;
@@ -276,7 +275,7 @@ KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const 
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double gap = c.gap - offset, half = deepest * touch.size;
-  const double least = find_least_depth(surface, a, b, offset) * touch.size;
+  const double least = find_least_depth(surface, a, b) * touch.size;
   return gap < -least && gap > -(offset > half ? offset : half) ? -gap : 0;
 }
 

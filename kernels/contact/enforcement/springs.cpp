@@ -8,8 +8,8 @@ constexpr double recovery = 1e-3;
 
 /// How far a row would go in deeper than its cushion, or than it is, if it ended the step at `gap`.
 KOKKOS_INLINE_FUNCTION double find_excess(const ContactRow& row, double gap) {
-  const double cushion = row.has_thickness ? contact_limits::shell_cushion : contact_limits::spring_cushion;
-  const double least = find_floor(row) - cushion * row.size, reached = row.gap_start + recovery * row.size;
+  const double least = find_floor(row) - contact_limits::spring_cushion * row.size,
+               reached = row.gap_start + recovery * row.size;
   return (reached < least ? reached : least) - gap;
 }
 

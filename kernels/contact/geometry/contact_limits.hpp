@@ -35,10 +35,8 @@ inline constexpr double play = 1e-14;
 inline constexpr double overlap = 1e-6;
 
 /// Springs of contact (penalty) give way by this share of h: below what history keeps (history_depth), far above what
-/// slow impacts need. Faces that are stretched or crushed have another h than at the start.
-inline constexpr double spring_cushion = 0.02;
-/// The same with thickness between the sides, where h is that of the shell: flat plates need it to rebound.
-inline constexpr double shell_cushion = 0.05;
+/// slow impacts need.
+inline constexpr double spring_cushion = 0.05;
 
 /// A node can hit a face only if one of the node's own faces looks against it, by this cosine.
 inline constexpr double opposing = -0.2;

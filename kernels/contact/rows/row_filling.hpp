@@ -130,11 +130,11 @@ struct SideVelocities {
 
 /// find_discrete_gradient().
 KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_gradient(const PackedPoint& normal, const PackedPoint& way,
-                                                      const Packed& change, const Packed& size) {
-  constexpr double most_turn = 0.2, least_slide = 1e-5;
+                                                      const Packed& change, const Packed& least) {
+  constexpr double most_turn = 0.2;
   const Packed along = dot(normal, way), missing = change - along;
   const PackedPoint slide = way - along * normal;
-  const Packed least = Packed(least_slide) * size, slid = dot(slide, slide);
+  const Packed slid = dot(slide, slide);
   const Packed square = slid + along * along + least * least;
   const Packed turn = missing / square, most(most_turn * most_turn), steep = turn * turn * slid;
   const auto is_steep = steep > most;
@@ -233,9 +233,9 @@ KOKKOS_FORCEINLINE_FUNCTION FilledRows fill_face_rows(const TouchPack& touch, co
   const Packed dt(inputs.motion.dt), gap_end = load_pack(touch.gap_end);
   const filling::SideVelocities velocity(touch, row, at.v), seen(touch, row, at.v_seen);
   const PackedPoint predicted = dt * velocity.work, seen_way = dt * seen.work, normal = load_point(touch.normal);
-  const PackedPoint gradient =
-      filling::find_gradient(normal, seen_way, gap_end - load_pack(touch.gap_start), load_pack(touch.size));
-  row.normal = has_springs(inputs) ? normal : select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
+  const Packed least = Packed(find_least_slide(has_springs(inputs))) * load_pack(touch.size);
+  const PackedPoint gradient = filling::find_gradient(normal, seen_way, gap_end - load_pack(touch.gap_start), least);
+  row.normal = select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
   row.gap = gap_end + dot(row.normal, predicted - seen_way);
   filling::complete_rows(touch, velocity, inputs, row);
   filling::limit_recovery(touch, predicted, row);

@@ -81,18 +81,20 @@ KOKKOS_INLINE_FUNCTION RowWays find_ways(const RowNodes& at, double dt, const Co
           dt * find_work_velocity(row, TouchedVelocity{at.v_seen, row})};
 }
 
+/// Slide of a step below which little is known of how it changes the gap, share of h. The sides of springs come
+/// together far more than they slide, and what dents change would turn the push of two tips along their slide.
+constexpr double find_least_slide(bool has_springs) { return has_springs ? 1e-3 : 1e-5; }
+
 /// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a contact that
 /// goes on, along the way that the two sides slide, so that the motion that the check saw changes the gap by what it
 /// was seen to change by. A push then gives no energy where the gap stays as it is, however normals turn and bodies
-/// dent. change: of the gap. Not for springs: their sides come together far more than they slide, and what a dent
-/// changes would turn the push of two tips along their slide, which grows in a few steps.
+/// dent. change: of the gap; least: slide of which little is known [length].
 KOKKOS_INLINE_FUNCTION Point3 find_discrete_gradient(const Point3& normal, const Point3& way, double change,
-                                                     double size) {
-  constexpr double most_turn = 0.2, least_slide = 1e-5;  // tangent of an angle; share of h
+                                                     double least) {
+  constexpr double most_turn = 0.2;  // tangent of an angle
   const double along = dot(normal, way), missing = change - along;
   const Point3 slide = way - along * normal;
-  // Of sides that do not slide much, or rather come together than slide, little is known.
-  const double least = least_slide * size, slid = dot(slide, slide), square = slid + along * along + least * least;
+  const double slid = dot(slide, slide), square = slid + along * along + least * least;
   const double turn = missing / square, most = most_turn * most_turn;
   const double steep = turn * turn * slid;
   return normalize(normal + (steep > most ? turn * std::sqrt(most / steep) : turn) * slide);
@@ -193,9 +195,9 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   take_touch(touch, row);
   set_arms(at.x, row);
   const RowWays ways = find_ways(at, inputs.motion.dt, row);
-  if (touch.old_record >= 0 && !has_springs(inputs))
-    row.normal = row.gap_gradient =
-        find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start, touch.size);
+  if (touch.old_record >= 0)
+    row.normal = row.gap_gradient = find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start,
+                                                           find_least_slide(has_springs(inputs)) * touch.size);
   row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.seen);
   // Depth that no contact has seen arise cost nothing: it is held.
   if (touch.old_record < 0 && row.gap_start < 0) row.reference = -row.gap_start;

@@ -76,16 +76,6 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
 
 namespace {
 
-/// The share of an element that springs give way by: with a shell on one side, of its thickness. Two solid parts may
-/// meet without one.
-double find_cushion(const CheckedScene& scene) {
-  const auto is_solid = [](const PartMeasures& part) { return !(part.shell_thickness > 0); };
-  const auto& parts = scene.measures->parts;
-  const auto solids = std::count_if(parts.begin(), parts.end(), is_solid);
-  const bool meets_shells = solids < 2 && solids < static_cast<std::ptrdiff_t>(parts.size());
-  return meets_shells ? contact_limits::shell_cushion : contact_limits::spring_cushion;
-}
-
 /// How fast any two bodies may close in at the start.
 double find_closing_speed(const CheckedScene& scene) {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
@@ -119,7 +109,8 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
   if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
   const double slowest = find_slowest_wave(scene.deck);
   if (slowest == 0) return {};
-  const double closing = find_closing_speed(scene), cushion = find_cushion(scene);
+  constexpr double cushion = contact_limits::spring_cushion;
+  const double closing = find_closing_speed(scene);
   const double depth = closing / (2 * contact.penalty_scale * slowest);
   if (depth <= cushion) return {};
   constexpr double margin = 1.01;  // for the digits that are shown
@@ -129,7 +120,7 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
                         : std::string("use enforcement kinematic");
   return {warn_at(scene.deck, "penalty_speed", "contact.enforcement",
                   fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (springs alone would let them "
-                              "penetrate by about {:.2g} of an element or thickness; beyond {:g} they are stopped "
+                              "penetrate by about {:.2g} of an element; beyond {:g} they are stopped "
                               "without springing back): {}",
                               closing, closing / slowest, depth, cushion, remedy))};
 }
