@@ -80,7 +80,7 @@ TEST(CheckRules, NameAPenaltyScaleThatIsStiffEnough) {
   const auto with_scale = [](const std::string& scale) {
     return check(change({{"friction: 0.2}\noutput", "enforcement: penalty, penalty_scale: " + scale + "}\noutput"}}));
   };
-  const std::string text = list(with_scale("0.06")), before = "a penalty_scale of ";
+  const std::string text = list(with_scale("0.02")), before = "a penalty_scale of ";
   const auto at = text.find(before);
   ASSERT_NE(at, std::string::npos) << text;
   const std::string scale = text.substr(at + before.size(), text.find(' ', at + before.size()) - at - before.size());
@@ -89,7 +89,7 @@ TEST(CheckRules, NameAPenaltyScaleThatIsStiffEnough) {
 
 TEST(CheckRules, NameNoPenaltyScaleThatAddsEnergy) {
   const std::string text = list(
-      check(change({{"[0, 0, -20]", "[0, 0, -300]"}, {"friction: 0.2}\noutput", "enforcement: penalty}\noutput"}})));
+      check(change({{"[0, 0, -20]", "[0, 0, -800]"}, {"friction: 0.2}\noutput", "enforcement: penalty}\noutput"}})));
   EXPECT_NE(text.find("penalty_speed"), std::string::npos) << text;
   EXPECT_EQ(text.find("a penalty_scale of "), std::string::npos) << text;
 }

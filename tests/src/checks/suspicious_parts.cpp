@@ -161,9 +161,6 @@ std::vector<SuspiciousDeck> size_decks() {
 
 std::vector<SuspiciousDeck> contact_decks() {
   const std::string surfaces = "contact: {surfaces: all, friction: 0.2}";
-  const std::pair<std::string, std::string> block_as_sheet{
-      "box: {size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}",
-      "shell_plate: {size: [0.02, 0.02], cells: [2, 2]}, thickness: 0.002"};
   return {
       {"BlockInsideThePlate", "deep_overlap", "block: {", {{"0.0111", "0.006"}}, {{"0.0111", "0.0095"}}},
       {"SheetThickerThanItsGap",
@@ -214,14 +211,9 @@ std::vector<SuspiciousDeck> contact_decks() {
        {{surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.1}"}}},
       {"SpringsThatABlockPressesBeyondTheirCushion",
        "penalty_speed",
-       "enforcement: penalty, penalty_scale: 0.06",
-       {{surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.06}"}},
-       {{surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.1}"}}},
-      {"SpringsThatASheetPressesBeyondTheirCushion",
-       "penalty_speed",
-       "enforcement: penalty, penalty_scale: 0.03",
-       {block_as_sheet, {surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.03}"}},
-       {block_as_sheet, {surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.05}"}}},
+       "enforcement: penalty, penalty_scale: 0.02",
+       {{surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.02}"}},
+       {{surfaces, "contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.05}"}}},
       {"FrictionInPercent",
        "friction",
        "friction: 20}\noutput",

@@ -147,7 +147,7 @@ TEST(EdgeCheck, BluntEdgesTouchOnlyOnceTheyHaveCrossed) {
   EXPECT_TRUE(touches(0.01, 0.005, &up));  // remembered
 }
 
-// Springs give way by 0.02 of the size, and blunt edges touch 5e-3 beyond that, however slowly they come there.
+// Springs give way by 0.05 of the size, and blunt edges touch 5e-3 beyond that, however slowly they come there.
 TEST(EdgeCheck, BluntEdgesBetweenSpringsTouchWhereSlowBodiesCross) {
   const auto touches = [](double height, double fall) {
     Roofs r(height, fall);
@@ -155,8 +155,8 @@ TEST(EdgeCheck, BluntEdgesBetweenSpringsTouchWhereSlowBodiesCross) {
     r.surface.has_springs = true;
     return r.check();
   };
-  EXPECT_FALSE(touches(-0.0245, 1e-4));
-  EXPECT_TRUE(touches(-0.02495, 1e-4));
+  EXPECT_FALSE(touches(-0.0545, 1e-4));
+  EXPECT_TRUE(touches(-0.05495, 1e-4));
 }
 
 TEST(EdgeCheck, BluntEdgesOverlapAtTheStartOnceTheyWouldTouch) {
@@ -171,8 +171,8 @@ TEST(EdgeCheck, BluntEdgesOverlapAtTheStartOnceTheyWouldTouch) {
   EXPECT_NEAR(depth(-0.006, false), 0.006, tight);
   EXPECT_NEAR(depth(-0.2, false), 0.2, tight);
   EXPECT_EQ(depth(-0.6, false), 0);
-  EXPECT_EQ(depth(-0.024, true), 0);
-  EXPECT_NEAR(depth(-0.026, true), 0.026, tight);
+  EXPECT_EQ(depth(-0.054, true), 0);
+  EXPECT_NEAR(depth(-0.056, true), 0.056, tight);
 }
 
 TEST(EdgeCheck, EndsBelongToNodesAndFaces) {
