@@ -16,7 +16,7 @@ namespace contact_limits {
 inline constexpr double rim_front = 0.3;
 /// ... or, with history, by this one.
 inline constexpr double history_rim_front = 0.05;
-/// Beyond the ends of a rim by this share of it it still pushes, with history by twice as much
+/// Beyond the ends of a rim by this share of it it still pushes, with history by twice as much.
 inline constexpr double rim_end_band = 0.02;
 
 }  // namespace contact_limits

@@ -20,9 +20,8 @@ KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
     case TopologyKind::hex8:
       return settings.integration == ElementDeck::Integration::full ? KindCost{76, 90} : KindCost{hexahedron_cost, 18};
     case TopologyKind::quad4:
-      return {43, 0};
     case TopologyKind::tri3:
-      return {32, 0};
+      return {43, 0};
     case TopologyKind::tet4:
       return {34, 12};
     case TopologyKind::wedge6:
