@@ -13,7 +13,7 @@ REEXECUTED = "PERCUSS_RENDER_REEXECUTED"
 def describe_install(option, packages):
     """What to do where a library is missing: an installation of percuss has no script for it."""
     script = os.path.join(SCRIPTS, "install_dependencies")
-    return f"run scripts/install_dependencies {option}" if os.path.exists(script) else f"install {packages} (names of Debian)"
+    return f"run scripts/install_dependencies {option}".rstrip() if os.path.exists(script) else f"install {packages} (names of Debian)"
 
 
 def end_with_reader():

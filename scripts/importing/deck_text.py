@@ -1,12 +1,16 @@
-"""A deck of percuss as text."""
+"""A deck of percuss as text, written by PyYAML: one line an entry of a section."""
 
+import io
 import math
 import re
 from typing import Any
 
+import yaml
+
 from .model import Deck, Model
 
-WIDTH = 120
+WIDTH = 110  # at which a line of flow style goes on in the next
+LONGEST = 1 << 30  # of what is not broken
 ORDER = (
     "time",
     "parts",
@@ -18,18 +22,21 @@ ORDER = (
     "welds",
     "constraints",
     "joints",
+    "join",
     "initial",
     "start",
+    "sensors",
     "conditions",
     "loads",
+    "damping",
     "walls",
     "contact",
+    "erosion",
     "output",
     "audit",
+    "silence",
 )
-BREAK = re.compile(r", (?=[\[{]|[A-Za-z_0-9]+:)|(?<=[A-Za-z_]), (?=[A-Za-z_])")  # before an item or a key, never within a row
-PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_/-]*\Z")
-WORDS_OF_YAML = {"true", "false", "yes", "no", "on", "off", "null"}
+FLOAT, INTEGER, TEXT = (f"tag:yaml.org,2002:{kind}" for kind in ("float", "int", "str"))
 
 
 def format_number(value: float) -> str:
@@ -52,52 +59,70 @@ def format_number(value: float) -> str:
     return f"{sign}{digits[0]}{'.' * (len(digits) > 1)}{digits[1:]}e{power}"
 
 
-def format_text(value: str) -> str:
-    """A word as it is, anything else in quotes."""
-    if PLAIN.match(value) and value.lower() not in WORDS_OF_YAML:
-        return value
-    shown = "".join(c if c.isprintable() else " " for c in value)
-    return '"' + shown.replace("\\", "\\\\").replace('"', '\\"') + '"'
+class Dumper(yaml.SafeDumper):
+    """Numbers in their shortest form; the rest as the library writes it. What it does not know, None included, is an error."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        return True
+
+    def write_number(self, value: float) -> yaml.Node:
+        text = format_number(value)
+        return self.represent_scalar(FLOAT if "." in text or "e" in text else INTEGER, text)
+
+    def write_text(self, value: str) -> yaml.Node:
+        return self.represent_scalar(TEXT, "".join(c if c.isprintable() else " " for c in value))
+
+    def refuse_none(self, _: None) -> yaml.Node:
+        raise yaml.representer.RepresenterError("None stands in the deck")
 
 
-def format_flow(value: Any) -> str:
-    """A value on one line."""
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{key}: {format_flow(item)}" for key, item in value.items()) + "}"
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(format_flow, value)) + "]"
-    return format_text(value) if isinstance(value, str) else format_number(value)
+for kind, writer in ((float, Dumper.write_number), (int, Dumper.write_number), (str, Dumper.write_text),
+                     (tuple, Dumper.represent_list), (type(None), Dumper.refuse_none)):  # fmt: skip
+    Dumper.add_representer(kind, writer)
+# What YAML 1.2 and percuss take for a number: 1e5 is written plain as a number, and quoted as a text.
+Dumper.add_implicit_resolver(FLOAT, re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE), list("-+.0123456789nNiI"))
 
 
-def wrap(text: str, indent: str) -> str:
-    """Breaks a long line of flow style behind commas."""
-    lines: list[str] = []
-    while len(text) > WIDTH:
-        places = [found.start() for found in BREAK.finditer(text, 0, WIDTH) if text.count('"', 0, found.start()) % 2 == 0]
-        at = max(places, default=0)
-        if at <= len(indent):
-            break
-        lines.append(text[: at + 1])
-        text = indent + text[at + 2 :]
-    return "\n".join([*lines, text])
+def dump(entry: Any, width: int = WIDTH) -> str:
+    """A map or a list of one entry, which is in flow style."""
+    dumper = Dumper(io.StringIO(), sort_keys=False)
+    node = dumper.represent_data(entry)
+    node.flow_style = False
+    for child in node.value:
+        for part in child if isinstance(child, tuple) else (child,):
+            part.flow_style = True
+    return yaml.serialize(node, Dumper=Dumper, width=width, allow_unicode=True)
+
+
+def holds_maps(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and any(isinstance(item, dict) for item in value)
+
+
+def format_entry(name: str, value: Any) -> str:
+    """An entry of a map on one line; where that is too long, a line for each of its own entries."""
+    line = dump({name: value})
+    if line.count("\n") == 1:
+        return line
+    head = dump({name: 0}).removesuffix(" 0\n") + "\n"
+    if isinstance(value, dict) and any(holds_maps(item) or isinstance(item, dict) for item in value.values()):
+        return head + "".join(indent(format_entry(key, item)) for key, item in value.items())
+    return head + "".join(indent(dump([item])) for item in value) if holds_maps(value) else line
+
+
+def indent(text: str) -> str:
+    return "".join("  " + line for line in text.splitlines(keepends=True))
 
 
 def format_section(name: str, value: Any) -> str:
-    """A section: one line an entry."""
-    if isinstance(value, list):
-        return f"{name}:\n" + "\n".join(wrap(f"  - {format_flow(item)}", "     ") for item in value)
-    if isinstance(value, dict) and len(format_flow(value)) + len(name) > WIDTH - 4 or name in ("parts", "materials"):
-        return f"{name}:\n" + "\n".join(format_entry(key, item) for key, item in value.items())
-    return wrap(f"{name}: {format_flow(value)}", "  ")
-
-
-def format_entry(key: str, item: Any) -> str:
-    """An entry of a section that is a map; lists in it get a line an entry."""
-    if isinstance(item, list) and item and isinstance(item[0], dict):
-        return f"  {key}:\n" + "\n".join(wrap(f"    - {format_flow(entry)}", "       ") for entry in item)
-    if isinstance(item, dict) and any(isinstance(v, list) and v and isinstance(v[0], dict) for v in item.values()):
-        return f"  {key}:\n" + "\n".join("  " + format_entry(k, v).replace("\n", "\n  ") for k, v in item.items())
-    return wrap(f"  {key}: {format_flow(item)}", "      ")
+    """A section: one line an entry, or one line where it is a short map."""
+    if isinstance(value, dict) and name in ("parts", "materials"):
+        return f"{name}:\n" + "".join(indent(format_entry(key, item)) for key, item in value.items())
+    if holds_maps(value):
+        return f"{name}:\n" + "".join(indent(dump([item])) for item in value)
+    line = dump({name: value})
+    if not isinstance(value, dict) or line.count("\n") == 1:
+        return line
+    return f"{name}:\n" + "".join(indent(format_entry(key, item)) for key, item in value.items())
 
 
 def make_parts(model: Model, mesh_file: str) -> Deck:
@@ -125,19 +150,22 @@ def list_start_remarks(deck: Deck) -> list[str]:
 
 
 def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
-    """The text of deck.yaml."""
-    lines = [f"# From {clean(source)} by percuss import; import_report.md tells what became of each card."]
-    if model.title:
-        lines.append(f"title: {format_text(model.title[:200])}")
-    if units:
-        lines.append(f"units: {units}")
+    """The text of deck.yaml, with every section of the model."""
     sections = {**model.deck, "parts": make_parts(model, mesh_file), "materials": model.materials}
+    unknown = sorted(set(sections) - set(ORDER))
+    if unknown:
+        raise RuntimeError(f"the importer has no place in the deck for the section {', '.join(unknown)}")
+    texts = [f"# From {clean(source)} by percuss import; import_report.md tells what became of each card.\n"]
+    if model.title:
+        texts.append(dump({"title": model.title[:200]}, LONGEST))
+    if units:
+        texts.append(dump({"units": units}, LONGEST))
     for name in ORDER:
         if name == "start":
-            lines += list_start_remarks(model.deck)
+            texts += [line + "\n" for line in list_start_remarks(model.deck)]
         if sections.get(name):
-            lines.append(format_section(name, sections[name]))
-    return "\n".join(lines) + "\n"
+            texts.append(format_section(name, sections[name]))
+    return "".join(texts)
 
 
 def clean(text: str) -> str:

@@ -20,6 +20,7 @@ class Percuss(CMakePackage):
     depends_on("ninja", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("python@3.10:", type=("build", "run"))
+    depends_on("py-pyyaml", type="run")  # of percuss import
 
     depends_on("mpi@3.1:")
     depends_on("kokkos@3.4.1:5 +openmp")
@@ -39,7 +40,6 @@ class Percuss(CMakePackage):
     depends_on("py-numpy", type="run", when="+tools")
     depends_on("py-h5py", type="run", when="+tools")
     depends_on("py-matplotlib", type="run", when="+tools")
-    depends_on("py-pyyaml", type="run", when="+tools")
 
     conflicts("%gcc@:11", msg="percuss needs C++20: GCC 12 or Clang 14")
     conflicts("%clang@:13", msg="percuss needs C++20: GCC 12 or Clang 14")
