@@ -30,24 +30,42 @@ def parse_integer(text: str) -> int | None:
     return int(value) if value is not None and value == int(value) and abs(value) <= MOST_ID else None
 
 
+# Why a field does not change physics, as `NAME~output` in a layout says. The report shows the text.
+REASONS = {
+    "": "numerics or output, not physics",
+    "output": "what is written, not what is computed",
+    "label": "a name or a number that nothing refers to",
+    "search": "how contact is searched for: percuss searches in its own way",
+    "step": "how the time step is chosen: percuss chooses a stable one",
+    "solver": "of another solver than that of structures",
+    "implicit": "of implicit analyses",
+    "thermal": "of thermal analyses",
+    "adaptive": "of adaptive meshes",
+    "relaxation": "of dynamic relaxation alone",
+    "unused": "not used by LS-DYNA with these options",
+    "storage": "how data are stored",
+    "default": "the defaults of what another card gives",
+}
+
+
 class Row:
     """Named fields of one line.
 
-    The layout is words: `NAME` (0 or blank by default), `NAME=2` (another default) and `NAME~` (harmless whatever it
-    is). finish() reports each field that has another value than its default and was not asked for.
+    The layout is words: `NAME` (0 or blank by default), `NAME=2` (another default) and `NAME~output` (without physics whatever it
+    is, for a reason of REASONS). finish() reports each field that has another value than its default and was not asked for.
     """
 
     def __init__(self, card: str, place: Place, layout: str, texts: list[str]):
         self.card, self.place = card, place
         self._texts: dict[str, str] = {}
         self._defaults: dict[str, str] = {}
-        self._harmless: set[str] = set()
+        self._reasons: dict[str, str] = {}
         self._read: set[str] = set()
         for index, word in enumerate(layout.split()):
             name, _, default = word.partition("=")
-            if name.endswith("~"):
-                name = name[:-1]
-                self._harmless.add(name)
+            if "~" in name:
+                name, _, reason = name.partition("~")
+                self._reasons[name] = REASONS[reason]
             self._defaults[name] = default or "0"
             self._texts[name] = texts[index] if index < len(texts) else ""
 
@@ -97,8 +115,8 @@ class Row:
             if value in (default, 0.0):
                 continue
             shown = f"{name} is {clip(text)}"
-            if name in self._harmless:
-                ledger.ignored(f"{self.card}.{name}", self.place, "numerics or output, not physics")
+            if name in self._reasons:
+                ledger.ignored(f"{self.card}.{name}", self.place, self._reasons[name])
             else:
                 ledger.refuse(f"{self.card}.{name}", self.place, shown, instead)
 

@@ -1,0 +1,220 @@
+"""percuss import, the table of proofs: import_proofs_test.py ROOT PERCUSS [FAMILY...]. The page in proofs/__init__.py says how it works."""
+
+import contextlib
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+ROOT, PERCUSS, *FAMILIES = sys.argv[1:]
+sys.argv[1:] = []
+sys.dont_write_bytecode = True
+sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.dirname(os.path.realpath(__file__))]
+import proofs  # noqa: E402
+from importing.abaqus import read as abaqus  # noqa: E402
+from importing.abaqus.options import KNOWN  # noqa: E402
+from importing.dyna import read as dyna  # noqa: E402
+from importing.fields import Row  # noqa: E402
+from importing.ledger import BadInput, Ledger, Status  # noqa: E402
+
+TRIALS = (1, 2, 7)
+TABLE, NOT_PHYSICS = proofs.load()
+PROOFS = [proof for proof in TABLE if not FAMILIES or proof.family in FAMILIES]
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false")
+
+
+def write(folder, proof, text=None):
+    """The deck of a row, or another text in its place, with its files."""
+    path = os.path.join(folder, "deck.inp" if proof.is_abaqus() else "deck.k")
+    text = text if text is not None else proof.deck
+    with open(path, "wb") as file:
+        file.write(text if isinstance(text, bytes) else text.encode())
+    for name, more in proof.files.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(more)
+    return path
+
+
+def call(folder, *words):
+    done = subprocess.run([PERCUSS, *words], capture_output=True, text=True, errors="replace", timeout=120, cwd=folder, env=ENVIRONMENT, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def prove(proof):
+    """Imports, runs and compares; what is wrong, or an empty text."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = write(folder, proof)
+        code, text = call(folder, "import", os.path.basename(path), "--out", "m", "--quiet", *(["--allow", proof.allow] if proof.allow else []))
+        if proof.refused:
+            return "" if code == 2 and proof.refused in text else f"import ends with {code} and does not say '{proof.refused}':\n{text}"
+        if code:
+            return f"import ends with {code}:\n{text}"
+        code, text = call(folder, "run", "m/deck.yaml", "--out", "r", "--quiet")
+        if code:
+            return f"run ends with {code}:\n{text}"
+        history = read_history(folder)
+        return "\n".join(filter(None, (compare(right, history) for right in proof.rights)))
+
+
+def read_history(folder):
+    """Columns of history.csv, and numbers of summary.json under 'summary:KEY'."""
+    with open(os.path.join(folder, "r/history.csv"), encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    history = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+    with open(os.path.join(folder, "r/summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    return history | {f"summary:{key}": [float(value)] for key, value in summary.items() if isinstance(value, (int, float))}
+
+
+def pick(values, when, times):
+    """The values that count."""
+    if when == proofs.ALL:
+        return values
+    if isinstance(when, (int, float)):
+        after = next((i for i, time in enumerate(times) if time >= when), len(times) - 1)
+        before = max(after - 1, 0)
+        share = (when - times[before]) / (times[after] - times[before]) if after > before else 0.0
+        return [values[before] + share * (values[after] - values[before])]
+    chosen = {proofs.FIRST: lambda: values[0], proofs.LAST: lambda: values[-1], proofs.MAX: lambda: max(values), proofs.MIN: lambda: min(values),
+              proofs.LARGEST: lambda: max(values, key=abs)}  # fmt: skip
+    return [chosen[when]()]
+
+
+def compare(right, history):
+    """What is wrong with a value, or an empty text."""
+    what, when, value, tolerance = right
+    if isinstance(what, str) and what not in history:
+        return f"there is no column {what} (there are {' '.join(history)})"
+    values = what(history) if callable(what) else history[what]
+    for found in pick(values, when, history["time"]) if isinstance(values, list) else [values]:
+        if not abs(found - value) <= tolerance * (abs(value) or 1.0):
+            name = what if isinstance(what, str) else "the expression"
+            return f"{name} ({when}) is {found:.8g}, right is {value:.8g} within {tolerance:g}"
+    return ""
+
+
+class Layouts:
+    """Notes the rows of fields that a deck reaches."""
+
+    def __init__(self):
+        self.found = {}  # (card, field): whether it has a reason; the row of the table, the line, its fields and layout
+
+    @contextlib.contextmanager
+    def watch(self, key):
+        original, layouts = Row.__init__, self
+
+        def note(row, card, place, layout, texts):
+            original(row, card, place, layout, texts)
+            for index, word in enumerate(layout.split()):
+                name = re.split("[=~]", word)[0]
+                layouts.found.setdefault((card, name), ("~" in word and not word.endswith("~"), key, place.line, index, list(texts), layout))
+
+        Row.__init__ = note
+        try:
+            yield
+        finally:
+            Row.__init__ = original
+
+
+def read_in_process(proof, folder, text=None):
+    """Model or error, and the ledger, without a process."""
+    ledger = Ledger(allowed=[word.strip().upper() for word in proof.allow.split(",") if word.strip()])
+    reader = abaqus.read_abaqus_deck if proof.is_abaqus() else dyna.read_keyword_deck
+    try:
+        reader(write(folder, proof, text), ledger)
+    except BadInput as error:
+        return str(error), ledger
+    return "", ledger
+
+
+def change(proof, line, index, texts, layout, value):
+    """The deck with another value of a field: its line is written with commas."""
+    lines = proof.deck.split("\n")
+    texts = [texts[i] if i < len(texts) else "" for i in range(max(len(layout.split()), index + 1))]
+    is_there = any(texts)
+    texts[index] = str(value)
+    row = ",".join(texts) + ("," if len(texts) == 1 else "")
+    lines[line - 1 : line] = [row] if is_there or not lines[line - 1].strip() else [lines[line - 1], row]
+    return "\n".join(lines)
+
+
+def find_unproven_fields():
+    """Fields that no row names, that have no reason, and that an import does not refuse by name."""
+    proven = {name for proof in TABLE for name in proof.list_proven()}
+    layouts, unproven = Layouts(), []
+    with tempfile.TemporaryDirectory() as folder:
+        keyword_decks = [proof for proof in TABLE if isinstance(proof.deck, str) and not proof.is_abaqus() and not proof.refused]
+        for number, proof in enumerate(keyword_decks):
+            with layouts.watch(number):
+                read_in_process(proof, folder)
+        for (card, name), (has_reason, number, line, index, texts, layout) in layouts.found.items():
+            if f"{card}.{name}" in proven or has_reason:
+                continue
+            proof = keyword_decks[number]
+            for value in TRIALS:
+                if (texts[index] if index < len(texts) else "") == str(value):
+                    continue
+                error, ledger = read_in_process(proof, folder, change(proof, line, index, texts, layout, value))
+                told = error + " ".join(f"{entry.card} {entry.text}" for entry in ledger.list_refused())
+                if not re.search(rf"\b{re.escape(name)}\b", told):
+                    unproven.append(f"{card}.{name}")
+                    break
+    return sorted(set(unproven))
+
+
+def list_cards():
+    """Names of tables of the importer that a row must prove."""
+    return sorted({*dyna.DEFINITIONS, *dyna.ACTIONS})
+
+
+def list_keywords():
+    """Keywords of Abaqus with their options."""
+    names = {*abaqus.METHODS, *abaqus.ACTIONS, *KNOWN}
+    options = {f"{keyword}.{word.replace('_', ' ')}" for keyword, words in KNOWN.items() for word in words.split()}
+    return sorted(f"abaqus {name}" for name in names | options)
+
+
+def find_unproven_cards():
+    """Of both kinds of decks."""
+    keyword_rows = {name for proof in TABLE if not proof.is_abaqus() for name in proof.list_proven()}
+    handled = keyword_rows | {handler for name in keyword_rows for table in (dyna.DEFINITIONS, dyna.ACTIONS)
+                              if "." not in name and (handler := dyna.find_handler(table, name))}  # fmt: skip
+    abaqus_rows = {name.replace("_", " ") for proof in TABLE if proof.is_abaqus() for name in proof.list_proven()}
+    explained = {name.replace("_", " ") for name in NOT_PHYSICS}
+    cards = [name for name in list_cards() if name not in handled and name not in NOT_PHYSICS]
+    keywords = [name for name in list_keywords() if name.removeprefix("abaqus ") not in abaqus_rows | explained]
+    return cards + keywords
+
+
+class Proofs(unittest.TestCase):
+    def test_every_row_gives_its_values(self):
+        with ThreadPoolExecutor(2) as pool:
+            for proof, wrong in zip(PROOFS, pool.map(prove, PROOFS)):
+                with self.subTest(family=proof.family, proves=proof.proves):
+                    self.assertFalse(wrong, f"{proof.why}\n{wrong}")
+
+    def test_every_card_and_field_has_a_row(self):
+        unproven = set(find_unproven_cards()) | set(find_unproven_fields())
+        waiting = proofs.read_to_be_proven()
+        print(f"to be proven: {len(waiting)} cards, fields and options")
+        self.assertEqual(sorted(unproven - waiting), [], "these have no row: add one (proofs/__init__.py says how)")
+        self.assertEqual(sorted(waiting - unproven), [], "these are proven: take them out of proofs/to_be_proven.txt")
+
+    def test_every_row_proves_something(self):
+        for proof in TABLE:
+            with self.subTest(proves=proof.proves):
+                self.assertTrue(proof.proves and (proof.rights or proof.refused))
+
+
+if __name__ == "__main__":
+    if FAMILIES == ["--unproven"]:
+        with contextlib.redirect_stderr(io.StringIO()):
+            print("\n".join(sorted({*find_unproven_cards(), *find_unproven_fields()})))
+        sys.exit()
+    unittest.main()
