@@ -44,7 +44,11 @@ def import_model(arguments: argparse.Namespace) -> int:
     ledger = make_ledger(arguments.allow)
     try:
         model = choose_reader(arguments.model)(ledger)
-    except BadInput:
+    except BadInput as error:
+        if error.is_missing and ledger.list_refused():  # what is refused is what is missing
+            os.makedirs(arguments.out, exist_ok=True)
+            write_reports(arguments, ledger, [], "")
+            return tell_refused(arguments, ledger)
         print_refused(ledger)
         raise
     refused = ledger.list_refused()

@@ -19,16 +19,23 @@ class Place(NamedTuple):
         return f"{self.file}:{self.line}"
 
 
+REFERRED = "(this card refers to it)"
+# What a refusal says of parts that go with it, and of what then has no elements: the latter follows from the former, and is not told.
+LOSES = ("parts made of it", "these elements", "the parts")
+FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element")
+
+
 class BadInput(Exception):
     """A file that cannot be read on; the message begins with its place."""
 
     def __init__(self, place: "Place | str", text: str):
         super().__init__(f"{place}: error: {text}")
+        self.is_missing = REFERRED in text
 
 
 def missing(what: str) -> str:
     """The text of BadInput where a card refers to what is not there."""
-    return f"there is no {what} (this card refers to it): add it, or correct the name or id"
+    return f"there is no {what} {REFERRED}: add it, or correct the name or id"
 
 
 class Status(Enum):
@@ -50,6 +57,8 @@ class Entry:
     text: str
     first: Place
     count: int = 1
+    loses: bool = False  # parts go with it
+    follows: bool = False  # it may be that something lost its parts
 
 
 @dataclass
@@ -93,13 +102,18 @@ class Ledger:
             return True
         reason = "" if problem.endswith(")") else f" ({NO_COUNTERPART})"
         remedy = f"change or remove it, or use --allow {key}; then {instead}" if instead else "change or remove it"
-        self.note(key, Status.REFUSED, place, f"{problem}{reason}: {remedy}")
+        text = f"{problem}{reason}: {remedy}"
+        self.note(key, Status.REFUSED, place, text)
+        entry = self.entries[key, Status.REFUSED, text]
+        entry.loses, entry.follows = any(word in instead for word in LOSES), any(word in problem for word in FOLLOWS)
         return False
 
     def list_rows(self) -> list[Entry]:
         """All rows, by outcome, then by card."""
         order = list(Status)
-        return sorted(self.entries.values(), key=lambda e: (order.index(e.status), e.card, e.first))
+        causes = any(entry.status is Status.REFUSED and entry.loses for entry in self.entries.values())
+        entries = [entry for entry in self.entries.values() if not (causes and entry.follows and entry.status is Status.REFUSED)]
+        return sorted(entries, key=lambda e: (order.index(e.status), e.card, e.first))
 
     def list_refused(self) -> list[Entry]:
         return [entry for entry in self.list_rows() if entry.status is Status.REFUSED]

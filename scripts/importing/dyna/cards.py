@@ -7,11 +7,13 @@ from dataclasses import dataclass, field
 
 from ..fields import Row, clip, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
+from ..text_files import read_lines
 from .parameters import Parameters
 from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
 
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 MOST_BYTES = 4 << 30
+WIDTH_OF_SUFFIX = {"+": "long", "%": "i10", "-": "standard"}
 WIDTH = {"standard": 0, "i10": 10, "long": 20}
 OPTIONS = re.compile(r"_(TITLE|ID)(?=_|$)")
 
@@ -103,6 +105,7 @@ class CardReader:
         self._included: set[str] = set()
         self._bytes = 0
         self._transformations: dict[int, Affine] = {}
+        self._case, self._other_case = "", ""  # the case that acts; one whose cards are passed over
 
     def read(self) -> Iterator[Card]:
         self._included.add(os.path.realpath(self._main))
@@ -115,8 +118,7 @@ class CardReader:
         if self._bytes > MOST_BYTES:
             raise BadInput(place, "the files hold more than 4 GiB (the limit of the importer): divide the model")
         self._ledger.files.add(path)
-        with open(path, "rb") as file:
-            return file.read().decode("utf-8", "replace").split("\n")
+        return read_lines(path, place)
 
     def _read_file(self, path: str, shown: str, parameters: Parameters, depth: int, place: "Place | str" = "") -> Iterator[Card]:
         width = "standard"
@@ -125,7 +127,11 @@ class CardReader:
             card.keyword, card.least_width = name, WIDTH[width_of_card]
             if name == "END":
                 return
-            if name == "KEYWORD" or name.startswith("KEYWORD_"):
+            if name == "CASE" or name.startswith("CASE_"):
+                self._read_case(card)
+            elif self._other_case:
+                self._ledger.ignored(f"CASE.{name}", card.place, "of a case that does not act")
+            elif name == "KEYWORD" or name.startswith("KEYWORD_"):
                 width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
             elif name.startswith("INCLUDE"):
                 yield from self._include(card, path, depth)
@@ -145,12 +151,10 @@ class CardReader:
         for number, line in enumerate(lines, 1):
             if line.startswith("$"):
                 continue
-            line = line.rstrip("\r")
             if line.startswith("*"):
                 if card:
                     yield card
-                words = re.split(r"[\s,]", line[1:], maxsplit=1)
-                card = Card(words[0].upper(), Place(shown, number), 0, parameters)
+                card = Card(find_keyword(line), Place(shown, number), 0, parameters)
                 if card.keyword.startswith("KEYWORD"):
                     card.lines.append((number, line.upper()))
             elif card:
@@ -159,6 +163,16 @@ class CardReader:
                 raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword (a deck begins with one): remove it")
         if card:
             yield card
+
+    def _read_case(self, card: Card) -> None:
+        """*CASE, and _BEGIN_n to _END_n around the cards of a case: those of the first case that begins act."""
+        self._ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of the first case act")
+        if card.keyword.startswith("CASE_BEGIN_"):
+            number = card.keyword.removeprefix("CASE_BEGIN_")
+            self._case = self._case or number
+            self._other_case = number if number != self._case else ""
+        elif card.keyword.startswith("CASE_END_"):
+            self._other_case = ""
 
     def _include(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
         if card.keyword == "INCLUDE_TRANSFORM":
@@ -236,11 +250,16 @@ def find_width(line: str, otherwise: str) -> str:
     return "long" if "LONG=Y" in line else "i10" if "I10=Y" in line else otherwise
 
 
+def find_keyword(line: str) -> str:
+    """The keyword of a line in capitals, with its suffix of width, which may stand behind a blank. What else follows is a comment."""
+    word, *more = re.split(r"[\s,]+", line[1:].strip(), maxsplit=2)
+    return word.upper() + (more[0] if more and more[0] in WIDTH_OF_SUFFIX else "")
+
+
 def strip_width(keyword: str, width: str) -> tuple[str, str]:
     """A keyword without its suffix of width, and the width of its fields."""
-    suffixes = {"+": "long", "%": "i10", "-": "standard"}
-    if keyword[-1:] in suffixes:
-        return keyword[:-1], suffixes[keyword[-1]]
+    if keyword[-1:] in WIDTH_OF_SUFFIX:
+        return keyword[:-1], WIDTH_OF_SUFFIX[keyword[-1]]
     return keyword, width
 
 

@@ -101,6 +101,11 @@ def read_general_hourglass(deck: KeywordDeck, card: Card) -> None:
     deck.general_hourglass = card.reader().row("IHQ=1 QH=0.1")
 
 
+def is_known_control(keyword: str) -> bool:
+    """Whether a control without a counterpart is known; another one may be misspelt."""
+    return keyword.removeprefix("CONTROL_").startswith((*HARMLESS, *WITHOUT))
+
+
 def read_other_control(deck: KeywordDeck, card: Card) -> None:
     """Controls without a counterpart."""
     words = card.keyword.removeprefix("CONTROL_")

@@ -151,7 +151,7 @@ class KeywordDeck:
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
         self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
-        self.case, self.other_case = "", ""  # the case that acts; a case whose cards are passed over
+        self.unknown: list[tuple[str, Place]] = []  # cards that may be misspelt
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.springs: list[SpringElement] = []

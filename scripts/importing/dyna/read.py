@@ -2,8 +2,10 @@
 
 from collections.abc import Callable
 
+from ..fields import clip
 from ..ledger import BadInput, Ledger, missing
 from ..model import Model
+from ..text_files import suggest, suggest_place
 from . import condition_cards as conditions
 from . import rigid_cards as rigid
 from . import start_cards as start
@@ -11,10 +13,11 @@ from .beam_cards import read_beams
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
 from .constraint_cards import add_node_sets, read_node_sets
-from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
+from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, is_known_control, read_general_hourglass, read_other_control, read_termination
 from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
+from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
@@ -45,11 +48,11 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
         deck.detonations.append(tuple(row.numbers("X", "Y", "Z")))  # type: ignore[arg-type]
 
 
-# Read at once, by the longest name that a keyword begins with.
+# Read at once. forms.py has what may follow a name.
 DEFINITIONS: dict[str, Handler] = {
     "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
     "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
-    "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
+    "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
@@ -69,51 +72,43 @@ ACTIONS: dict[str, Handler] = {
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.
-IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "PARAMETER_TYPE": "a type"}
-EXACT = {"NODE", "TITLE", "DEFINE_CURVE", "INITIAL_VELOCITY", "ELEMENT_MASS"}  # with a suffix they are other cards
+IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output"}
+# Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
+MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
+MODIFIERS_READ = ("MAT_ADD_EROSION",)
 
 
 def find_handler(table: dict[str, Handler], keyword: str) -> str | None:
-    """The longest name of a table that the keyword begins with; names without '_' at the end must end a word."""
-    found = None
-    for name in table:
-        fits = keyword.startswith(name) and (name.endswith("_") or keyword == name or keyword[len(name)] == "_")
-        if fits and name in EXACT and keyword != name:
-            continue
-        if fits and len(name) > len(found or ""):
-            found = name
-    return found
+    """The name in a table of which the keyword is a form."""
+    return find_form(table, keyword)[0]
 
 
 def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Handler]]) -> None:
     """Reads a definition, keeps an action for later, refuses what is not known."""
     keyword = card.keyword
-    definition, action = find_handler(DEFINITIONS, keyword), find_handler(ACTIONS, keyword)
-    if any(keyword.startswith(word) for word in IGNORED):
-        deck.ledger.ignored(keyword, card.place, next(text for word, text in IGNORED.items() if keyword.startswith(word)))
-    elif keyword.startswith("CASE"):
-        read_case(deck, card)
-    elif deck.other_case:
-        deck.ledger.ignored(f"CASE.{keyword}", card.place, "of a case that does not act")
+    name, option = find_form([*DEFINITIONS, *ACTIONS], keyword)
+    if keyword in IGNORED:
+        deck.ledger.ignored(keyword, card.place, IGNORED[keyword])
     elif "PGP" in keyword or keyword.startswith("--"):
         raise BadInput(card.place, "an encrypted block cannot be read: ask its author for the plain text")
-    elif definition and len(definition) >= len(action or ""):
-        apply(deck, card, DEFINITIONS[definition])
-    elif action:
-        waiting.append((list(ACTIONS).index(action), card, ACTIONS[action]))
+    elif keyword.startswith(MODIFIERS) and keyword not in MODIFIERS_READ:
+        deck.ledger.refuse(keyword, card.place, "what it adds to a material", "the material is as it is without it")
+    elif name == "CONTROL_" and not is_known_control(keyword):
+        refuse_unknown(deck, card)
+    elif name in DEFINITIONS:
+        apply(deck, card, DEFINITIONS[name])
+    elif name:
+        waiting.append((list(ACTIONS).index(name), card, ACTIONS[name]))
+    elif option:
+        deck.ledger.refuse(keyword, card.place, f"the option {clip(option)}, with which the card means something else", "the card is left out")
     else:
-        deck.ledger.refuse(keyword or "(blank)", card.place, "an unknown card", "it is left out")
+        refuse_unknown(deck, card)
 
 
-def read_case(deck: KeywordDeck, card: Card) -> None:
-    """*CASE, and _BEGIN_n to _END_n around the cards of a case: those of the first case that begins act."""
-    deck.ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of the first case act")
-    if card.keyword.startswith("CASE_BEGIN_"):
-        number = card.keyword.removeprefix("CASE_BEGIN_")
-        deck.case = deck.case or number
-        deck.other_case = number if number != deck.case else ""
-    elif card.keyword.startswith("CASE_END_"):
-        deck.other_case = ""
+def refuse_unknown(deck: KeywordDeck, card: Card) -> None:
+    """A card that is not known, or misspelt."""
+    deck.unknown.append((card.keyword, card.place))
+    deck.ledger.refuse(card.keyword or "(blank)", card.place, f"an unknown card{suggest(card.keyword, list_keywords())}", "it is left out")
 
 
 def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
@@ -131,14 +126,19 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for card in CardReader(path, ledger).read():
         sort_card(deck, card, waiting)
     if not deck.elements:
-        raise BadInput(path, "the deck has no elements that percuss reads: include the mesh file")
+        raise BadInput(path, f"the deck has no elements that percuss reads{find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL')}: include the mesh file")
     if deck.end_time <= 0:
-        raise BadInput(path, "there is no *CONTROL_TERMINATION with a time (the run would have no end): add one")
+        raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end{find_misspelt(deck, 'CONTROL_TERMINATION')}): add one")
     build(deck)
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
     finish(deck)
     return deck.model
+
+
+def find_misspelt(deck: KeywordDeck, *keywords: str) -> str:
+    """Of a keyword that is missing: the unknown one that may be meant."""
+    return next((text for keyword in keywords if (text := suggest_place(keyword, deck.unknown))), "")
 
 
 def build(deck: KeywordDeck) -> None:
