@@ -1,12 +1,15 @@
 """Curves of other programs as tables of percuss."""
 
+import math
 from dataclasses import dataclass, field
+from itertools import groupby
 
 from .ledger import Place
 from .model import Deck
 
 Points = list[tuple[float, float]]
 MOST_MATERIAL_ROWS = 32
+STEP = 1e-6  # width of a vertical step, over the distance to the nearer of its neighbours
 MOST_COMPARED_ROWS = 1000  # thinning takes the square of it
 
 
@@ -17,20 +20,31 @@ class Curve:
     place: Place
     points: Points = field(default_factory=list)
     expression: str = ""
+    relaxation: int = 0  # SIDR: 0 in the run, 1 in the dynamic relaxation before it, 2 in both
+    is_of_time: bool = False  # something takes its value over time
 
 
 def order_points(points: Points) -> Points:
-    """Ascending abscissae: a vertical step becomes one of a millionth of the range."""
-    points = sorted(points, key=lambda point: point[0])
-    gap = 1e-6 * (points[-1][0] - points[0][0]) if points else 0.0
+    """Ascending abscissae: a vertical step becomes one of a millionth of the way to the next point."""
     rows: Points = []
-    for x, y in points:
-        if rows and x <= rows[-1][0]:
-            if y == rows[-1][1]:
-                continue
-            x = rows[-1][0] + (gap or 1e-6)
-        rows.append((x, y))
-    return rows
+    for x, members in groupby(sorted(points, key=lambda point: point[0]), key=lambda point: point[0]):
+        values = [y for _, y in members]
+        rows.append((x, values[0]))
+        if values[-1] != values[0]:
+            rows.append((x, values[-1]))
+    return widen_steps(rows)
+
+
+def widen_steps(rows: Points) -> Points:
+    """Of two rows at one place, the second a little later."""
+    widened = list(rows)
+    for i in range(1, len(rows)):
+        x = rows[i][0]
+        if x == rows[i - 1][0]:
+            ways = [abs(other - x) for other in (rows[i - 2][0] if i > 1 else x, rows[i + 1][0] if i + 1 < len(rows) else x) if other != x]
+            gap = max(STEP * min(ways, default=abs(x) or 1.0), 4 * math.ulp(x))
+            widened[i] = (x + gap, rows[i][1])
+    return widened
 
 
 def interpolate(points: Points, x: float) -> float:
@@ -51,7 +65,10 @@ def is_constant(points: Points, end: float) -> bool:
 
 
 def make_time_value(curve: Curve, scale: float, end: float, shift: float = 0.0) -> "float | Deck":
-    """A value of the deck over time. Before and behind the points it is 0, as in LS-DYNA."""
+    """A value of the deck over time. Before and behind the points it is 0, as in LS-DYNA; so is a curve of dynamic relaxation alone."""
+    curve.is_of_time = True
+    if curve.relaxation == 1:
+        return 0.0
     if curve.expression:
         return {"expression": f"{scale!r} * ({curve.expression})"}
     points = [(x + shift, y * scale) for x, y in curve.points]

@@ -43,6 +43,7 @@ REASONS = {
     "adaptive": "of adaptive meshes",
     "relaxation": "of dynamic relaxation alone",
     "unused": "not used by LS-DYNA with these options",
+    "sampling": "how LS-DYNA samples curves again: percuss keeps their rows",
     "storage": "how data are stored",
     "default": "the defaults of what another card gives",
 }

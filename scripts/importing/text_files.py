@@ -3,6 +3,7 @@
 import difflib
 from collections.abc import Iterable
 
+from .fields import clip
 from .ledger import BadInput, Place
 
 MARK = b"\xef\xbb\xbf"  # byte order mark of UTF-8
@@ -28,14 +29,14 @@ def find_similar(word: str, known: Iterable[str]) -> str:
 
 
 def suggest(word: str, known: Iterable[str]) -> str:
-    """'; did you mean *X?' for a message, or nothing."""
+    """The reason in a message that a keyword is not known: ' (did you mean *X?)', or nothing."""
     found = find_similar(word, known)
-    return f"; did you mean *{found}?" if found else ""
+    return f" (did you mean *{found}?)" if found else ""
 
 
 def suggest_place(wanted: str, unknown: "Iterable[tuple[str, Place]]") -> str:
-    """What to add where a keyword is missing: the unknown one that is written almost like it."""
+    """What to do where a keyword is missing: add it, or correct the unknown one that is written almost like it."""
     for word, place in unknown:
         if difflib.SequenceMatcher(None, word, wanted).ratio() >= 0.85:
-            return f"; did you mean *{wanted} with *{word} in line {place.line} of {place.file}?"
+            return f"did you mean *{clip(word)} in line {place.line}?"
     return ""

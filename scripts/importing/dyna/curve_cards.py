@@ -1,6 +1,8 @@
 """*DEFINE_CURVE and its like."""
 
-from ..curves import Curve, Points, order_points
+import math
+
+from ..curves import Curve, Points, interpolate, order_points
 from ..ledger import BadInput
 from .cards import Card
 from .deck import KeywordDeck
@@ -11,12 +13,16 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     if card.has_title:
         reader.take()
-    row = reader.row("LCID SIDR~ SFA=1 SFO=1 OFFA OFFO DATTYP~ LCINT~")
+    row = reader.row("LCID SIDR SFA=1 SFO=1 OFFA OFFO DATTYP LCINT~sampling")
     id, offset_a, offset_o = row.integer("LCID"), row.number("OFFA"), row.number("OFFO")
     scale_a, scale_o = row.number("SFA") or 1.0, row.number("SFO") or 1.0
     points: Points = []
+    last = -math.inf
     while reader.skip_blank():
         point = reader.row("A O", (20, 20))
+        if point.number("A") < last:
+            point.fail("A", f"abscissae of a curve must ascend, and that before it is {last:g}")
+        last = point.number("A")
         points.append((scale_a * (point.number("A") + offset_a), scale_o * (point.number("O") + offset_o)))
     if id < 1:
         row.fail("LCID", "an id is expected")
@@ -24,9 +30,10 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
         raise BadInput(row.place, f"curve {id} has no points: add rows, or remove what refers to it")
     if id in deck.curves:
         raise BadInput(row.place, f"there are two curves {id} (ids must be unique): renumber one")
-    if row.integer("SIDR") == 1:
-        deck.ledger.ignored("DEFINE_CURVE.SIDR", row.place, "a curve of dynamic relaxation alone")
-    deck.curves[id] = Curve(row.place, order_points(points))
+    if row.integer("DATTYP") not in (0, 1, -100) or row.integer("DATTYP") == 1 and (offset_a or offset_o):
+        deck.ledger.refuse("DEFINE_CURVE.DATTYP", row.place, f"DATTYP is {row.integer('DATTYP')}", "the rows are taken as they are")
+    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"))
+    row.finish(deck.ledger)
     deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
     if deck.waiting_table:
         table, value = deck.waiting_table.pop(0)
@@ -38,7 +45,7 @@ def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     if card.has_title:
         reader.take()
-    row = reader.row("LCID SIDR~ DIST TSTART TEND TRISE VMAX")
+    row = reader.row("LCID SIDR DIST TSTART TEND TRISE VMAX")
     distance, start, end, rise, largest = row.numbers("DIST", "TSTART", "TEND", "TRISE", "VMAX")
     if not end and largest:
         end = start + rise + distance / largest
@@ -49,8 +56,21 @@ def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
     down = f"(1 - cos(pi * ({end!r} - t) / {rise!r})) / 2"
     inside = f"(t < {start + rise!r} ? {value!r} * {up} : (t > {end - rise!r} ? {value!r} * {down} : {value!r}))"
     text = f"(t <= {start!r} || t >= {end!r}) ? 0 : {inside}"
-    deck.curves[row.integer("LCID")] = Curve(row.place, expression=text)
+    deck.curves[row.integer("LCID")] = Curve(row.place, expression=text, relaxation=row.integer("SIDR"))
     deck.ledger.approximated(card.keyword, row.place, "rise and fall by half a cosine")
+
+
+def check_relaxation(deck: KeywordDeck) -> None:
+    """percuss relaxes with the values of all loads at time 0: those of SIDR = 1 are not among them, those of SIDR = 0 should not be."""
+    if "relaxation" not in deck.model.deck.get("start", {}) or "preload" in deck.model.deck["start"]:
+        return
+    for curve in deck.curves.values():
+        if not curve.is_of_time or curve.relaxation not in (0, 1):
+            continue
+        if curve.relaxation == 1:
+            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place, "a load of dynamic relaxation alone", "it does not act")
+        elif curve.expression or interpolate(curve.points, 0.0):
+            deck.ledger.refuse("DEFINE_CURVE.SIDR", curve.place, "a load that begins after dynamic relaxation", "its value at time 0 acts in it")
 
 
 def read_table(deck: KeywordDeck, card: Card) -> None:

@@ -1,6 +1,7 @@
 """A keyword deck in memory: what its cards define, by id, before it is applied."""
 
 from bisect import bisect_left, bisect_right
+from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any
@@ -9,7 +10,8 @@ from ..curves import Curve, Points
 from ..fields import Row
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Model, Vector
-from ..shapes import FaceOwners
+from ..shapes import FaceOwners, dot, subtract
+from ..solids import FACES
 from .cards import Card
 from .output import Output
 
@@ -111,6 +113,22 @@ class Elements:
     others: set[str] = field(default_factory=set)
 
 
+SPACE: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+@dataclass
+class Box:
+    """*DEFINE_BOX: limits along axes from an origin."""
+
+    limits: list[float]  # low, high of each axis
+    axes: tuple[Vector, Vector, Vector]
+    origin: Vector
+
+    def holds(self, x: Vector) -> bool:
+        way = subtract(x, self.origin)
+        return all(self.limits[2 * d] <= dot(way, self.axes[d]) <= self.limits[2 * d + 1] for d in range(3))
+
+
 def pick(ids: list[int], ranges: list[tuple[int, int]]) -> list[int]:
     """Those of ascending ids that lie in any of the ranges, each once."""
     picked: list[int] = []
@@ -146,7 +164,7 @@ class KeywordDeck:
         self.material_titles: dict[int, str] = {}
         self.states: dict[int, Card] = {}
         self.hourglass: dict[int, Row] = {}
-        self.boxes: dict[int, Row] = {}
+        self.boxes: dict[int, Box] = {}
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
@@ -154,6 +172,7 @@ class KeywordDeck:
         self.unknown: list[tuple[str, Place]] = []  # cards that may be misspelt
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
+        self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
         self.springs: list[SpringElement] = []
         self.part_of_spring: set[int] = set()
         self.welds: list[Card] = []
@@ -249,20 +268,29 @@ class KeywordDeck:
         return [id for part in self.elements.values() for id, _ in part.solids]
 
     def _apply_option(self, kind: str, ids: list[int], option: str, values: list[int], place: Place) -> list[int]:
+        """Members of a kind by one line of a _GENERAL set; set_cards.py lets no other option through."""
         removes = option.startswith("D")
         option = option.removeprefix("D")
+        shift = {"SHELL": self.shell_shift, "BEAM": self.beam_shift}.get(kind, 0)
         if option == "ALL":
-            more = list(self.nodes) if kind == "NODE" else list(self.parts)
-        elif option == kind:
-            more = values
+            more = self._sort_known(kind)
         elif option == "PART" and kind == "NODE":
             more = [node for part in values for node in self.nodes_of_part(part)]
-        elif option == "BOX" and kind == "NODE":
-            more = [node for box in values for node in self.nodes_of_box(box, place)]
+        elif option == "PART" and kind != "PART":
+            more = [id for part in values for id, _ in self.elements_of_part(kind, part)]
+        elif option == "BOX":
+            inside = {node for box in values for node in self.nodes_of_box(box, place)}
+            more = list(inside) if kind == "NODE" else self._list_inside(kind, inside)
         else:
-            raise BadInput(place, f"*SET_{kind}_GENERAL with {option} is not read")
+            more = [id + shift for id in values]
         gone = set(more) if removes else set()
         return [i for i in ids if i not in gone] if removes else ids + more
+
+    def _list_inside(self, kind: str, inside: set[int]) -> list[int]:
+        """Elements, or parts, of which all nodes are among these."""
+        if kind == "PART":
+            return [part for part in self.parts if (nodes := self.nodes_of_part(part)) and inside.issuperset(nodes)]
+        return [id for part in self.elements for id, corners in self.elements_of_part(kind, part) if inside.issuperset(corners)]
 
     def nodes_of_part(self, id: int) -> list[int]:
         found = self.elements.get(id)
@@ -275,8 +303,22 @@ class KeywordDeck:
     def nodes_of_box(self, id: int, place: Place) -> list[int]:
         if id not in self.boxes:
             raise BadInput(place, missing(f"*DEFINE_BOX {id}"))
-        low_high = self.boxes[id].numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX")
-        return [n for n, x in self.nodes.items() if all(low_high[2 * d] <= x[d] <= low_high[2 * d + 1] for d in range(3))]
+        return [node for node, x in self.nodes.items() if self.boxes[id].holds(x)]
+
+    def elements_of_part(self, kind: str, part: int) -> list[tuple[int, tuple[int, ...]]]:
+        """Ids and corners of the elements of a kind."""
+        found = self.elements.get(part)
+        if not found:
+            return []
+        if kind == "SOLID":
+            return list(found.solids)
+        return [(shell.id, shell.corners) for shell in found.shells] if kind == "SHELL" else [(beam.id, beam.ends) for beam in found.beams]
+
+    def faces_of_part(self, part: int) -> list[tuple[int, ...]]:
+        """Shells, and those faces of solids that no other solid of the part has, outward."""
+        faces = [tuple(corners[i] for i in face) for _, corners in self.elements_of_part("SOLID", part) for face in FACES[4 if len(corners) == 10 else len(corners)]]
+        counts = Counter(frozenset(face) for face in faces)
+        return [corners for _, corners in self.elements_of_part("SHELL", part)] + [face for face in faces if counts[frozenset(face)] == 1]
 
     # --- names in the deck of percuss
 

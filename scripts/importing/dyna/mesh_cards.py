@@ -147,17 +147,6 @@ def read_shell_options(deck: KeywordDeck, card: Card, reader, options: set[str],
     return thickness
 
 
-def read_masses(deck: KeywordDeck, card: Card) -> None:
-    """EID NID MASS: mass of a node."""
-    for line in card.lines:
-        if not line[1].strip():
-            continue
-        row = card.row(line, "EID ID MASS PID~", (8, 8, 16, 8))
-        deck.masses.append((row.integer("ID"), row.number("MASS"), row.place))
-        row.skip("EID")
-        row.finish(deck.ledger)
-
-
 def read_other_elements(deck: KeywordDeck, card: Card) -> None:
     """Elements that percuss does not have."""
     kind = next((word for word in OTHERS if card.keyword.startswith("ELEMENT_" + word)), "")

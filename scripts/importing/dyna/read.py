@@ -14,18 +14,19 @@ from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
 from .constraint_cards import add_node_sets, read_node_sets
 from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, is_known_control, read_general_hourglass, read_other_control, read_termination
-from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
+from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
-from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
+from .mass_cards import add_masses_of_sets, read_masses
+from .mesh_cards import read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
-from .set_cards import read_box, read_set, read_system, read_vector
+from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .stress_cards import read_stresses
 from .wall_cards import read_wall
@@ -126,9 +127,9 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for card in CardReader(path, ledger).read():
         sort_card(deck, card, waiting)
     if not deck.elements:
-        raise BadInput(path, f"the deck has no elements that percuss reads{find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL')}: include the mesh file")
+        raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}")
     if deck.end_time <= 0:
-        raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end{find_misspelt(deck, 'CONTROL_TERMINATION')}): add one")
+        raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end): {find_misspelt(deck, 'CONTROL_TERMINATION') or 'add one'}")
     build(deck)
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
@@ -144,6 +145,7 @@ def find_misspelt(deck: KeywordDeck, *keywords: str) -> str:
 def build(deck: KeywordDeck) -> None:
     """Parts with their materials."""
     check_corners(deck)
+    resolve_segments(deck)
     build_blocks(deck)
     note_spring_materials(deck)
     build_materials(deck)
@@ -172,12 +174,14 @@ def finish(deck: KeywordDeck) -> None:
     rigid.apply_extra_nodes(deck)
     add_joints(deck)
     start.add_masses(deck)
+    add_masses_of_sets(deck)
     add_springs(deck)
     add_welds(deck)
     add_node_sets(deck)
     finish_contacts(deck)
     finish_output(deck)
     finish_sensors(deck)
+    check_relaxation(deck)
     keep_sets(deck)
     note_unused(deck)
 

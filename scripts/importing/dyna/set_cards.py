@@ -1,11 +1,11 @@
 """*SET_...: nodes, parts, segments, shells, solids, beams; and *DEFINE_ boxes, systems and vectors."""
 
-from ..fields import parse_integer
-from ..ledger import BadInput
+from ..fields import Row, clip, parse_integer
+from ..ledger import BadInput, Ledger
 from ..model import Vector
 from ..shapes import cross, normalise, subtract
 from .cards import Card, Lines, read_ids
-from .deck import KeywordDeck, SetCard
+from .deck import SPACE, Box, KeywordDeck, SetCard
 
 KINDS = ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")
 
@@ -50,7 +50,7 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
     elif form == ["COLUMN"]:
         found.ids += [ids[0] for ids in (read_ids(line_of(reader)) for _ in iter(lambda: bool(reader), False)) if ids]
     elif form == ["GENERAL"]:
-        read_general(card, reader, found)
+        read_general(deck.ledger, card, reader, found)
     else:
         raise BadInput(card.place, f"*{card.keyword} is not read (LIST, GENERATE, GENERATE_INCREMENT, GENERAL, ADD and COLUMN are)")
 
@@ -81,26 +81,55 @@ def read_segments(reader: Lines) -> list[tuple[int, ...]]:
     return segments
 
 
-def read_general(card: Card, reader: Lines, found: SetCard) -> None:
+def read_general(ledger: Ledger, card: Card, reader: Lines, found: SetCard) -> None:
     """OPTION E1-E7, one after the other."""
+    own = {"NODE": "NODE", "PART": "PART", "SEGMENT": "SEG"}.get(found.kind, "ELEM")
+    known = {"ALL", own, "PART", *(("SHELL",) if found.kind == "SEGMENT" else ("BOX",))}
     while reader.skip_blank():
         line = reader.take()
         texts = card.split(line, (10,) * 8)
-        values = [parse_integer(text) for text in texts[1:8] if text]
-        if found.kind == "SEGMENT" and texts[0].upper() == "SEG":
+        values, option = [parse_integer(text) for text in texts[1:8] if text], texts[0].upper()
+        if option not in known and option.removeprefix("D") not in known - {"ALL"}:
+            ledger.refuse(f"{card.keyword}.{clip(option)}", card.at(line[0]), f"the option {clip(option)}", "its line is left out")
+        elif None in values:
+            raise BadInput(card.at(line[0]), f"an id of *{card.keyword} is not a whole number: correct it")
+        elif found.kind == "SEGMENT" and option == "SEG":
             found.segments.append(tuple(dict.fromkeys(v for v in values[:4] if v)))
-            continue
-        if None in values or found.kind not in ("NODE", "PART"):
-            raise BadInput(card.at(line[0]), f"this line of *{card.keyword} is not read: write it in the form that docs/import.md lists")
-        found.options.append((texts[0].upper(), [v for v in values if v]))
+        else:
+            found.options.append((option, [v for v in values if v]))
+
+
+def resolve_segments(deck: KeywordDeck) -> None:
+    """Segments that a set names by parts and shells, once all elements are known."""
+    for (kind, _), found in deck.sets.items():
+        for option, values in found.options if kind == "SEGMENT" else ():
+            if option == "DSEG":
+                more = [tuple(values[:4])]
+            elif option.endswith("SHELL"):
+                more = [shell.corners for part in deck.elements.values() for shell in part.shells if shell.id in values]
+            else:
+                more = [face for part in (values if option != "ALL" else deck.elements) for face in deck.faces_of_part(part)]
+            gone = {frozenset(face) for face in more}
+            if option.startswith("D"):
+                found.segments = [face for face in found.segments if frozenset(face) not in gone]
+            else:
+                found.segments += more
+        if kind == "SEGMENT":
+            found.options = []
 
 
 def read_box(deck: KeywordDeck, card: Card) -> None:
+    """*DEFINE_BOX, and _LOCAL with the axes and the origin of its limits."""
     reader = card.reader()
     if card.has_title:
         reader.take()
     row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
-    deck.boxes[row.integer("BOXID")] = row
+    limits, axes, origin = row.numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX"), SPACE, (0.0, 0.0, 0.0)
+    if card.keyword.endswith("LOCAL"):
+        local, center = reader.row("XX YX ZX XV YV ZV"), reader.row("CX CY CZ")
+        axes = make_axes(local, tuple(local.numbers("XX", "YX", "ZX")), tuple(local.numbers("XV", "YV", "ZV")))  # type: ignore[arg-type]
+        origin = tuple(center.numbers("CX", "CY", "CZ"))  # type: ignore[assignment]
+    deck.boxes[row.integer("BOXID")] = Box(limits, axes, origin)
     deck.ledger.translated(card.keyword, card.place, "limits what uses it")
 
 
@@ -128,9 +157,16 @@ def read_system(deck: KeywordDeck, card: Card) -> None:
     else:
         deck.ledger.ignored(card.keyword, card.place, "not read; a card that uses it is refused")
         return
-    z = normalise(cross(x, xy))
-    deck.systems[row.integer("CID")] = (normalise(x), normalise(cross(z, x)), z)
+    deck.systems[row.integer("CID")] = make_axes(row, x, xy)  # type: ignore[arg-type]
     deck.ledger.translated(card.keyword, card.place, "axes of what uses it")
+
+
+def make_axes(row: Row, x: Vector, xy: Vector) -> tuple[Vector, Vector, Vector]:
+    """Axes by x and a vector in the plane of x and y."""
+    z = normalise(cross(x, xy))
+    if z == (0.0, 0.0, 0.0):
+        raise BadInput(row.place, f"the two vectors of *{row.card} are along one line or 0 (they give no axes): correct them")
+    return normalise(x), normalise(cross(z, x)), z
 
 
 def read_vector(deck: KeywordDeck, card: Card) -> None:
