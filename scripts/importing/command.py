@@ -2,7 +2,9 @@
 
 import argparse
 import os
+import shutil
 import sys
+import tempfile
 
 from . import earlier, proof, report, units
 from .abaqus.read import read_abaqus_deck
@@ -59,12 +61,14 @@ def import_model(arguments: argparse.Namespace) -> int:
         earlier.refuse_source(os.path.join(arguments.out, name), arguments.model, ledger.files)
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
-    deck = "" if refused else write_files(arguments, model)  # before what is printed, whose reader may end
+    verdict = proof.Verdict(0) if refused else write_checked(arguments, ledger, model)
+    refused = ledger.list_refused()
+    deck = "" if refused or verdict.code else os.path.join(arguments.out, DECK)
     write_reports(arguments, ledger, summary, deck)
     if not arguments.quiet:
         report.print_table(ledger)
     tell_unused(ledger)
-    return tell_refused(arguments, ledger) if refused else tell_deck(arguments, deck, summary)
+    return tell_refused(arguments, ledger) if refused else tell_deck(arguments, deck, summary, verdict)
 
 
 def tell_unused(ledger: Ledger) -> None:
@@ -96,31 +100,44 @@ def print_refused(ledger: Ledger) -> None:
         print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
 
 
-def write_files(arguments: argparse.Namespace, model: Model) -> str:
-    """Writes the deck and its mesh. Returns the name of the deck."""
-    deck = os.path.join(arguments.out, DECK)
+def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -> proof.Verdict:
+    """Writes deck, mesh and tables to a folder of their own, checks them there, and moves them to their places if they pass."""
+    folder = tempfile.mkdtemp(prefix=".import_", dir=arguments.out)
+    try:
+        names = write_files(arguments, model, folder)
+        verdict = proof.check_deck(os.path.join(folder, DECK)) if arguments.check else proof.Verdict(0)
+        if verdict.code == 2:
+            proof.refuse_checked(model, ledger, arguments.model, os.path.join(folder, DECK), verdict)
+        if not verdict.code:
+            for name in names:
+                os.replace(os.path.join(folder, name), os.path.join(arguments.out, name))
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    return verdict._replace(**{key: getattr(verdict, key).replace(folder, arguments.out.rstrip("/") or "/") for key in ("output", "errors")})
+
+
+def write_files(arguments: argparse.Namespace, model: Model, folder: str) -> list[str]:
+    """Writes the mesh, its tables and the deck. Returns their names."""
     try:
         text = write_deck(model, os.path.basename(arguments.model), MESH, arguments.units)
     except OverflowError as error:
         raise BadInput(clean(arguments.model), str(error)) from None
-    write_mesh(model, os.path.join(arguments.out, MESH))
-    for name, lines in model.tables.items():
-        with open(os.path.join(arguments.out, name), "w", encoding="utf-8", newline="\n") as file:
-            file.writelines(f"{line}\n" for line in lines)
-    with open(deck, "w", encoding="utf-8", newline="\n") as file:
-        file.write(text)
-    return deck
+    write_mesh(model, os.path.join(folder, MESH))
+    tables = {name: "".join(f"{line}\n" for line in lines) for name, lines in model.tables.items()}
+    for name, content in {**tables, DECK: text}.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
+            file.write(content)
+    return [MESH, *tables, DECK]
 
 
-def tell_deck(arguments: argparse.Namespace, deck: str, summary: list[str]) -> int:
-    """Tells what was written, and checks it."""
+def tell_deck(arguments: argparse.Namespace, deck: str, summary: list[str], verdict: proof.Verdict) -> int:
+    """Tells what was written, and what the check says."""
     for line in summary:
         print(clean(line))
-    print(f"percuss import: {clean(deck)}", flush=True)
-    if not arguments.check:
-        return 0
-    code = proof.check_deck(deck)
-    if code is None:
+    if deck:
+        print(f"percuss import: {clean(deck)}", flush=True)
+    print(verdict.output, end="", flush=True)
+    print(verdict.errors, end="", file=sys.stderr)
+    if verdict.code is None:
         print("percuss import: percuss is not found, so the deck is not checked", file=sys.stderr)
-        return 0
-    return code
+    return verdict.code or 0

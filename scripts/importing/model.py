@@ -1,7 +1,7 @@
 """A model as both readers leave it: a mesh with its sets, and the sections of a deck."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -60,6 +60,49 @@ class StartTable:
     rows: dict[int, list[str]] = field(default_factory=dict)
 
 
+NESTED = ("loads", "contact", "start", "output", "elements", "time")  # sections whose own entries are lists and maps
+
+
+class Origins:
+    """Which card has made each entry of the deck, by its path there: (section, key or number...). It is noted after each card by what is new."""
+
+    def __init__(self) -> None:
+        self.cards: dict[tuple[str | int, ...], tuple[str, Place | None]] = {}
+        self._counts: dict[tuple[str | int, ...], int] = {}
+
+    def note(self, model: "Model", card: str, place: Place | None) -> None:
+        """What is in the model and was not when this was last called is of the card."""
+        for path, container in list_containers(model):
+            known, count = self._counts.get(path, 0), len(container)
+            if count > known:
+                new = range(known, count) if isinstance(container, list) else list(container)[known:]
+                for key in new:
+                    self.cards.setdefault((*path, key), (card, place))
+            self._counts[path] = count
+
+    def find(self, path: list[str | int]) -> tuple[str, Place | None] | None:
+        """The card of the innermost entry around a path."""
+        for length in range(len(path), 0, -1):
+            if tuple(path[:length]) in self.cards:
+                return self.cards[tuple(path[:length])]
+        return None
+
+
+def list_containers(model: "Model") -> Iterator[tuple[tuple[str | int, ...], Any]]:
+    """Maps and lists of the deck whose entries come from cards, with their paths."""
+    yield (), model.deck
+    yield ("materials",), model.materials
+    for block in model.blocks:
+        yield ("parts", block.name), block.keys
+    for section, value in model.deck.items():
+        if isinstance(value, (list, dict)):
+            yield (section,), value
+        for key, inner in value.items() if section in NESTED and isinstance(value, dict) else ():
+            if isinstance(inner, (list, dict)):
+                yield (section, key), inner
+                yield from (((section, key, name), more) for name, more in inner.items() if isinstance(more, list)) if isinstance(inner, dict) else ()
+
+
 @dataclass
 class Model:
     """All that is written. Sets are by their names in the deck."""
@@ -75,6 +118,7 @@ class Model:
     deck: Deck = field(default_factory=dict)  # the other sections
     start_tables: dict[str, "StartTable"] = field(default_factory=dict)  # files beside the deck, by name
     names: "Names" = field(default_factory=lambda: Names())
+    origins: Origins = field(default_factory=Origins)
 
     def used_nodes(self) -> set[int]:
         """Nodes of the elements that are written."""

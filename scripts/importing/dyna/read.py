@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from ..fields import clip
-from ..ledger import BadInput, Ledger, missing
-from ..model import Model
+from ..ledger import BadInput, Ledger, Place, missing
+from ..model import Block, Model
 from ..text_files import suggest, suggest_place
 from . import condition_cards as conditions
 from . import rigid_cards as rigid
@@ -118,6 +118,7 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
         handler(deck, card)
     except ArithmeticError as error:
         raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+    deck.model.origins.note(deck.model, card.keyword, card.place)
 
 
 def read_keyword_deck(path: str, ledger: Ledger) -> Model:
@@ -153,7 +154,17 @@ def build(deck: KeywordDeck) -> None:
     translate_integration(deck)
     translate_hourglass(deck, deck.general_hourglass)
     note_shell_hourglass(deck, deck.general_hourglass)
+    for block in deck.model.blocks:
+        deck.model.origins.cards["parts", block.name] = ("PART", block.place)
+        deck.model.origins.cards["materials", block.keys["material"]] = material_card(deck, block)
+    deck.model.origins.note(deck.model, "PART", None)
     conditions.apply_fixed_nodes(deck)
+    deck.model.origins.note(deck.model, "NODE", deck.fixed_place)
+
+
+def material_card(deck: KeywordDeck, block: Block) -> tuple[str, Place]:
+    card = deck.materials[deck.parts[block.part].material]
+    return card.keyword, card.place
 
 
 def check_corners(deck: KeywordDeck) -> None:
@@ -168,22 +179,9 @@ def check_corners(deck: KeywordDeck) -> None:
 
 def finish(deck: KeywordDeck) -> None:
     """What needs all cards."""
-    add_preloads(deck)
-    add_nodal_bodies(deck)
-    rigid.apply_rigid_motions(deck)
-    rigid.apply_extra_nodes(deck)
-    add_joints(deck)
-    start.add_masses(deck)
-    add_masses_of_sets(deck)
-    add_springs(deck)
-    add_welds(deck)
-    add_node_sets(deck)
-    finish_contacts(deck)
-    finish_output(deck)
-    finish_sensors(deck)
-    check_relaxation(deck)
-    keep_sets(deck)
-    note_unused(deck)
+    for function, card in LAST:
+        function(deck)
+        deck.model.origins.note(deck.model, card, None)
 
 
 def keep_sets(deck: KeywordDeck) -> None:
@@ -198,3 +196,14 @@ def keep_sets(deck: KeywordDeck) -> None:
                 deck.model.add_node_set(card.title or f"nodes_{id}", members)
         else:
             deck.part_set_name(id, card.place)
+
+
+# What needs all cards, with the cards that it is of.
+LAST: tuple[tuple[Callable[[KeywordDeck], None], str], ...] = (
+    (add_preloads, "INITIAL_"), (add_nodal_bodies, "CONSTRAINED_NODAL_RIGID_BODY"),
+    (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"), (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
+    (add_joints, "CONSTRAINED_JOINT"), (start.add_masses, "ELEMENT_MASS"), (add_masses_of_sets, "ELEMENT_MASS"),
+    (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_NODE_SET"),
+    (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"), (check_relaxation, "DEFINE_CURVE"),
+    (keep_sets, "SET_"), (note_unused, "DEFINE_CURVE"),
+)  # fmt: skip
