@@ -44,6 +44,12 @@ REASONS = {
     "relaxation": "of dynamic relaxation alone",
     "unused": "not used by LS-DYNA with these options",
     "sampling": "how LS-DYNA samples curves again: percuss keeps their rows",
+    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities instead",
+    "shells": "numerics of shells: percuss has one shell",
+    "solids": "numerics of solids: percuss has its own",
+    "joints": "how joints and rigid bodies are solved: joints of percuss are exact",
+    "isotropic": "directions, which isotropic materials do not see",
+    "absent": "of elements or bodies that percuss does not have",
     "storage": "how data are stored",
     "default": "the defaults of what another card gives",
 }

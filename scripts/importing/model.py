@@ -31,6 +31,7 @@ class Block:
     thicknesses: dict[int, float] = field(default_factory=dict)  # of shells, by id, where they differ
     keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
     density: float = 0.0
+    more_density: float = 0.0  # mass that is not of the material, over the volume
 
     def elements(self) -> list[tuple[int, tuple[int, ...]]]:
         return self.solids + self.shells + self.beams

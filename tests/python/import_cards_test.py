@@ -102,9 +102,10 @@ class Cards(InFolder):
         self.assertEqual(model.title, "three")
         self.assertIn("CASE.TITLE", outcomes(ledger, Status.IGNORED))
 
-    def test_a_limit_of_the_step_is_ignored(self):
+    def test_the_step_is_limited_by_the_least_value_of_its_curve(self):
         text = decks.make_block(decks.LAWS["table"][1], "", True)
-        self.assertEqual(self.refusals(text.replace("*END", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n*END")), {})
+        cards = "*DEFINE_CURVE\n77\n0,3e-7\n1,2e-7\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,77\n*END"
+        self.assertEqual(self.read(text.replace("*END", cards))[0].deck["time"]["max_step"], 2e-7)
 
     def test_accelerometers_are_followed(self):
         cards = "*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,2,4,1,1,0.25\n8,2,1,4\n*DATABASE_HISTORY_NODE\n2\n*END"

@@ -2,7 +2,7 @@
 
 from ..ledger import BadInput, missing
 from ..model import Block, Deck, Vector
-from ..shapes import cross, dot, normalise, subtract
+from ..shapes import cross, dot, normalise, section_area, subtract
 from .cards import Card, Lines
 from .deck import BeamElement, KeywordDeck, PartCard
 from .mesh_cards import EIGHTS, elements_of, to_id
@@ -43,10 +43,12 @@ def read_toward(card: Card, reader: Lines) -> Vector | None:
 def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     """The section of a part. None where it is refused."""
     reader = card.reader()
-    row = reader.row("SECID ELFORM=1 SHRF~ QR~ CST SCOOR NSM NAUPD~")
+    row = reader.row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD")
     form = row.integer("ELFORM") or 1
     kind = row.integer("CST")
-    row.skip("SECID")
+    if row.number("QR") < 0:
+        deck.ledger.refuse("SECTION_BEAM.QR", row.place, "a rule of integration of the user's", "the section of the card is used")
+    row.skip("SECID", "SHRF", "QR", "NSM")
     row.finish(deck.ledger, "it is left out")
     if form == 1:
         return make_shape(deck, reader, kind)
@@ -72,7 +74,7 @@ def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
     if s <= 0 or (kind == 0 and t <= 0) or (kind == 1 and not 0 <= t < s):
         more.fail("TS1", "positive widths, or an outer diameter above the inner one, are expected")
     deck.ledger.approximated(
-        "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear and torque"
+        "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear (factor 5/6 or 9/10) and torque"
     )
     if kind == 0:
         return {"rectangle": {"size": [s, t]}}
@@ -108,6 +110,9 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
     section = translate_beam_section(deck, deck.sections[part.section])
     if section is None:
         return []
+    per_length = deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD").number("NSM")
+    if per_length > 0:
+        deck.ledger.translated("SECTION_BEAM.NSM", part.place, "a higher density in a material of its own, rotary inertia too")
     groups: dict[tuple[tuple[float, ...], int], list[tuple[int, tuple[int, ...]]]] = {}
     for beam in beams:
         toward = find_direction(deck, part, beam) if has_axes(section) else ()
@@ -119,7 +124,9 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
         keys: Deck = {"section": section, **({"toward": list(toward)} if toward else {})}
         own_name = name if index == 0 else deck.model.names.take(f"{name}_d{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
-        blocks.append(Block(id, part.id, own_name, part.place, beams=members, keys=keys))
+        block = Block(id, part.id, own_name, part.place, beams=members, keys=keys)
+        block.more_density = max(per_length, 0.0) / section_area(section)
+        blocks.append(block)
         if bolt >= 0:
             deck.bolt_of_block[id] = bolt
     if len({toward for toward, _ in groups}) > 1:

@@ -2,15 +2,54 @@
 
 from dataclasses import dataclass
 
-from ..fields import Row
+from ..fields import REASONS, Row
 from ..ledger import Place
 from ..model import Deck
 from .cards import Card, Lines
 from .deck import KeywordDeck
 
-EXTRA_LINES = {"ERODING": 1, "TIEBREAK": 1, "FAILURE": 1, "THERMAL": 1, "DRAWBEAD": 1}
-BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM~ ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF~"}
+SINGLE, PAIR, TIE, INTERIOR, TRANSDUCER = "single", "pair", "tie", "interior", "transducer"
+# What the name of a contact begins with, behind CONTACT_, and what it is.
+FAMILIES = {
+    "AUTOMATIC_SINGLE_SURFACE": SINGLE, "AUTOMATIC_GENERAL": SINGLE, "SINGLE_SURFACE": SINGLE, "AIRBAG_SINGLE_SURFACE": SINGLE,
+    "ERODING_SINGLE_SURFACE": SINGLE, "AUTOMATIC_SURFACE_TO_SURFACE": PAIR, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE": PAIR,
+    "AUTOMATIC_NODES_TO_SURFACE": PAIR, "AUTOMATIC_BEAMS_TO_SURFACE": PAIR, "SURFACE_TO_SURFACE": PAIR,
+    "ONE_WAY_SURFACE_TO_SURFACE": PAIR, "NODES_TO_SURFACE": PAIR, "ERODING_SURFACE_TO_SURFACE": PAIR,
+    "ERODING_NODES_TO_SURFACE": PAIR, "FORMING_SURFACE_TO_SURFACE": PAIR, "FORMING_ONE_WAY_SURFACE_TO_SURFACE": PAIR,
+    "FORMING_NODES_TO_SURFACE": PAIR, "CONSTRAINT_SURFACE_TO_SURFACE": PAIR, "CONSTRAINT_NODES_TO_SURFACE": PAIR,
+    "TIEBREAK_SURFACE_TO_SURFACE": TIE, "TIEBREAK_NODES_TO_SURFACE": TIE, "TIED_SURFACE_TO_SURFACE": TIE, "TIED_NODES_TO_SURFACE": TIE,
+    "TIED_SHELL_EDGE_TO_SURFACE": TIE, "TIED_SHELL_EDGE_TO_SOLID": TIE, "SPOTWELD": TIE, "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED": TIE, "INTERIOR": INTERIOR,
+    "FORCE_TRANSDUCER": TRANSDUCER,
+}  # fmt: skip
+# Options behind it: lines behind the three cards; what is lost, and what is done instead, where percuss lacks it.
+OPTIONS: dict[str, tuple[int, str, str]] = {
+    "MPP": (0, "", ""), "MORTAR": (0, "", ""), "SMOOTH": (0, "", ""), "OFFSET": (0, "", ""), "BEAM_OFFSET": (0, "", ""),
+    "CONSTRAINED_OFFSET": (0, "", ""), "PENALTY": (0, "", ""), "TIEBREAK": (1, "", ""), "FAILURE": (0, "", ""), "THERMAL": (1, "", ""),
+    "INTERIOR": (0, "", ""), "ONLY": (0, "", ""), "WITH_TORSION": (0, "", ""),
+    "CONSTRAINT": (0, "", ""), "EDGEONLY": (0, "contact of edges alone", "faces touch too"),
+    "ORTHO_FRICTION": (4, "friction that depends on the direction", "FS acts in all directions"),
+    "THERMAL_FRICTION": (2, "friction that depends on the temperature", "FS acts at all temperatures"),
+    "LUBRICATION": (1, "lubrication of the surfaces", "FS acts alone"),
+    "COMPOSITE": (1, "friction and bond of composites", "FS acts alone"),
+    "INTERFERENCE": (1, "surfaces that overlap at the start and press each other apart", "they stay without force until they approach further"),
+    "CONTRACTION_JOINT": (1, "a contraction joint", "it is contact without it"),
+    "DAMPING": (1, "a tie with damping", "it has none"),
+    "USER": (1, "a tie by a subroutine of the user", "it does not fail"),
+    "TIED": (1, "surfaces that are tied where they are close", "they touch, and are not tied"),
+    "TIED_WELD": (2, "surfaces that are tied where they are hot", "they touch, and are not tied"),
+}  # fmt: skip
+BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
 INSTEAD = "it is left out"
+# Optional cards A to G.
+OPTIONAL = (
+    "SOFT~penalty SOFSCL~penalty=0.1 LCIDAB MAXPAR~search=1.025 SBOPT~penalty=2 DEPTH~search=2 BSORT~search FRCFRQ~step=1",
+    "PENMAX~penalty THKOPT~penalty SHLTHK~penalty SNLOG~penalty ISYM~penalty I2D3D~penalty SLDTHK SLDSTF~penalty",
+    "IGAP~penalty=1 IGNORE~penalty DPRFAC~penalty DTSTIF~penalty EDGEK~penalty UNUSED~unused FLANGL~penalty CIDRCF~output",
+    "Q2TRI~penalty DTPCHK~output SFNBR~penalty FNLSCL~penalty DNLSCL~penalty TCSO~penalty TIEDID~penalty SHLEDG~penalty",
+    "SHAREC~penalty CPARM8~penalty IPBACK~penalty SRNDE~penalty FRICSF~penalty=1 ICOR FTORQ REGION",
+    "PSTIFF~penalty IGNROFF UNUSED~unused FSTOL~penalty=2 BINR2D~absent SSFTYP~penalty SWTPR~penalty TETFAC~penalty",
+    "UNUSED~unused SHLOFF",
+)
 
 
 @dataclass
@@ -29,72 +68,139 @@ class Contact:
         return self.sides.place
 
 
+def split_name(keyword: str) -> tuple[str, list[str]] | None:
+    """Family and options of a contact; None where a word of its name is none of them."""
+    words = keyword.removeprefix("CONTACT_").split("_")
+    leading = [word for word in words if word != "MPP"]  # it may stand anywhere
+    for count in range(len(leading), 0, -1):
+        family = "_".join(leading[:count])
+        if family in FAMILIES:
+            options = match_options(leading[count:])
+            return None if options is None else (family, options + ["MPP"] * ("MPP" in words))
+    return None
+
+
+def match_options(words: list[str]) -> list[str] | None:
+    """Words as options, the longest first; None where one is no option."""
+    found: list[str] = []
+    while words:
+        count = next((n for n in (2, 1) if len(words) >= n and "_".join(words[:n]) in OPTIONS), 0)
+        if not count:
+            return None
+        found.append("_".join(words[:count]))
+        words = words[count:]
+    return found
+
+
 def read_contact(deck: KeywordDeck, card: Card) -> None:
     """One contact: its mandatory cards, then the optional ones."""
+    name = split_name(card.keyword)
+    if name is None:
+        deck.ledger.refuse(card.keyword, card.place, "this kind of contact", INSTEAD)
+        return
+    family, options = name
+    if FAMILIES[family] == INTERIOR:
+        deck.model.deck.setdefault("elements", {})["resist_folding"] = True
+        deck.ledger.approximated(card.keyword, card.place, "elements.resist_folding, of all solids")
+        return
     reader = card.reader()
     if not reader.skip_blank():
         return
-    translate_contact(deck, card, read_cards(deck, card, reader, card.keyword.split("_")))
+    contact = read_cards(deck, card, reader, family, options)
+    lost = [(option, *OPTIONS[option][1:]) for option in options if OPTIONS[option][1]]
+    if all([deck.ledger.refuse(f"{card.keyword}", contact.place, problem, instead) for _, problem, instead in lost]):
+        translate_contact(deck, contact, family, options)
     read_optional(deck, card, reader)
 
 
-def read_cards(deck: KeywordDeck, card: Card, reader: Lines, words: list[str]) -> Contact:
+def read_cards(deck: KeywordDeck, card: Card, reader: Lines, family: str, options: list[str]) -> Contact:
     title = ""
     if card.has_id or card.has_title:
         head = reader.row("CID HEADING", (10, 70))
         title = head.text("HEADING") or f"contact_{head.integer('CID')}"
-    if "MPP" in words:
+    if "MPP" in options:
         reader.take()
         if reader.peek().startswith("&"):
             reader.take()
-    sides = reader.row("SSID MSID SSTYP MSTYP SBOXID MBOXID SPR~ MPR~")
-    law = reader.row("FS FD DC VC VDC~ PENCHK~ BT DT=1e20")
-    scale = reader.row("SFS~ SFM~ SST MST SFST=1 SFMT=1 FSF=1 VSF~")
-    failure = None
-    for word, count in EXTRA_LINES.items():
-        for _ in range(count if word in words and reader else 0):
-            if word == "TIEBREAK" and "SURFACE" in words:
-                failure = reader.row(BREAKS["AUTOMATIC" if "AUTOMATIC" in words else "TIEBREAK"])
-            else:
-                reader.take()
+    sides = reader.row("SSID MSID SSTYP MSTYP SBOXID MBOXID SPR~output MPR~output")
+    law = reader.row("FS FD DC VC VDC~penalty PENCHK~search BT DT=1e20")
+    scale = reader.row("SFS~penalty=1 SFM~penalty=1 SST MST SFST=1 SFMT=1 FSF=1 VSF~penalty=1")
+    failure, lines = None, sum(OPTIONS[option][0] for option in options if option != "TIEBREAK")
+    if family.startswith(("ERODING", "CONSTRAINT")):
+        lines += 1
+    if breaks_by_stress(family, options):
+        failure = reader.row(BREAKS["AUTOMATIC" if family.startswith("AUTOMATIC") else "TIEBREAK"])
+    elif family.startswith("TIEBREAK") or "TIEBREAK" in options:
+        lines += 1
+    for _ in range(lines):
+        if reader:
+            reader.take()
     return Contact(card.keyword, title, sides, law, scale, failure)
 
 
+def breaks_by_stress(family: str, options: list[str]) -> bool:
+    """Whether a tie of surfaces has the strengths NFLS and SFLS. Those of nodes are forces."""
+    is_of_surfaces = family.endswith("SURFACE_TO_SURFACE") and FAMILIES[family] in (PAIR, TIE)
+    return is_of_surfaces and (family.startswith("TIEBREAK") or "TIEBREAK" in options)
+
+
 def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
-    """Cards A to G: the penalty method and its exceptions, which percuss does not use."""
-    rest = []
-    while reader:
-        rest.append(reader.take())
-    if any(text.strip("0. ") for _, text in rest):
-        deck.ledger.ignored(
-            f"{card.keyword.split('_')[0]} cards A-G",
-            card.at(rest[0][0]),
-            "numerics of the penalty method; percuss corrects velocities instead",
-        )
+    """Cards A to G: the penalty method and its exceptions."""
+    for layout in OPTIONAL:
+        if not reader:
+            return
+        row = reader.row(layout)
+        row.card = "CONTACT"
+        row.finish(deck.ledger, "it is left out")
 
 
-def translate_contact(deck: KeywordDeck, card: Card, contact: Contact) -> None:
-    name = card.keyword
-    if "FORCE_TRANSDUCER" in name:
+def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options: list[str]) -> None:
+    name, kind = contact.keyword, FAMILIES[family]
+    breaks = family.startswith("TIEBREAK") or "TIEBREAK" in options or "FAILURE" in options
+    if kind == TRANSDUCER:
         transduce(deck, contact)
     elif find_strengths(contact):
-        if "AUTOMATIC" in name:  # contact goes on where the tie has failed
+        if "ONLY" not in options:  # contact goes on where the tie has failed
             add_pairs(deck, contact, is_single=False)
         tie(deck, contact)
-    elif "TIEBREAK" in name or "TIED" in name and "FAILURE" in name:
+    elif breaks:
         if deck.ledger.refuse(name, contact.place, "ties that fail", "they do not fail"):
             tie(deck, contact)
-    elif "TIED" in name or "SPOTWELD" in name:
+    elif kind == TIE:
         tie(deck, contact)
-    elif "INTERIOR" in name:
-        deck.model.deck.setdefault("elements", {})["resist_folding"] = True
-        deck.ledger.approximated(name, contact.place, "elements.resist_folding, of all solids")
-    elif any(word in name for word in ("2D", "DRAWBEAD", "ENTITY", "RIGID", "1D", "GUIDED", "SLIDING", "GEBOD", "COUPLING")):
-        deck.ledger.refuse(name, contact.place, "this kind of contact", INSTEAD)
-    elif "SINGLE_SURFACE" in name or "GENERAL" in name or "AIRBAG" in name:
-        add_pairs(deck, contact, is_single=True)
     else:
-        add_pairs(deck, contact, is_single=False)
+        add_pairs(deck, contact, is_single=kind == SINGLE)
+
+
+def list_side_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
+    """Parts that a side names; None where it names something else."""
+    id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
+    if kind == 5 or (kind in (0, 2) and id == 0):
+        return list(deck.parts)
+    if kind == 2:
+        return deck.list_members("PART", id, contact.place)
+    if kind == 3:
+        return [id]
+    if kind == 4:
+        nodes = set(deck.list_members("NODE", id, contact.place))
+        return [part for part in deck.parts if not nodes.isdisjoint(deck.nodes_of_part(part))]
+    if kind == 6:
+        gone = set(deck.list_members("PART", id, contact.place))
+        return [part for part in deck.parts if part not in gone]
+    return None
+
+
+def has_surface(deck: KeywordDeck, contact: Contact, side: str) -> bool:
+    """Whether something of a side can touch. Beams cannot: a side of beams alone is refused, beams among others are told."""
+    parts = list_side_parts(deck, contact, side)
+    blocks = [block for block in deck.model.blocks if parts is not None and block.part in parts]
+    beams = [block for block in blocks if block.beams]
+    if beams and len(beams) == len(blocks):
+        deck.ledger.refuse(f"{contact.keyword}.beams", contact.place, "contact of beams (beams of percuss touch nothing)", INSTEAD)
+        return False
+    if beams:
+        deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "solids and shells alone: beams of percuss touch nothing")
+    return True
 
 
 def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = False) -> str | None:
@@ -104,8 +210,14 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return ""
     if kind == 0:
         return deck.segment_set_name(id, place)
-    if kind in (1, 2):
-        return deck.element_set_name("SHELL", id, place) if kind == 1 else deck.part_set_name(id, place)
+    if kind == 1:
+        return deck.element_set_name("SHELL", id, place)
+    if kind == 2:
+        parts = deck.list_members("PART", id, place)
+        if not any(block.beams and block.part in parts for block in deck.model.blocks):
+            return deck.part_set_name(id, place)
+        deck.used.add(("PART", id))
+        return deck.name_blocks(without_beams(deck, parts), f"surface_{id}") or None
     if kind == 3:
         deck.find_part(id, place)
         return deck.name_blocks([id], f"surface_{id}") or None
@@ -115,20 +227,26 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return surface_of_nodes(deck, id, place)
     if kind == 6:
         gone = set(deck.list_members("PART", id, place))
-        return deck.name_blocks([part for part in deck.parts if part not in gone], f"all_but_{id}") or None
+        return deck.name_blocks(without_beams(deck, [part for part in deck.parts if part not in gone]), f"all_but_{id}") or None
     deck.ledger.refuse("CONTACT.SSTYP", place, f"a surface of type {kind}", "it is left out")
     return None
 
 
+def without_beams(deck: KeywordDeck, parts: list[int]) -> list[int]:
+    beams = {block.part for block in deck.model.blocks if block.beams}
+    return [part for part in parts if part not in beams]
+
+
 def name_whole(deck: KeywordDeck, name: str | None) -> str | None:
-    """An empty name for a set of all parts."""
-    return "" if name and len(deck.model.block_sets.get(name, [])) == len(deck.model.blocks) else name
+    """An empty name for a set of all parts that can touch."""
+    count = sum(1 for block in deck.model.blocks if not block.beams)
+    return "" if name and len(deck.model.block_sets.get(name, [])) == count else name
 
 
 def surface_of_nodes(deck: KeywordDeck, id: int, place: Place) -> str | None:
     """The parts that have the nodes of a set."""
     nodes = set(deck.list_members("NODE", id, place))
-    parts = [part for part in deck.parts if not nodes.isdisjoint(deck.nodes_of_part(part))]
+    parts = without_beams(deck, [part for part in deck.parts if not nodes.isdisjoint(deck.nodes_of_part(part))])
     deck.used.add(("NODE", id))
     deck.ledger.approximated("CONTACT.SSTYP", place, "the whole surface of the parts that have the nodes of the set")
     return deck.name_blocks(parts, f"surface_of_nodes_{id}") or None
@@ -136,49 +254,68 @@ def surface_of_nodes(deck: KeywordDeck, id: int, place: Place) -> str | None:
 
 def find_friction(deck: KeywordDeck, contact: Contact) -> float:
     """Coulomb's coefficient: the static one, where both differ."""
-    static, dynamic, decay = contact.law.numbers("FS", "FD", "DC")
+    static = contact.law.number("FS")
     factor = contact.scale.number("FSF") or 1.0
     if static == -1:
         deck.friction_by_part = True
         deck.ledger.approximated("CONTACT.FS", contact.place, "contact.friction.pairs: of two parts that differ, the larger FS")
         if factor != 1:
             deck.ledger.refuse("CONTACT.FSF", contact.place, f"friction of parts scaled by {factor:g}", "parts keep their FS")
-        static = 0.0
-    elif static in (2, -2):
-        static = 0.0
+        contact.law.skip("FD", "DC")
+        return 0.0
+    if static in (2, -2):
         deck.ledger.refuse("CONTACT.FS", contact.place, "friction by a table", "there is no friction")
-    elif static != dynamic and decay > 0:
-        deck.ledger.approximated("CONTACT.FD", contact.place, "the static coefficient at all speeds")
+        contact.law.skip("FD", "DC")
+        return 0.0
+    tell_decay(deck, contact.law, "CONTACT")
     return static * factor
+
+
+def tell_decay(deck: KeywordDeck, row: Row, card: str) -> None:
+    """mu = FD + (FS - FD) exp(-DC v): FS where DC is 0."""
+    static, dynamic, decay = row.numbers("FS", "FD", "DC")
+    if static != dynamic and decay > 0:
+        deck.ledger.approximated(f"{card}.FD", row.place, "the static coefficient at all speeds")
 
 
 def check_fields(deck: KeywordDeck, contact: Contact) -> None:
     """What else the cards say."""
-    if contact.law.number("BT") > 0 or 0 < contact.law.number("DT") < deck.end_time:
+    if contact.law.number("BT") > 0 or 0 < contact.law.number("DT") < deck.end_time or contact.law.number("DT") < 0:
         deck.ledger.refuse("CONTACT.BT", contact.place, "contact with a birth or death time", "it acts during the whole run")
     if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
         deck.ledger.refuse("CONTACT.SBOXID", contact.place, "contact in a box", "it acts everywhere")
-    if any(v < 0 or v > 0 for v in contact.scale.numbers("SST", "MST")):
-        deck.ledger.refuse(
-            "CONTACT.SST",
-            contact.place,
-            "a thickness of contact other than that of the shells",
-            "shells touch at half their own thickness",
-        )
-    if set(contact.scale.numbers("SFST", "SFMT")) - {0.0, 1.0}:
-        deck.ledger.refuse(
-            "CONTACT.SFST", contact.place, "a factor on the thickness of contact", "shells touch at half their own thickness"
-        )
+    for side, sign in (("S", "S"), ("M", "M")):
+        check_thickness(deck, contact, side, f"{sign}ST", f"SF{sign}T")
     if contact.law.number("VC"):
         deck.ledger.refuse("CONTACT.VC", contact.place, "a limit on the friction stress", "there is no limit")
+    if contact.law.number("VDC"):
+        deck.ledger.approximated("CONTACT.VDC", contact.place, "percuss' contact has no springs to damp: an impact is not elastic within a node")
     contact.law.finish(deck.ledger)
     for row in (contact.sides, contact.scale):
         row.finish(deck.ledger)
 
 
+def check_thickness(deck: KeywordDeck, contact: Contact, side: str, field: str, factor_field: str) -> None:
+    """SST and SFST are those of shells; of solids they do nothing."""
+    value, factor = contact.scale.number(field), contact.scale.number(factor_field)
+    parts = list_side_parts(deck, contact, side)
+    shells = [block for block in deck.model.blocks if block.shells and (parts is None or block.part in parts)]
+    found = {t for block in shells for t in ([block.thickness] if not block.thicknesses else block.thicknesses.values())}
+    if value and found - {abs(value)}:
+        deck.ledger.refuse(
+            f"CONTACT.{field}", contact.place, "a thickness of contact other than that of the shells", "shells touch at half their own thickness"
+        )
+    if factor not in (0.0, 1.0) and not value and shells:
+        deck.ledger.refuse(
+            f"CONTACT.{factor_field}", contact.place, "a factor on the thickness of contact", "shells touch at half their own thickness"
+        )
+
+
 def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
     """A pair of a surface with itself, or of two surfaces."""
     contact.sides.skip("MSID", "MSTYP")
+    if not all([has_surface(deck, contact, side) for side in ("S" if is_single else "SM")]):
+        return
     a = name_whole(deck, side_name(deck, contact, "S"))
     b = a if is_single else name_whole(deck, side_name(deck, contact, "M"))
     by_part = contact.law.number("FS") == -1
@@ -266,6 +403,31 @@ def make_pair(contact: dict) -> Deck:
     return pair if contact["by_part"] else {**pair, "friction": contact["friction"]}
 
 
+def read_defaults(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_CONTACT: what counts where a contact has FS = -1 or nothing else says it."""
+    reader = card.reader()
+    first = reader.row("SLSFAC~penalty=0.1 RWPNAL~penalty ISLCHK~search=1 SHLTHK~penalty PENOPT~penalty=1 THKCHG~penalty ORIEN~penalty=1 ENMASS")
+    second = reader.row("USRSTR~storage USRFRC NSBCS~search INTERM~search XPENE~penalty=4 SSTHK~penalty ECDT~step TIEDPRJ~penalty")
+    third = reader.row("SFRIC DFRIC EDC VFC TH TH_SF PEN_SF~penalty PTSCL~penalty=1")
+    fourth = reader.row("IGNORE~penalty FRCENG~output SKIPRWG~output OUTSEG~output SPOTSTP~penalty SPOTDEL SPOTHIN DIR_TIE~penalty")
+    fifth = reader.row("ISYM~penalty NSEROD~penalty RWGAPS~penalty=1 RWGDTH~penalty RWKSF~implicit=1 ICOV~penalty SWRADF~penalty ITHOFF~thermal")
+    sixth = reader.row("SHLEDG~penalty PSTIFF~penalty ITHCNT~thermal TDCNOF~penalty FTALL~output UNUSED~unused SHLTRW IGACTC~absent")
+    deck.usual_friction = max(third.number("SFRIC"), 0.0)
+    if third.number("SFRIC") != third.number("DFRIC") and third.number("EDC") > 0:
+        deck.ledger.approximated("CONTROL_CONTACT.DFRIC", third.place, "the static coefficient at all speeds")
+    third.skip("DFRIC", "EDC")
+    if third.number("TH_SF") in (0.0, 1.0):
+        third.skip("TH_SF")
+    if first.integer("ENMASS") == 2:  # as percuss: eroded nodes stay and touch
+        first.skip("ENMASS")
+    for row in (first, second, third, fourth, fifth, sixth):
+        row.finish(deck.ledger, "it is left out")
+    if deck.usual_friction:
+        deck.ledger.translated(card.keyword, card.place, "contact.friction.default of parts without their own, where FS is -1")
+    else:
+        deck.ledger.ignored(card.keyword, card.place, REASONS["penalty"])
+
+
 def finish_contacts(deck: KeywordDeck) -> None:
     """The section of contact. Pairs come before all surfaces, since the first that names a node has its friction."""
     section = deck.model.deck.setdefault("contact", {})
@@ -273,7 +435,7 @@ def finish_contacts(deck: KeywordDeck) -> None:
     general = [c for c in deck.contacts if c not in pairs]
     if general and not pairs:
         section["surfaces"] = "all"
-        if general[0]["friction"]:
+        if general[0]["friction"] and not general[0]["by_part"]:
             section["friction"] = general[0]["friction"]
     elif deck.contacts:
         section["surfaces"] = [make_pair(c) for c in pairs + general[:1]]
@@ -289,12 +451,17 @@ def finish_contacts(deck: KeywordDeck) -> None:
 
 
 def add_frictions(deck: KeywordDeck, section: Deck) -> None:
-    """FS of *PART_CONTACT. Rows count in their order, so that the larger of two parts comes first."""
-    given = [part for part in deck.parts.values() if part.friction]
-    rows = [
-        {"a": name, "friction": part.friction}
-        for part in sorted(given, key=lambda part: -(part.friction or 0.0))
-        for name in deck.part_names([part.id])
-    ]
+    """FS of *PART_CONTACT, and SFRIC of *CONTROL_CONTACT of the other parts. Of two parts the larger counts: rows are tried in their order."""
+    given = sorted((part for part in deck.parts.values() if part.friction is not None), key=lambda part: -(part.friction or 0.0))
+    rows: list[Deck] = []
+    for index, part in enumerate(given):
+        for name in deck.part_names([part.id]):
+            if part.friction >= deck.usual_friction:  # type: ignore[operator]
+                rows.append({"a": name, "friction": part.friction})
+            else:
+                others = [other for later in given[index:] for other in deck.part_names([later.id])]
+                rows += [{"a": name, "b": other, "friction": part.friction} for other in others]
     if rows:
-        section["friction"] = {"default": section.get("friction", 0.0), "pairs": rows}
+        section["friction"] = {"default": deck.usual_friction, "pairs": rows}
+    elif deck.usual_friction:
+        section["friction"] = deck.usual_friction

@@ -5,23 +5,27 @@ from ..model import Deck
 from .cards import Card
 from .deck import KeywordDeck
 
+# Whatever their fields say.
 HARMLESS = {
-    "ACCURACY": "numerics", "OUTPUT": "output", "SOLUTION": "numerics", "CPU": "time limit",
-    "PARALLEL": "percuss has the same bits on any ranks",
-    "ENERGY": "percuss books all energies", "MPP": "decomposition", "SHELL": "percuss has one shell, whose thickness follows the strain",
-    "SOLID": "numerics", "CONTACT": "numerics of the penalty method", "UNITS": "a text; --units says it", "RIGID": "of rigid bodies",
-    "SUBCYCLE": "numerics", "REMESHING": "of adaptivity", "CHECK": "output", "DEBUG": "output", "REFINE": "of adaptivity",
-    "PORE": "of soil water", "STAGED": "of stages", "FORMING": "of forming",
+    "ACCURACY": "numerics", "OUTPUT": "output", "CPU": "time limit", "PARALLEL": "percuss has the same bits on any ranks",
+    "ENERGY": "percuss books all energies", "UNITS": "a text; --units says it", "SUBCYCLE": "numerics", "CHECK": "output",
+    "DEBUG": "output", "LSDA": "output", "REQUIRE_REVISION": "of the program", "PORE_FLUID": "of soil water, which no element has",
+    "DISCRETE_ELEMENT": "of particles, which are refused", "FORMING_OUTPUT": "output", "FORMING_MAXID": "numbers of elements",
+    "PZELECTRIC": "of electric fields, which no material has",
 }  # fmt: skip
 WITHOUT = {
-    "IMPLICIT": "the run is explicit", "ADAPTIVE": "the mesh stays as it is", "ADAPSTEP": "the mesh stays as it is",
-    "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian",
+    "IMPLICIT": "the run is explicit", "ADAPTIVE": "the mesh stays as it is", "ADAPT": "the mesh stays as it is", "ADAPSTEP": "the mesh stays as it is",
+    "REFINE": "the mesh stays as it is", "REMESHING": "the mesh stays as it is", "COARSEN": "the mesh stays as it is",
+    "THERMAL": "there is no heat conduction", "ALE": "meshes are Lagrangian", "STAGED": "all parts act from the start",
     "SPH": "there are no particles", "COUPLING": "there is no other program", "EXPLOSIVE_SHADOW": "burning goes on straight lines",
+    "FORMING": "parts stay where the deck has them, and nothing is added to it", "MAT": "the failure of all materials acts",
+    "START": "the run begins at time 0",
 }  # fmt: skip
+NO_LIMIT = 1e6  # times its mass that a part may get by mass scaling: LS-DYNA has no limit
 
 
 def read_termination(deck: KeywordDeck, card: Card) -> None:
-    row = card.reader().row("ENDTIM ENDCYC DTMIN ENDENG ENDMAS NOSOL~")
+    row = card.reader().row("ENDTIM ENDCYC DTMIN ENDENG ENDMAS=1e8 NOSOL")
     deck.end_time = row.positive("ENDTIM")
     time = deck.model.deck.setdefault("time", {})
     time["end"] = deck.end_time
@@ -29,31 +33,60 @@ def read_termination(deck: KeywordDeck, card: Card) -> None:
         time["max_steps"] = row.integer("ENDCYC")
     if 0 < row.number("DTMIN") < 1:
         time["collapse_ratio"] = row.number("DTMIN")
-    row.skip("ENDENG", "ENDMAS")
+    if row.number("ENDENG") > 0:
+        deck.model.deck["audit"] = {"max_energy_error": row.number("ENDENG") / 100}
+        deck.ledger.approximated("CONTROL_TERMINATION.ENDENG", card.place, "audit.max_energy_error; the run ends with exit code 3")
+    deck.most_added_mass = row.number("ENDMAS") / 100
+    if row.number("ENDMAS") < 0:
+        deck.ledger.refuse("CONTROL_TERMINATION.ENDMAS", card.place, "a limit of added mass by a curve", "there is no limit")
+    if row.integer("NOSOL"):
+        deck.ledger.ignored("CONTROL_TERMINATION.NOSOL", card.place, "percuss check ends before the first step")
     row.finish(deck.ledger)
     deck.ledger.translated(card.keyword, card.place, "time.end, max_steps, collapse_ratio")
 
 
 def apply_timestep(deck: KeywordDeck, card: Card) -> None:
-    row = card.reader().row("DTINIT~ TSSFAC ISDO~ TSLIMT~ DT2MS LCTM~ ERODE MS1ST")
+    reader = card.reader()
+    row = reader.row("DTINIT~step TSSFAC ISDO~step TSLIMT DT2MS LCTM ERODE MS1ST")
+    more = reader.row("DT2MSF DT2MSLC IMSCL UNUSED~unused UNUSED~unused RMSCL EMSCL IHDO~step")
     factor = row.number("TSSFAC") or 0.9
     if factor > 1:
         row.fail("TSSFAC", "above 1 no run is stable")
+    if factor < 0:
+        deck.ledger.refuse("CONTROL_TIMESTEP.TSSFAC", card.place, "a factor on the step that varies in time", "it is 0.9")
+        factor = 0.9
     deck.model.deck.setdefault("time", {})["step_scale"] = factor
+    limit_step(deck, row)
     step = row.number("DT2MS")
     if step:
+        more.skip("DT2MSF")  # of no effect beside DT2MS
         scale_masses(deck, card, abs(step), bool(row.integer("MS1ST")), row)
+    more.skip("EMSCL", *([] if more.integer("IMSCL") else ["RMSCL"]))
     row.skip("MS1ST")
     if row.integer("ERODE") and deck.model.deck["time"].get("collapse_ratio", 0) == 0:
         row.skip("ERODE")
         deck.ledger.ignored("CONTROL_TIMESTEP.ERODE", card.place, "no effect without DTMIN of *CONTROL_TERMINATION")
     row.finish(deck.ledger, "it is left out")
+    more.finish(deck.ledger, "mass is added to elements with a short step alone, as without it")
     deck.ledger.translated(card.keyword, card.place, "time.step_scale")
+
+
+def limit_step(deck: KeywordDeck, row: Row) -> None:
+    """LCTM: an upper bound of the step, which percuss has as a number."""
+    if not row.integer("LCTM"):
+        return
+    points = deck.material_curve(row.integer("LCTM"), row.place)
+    least = min((y for _, y in points), default=0.0)
+    if least > 0:
+        deck.model.deck["time"]["max_step"] = least
+        deck.ledger.approximated("CONTROL_TIMESTEP.LCTM", row.place, "time.max_step: the least value of the curve")
 
 
 def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Row) -> None:
     """Mass scaling of the parts that percuss can scale."""
     left: set[str] = set()
+    most = min(deck.most_added_mass, NO_LIMIT) if deck.most_added_mass > 0 else NO_LIMIT
+    held = deck.held_as_bodies()
     for block in deck.model.blocks:
         if block.part in deck.rigid:
             continue
@@ -61,19 +94,22 @@ def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Ro
         if block.solids and (law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law):
             left.add(law["model"])
             continue
-        block.keys["mass_scaling"] = {"step": step, "max_added": 1.0, **({} if once else {"every": 10})}
+        again = {} if once or held else {"every": 10}
+        block.keys["mass_scaling"] = {"step": step, "max_added": most, **again}
     if left:
         deck.ledger.refuse(
             "CONTROL_TIMESTEP.DT2MS", row.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass"
         )
-    text = "mass_scaling of each part, at most its own mass"
+    text = "mass_scaling of each part; percuss check says how much mass that adds; gravity acts on it too"
     if row.number("DT2MS") > 0:
         text += "; no element loses mass"
+    if held and not once:
+        text += "; beside nodal rigid bodies at the start alone, as with MS1ST"
     deck.ledger.approximated("CONTROL_TIMESTEP.DT2MS", row.place, text)
 
 
 def apply_viscosity(deck: KeywordDeck, card: Card) -> None:
-    row = card.reader().row("Q1=1.5 Q2=0.06 TYPE~ BTYPE~ TSTYPE~")
+    row = card.reader().row("Q1=1.5 Q2=0.06 TYPE~shells BTYPE~shells TSTYPE~shells")
     viscosity: Deck = {"linear": row.number("Q2"), "quadratic": max(row.number("Q1"), 0.0) ** 0.5}
     deck.model.deck.setdefault("elements", {})["bulk_viscosity"] = viscosity
     row.finish(deck.ledger)
@@ -103,15 +139,79 @@ def read_general_hourglass(deck: KeywordDeck, card: Card) -> None:
 
 def is_known_control(keyword: str) -> bool:
     """Whether a control without a counterpart is known; another one may be misspelt."""
-    return keyword.removeprefix("CONTROL_").startswith((*HARMLESS, *WITHOUT))
+    words = keyword.removeprefix("CONTROL_")
+    return words in HARMLESS or words.startswith(("MPP_", *WITHOUT))
+
+
+def read_shell_control(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_SHELL: percuss has one shell; what is left is the failure of distorted elements."""
+    reader = card.reader()
+    rows = [
+        reader.row("WRPANG~output=20 ESORT~shells IRNXX~shells=-1 ISTUPD THEORY=2 BWC~shells=2 MITER~shells=1 PROJ~shells"),
+        reader.row("ROTASCL=1 INTGRD LAMSHT~shells CSTYP6~shells=1 THSHEL~thermal"),
+        reader.row("PSTUPD SIDT4TU~shells CNTCO ITSFLG~shells IRQUAD~shells=3 W_MODE STRETCH ICRQ~shells"),
+        reader.row("NFAIL1 NFAIL4 PSNFAIL KEEPCS~shells DELFR DRCPSID~shells DRCPRM~shells=1 INTPERR~output"),
+        reader.row("DRCMTH~shells LISPSID NLOCDT~shells ISWSHL~shells"),
+    ]
+    first, second, third, fourth, _ = rows
+    deck.shell_form = first.integer("THEORY")
+    deck.contact_at_offset = deck.contact_at_offset or third.integer("CNTCO") != 0
+    if first.integer("ISTUPD") == 0 or third.integer("PSTUPD"):
+        deck.ledger.approximated("CONTROL_SHELL.ISTUPD", first.place, "the thickness of all shells follows their strain")
+    if second.integer("INTGRD"):
+        deck.ledger.approximated("CONTROL_SHELL.INTGRD", second.place, "Gauss points in place of Lobatto's")
+    if fourth.integer("NFAIL1") or fourth.integer("NFAIL4"):
+        deck.erodes_folded_shells = True
+        deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of all shells: one with a corner that has folded over is eroded")
+        fourth.skip("PSNFAIL")
+    for row in rows:
+        row.finish(deck.ledger, "it is left out")
+    deck.ledger.approximated(card.keyword, card.place, "percuss has one shell, whose thickness follows the strain")
+
+
+def read_solid_control(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_SOLID: numerics, but for the nodes of tetrahedra and what negative volumes do."""
+    reader = card.reader()
+    row = reader.row("ESORT~solids FMATRX~solids NIPTETS~solids=4 SWLOCL~solids=1 PSFAIL T10JTOL~solids ICOH~solids TET13K~implicit")
+    names = " ".join(f"PM{i}" for i in range(1, 11))
+    order = reader.row(names, (8,) * 10)
+    if order.numbers(*names.split()) in ([float(i) for i in range(1, 11)], [0.0] * 10):
+        order.skip(*names.split())
+    elif deck.ledger.refuse("CONTROL_SOLID.PM1", order.place, "another order of the nodes of tetrahedra", "the usual order is read"):
+        order.skip(*names.split())
+    if row.integer("PSFAIL"):
+        deck.eroded_when_inverted = row.integer("PSFAIL")
+        deck.ledger.approximated("CONTROL_SOLID.PSFAIL", row.place, "failure.inverted of these parts")
+    row.finish(deck.ledger, "it is left out")
+    deck.ledger.ignored(card.keyword, card.place, "numerics of solids")
+
+
+def read_rigid_control(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_RIGID: numerics of joints and flexible bodies, but for stiffness and damping of all joints."""
+    reader = card.reader()
+    row = reader.row("LMF~joints JNTF~joints ORTHMD~joints PARTM~joints SPARSE~joints METALF~joints PLOTEL~output RBSMS~joints")
+    more = reader.row("NORBIC~joints GJADSTF GJADVSC TJADSTF TJADVSC RCVLR2D~joints")
+    for found in (row, more):
+        found.finish(deck.ledger, "joints have none")
+    deck.ledger.ignored(card.keyword, card.place, "numerics of joints")
+
+
+def read_solution(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_SOLUTION: SOLN asks for heat conduction."""
+    row = card.reader().row("SOLN NLQ~solver ISNAN~solver LCINT~solver=100 LCACC~solver NCDCF~solver=1 NOCOPY~solver CRVP~solver")
+    if row.integer("SOLN"):
+        deck.ledger.refuse("CONTROL_SOLUTION.SOLN", row.place, "a thermal solution", "there is no heat conduction")
+    row.finish(deck.ledger)
+    deck.ledger.ignored(card.keyword, card.place, "numerics")
 
 
 def read_other_control(deck: KeywordDeck, card: Card) -> None:
     """Controls without a counterpart."""
     words = card.keyword.removeprefix("CONTROL_")
-    for name, text in HARMLESS.items():
-        if words.startswith(name):
-            deck.ledger.ignored(card.keyword, card.place, text)
-            return
-    instead = next((text for name, text in WITHOUT.items() if words.startswith(name)), "it is left out")
+    text = "decomposition" if words.startswith("MPP_") else HARMLESS.get(words)
+    if text:
+        deck.ledger.ignored(card.keyword, card.place, text)
+        return
+    found = [name for name in WITHOUT if words == name or words.startswith(f"{name}_")]
+    instead = WITHOUT[max(found, key=len)] if found else "it is left out"
     deck.ledger.refuse(card.keyword, card.place, "this control", instead)

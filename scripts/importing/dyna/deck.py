@@ -168,8 +168,15 @@ class KeywordDeck:
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
+        self.additions: list[Card] = []  # other cards that add to a material
         self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
         self.unknown: list[tuple[str, Place]] = []  # cards that may be misspelt
+        self.usual_friction = 0.0  # SFRIC of *CONTROL_CONTACT
+        self.most_added_mass = 0.0  # ENDMAS: as a share; 0: no limit
+        self.shell_form = 2  # THEORY: where a section says nothing
+        self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
+        self.erodes_folded_shells = False  # NFAIL1, NFAIL4
+        self.eroded_when_inverted = 0  # PSFAIL: a set of parts
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
@@ -329,6 +336,13 @@ class KeywordDeck:
     def blocks_of(self, parts: Iterable[int]) -> list[int]:
         wanted = set(parts)
         return [block.id for block in self.model.blocks if block.part in wanted]
+
+    def held_as_bodies(self) -> bool:
+        """Whether rigid bodies have nodes of elements that deform: beside them percuss adds mass at the start alone."""
+        if self.nodal_bodies or self.extra_nodes:
+            return True
+        soft = [block.id for block in self.model.blocks if block.part not in self.rigid]
+        return not self.rigid_nodes().isdisjoint(self.model.nodes_of_blocks(soft))
 
     def rigid_nodes(self) -> set[int]:
         """Nodes of rigid parts."""

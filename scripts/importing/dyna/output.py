@@ -9,6 +9,7 @@ class Output:
 
     def __init__(self) -> None:
         self.frames = self.rows = 0.0
+        self.place = Place("", 0)  # of the last card
         self.asked: set[str] = set()
         self.nodes: list[int] = []
         self.elements: list[int] = []

@@ -1,26 +1,39 @@
 """*DATABASE_...: what is written, and when."""
 
-from ..model import Deck
+from ..model import Block, Deck
+from ..shapes import dot, subtract
 from .cards import Card, read_ids
 from .deck import KeywordDeck
+from .weld_cards import list_rigid_nodes
 
 FIELDS = ["velocity", "von_mises"]
 MOST_POINTS = 200  # followed nodes and elements, each a group of columns
-ASCII = {"NODOUT", "ELOUT", "GLSTAT", "MATSUM", "RCFORC", "SPCFORC", "RWFORC"}
+MOST_FORCES = 32  # of contact and walls
+MOST_FRAMES = 100000
+# Files whose values are columns of the history, with what asks for them or where they always are.
+ASCII = {
+    "NODOUT": "followed nodes", "ELOUT": "followed elements", "GLSTAT": "energies of the scene", "MATSUM": "energies of parts",
+    "RCFORC": "forces of contact", "SPCFORC": "forces of supports", "BNDOUT": "forces of supports", "RWFORC": "forces of walls",
+    "SECFORC": "forces of sections", "SLEOUT": "work of contact by pairs", "DEFORC": "spring_force of each spring",
+    "JNTFORC": "joint_fx of each joint", "SWFORC": "weld_normal and weld_shear of each weld", "RBDOUT": "body_x of each rigid body",
+}  # fmt: skip
 
 
 def read_database(deck: KeywordDeck, card: Card) -> None:
     """Intervals of fields and history."""
+    deck.output.place = card.place
     name = card.keyword.removeprefix("DATABASE_")
     if name == "BINARY_D3PLOT":
         read_frames(deck, card)
     elif name in ASCII:
-        row = card.reader().row("DT BINARY~ LCUR~ IOOPT~")
+        row = card.reader().row("DT BINARY~output LCUR~output IOOPT~output=1")
         step = row.number("DT")
         deck.output.asked.add(name)
         if step > 0:
             deck.output.rows = min(deck.output.rows or step, step)
-        deck.ledger.translated(card.keyword, card.place, "output.history, all at the shortest interval")
+        elif row.integer("LCUR"):
+            deck.ledger.approximated(f"{card.keyword}.LCUR", card.place, "an interval that varies in time: the shortest of the others, or a thousandth of the run")
+        deck.ledger.translated(card.keyword, card.place, f"output.history, all at the shortest interval: {ASCII[name]}")
     elif name == "CROSS_SECTION_SET":
         read_section(deck, card)
     elif name.startswith("HISTORY_"):
@@ -45,12 +58,14 @@ def finish_sensors(deck: KeywordDeck) -> None:
 
 def read_frames(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
-    row, more = reader.row("DT LCDT~ BEAM~ NPLTC PSETID~"), reader.row("IOOPT~")
+    row, more = reader.row("DT LCDT~output BEAM~output NPLTC PSETID~output"), reader.row("IOOPT~output")
     count, step = row.integer("NPLTC"), row.number("DT")
     if count > 0 and deck.end_time > 0:
         step = deck.end_time / count
     if step > 0:
-        deck.output.frames = max(step, deck.end_time / 1e5)
+        deck.output.frames = max(step, deck.end_time / MOST_FRAMES)
+        if deck.output.frames > step:
+            deck.ledger.approximated(f"{card.keyword}.DT", row.place, f"{MOST_FRAMES} frames at most")
     more.finish(deck.ledger)
     deck.ledger.translated(card.keyword, card.place, "output.fields.every")
 
@@ -59,11 +74,11 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
     """A section by sets: the force of elements on nodes."""
     reader = card.reader()
     wish = reader.row("CSID TITLE", (10, 70)).text("TITLE") if card.has_id else ""
-    row = reader.row("NSID HSID BSID TSID DSID ID ITYPE")
-    if row.integer("BSID") or row.integer("DSID"):
-        deck.ledger.ignored(card.keyword, card.place, "a section through beams or discrete elements")
+    row = reader.row("NSID HSID BSID SSID TSID DSID ID ITYPE")
+    if row.integer("BSID") or row.integer("TSID") or row.integer("DSID"):
+        deck.ledger.ignored(card.keyword, card.place, "a section through beams, thick shells or discrete elements, which percuss has by planes alone")
         return
-    kinds = [(kind, row.integer(field)) for kind, field in (("SOLID", "HSID"), ("SHELL", "TSID"))]
+    kinds = [(kind, row.integer(field)) for kind, field in (("SOLID", "HSID"), ("SHELL", "SSID"))]
     elements = [deck.element_set_name(kind, id, card.place) for kind, id in kinds if id]
     nodes = deck.node_set_name(row.integer("NSID"), card.place)
     known = [name for name in elements if name]
@@ -79,18 +94,68 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.translated(card.keyword, card.place, text)
 
 
+def add_planes(deck: KeywordDeck) -> None:
+    """Sections by planes: an entry where the plane cuts one part or all of them, else one for each part."""
+    for plane in deck.planes.values():
+        parts = deck.list_members("PART", plane.parts, plane.place) if plane.parts else list(deck.parts)
+        cut = [block for block in deck.model.blocks if is_cut(deck, block, plane)]
+        asked = [block for block in cut if block.part in parts]
+        if plane.parts:
+            deck.used.add(("PART", plane.parts))
+        if not asked:
+            deck.ledger.ignored(plane.card, plane.place, "a plane that cuts no element")
+            continue
+        if plane.radius or plane.has_edges:
+            deck.ledger.ignored(f"{plane.card}.RADIUS", plane.place, "output of a plane with limits; one by *DATABASE_CROSS_SECTION_SET is written")
+            continue
+        section = {"point": list(plane.point), "normal": list(plane.normal)}
+        names = [None] if len(asked) == len(cut) else [block.name for block in asked]
+        for part in names:
+            name = deck.model.names.take(plane.title if part is None else f"{plane.title}_{part}")
+            deck.sections_by_sets.append({"name": name, "section": section if part is None else {"part": part, **section}})
+        text = "output.history.forces of a section"
+        if len(names) > 1:
+            deck.ledger.approximated(plane.card, plane.place, text + "; one for each part that it cuts")
+        elif plane.is_local:
+            deck.ledger.approximated(plane.card, plane.place, text + "; along global axes")
+        else:
+            deck.ledger.translated(plane.card, plane.place, text)
+
+
+def is_cut(deck: KeywordDeck, block: Block, plane) -> bool:
+    """Whether an element has corners on both sides."""
+    heights: dict[int, float] = {}
+    for _, corners in block.elements():
+        for node in corners:
+            if node not in heights:
+                heights[node] = dot(subtract(deck.nodes[node], plane.point), plane.normal)
+    return any(min(heights[n] for n in corners) < 0 < max(heights[n] for n in corners) for _, corners in block.elements())
+
+
 def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
     """Nodes and elements to follow, by ids or by sets."""
     kind = name.split("_")[0]
-    if kind not in ("NODE", "SHELL", "SOLID") or "LOCAL" in name:
+    if kind == "DISCRETE":
+        deck.ledger.ignored(card.keyword, card.place, "the history has the force of each spring")
+        return
+    if kind not in ("NODE", "SHELL", "SOLID", "BEAM"):
         deck.ledger.ignored(card.keyword, card.place, "output of what percuss does not have")
         return
+    if "LOCAL" in name:
+        deck.ledger.approximated(card.keyword, card.place, "output.history.nodes, along global axes")
+        if not card.has_id:
+            ids = [card.row(line, "ID CID REF HFO").integer("ID") for line in card.lines if line[1].strip()]
+            if "SET" in name:
+                ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
+            deck.output.nodes.extend(ids)
+            return
     if card.has_id:
         ids = [card.row(line, "ID TITLE", (10, 70)).integer("ID") for line in card.lines if line[1].strip()]
     else:
         ids = read_ids(card.reader())
-    if kind == "SHELL" and "SET" not in name:
-        ids = [id + deck.shell_shift for id in ids]
+    if kind in ("SHELL", "BEAM") and "SET" not in name:
+        shift = deck.shell_shift if kind == "SHELL" else deck.beam_shift
+        ids = [id + shift for id in ids]
     if "SET" in name:
         ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
     (deck.output.nodes if kind == "NODE" else deck.output.elements).extend(ids)
@@ -150,18 +215,42 @@ def finish_output(deck: KeywordDeck) -> None:
     add_accelerometers(deck, history)
     if "MATSUM" in found.asked:
         history["parts"] = "all"
-    forces = list(deck.forces)
+    limited = list(deck.forces)
     if "RWFORC" in found.asked:
-        forces += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
-    if "SPCFORC" in found.asked and "conditions" in deck.model.deck:
-        forces.append({"name": "supports", "support": "all"})
+        limited += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
     if "RCFORC" in found.asked:
-        forces += pair_forces(deck)
-    forces = forces[:32] + deck.sections_by_sets
+        limited += pair_forces(deck)
+    if len(limited) > MOST_FORCES:
+        deck.ledger.approximated("DATABASE_RCFORC.most", found.place, f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
+    forces = limited[:MOST_FORCES]
+    if found.asked & {"SPCFORC", "BNDOUT"}:
+        if holds_nodes(deck):
+            forces.append({"name": "supports", "support": "all"})
+        else:
+            deck.ledger.ignored("DATABASE_SPCFORC.supports", found.place, "no node is held but those of rigid bodies, whose supports have no force in the history")
+    add_planes(deck)
+    forces += deck.sections_by_sets
     if forces:
         history["forces"] = forces
     output["history"] = history
     deck.model.deck["output"] = output
+
+
+def holds_nodes(deck: KeywordDeck) -> bool:
+    """Whether a condition holds or moves a node that is not of a rigid body."""
+    rigid = list_rigid_nodes(deck)
+    return any(not nodes_of_name(deck, entry["nodes"]) <= rigid for entry in deck.model.deck.get("conditions", []))
+
+
+def nodes_of_name(deck: KeywordDeck, selector: "str | Deck") -> set[int]:
+    """Nodes of a selector; of one with limits those of what it limits."""
+    name = selector if isinstance(selector, str) else selector.get("name", "all")
+    if name in deck.model.node_sets:
+        return set(deck.model.node_sets[name])
+    if name in deck.model.block_sets:
+        return deck.model.nodes_of_blocks(deck.model.block_sets[name])
+    found = deck.model.nodes_of_blocks(block.id for block in deck.model.blocks if block.name == name)
+    return found or deck.used_nodes()
 
 
 def pair_forces(deck: KeywordDeck) -> list[Deck]:
@@ -183,6 +272,12 @@ def add_points(deck: KeywordDeck, history: Deck) -> None:
     used = deck.used_nodes()
     written = {id for block in deck.model.blocks for id, _ in block.elements()}
     for key, ids, known in (("nodes", deck.output.nodes, used), ("elements", deck.output.elements, written)):
-        kept = [id for id in dict.fromkeys(ids) if id in known][:MOST_POINTS]
+        wanted = list(dict.fromkeys(ids))
+        kept = [id for id in wanted if id in known]
+        if len(kept) < len(wanted):
+            deck.ledger.ignored(f"DATABASE_HISTORY.{key}", deck.output.place, f"{len(wanted) - len(kept)} {key} to follow that no element of the model has")
+        if len(kept) > MOST_POINTS:
+            deck.ledger.approximated(f"DATABASE_HISTORY.{key}", deck.output.place, f"the first {MOST_POINTS} of {len(kept)} {key} to follow")
+            kept = kept[:MOST_POINTS]
         if kept:
             history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]

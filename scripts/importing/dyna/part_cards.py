@@ -8,10 +8,13 @@ from ..ledger import BadInput, missing
 from ..model import Block, Deck
 from .beam_cards import divide_beams
 from .cards import Card
+from .contact_cards import tell_decay
 from .deck import Element, Elements, KeywordDeck, PartCard
 from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
 
+OTHER_SECTIONS = {"TSHELL", "SEATBELT", "SPH", "POINT", "ALE1D", "ALE2D", "FPD", "IGA"}
+MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
@@ -30,7 +33,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.holds_more():
         title = reader.text()
-        row = reader.row("PID SECID MID EOSID HGID GRAV~ ADPOPT~ TMID~")
+        row = reader.row("PID SECID MID EOSID HGID GRAV~absent ADPOPT~adaptive TMID~thermal")
         id = row.integer("PID")
         if id < 1:
             row.fail("PID", "an id is expected")
@@ -47,10 +50,11 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
     """Further lines of a part."""
     for option in options:
         if option == "CONTACT":
-            row = reader.row("FS FD DC~ VC OPTT SFT=1 SSF~")
-            part.friction = row.number("FS")
-            row.skip("FD")
-            row.finish(deck.ledger)
+            row = reader.row("FS FD DC VC OPTT SFT=1 SSF~penalty CPARM8~absent")
+            part.friction = row.number("FS") if row.has("FS") else None
+            tell_decay(deck, row, "PART_CONTACT")
+            row.card = "PART_CONTACT"
+            row.finish(deck.ledger, "it is left out")
             continue
         if option == "INERTIA":
             read_inertia(deck, reader, part)
@@ -63,7 +67,14 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
 
 def read_section(deck: KeywordDeck, card: Card) -> None:
     """Sections by id: cards of their own. A keyword may be followed by several."""
-    kind = card.keyword.removeprefix("SECTION_").split("_")[0]
+    kind = card.keyword.removeprefix("SECTION_")
+    if kind.split("_")[0] in ("SOLID", "SHELL", "DISCRETE", "BEAM") and "_" in kind:
+        deck.ledger.refuse(card.keyword, card.place, f"an option of sections: {kind.split('_', 1)[1]}", "the section is read without it")
+        kind = kind.split("_")[0]
+        card.keyword = f"SECTION_{kind}"
+    if kind.split("_")[0] not in OTHER_SECTIONS and kind not in ("SOLID", "SHELL", "DISCRETE", "BEAM"):
+        deck.ledger.refuse(card.keyword, card.place, "an unknown kind of sections", "it is left out")
+        return
     if kind not in ("SOLID", "SHELL", "DISCRETE", "BEAM"):
         deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
         return
@@ -90,7 +101,7 @@ def read_hourglass(deck: KeywordDeck, card: Card) -> None:
     while reader.skip_blank():
         if card.has_title:
             reader.take()
-        row = reader.row("HGID IHQ=1 QM=0.1 IBQ~ Q1=1.5 Q2=0.06 QB~ QW~")
+        row = reader.row("HGID IHQ=1 QM=0.1 IBQ~unused Q1=1.5 Q2=0.06 QB~shells QW~shells")
         deck.hourglass[row.integer("HGID")] = row
 
 
@@ -98,32 +109,47 @@ def read_hourglass(deck: KeywordDeck, card: Card) -> None:
 class ShellSection:
     """What a *SECTION_SHELL says."""
 
-    thickness: float
+    corners: list[float]  # thickness at each
     points: int
     reference: float  # height of the mesh over the middle, in half thicknesses
+    per_area: float = 0.0  # mass beside that of the material
+
+    def thickness_of(self, shell: Element) -> float:
+        """The mean of the corners, where the shell does not say it itself."""
+        if shell.thickness or len(set(self.corners)) == 1:
+            return shell.thickness or self.corners[0]
+        count = len(set(shell.corners))
+        return sum(self.corners[:count]) / count
 
 
 def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | None:
     """None where the section is refused."""
     reader = card.reader()
-    row = reader.row("SECID ELFORM=2 SHRF~ NIP=2 PROPT~ QR ICOMP SETYP~")
-    more = reader.row("T1 T2 T3 T4 NLOC MAREA~ IDOF~ EDGSET~")
-    form = row.integer("ELFORM") or 2
+    # The laws of percuss' shells are isotropic, so that angles of layers (ICOMP) turn nothing.
+    row = reader.row("SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent")
+    more = reader.row("T1 T2 T3 T4 NLOC MAREA IDOF~absent EDGSET~absent")
+    form = row.integer("ELFORM") or deck.shell_form
     if form not in SHELL_FORMS and not deck.ledger.refuse(
         "SECTION_SHELL.ELFORM", row.place, f"formulation {form} (percuss has no membranes, plane or axisymmetric elements)",
         "the shell of percuss is used"):  # fmt: skip
         return None
-    thicknesses = [value for value in more.numbers("T1", "T2", "T3", "T4") if value > 0] or [0.0]
-    if len(set(thicknesses)) > 1:
-        deck.ledger.refuse("SECTION_SHELL.T2", more.place, "thickness that differs between the corners", "the mean is used")
+    first = more.number("T1")
+    corners = [value if value > 0 else first for value in more.numbers("T1", "T2", "T3", "T4")]
+    if len(set(corners)) > 1:
+        deck.ledger.approximated("SECTION_SHELL.T2", more.place, "thickness that differs between the corners: each shell has the mean of its corners")
     points = abs(row.integer("NIP")) or 2
-    if row.integer("QR") not in (0, 1):
-        deck.ledger.approximated("SECTION_SHELL.QR", row.place, "Gauss points in place of a rule of the user's")
-    if row.integer("ICOMP"):
-        deck.ledger.refuse("SECTION_SHELL.ICOMP", row.place, "material angles of the layers", "they are left out")
-    row.skip("SECID", "SHRF")
+    if points > MOST_POINTS:
+        deck.ledger.approximated("SECTION_SHELL.NIP", row.place, f"{MOST_POINTS} points through the thickness in place of {points}")
+    if row.integer("QR") < 0:
+        deck.ledger.refuse("SECTION_SHELL.QR", row.place, "a rule of integration of the user's", "Gauss points are used")
+    elif row.integer("QR"):
+        deck.ledger.approximated("SECTION_SHELL.QR", row.place, "Gauss points in place of the trapezoidal rule")
+    row.skip("SECID", "SHRF", "ICOMP")
     row.finish(deck.ledger)
     reference = more.number("NLOC")
+    per_area = max(more.number("MAREA"), 0.0)
+    if per_area:
+        deck.ledger.translated("SECTION_SHELL.MAREA", more.place, "a higher density in a material of its own")
     more.finish(deck.ledger)
     deck.ledger.approximated(
         card.keyword,
@@ -131,8 +157,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
         "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
         "shear factor 5/6, Gauss points, thickness that follows the strain",
     )
-    mean = sum(thicknesses) / len(thicknesses) if len(set(thicknesses)) > 1 else thicknesses[0]
-    return ShellSection(mean, min(points, 16), reference)
+    return ShellSection(corners, min(points, MOST_POINTS), reference, per_area)
 
 
 def build_blocks(deck: KeywordDeck) -> None:
@@ -214,10 +239,10 @@ def divide_shells(
     """A block, or blocks of equal thickness where the mesh is not the middle surface."""
     groups: dict[float, list[tuple[int, tuple[int, ...]]]] = {}
     for shell in shells:
-        groups.setdefault(shell.thickness or section.thickness, []).append((shell.id, shell.corners))
+        groups.setdefault(section.thickness_of(shell), []).append((shell.id, shell.corners))
     if min(groups) <= 0:
         raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
-    if len(groups) > 1 and not section.reference:
+    if len(groups) > 1 and not section.reference and not section.per_area:
         return [make_block_of_thicknesses(deck, part, groups, section, name)]
     if len(groups) > MOST_THICKNESSES:
         groups = round_thicknesses(deck, part, groups)
@@ -229,7 +254,9 @@ def divide_shells(
             keys["reference"] = named or 0.5 * section.reference * thickness
         own_name = name if index == 0 else deck.model.names.take(f"{name}_t{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
-        blocks.append(Block(id, part.id, own_name, part.place, shells=members, thickness=thickness, keys=keys))
+        block = Block(id, part.id, own_name, part.place, shells=members, thickness=thickness, keys=keys)
+        block.more_density = section.per_area / thickness
+        blocks.append(block)
     if len(blocks) > 1:
         deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place, "a part for each thickness")
     return blocks
@@ -275,7 +302,7 @@ def translate_integration(deck: KeywordDeck) -> None:
     kinds: dict[int, str] = {}
     for block, count in count_hexahedra(deck):
         section = deck.sections[deck.parts[block.part].section]
-        row = section.reader().row("SECID ELFORM=1 AET A B C GASKETT~ D")
+        row = section.reader().row("SECID ELFORM=1 AET A B C COHOFF~absent GASKETT~absent")
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
         row.finish(deck.ledger)

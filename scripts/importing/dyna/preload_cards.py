@@ -23,6 +23,9 @@ class Plane:
     radius: float  # 0: no limit
     has_edges: bool  # a rectangle limits it
     place: Place
+    card: str = ""
+    title: str = ""
+    is_local: bool = False  # forces along axes that move
 
 
 def read_axial_force(deck: KeywordDeck, card: Card) -> None:
@@ -88,17 +91,20 @@ def holds(points: Points, value: float) -> bool:
 
 
 def read_plane(deck: KeywordDeck, card: Card) -> None:
-    """*DATABASE_CROSS_SECTION_PLANE: what a preload refers to. Its output is left out."""
+    """*DATABASE_CROSS_SECTION_PLANE: a section of the output, to which a preload may refer."""
     reader = card.reader()
-    id = reader.row("CSID TITLE", (10, 70)).integer("CSID") if card.has_id else len(deck.planes) + 1
+    head_row = reader.row("CSID TITLE", (10, 70)) if card.has_id else None
+    id = head_row.integer("CSID") if head_row else len(deck.planes) + 1
+    title = (head_row.text("TITLE") if head_row else "") or f"section_{id}"
     row, more = reader.row("PSID XCT YCT ZCT XCH YCH ZCH RADIUS"), reader.row("XHEV YHEV ZHEV LENL LENM ID ITYPE")
     tail, head = tuple(row.numbers("XCT", "YCT", "ZCT")), tuple(row.numbers("XCH", "YCH", "ZCH"))
     line = subtract(head, tail)  # type: ignore[arg-type]
     if dot(line, line) <= 0:
         row.fail("XCH", "a point ahead of the first is expected: it gives the normal")
     edges = bool(more.number("LENL") or more.number("LENM"))
-    deck.planes[id] = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
-    deck.ledger.ignored(card.keyword, card.place, "output; a preload may refer to it")
+    plane = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
+    plane.card, plane.title, plane.is_local = card.keyword, title, bool(more.integer("ID"))
+    deck.planes[id] = plane
 
 
 def read_section_stress(deck: KeywordDeck, card: Card) -> None:

@@ -11,10 +11,13 @@ from . import rigid_cards as rigid
 from . import start_cards as start
 from .beam_cards import read_beams
 from .cards import Card, CardReader
-from .contact_cards import finish_contacts, read_contact
+from .contact_cards import finish_contacts, read_contact, read_defaults
 from .constraint_cards import add_node_sets, read_node_sets
-from .control_cards import apply_relaxation, apply_timestep, apply_viscosity, is_known_control, read_general_hourglass, read_other_control, read_termination
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
+from .control_cards import (
+    apply_relaxation, apply_timestep, apply_viscosity, is_known_control, read_general_hourglass, read_other_control, read_rigid_control, read_shell_control, read_solid_control,
+    read_solution, read_termination,
+)  # fmt: skip
 from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .forms import OPTIONS, find_form, list_keywords
@@ -55,7 +58,8 @@ DEFINITIONS: dict[str, Handler] = {
     "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
-    "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
+    "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination, "CONTROL_CONTACT": read_defaults,
+    "CONTROL_SHELL": read_shell_control, "CONTROL_SOLID": read_solid_control, "CONTROL_RIGID": read_rigid_control, "CONTROL_SOLUTION": read_solution,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,

@@ -17,7 +17,7 @@ def read_springs(deck: KeywordDeck, card: Card) -> None:
     for line in card.lines:
         if not line[1].strip():
             continue
-        row = card.row(line, "EID PID N1 N2 VID S=1 PF~ OFFSET", (8, 8, 8, 8, 8, 16, 8, 16))
+        row = card.row(line, "EID PID N1 N2 VID S=1 PF~output OFFSET", (8, 8, 8, 8, 8, 16, 8, 16))
         id, part, first, second = (row.integer(name) for name in ("EID", "PID", "N1", "N2"))
         scale = row.number("S") or 1.0
         row.finish(deck.ledger, "the axis of the two nodes, and their distance, are used")
@@ -39,7 +39,7 @@ def is_translated_section(deck: KeywordDeck, part: PartCard) -> bool:
     if card is None:
         raise BadInput(part.place, missing(f"section {part.section}, of part {part.id}"))
     reader = card.reader()
-    row = reader.row("SECID DRO KD V0~ CL FD")
+    row = reader.row("SECID DRO KD V0~unused CL FD")
     if row.integer("DRO") and not deck.ledger.refuse("SECTION_DISCRETE.DRO", row.place, "torsional springs", LEFT_OUT):
         return False
     row.skip("SECID", "DRO")

@@ -49,7 +49,7 @@ def add_general(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         id = read_id(reader) if card.has_id else 0
-        row = reader.row("NSID CID FILTER WINDOW NPR~ NPRT~")
+        row = reader.row("NSID CID FILTER WINDOW NPR~absent NPRT~output")
         if row.integer("CID"):
             deck.ledger.refuse(f"{card.keyword}.CID", row.place, "axes of its own", "the normal is the line between its nodes")
         limits = reader.row("TFAIL EPSF SN SS N M")

@@ -18,8 +18,9 @@ NUMBERS = {
     9: "NULL", 10: "ELASTIC_PLASTIC_HYDRO", 12: "ISOTROPIC_ELASTIC_PLASTIC", 13: "ISOTROPIC_ELASTIC_FAILURE",
     14: "SOIL_AND_FOAM_FAILURE", 15: "JOHNSON_COOK", 18: "POWER_LAW_PLASTICITY", 20: "RIGID", 24: "PIECEWISE_LINEAR_PLASTICITY",
     26: "HONEYCOMB", 27: "MOONEY-RIVLIN_RUBBER", 57: "LOW_DENSITY_FOAM", 63: "CRUSHABLE_FOAM",
-    98: "SIMPLIFIED_JOHNSON_COOK", 126: "MODIFIED_HONEYCOMB", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
+    81: "PLASTICITY_WITH_DAMAGE", 82: "PLASTICITY_WITH_DAMAGE_ORTHO", 98: "SIMPLIFIED_JOHNSON_COOK", 100: "SPOTWELD", 126: "MODIFIED_HONEYCOMB", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
 }  # fmt: skip
+ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 SPRINGS = {"S01": "SPRING_ELASTIC", "S02": "DAMPER_VISCOUS", "S04": "SPRING_NONLINEAR_ELASTIC"}
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
 LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
@@ -43,6 +44,9 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "heat conduction", "it is left out")
         return
     card.keyword = "MAT_" + name_law(card.keyword)
+    if card.keyword.startswith(ADDITIONS) and not card.keyword.startswith("MAT_ADD_EROSION"):
+        deck.additions.append(card)
+        return
     if card.keyword.startswith("MAT_ADD_EROSION"):
         reader = card.reader()
         if card.has_title:
@@ -62,6 +66,22 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
 
 
+def tell_additions(deck: KeywordDeck) -> None:
+    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION."""
+    for card in deck.additions:
+        reader = card.reader()
+        if card.has_title:
+            reader.take()
+        id = reader.row("MID").integer("MID")
+        if ("material", id) in deck.used:
+            deck.ledger.refuse(card.keyword, card.place, f"what it adds to material {id}", "the material is that of its own card alone")
+        else:
+            deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
+    for id, card in deck.erosions.items():
+        if ("material", id) not in deck.used:
+            deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
+
+
 def read_state(deck: KeywordDeck, card: Card) -> None:
     """*EOS_... by id."""
     reader = card.reader()
@@ -76,11 +96,11 @@ def read_state(deck: KeywordDeck, card: Card) -> None:
 
 def build_materials(deck: KeywordDeck) -> None:
     """The material of each block. Blocks whose material is left out go out of the model."""
-    made: dict[tuple[int, int, str], tuple[str, Deck] | None] = {}
+    made: dict[tuple[int, int, str, float], tuple[str, Deck] | None] = {}
     kept: list[Block] = []
     for block in deck.model.blocks:
         part = deck.parts[block.part]
-        key = (part.material, part.state, "beam" if block.beams else "shell" if block.shells else "solid")
+        key = (part.material, part.state, "beam" if block.beams else "shell" if block.shells else "solid", block.more_density)
         if key not in made:
             made[key] = make_material(deck, part, block)
         if made[key]:
@@ -91,6 +111,7 @@ def build_materials(deck: KeywordDeck) -> None:
         else:
             deck.names_of_parts[block.part].remove(block.name)
     deck.model.blocks[:] = kept
+    tell_additions(deck)
     for id, card in deck.materials.items():
         if ("material", id) not in deck.used:
             deck.ledger.ignored(card.keyword, card.place, "no element is of this material")
@@ -119,12 +140,29 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     if use.state and not use.has_used_state and "equation_of_state" not in law:
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
     add_erosion(deck, part.material, law, use)
+    invert_when_asked(deck, part, law, use)
     if use.is_beam and law.pop("failure", None):
         deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail", "they do not")
+    law["density"] += block.more_density
     deck.ledger.translated(card.keyword, card.place, law["model"])
     name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
     deck.model.materials[name] = law
     return name, law
+
+
+def invert_when_asked(deck: KeywordDeck, part: PartCard, law: Deck, use: Use) -> None:
+    """NFAIL1 of *CONTROL_SHELL and PSFAIL of *CONTROL_SOLID: what has folded over is eroded."""
+    if law_name_is_rigid(deck, part) or use.is_beam:
+        return
+    asked = deck.erodes_folded_shells if use.is_shell else False
+    if not use.is_shell and deck.eroded_when_inverted:
+        asked = part.id in deck.list_members("PART", deck.eroded_when_inverted, part.place)
+    if asked:
+        law.setdefault("failure", {})["inverted"] = True
+
+
+def law_name_is_rigid(deck: KeywordDeck, part: PartCard) -> bool:
+    return name_law(deck.materials[part.material].keyword) == "RIGID"
 
 
 def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDeck, Card, Use], Deck | None]) -> Deck | None:

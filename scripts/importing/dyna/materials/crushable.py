@@ -6,7 +6,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines
+from .shared import Use, finish_lines, tell_viscosity
 
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
 
@@ -14,7 +14,7 @@ EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
 def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """J2 = A0 + A1 p + A2 p^2 in LS-DYNA, von Mises stress = a0 + a1 p + a2 p^2 in percuss."""
     reader = card.reader()
-    row, more = reader.row("MID RO G BULK A0 A1 A2 PC"), reader.row("VCR REF~ LCID")
+    row, more = reader.row("MID RO G BULK A0 A1 A2 PC"), reader.row("VCR REF~absent LCID")
     row.skip("MID")
     points = [(x, y) for x, y in read_soil_points(reader)]
     if more.integer("LCID"):
@@ -68,7 +68,7 @@ def make_compaction(deck: KeywordDeck, card: Card, row: Row, points: Points) -> 
 
 def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
-    row, more = reader.row("MID RO E LCID TC HU=1 BETA DAMP~"), reader.row("SHAPE=1 FAIL~ BVFLAG~ ED~ BETA1~ KCON~ REF~")
+    row, more = reader.row("MID RO E LCID TC=1e20 HU=1 BETA DAMP"), reader.row("SHAPE=1 FAIL BVFLAG~default ED BETA1 KCON~penalty REF~absent")
     row.skip("MID")
     points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place)) if point[0] > 0]
     if not points:
@@ -86,8 +86,10 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if row.number("HU") != 1:
         law |= {"hysteretic_unloading": row.number("HU"), "unloading_shape": more.number("SHAPE") or 1.0}
     more.skip("SHAPE")
-    if row.number("TC") >= 1e15:
+    tell_viscosity(deck, row, "DAMP")
+    if row.number("TC") >= law["youngs_modulus"] or row.number("TC") == 0:
         row.skip("TC")
+        more.skip("FAIL")  # at TC
     row.finish(deck.ledger)
     more.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -96,7 +98,7 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     """Stress over the volumetric strain 1 - V, the same in all directions: a honeycomb with equal curves."""
-    row = card.reader().row("MID RO E PR LCID TSC DAMP~")
+    row = card.reader().row("MID RO E PR LCID TSC DAMP")
     row.skip("MID")
     youngs = row.positive("E")
     points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place)) if y > 0 and x >= 0]
@@ -113,14 +115,15 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
            "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),
            "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush}  # fmt: skip
     row.skip("PR", "TSC")
+    tell_viscosity(deck, row, "DAMP")
     return law
 
 
 def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """*MAT_HONEYCOMB: six curves over the crush; the axes of percuss are those of space."""
     reader = card.reader()
-    row, curves = reader.row("MID RO E PR SIGY VF MU~ BULK~"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
-    moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT"), reader.row("XP YP ZP A1 A2 A3"), reader.row("D1 D2 D3")
+    row, curves = reader.row("MID RO E PR SIGY VF MU BULK~default"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
+    moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT MACF=1"), reader.row("XP YP ZP A1 A2 A3 RFAC~unused PRU"), reader.row("D1 D2 D3 TSEF SSEF VREF TREF SHDFLG~unused")
     row.skip("MID")
     first, second, third, shear = (curves.integer(name) for name in ("LCA", "LCB", "LCC", "LCS"))
     ids = [first, second or first, third or first, *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
@@ -139,8 +142,10 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"), "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
     for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
         law[f"crush_{name}"] = read_crush(deck, card, curves, id)
-    for found in (row, curves, moduli, axes, plane):
-        found.finish(deck.ledger, "the strength does not depend on it")
+    tell_viscosity(deck, row, "MU")
+    for found, instead in ((row, ""), (curves, "the strength does not depend on it"), (moduli, ""), (axes, ""), (plane, "nothing fails")):
+        found.finish(deck.ledger, instead or "it is left out")
+    finish_lines(deck, card, reader)
     return law
 
 

@@ -3,41 +3,46 @@
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, set_failure
-from .states import translate_state
+from .shared import Use, finish_lines, limit_tension
+from .states import initial_bulk_modulus, translate_state
 
 
 def elastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
-    row = reader.row("MID RO E PR DA~ DB~ K~")
-    row.skip("MID")
+    row = reader.row("MID RO E PR DA DB K~unused")  # K is that of a fluid
+    row.skip("MID", *([] if use.is_beam else ["DA", "DB"]))
     law = {
         "model": "elastic",
         "density": row.positive("RO"),
         "youngs_modulus": row.positive("E"),
         "poissons_ratio": row.number("PR"),
     }
-    row.finish(deck.ledger)
+    row.finish(deck.ledger, "beams have no damping")
     finish_lines(deck, card, reader)
     return law
 
 
 def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
-    row = card.reader().row("MID RO E~ PR~ DA~ DB~ K")
+    reader = card.reader()
+    row, more = reader.row("MID RO E PR DA~absent DB~absent K"), reader.row("VC CP=1e20")
     row.skip("MID")
-    law: Deck = {
-        "model": "fluid",
-        "density": row.positive("RO"),
-        "equation_of_state": {"kind": "linear", "bulk_modulus": row.positive("K")},
-    }
+    bulk = row.number("K") or row.positive("E") / (3 * (1 - 2 * row.number("PR")))
+    if bulk <= 0:
+        row.fail("K", "must be positive")
+    row.skip("E", "PR")
+    law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
+    if more.number("CP") >= bulk:
+        more.skip("CP")
     row.finish(deck.ledger)
+    more.finish(deck.ledger, "there is none")
+    finish_lines(deck, card, reader)
     return law
 
 
 def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """A fluid with an equation of state. Without one it is a skin for contact."""
     reader = card.reader()
-    row = reader.row("MID RO PC MU TEROD CEROD YM~ PR~")
+    row = reader.row("MID RO PC MU TEROD CEROD YM~absent PR~absent")
     row.skip("MID")
     state = translate_state(deck, use)
     if state is None:
@@ -49,17 +54,10 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         )
         return None
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
-    cut_off(deck, card, row.number("PC"), law)
+    limit_tension(deck, row, law, initial_bulk_modulus(state, law["density"]))
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
-
-
-def cut_off(deck: KeywordDeck, card: Card, pressure: float, law: Deck) -> None:
-    """A tensile cut-off, which percuss has as failure."""
-    if pressure < 0 and deck.ledger.refuse(f"{card.keyword}.PC", card.place, "a tension cutoff without failure",
-                                           "the element fails at it"):  # fmt: skip
-        set_failure(law, pressure=-pressure)
 
 
 def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
@@ -79,7 +77,7 @@ def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 
 def blatz_ko(deck: KeywordDeck, card: Card, use: Use) -> Deck:
-    row = card.reader().row("MID RO G REF~")
+    row = card.reader().row("MID RO G REF~absent")
     row.skip("MID")
     deck.ledger.approximated(card.keyword, card.place, "neo-Hookean rubber with the same shear modulus and Poisson's ratio 0.463")
     law = {
@@ -94,7 +92,7 @@ def blatz_ko(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     reader = card.reader()
-    row, more = reader.row("MID RO PR A B REF~"), reader.row("SGL~ SW~ ST~ LCID")
+    row, more = reader.row("MID RO PR A B REF~absent"), reader.row("SGL~unused SW~unused ST~unused LCID")
     row.skip("MID")
     ratio, a, b = row.numbers("PR", "A", "B")
     if not more.integer("LCID") and not 0 < ratio < 0.5:
@@ -121,8 +119,12 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """*MAT_HIGH_EXPLOSIVE_BURN with *EOS_JWL and one *INITIAL_DETONATION."""
-    row = card.reader().row("MID RO D PCJ~ BETA K G SIGY")
-    row.skip("MID")
+    row = card.reader().row("MID RO D PCJ BETA K G SIGY")
+    row.skip("MID", "PCJ")
+    if row.number("BETA") == 0:
+        deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "programmed burn alone: compression does not ignite")
+    elif row.number("BETA") == 2:
+        row.skip("BETA")
     if len(deck.detonations) != 1:
         deck.ledger.refuse(
             "INITIAL_DETONATION",

@@ -2,7 +2,7 @@
 
 import math
 
-from ...curves import Points
+from ...curves import Points, interpolate, thin_rows
 from ...fields import Row
 from ...model import Deck
 from ...rates import choose_rate, compare_curves
@@ -13,8 +13,11 @@ from .shared import (
     Use,
     add_rate,
     elastic_from_shear_and_bulk,
+    find_bulk_modulus,
     finish_lines,
+    limit_tension,
     make_hardening,
+    read_layers,
     read_points,
     set_failure,
     tangent_to_hardening,
@@ -23,6 +26,7 @@ from .states import initial_bulk_modulus, translate_state
 
 RATES = "curves for several rates"
 EIGHT = " ".join("ABCDEFGH")
+SOFTENING = 8  # rows of a table that falls
 
 
 def start_law(row: Row, model: str) -> Deck:
@@ -88,7 +92,8 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """*MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form."""
     reader = card.reader()
     row = reader.row("MID RO E PR SIGY ETAN FAIL TDEL")
-    more = reader.row("C P LCSS LCSR VP EPSTHIN EPSMAJ NUMINT")
+    is_modified = card.keyword.startswith("MAT_MODIFIED")
+    more = reader.row("C P LCSS LCSR VP " + ("EPSTHIN EPSMAJ NUMINT" if is_modified else "UNUSED~unused RFILTF~unused"))
     points = read_points(reader, EIGHT, EIGHT)
     law = start_law(row, "tabulated_plasticity")
     found = find_hardening(deck, card, more, points)
@@ -114,7 +119,9 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law["model"] = "j2_plasticity"
         del law["kinematic_share"]
     set_failure(law, plastic_strain=row.number("FAIL"), step=row.number("TDEL"))
-    if card.keyword.startswith("MAT_MODIFIED"):
+    if row.number("FAIL") < 0:
+        deck.ledger.refuse(f"{card.keyword}.FAIL", row.place, "failure by a subroutine or a curve", "nothing fails")
+    if is_modified:
         read_modified(deck, card, law, more, use)
     row.finish(deck.ledger)
     more.finish(deck.ledger, "it is left out")
@@ -124,12 +131,74 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use) -> None:
     """Failure of *MAT_123 by the largest strain, and by so many layers."""
-    set_failure(law, principal_strain=more.number("EPSMAJ"))
-    layers = more.number("NUMINT")
-    if use.is_shell and layers > 0 and "failure" in law:
-        law["failure"]["layers"] = min(layers / use.points, 1.0)
-    elif layers < 0:
-        deck.ledger.refuse(f"{card.keyword}.NUMINT", more.place, "failure at a share of the layers", "all layers must fail")
+    strain = more.number("EPSMAJ")
+    set_failure(law, principal_strain=abs(strain))
+    if strain < 0:
+        deck.ledger.approximated(f"{card.keyword}.EPSMAJ", more.place, "the largest strain is not filtered")
+    if not use.is_shell:
+        more.skip("EPSTHIN")  # of shells alone
+    read_layers(deck, card, law, more, use)
+
+
+def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_PLASTICITY_WITH_DAMAGE: the stress falls in proportion to the damage, which grows from 0 at EPPF to 1 at EPPFR."""
+    reader = card.reader()
+    row = reader.row("MID RO E PR SIGY ETAN EPPF=1e12 TDEL")
+    more = reader.row("C P LCSS LCSR EPPFR=1e14 VP LCDM NUMINT")
+    points = read_points(reader, EIGHT, EIGHT)
+    law = start_law(row, "tabulated_plasticity")
+    found = find_hardening(deck, card, more, points)
+    if found is None:
+        return None
+    table, rate = found
+    row.skip("SIGY", "ETAN")
+    if not table:
+        hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
+        table = [[0.0, row.positive("SIGY")], [2.0, row.positive("SIGY") + 2.0 * hardening]]
+    start, end = row.number("EPPF"), more.number("EPPFR")
+    law["hardening"] = soften(table, start, end) if 0 < end < NEVER else table
+    if 0 < start < end < NEVER:
+        deck.ledger.approximated(f"{card.keyword}.EPPF", row.place, "the table falls from EPPF to EPPFR, as the damage has it; unloading keeps Young's modulus")
+    law |= rate
+    if not rate:
+        add_rate(law, deck, card, more.number("C"), more.number("P"), more)
+    more.skip("VP", "C", "P")
+    set_failure(law, plastic_strain=end, step=row.number("TDEL"))
+    read_layers(deck, card, law, more, use)
+    row.finish(deck.ledger)
+    more.finish(deck.ledger, "the damage grows in proportion to the plastic strain")
+    finish_lines(deck, card, reader)
+    return law
+
+
+def soften(table: list[list[float]], start: float, end: float) -> list[list[float]]:
+    """A hardening table whose stress falls to nothing between two plastic strains."""
+    start = min(start, end)
+    rows = [row for row in table if row[0] < start]
+    strains = [start + (end - start) * i / SOFTENING for i in range(SOFTENING)]
+    undamaged = [(x, y) for x, y in table]
+    rows += [[p, interpolate(undamaged, p) * max(1 - (p - start) / (end - start), 0.01)] for p in strains]
+    rows.append([end, 0.01 * interpolate(undamaged, end)])
+    return [list(row) for row in thin_rows([(x, y) for x, y in rows])[0]]
+
+
+def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    """*MAT_SPOTWELD of beams and solids. Of what makes a weld fail percuss has the plastic strain of solids."""
+    reader = card.reader()
+    row = reader.row("MID RO E PR SIGY EH DT TFAIL")
+    more = reader.row("EFAIL NRR NRS NRT MRR MSS MTT NF~output")
+    law = start_law(row, "j2_plasticity")
+    law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": max(row.number("EH"), 0.0)}
+    set_failure(law, plastic_strain=more.number("EFAIL"))
+    if row.number("DT"):
+        deck.ledger.refuse(f"{card.keyword}.DT", row.place, "mass that is added to welds for their step", "no mass is added, and the step may be short")
+    if 0 < row.number("TFAIL") < deck.end_time:
+        deck.ledger.refuse(f"{card.keyword}.TFAIL", row.place, "welds that fail at a time", "they do not")
+    row.skip("TFAIL")
+    row.finish(deck.ledger)
+    more.finish(deck.ledger, "welds do not fail by it")
+    finish_lines(deck, card, reader)
+    return law
 
 
 def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
@@ -158,7 +227,7 @@ def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """*MAT_ELASTIC_PLASTIC_HYDRO with an equation of state."""
     reader = card.reader()
-    row = reader.row("MID RO G SIGY EH PC FS CHARL~")
+    row = reader.row("MID RO G SIGY EH PC FS CHARL~absent")
     points = read_points(reader, EIGHT, EIGHT, 2)
     row.skip("MID")
     state = translate_state(deck, use)
@@ -180,24 +249,17 @@ def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | Non
             "hardening_modulus": max(row.number("EH"), 0.0),
         }
     set_failure(law, plastic_strain=row.number("FS"))
-    limit_tension(deck, card, law, row)
+    limit_tension(deck, row, law, initial_bulk_modulus(state, density))
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
 
 
-def limit_tension(deck: KeywordDeck, card: Card, law: Deck, row: Row) -> None:
-    """PC: a limit of tension that does not fail the element; percuss has failure by pressure."""
-    limit = row.number("PC")
-    if limit < 0 and deck.ledger.refuse(f"{card.keyword}.PC", row.place, "a tension cutoff without failure",
-                                        "there is no limit"):  # fmt: skip
-        return
-
-
 def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     reader = card.reader()
-    row, flow = reader.row("MID RO G E PR DTF VP~ RATEOP"), reader.row("A B N C M TM TR EPSO=1")
-    heat, last = reader.row("CP PC SPALL~ IT~ D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN~ NUMINT~")
+    row, flow = reader.row("MID RO G E PR DTF VP RATEOP"), reader.row("A B N C M TM TR EPSO=1")
+    # SPALL says what happens at PC; IT, how the return is iterated.
+    heat, last = reader.row("CP PC SPALL~unused IT~solids D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN=1e-6 NUMINT K EPS1 DMODEL")
     row.skip("MID")
     law: Deck = {"model": "johnson_cook", "density": row.positive("RO")}
     if use.is_shell:
@@ -216,13 +278,22 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row.skip("E", "PR", "G")
     law |= read_flow(flow)
     law |= {"specific_heat": heat.number("CP") or NEVER, "heating_share": 1.0}
-    limit_tension(deck, card, law, heat)
+    limit_tension(deck, heat, law, find_bulk_modulus(law))
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
     set_failure(law, step=row.number("DTF"))
+    read_layers(deck, card, law, last, use)
+    tell_rate(deck, row)
+    last.skip("EFMIN")
     for found in (row, flow, heat, last):
         found.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
+
+
+def tell_rate(deck: KeywordDeck, row: Row) -> None:
+    """VP of Johnson and Cook's laws."""
+    if row.number("VP") != 1:
+        deck.ledger.approximated(f"{row.card}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1")
 
 
 def johnson_cook_moduli(row: Row, state: Deck, density: float) -> Deck:
@@ -277,7 +348,8 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
 
 def simplified_johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
-    row, flow = reader.row("MID RO E PR VP~"), reader.row("A B N C PSFAIL SIGMAX SIGSAT EPSO=1")
+    row, flow = reader.row("MID RO E PR VP"), reader.row("A B N C PSFAIL SIGMAX SIGSAT EPSO=1")
+    tell_rate(deck, row)
     law = start_law(row, "johnson_cook")
     law |= {"a": flow.positive("A"), "b": flow.number("B"), "n": flow.number("N") or 1.0, "c": flow.number("C")}
     law |= {"reference_rate": flow.number("EPSO") or 1.0, "melt_temperature": NEVER, "specific_heat": NEVER}
@@ -318,5 +390,5 @@ METALS = {
     "PLASTIC_KINEMATIC": plastic_kinematic, "PIECEWISE_LINEAR_PLASTICITY": piecewise_linear,
     "MODIFIED_PIECEWISE_LINEAR_PLASTICITY": piecewise_linear, "ISOTROPIC_ELASTIC_PLASTIC": shear_and_bulk,
     "ISOTROPIC_ELASTIC_FAILURE": shear_and_bulk, "ELASTIC_PLASTIC_HYDRO": elastic_plastic_hydro, "JOHNSON_COOK": johnson_cook,
-    "SIMPLIFIED_JOHNSON_COOK": simplified_johnson_cook, "POWER_LAW_PLASTICITY": power_law,
+    "PLASTICITY_WITH_DAMAGE": damaged, "SPOTWELD": spot_weld, "SIMPLIFIED_JOHNSON_COOK": simplified_johnson_cook, "POWER_LAW_PLASTICITY": power_law,
 }  # fmt: skip

@@ -10,7 +10,7 @@ DIRECTIONS = {0: "", 1: "x", 2: "y", 3: "z", 4: "xy", 5: "yz", 6: "zx", 7: "xyz"
 
 def read_law(row: Row) -> Deck:
     """Density, and the stiffness of contact."""
-    row.skip("MID", "N", "COUPLE", "M", "ALIAS")
+    row.skip("MID", "N", "M", "ALIAS")
     return {
         "model": "elastic",
         "density": row.positive("RO"),

@@ -84,10 +84,41 @@ def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: fl
     if rate <= 0 or exponent <= 0:
         return
     law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
-    if row.integer("VP") == 0:
+    if row.number("VP") != 1:
         deck.ledger.approximated(
             f"{card.keyword}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1"
         )
+
+
+def read_layers(deck: KeywordDeck, card: Card, law: Deck, row: Row, use: Use, name: str = "NUMINT") -> None:
+    """How many points through the thickness must fail; below 0 their share in percent; 0: all of them."""
+    count = row.number(name)
+    if use.is_shell and count and "failure" in law:
+        share = count / use.points if count > 0 else -count / 100
+        if share < 1:
+            law["failure"]["layers"] = share
+
+
+def limit_tension(deck: KeywordDeck, row: Row, law: Deck, bulk: float) -> None:
+    """PC: a limit of tension that does not fail the element. One beyond the bulk modulus is never reached, and is written for none."""
+    limit = row.number("PC")
+    if limit >= 0:
+        return
+    if -limit >= bulk > 0:
+        deck.ledger.ignored(f"{row.card}.PC", row.place, "a tension beyond the bulk modulus, which nothing reaches")
+    elif deck.ledger.refuse(f"{row.card}.PC", row.place, "a tension cutoff without failure", "the element fails at it"):
+        set_failure(law, pressure=-limit)
+
+
+def tell_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
+    """A viscosity of foams, whose place the bulk viscosity of percuss takes."""
+    if row.number(name):
+        deck.ledger.approximated(f"{row.card}.{name}", row.place, "the bulk viscosity of percuss in place of this viscosity")
+
+
+def find_bulk_modulus(law: Deck) -> float:
+    """From Young's modulus."""
+    return law["youngs_modulus"] / (3 * (1 - 2 * law["poissons_ratio"]))
 
 
 def set_failure(law: Deck, **limits: float) -> None:

@@ -28,7 +28,7 @@ def linear_polynomial(deck: KeywordDeck, use: Use) -> Deck:
 
 def grueneisen(deck: KeywordDeck, use: Use) -> Deck:
     reader = use.state.reader()  # type: ignore[union-attr]
-    row, more = reader.row("EOSID C S1 S2 S3 GAMMA0 A E0"), reader.row("V0 UNUSED~ LCID")
+    row, more = reader.row("EOSID C S1 S2 S3 GAMMA0 A E0"), reader.row("V0 UNUSED~unused LCID")
     row.skip("EOSID")
     state: Deck = {
         "kind": "mie_grueneisen",
