@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Callable
+from typing import Any
 
 from .ledger import BadInput, Ledger, Place
 
@@ -62,6 +63,8 @@ class Row:
     is, for a reason of REASONS). finish() reports each field that has another value than its default and was not asked for.
     """
 
+    change: Any = None  # of the file that holds it: offsets of ids, factors of units
+
     def __init__(self, card: str, place: Place, layout: str, texts: list[str]):
         self.card, self.place = card, place
         self._texts: dict[str, str] = {}
@@ -86,11 +89,13 @@ class Row:
 
     def number(self, name: str) -> float:
         """The field as a number; its default where it is blank."""
-        return self._parse(name, parse_real, "a number")
+        value = self._parse(name, parse_real, "a number")
+        return value * self.change.factor_of(name) if self.change else value
 
     def integer(self, name: str) -> int:
         """The field as a whole number; its default where it is blank."""
-        return int(self._parse(name, parse_integer, "a whole number"))
+        value = int(self._parse(name, parse_integer, "a whole number"))
+        return value + self.change.shift_of(self.card, name) if self.change and value > 0 else value
 
     def numbers(self, *names: str) -> list[float]:
         return [self.number(name) for name in names]

@@ -317,7 +317,7 @@ nodes.k
         x = self.read(deck)[0].nodes[2]
         for found, expected in zip(x, (0.0, 1.0, 5.0)):
             self.assertAlmostEqual(found, expected)
-        self.assertIn("INCLUDE_TRANSFORM.IDNOFF", self.refusals(deck.replace("nodes.k\n0\n", "nodes.k\n100\n")))
+        self.fails(deck.replace("nodes.k\n0\n", "nodes.k\n100\n"), "there is no node 1, of element 500")
         self.fails(deck.replace("1,1,1\n1\n", "1,1,1\n2\n"), "no such *DEFINE_TRANSFORMATION")
         self.write("*KEYWORD\n" + nodes + "*LOAD_BODY_Z\n1\n", "nodes.k")
         curve = "*DEFINE_CURVE\n1\n0,1\n9,1\n*END"

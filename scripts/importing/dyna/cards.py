@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 from ..fields import Row, clip, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
+from ..model import Vector
 from ..text_files import read_lines
 from .parameters import Parameters
-from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
+from .transforms import UNCHANGED, FileChange, Transformation, read_include
 
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 MOST_BYTES = 4 << 30
@@ -29,7 +30,11 @@ class Card:
     has_title: bool = False
     has_id: bool = False
     lines: list[tuple[int, str]] = field(default_factory=list)
-    transform: Affine = SAME  # of the nodes of the file
+
+    @property
+    def change(self) -> FileChange:
+        """What is done to the file that holds it."""
+        return self.parameters.change
 
     def at(self, number: int) -> Place:
         return Place(self.place.file, number)
@@ -51,7 +56,10 @@ class Card:
 
     def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         """A line as named fields."""
-        return Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
+        row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
+        if self.change is not UNCHANGED:
+            row.change = self.change
+        return row
 
     def reader(self) -> "Lines":
         return Lines(self)
@@ -97,14 +105,14 @@ class Lines:
 class CardReader:
     """All cards of a file and of those that it includes, in their order."""
 
-    def __init__(self, path: str, ledger: Ledger):
-        self._ledger = ledger
+    def __init__(self, path: str, ledger: Ledger, nodes: dict[int, Vector]):
+        self._ledger, self._nodes = ledger, nodes  # nodes that are read so far
         self._folder = os.path.dirname(os.path.realpath(path))
         self._folders = [self._folder]
         self._main = path
         self._included: set[str] = set()
         self._bytes = 0
-        self._transformations: dict[int, Affine] = {}
+        self.transformations: dict[int, Transformation] = {}
         self._case, self._other_case = "", ""  # the case that acts; one whose cards are passed over
 
     def read(self) -> Iterator[Card]:
@@ -137,13 +145,15 @@ class CardReader:
                 yield from self._include(card, path, depth)
             elif name.startswith("DEFINE_TRANSFORMATION"):
                 strip_options(card)
-                id, transform = read_transformation(card)
-                self._transformations[id] = transform
-                self._ledger.translated(card.keyword, card.place, "moves the files that name it")
+                found = Transformation(card)
+                self.transformations[found.id] = found
+                self._ledger.translated(card.keyword, card.place, "moves the files and nodes that name it")
             elif name.startswith("PARAMETER"):
                 parameters.read(card, self._ledger)
             else:
                 strip_options(card)
+                if card.change is not UNCHANGED:
+                    card.change.check(card, self._ledger)
                 yield card
 
     def _cut_cards(self, lines: list[str], shown: str, parameters: Parameters) -> Iterator[Card]:
@@ -189,25 +199,21 @@ class CardReader:
             yield from self._read_included(name, card, path_of_file, depth)
 
     def _include_moved(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
-        """*INCLUDE_TRANSFORM: the same file may come again only if its ids are others, so it may not."""
-        name, transform = read_include(card, self._transformations, self._ledger)
-        for inner in self._read_included(name, card, path_of_file, depth):
-            if transform is not SAME:
-                inner.transform = compose(transform, inner.transform)
-            check_card(inner, self._ledger)
-            yield inner
+        """*INCLUDE_TRANSFORM: the same file may come again if its ids get other offsets."""
+        name, change = read_include(card, self.transformations, self._nodes, self._ledger)
+        yield from self._read_included(name, card, path_of_file, depth, change)
 
-    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int, change: FileChange = UNCHANGED) -> Iterator[Card]:
         """The cards of an included file."""
         path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
         if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
             raise BadInput(card.place, "files include each other too deeply, or in a loop: remove the loop")
-        if path in self._included:
+        if path in self._included and not change.offsets:
             raise BadInput(card.place, f"'{clip(name)}' is included twice: remove one *INCLUDE")
         self._included.add(path)
         self._ledger.translated(card.keyword, card.place, "the file is read")
         shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
-        yield from self._read_file(path, shown, card.parameters.inner(), depth + 1, card.place)
+        yield from self._read_file(path, shown, card.parameters.inner(change), depth + 1, card.place)
 
     def _find(self, name: str, place: Place, folder_of_file: str) -> str:
         """Beside the main file, in the folders of _PATH, or beside the file that includes."""
@@ -270,10 +276,11 @@ def strip_options(card: Card) -> None:
     card.keyword = OPTIONS.sub("", card.keyword)
 
 
-def read_ids(lines: Lines, per_line: int = 8) -> list[int]:
-    """All ids of the lines that are left, zeros left out."""
+def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
+    """All ids of the lines that are left, zeros left out. field: the name of a field with ids of their kind, for offsets."""
     ids: list[int] = []
     card = lines.card
+    shift = card.change.shift_of(card.keyword, field)
     while lines:
         line = lines.take()
         for text in card.split(line, (10,) * per_line)[:per_line]:
@@ -281,7 +288,7 @@ def read_ids(lines: Lines, per_line: int = 8) -> list[int]:
             if value is None:
                 raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{shift_hint(text)}: correct it")
             if value:
-                ids.append(value)
+                ids.append(value + shift)
     return ids
 
 

@@ -164,6 +164,8 @@ class KeywordDeck:
         self.material_titles: dict[int, str] = {}
         self.states: dict[int, Card] = {}
         self.hourglass: dict[int, Row] = {}
+        self.transformations: dict[int, Any] = {}  # *DEFINE_TRANSFORMATION
+        self.node_transforms: list[Row] = []
         self.boxes: dict[int, Box] = {}
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}

@@ -1,10 +1,10 @@
 """*NODE and *ELEMENT_...: nodes and elements, what they cannot be is refused."""
 
-from ..fields import MOST_ID, clip, parse_integer, parse_real, shift_hint
+from ..fields import MOST_ID, Row, clip, parse_integer, parse_real, shift_hint
 from ..ledger import BadInput, Place
 from ..solids import collapse
 from .cards import Card
-from .transforms import SAME, apply
+from .transforms import UNCHANGED, FileChange, apply
 from .deck import Element, Elements, KeywordDeck
 
 NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
@@ -21,7 +21,7 @@ def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = Fa
     value = parse_integer(text)
     if value is None or not (0 if may_be_blank else 1) <= value <= MOST_ID:
         raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (an id from 1 to 10^15 is expected{shift_hint(text)})")
-    return value
+    return value + card.change.shift_of(card.keyword, "NID" if what == "node" else what) if value and card.change is not UNCHANGED else value
 
 
 def to_real(card: Card, number: int, text: str, what: str) -> float:
@@ -39,8 +39,7 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
         texts = card.split(line, NODE_WIDTHS) + [""] * 6
         id = to_id(card, line[0], texts[0], "NID")
         x = tuple(to_real(card, line[0], texts[i], "XYZ"[i - 1]) for i in (1, 2, 3))
-        if card.transform is not SAME:
-            x = apply(card.transform, x)  # type: ignore[arg-type]
+        x = card.change.move(x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
             raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places: renumber or remove one")
         deck.nodes[id] = x  # type: ignore[assignment]
@@ -51,6 +50,35 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
             deck.fixed_nodes.setdefault(code, []).append(id)
             deck.fixed_place = deck.fixed_place or card.at(line[0])
     deck.ledger.translated("NODE", card.place, "nodes of the mesh, ids kept; TC and RC as fixed directions")
+
+
+def read_node_transform(deck: KeywordDeck, card: Card) -> None:
+    """TRSID NSID IMMED: nodes of a set that are moved, at once or when all are read."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("TRSID NSID IMMED")
+        deck.node_transforms.append(row)
+        if row.integer("IMMED"):
+            move_nodes(deck, deck.node_transforms.pop())
+
+
+def apply_node_transforms(deck: KeywordDeck) -> None:
+    for row in deck.node_transforms:
+        move_nodes(deck, row)
+
+
+def move_nodes(deck: KeywordDeck, row: Row) -> None:
+    id = row.integer("TRSID")
+    if id not in deck.transformations:
+        row.fail("TRSID", "there is no such *DEFINE_TRANSFORMATION")
+    transform = deck.transformations[id].find(dict(deck.nodes), deck.ledger)
+    if FileChange(transform=transform).mirrors():
+        deck.ledger.refuse("NODE_TRANSFORM.MIRROR", row.place, "nodes that are mirrored, with elements that then are inside out", "they stay")
+        return
+    for node in deck.list_members("NODE", row.integer("NSID"), row.place):
+        if node in deck.nodes:
+            deck.nodes[node] = apply(transform, deck.nodes[node])
+    deck.ledger.translated(row.card, row.place, "nodes are moved")
 
 
 def elements_of(deck: KeywordDeck, part: int, place: Place) -> Elements:
@@ -72,8 +100,18 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
             texts = texts[:2] + card.split(reader.take(), EIGHTS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         corners = [to_id(card, line[0], text, "node", True) for text in texts[2:12]]
-        add_solid(deck, card, card.at(line[0]), part, id, [c for c in corners if c])
+        corners = [c for c in corners if c]
+        add_solid(deck, card, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
     deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
+
+
+def turn_over(corners: list[int]) -> list[int]:
+    """The corners of a solid whose nodes are mirrored, in an order that keeps its volume positive."""
+    if len(corners) == 10:
+        return [corners[i] for i in (0, 2, 1, 3, 6, 5, 4, 7, 9, 8)]
+    if len(corners) == 8:
+        return [corners[i] for i in (0, 3, 2, 1, 4, 7, 6, 5)]
+    return [corners[i] for i in (0, 2, 1, *range(3, len(corners)))]
 
 
 def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, corners: list[int]) -> None:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from ..fields import clip, parse_real
 from ..ledger import BadInput, Ledger, Place, missing
 
+from .transforms import UNCHANGED, FileChange
+
 if TYPE_CHECKING:
     from .cards import Card
 
@@ -26,14 +28,15 @@ Value = float | int | str
 
 
 class Parameters:
-    """Values by name, in capitals. Those of _LOCAL are known in one file and those that it includes."""
+    """Values by name, in capitals. Those of _LOCAL are known in one file and those that it includes. A file also has what is done to it."""
 
-    def __init__(self, outer: "Parameters | None" = None):
+    def __init__(self, outer: "Parameters | None" = None, change: FileChange = UNCHANGED):
         self._outer = outer
         self._values: dict[str, Value] = {}
+        self.change = change
 
-    def inner(self) -> "Parameters":
-        return Parameters(self)
+    def inner(self, change: FileChange = UNCHANGED) -> "Parameters":
+        return Parameters(self, change.inside(self.change) if change is not UNCHANGED else self.change)
 
     def find(self, name: str, place: Place) -> Value:
         scope: Parameters | None = self

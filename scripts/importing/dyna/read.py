@@ -25,7 +25,7 @@ from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_b
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mass_cards import add_masses_of_sets, read_masses
-from .mesh_cards import read_nodes, read_other_elements, read_shells, read_solids
+from .mesh_cards import apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
@@ -54,7 +54,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 
 # Read at once. forms.py has what may follow a name.
 DEFINITIONS: dict[str, Handler] = {
-    "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
+    "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
     "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
@@ -129,7 +129,9 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     """Reads a deck and what it includes. The ledger tells what became of it."""
     deck = KeywordDeck(ledger)
     waiting: list[tuple[int, Card, Handler]] = []
-    for card in CardReader(path, ledger).read():
+    reader = CardReader(path, ledger, deck.nodes)
+    deck.transformations = reader.transformations
+    for card in reader.read():
         sort_card(deck, card, waiting)
     if not deck.elements:
         raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}")
@@ -150,6 +152,7 @@ def find_misspelt(deck: KeywordDeck, *keywords: str) -> str:
 def build(deck: KeywordDeck) -> None:
     """Parts with their materials."""
     check_corners(deck)
+    apply_node_transforms(deck)
     resolve_segments(deck)
     build_blocks(deck)
     note_spring_materials(deck)

@@ -9,6 +9,7 @@ from .deck import SPACE, Box, KeywordDeck, SetCard
 
 KINDS = ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")
 
+FIELDS = {"NODE": "NID", "PART": "PID", "SHELL": "EID", "SOLID": "EID", "BEAM": "EID", "SEGMENT": "NID"}  # names of fields with their ids
 MOST_STEPS = 1_000_000  # ids of a line
 
 
@@ -37,18 +38,18 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
     if found.kind == "SEGMENT" and not form:
         found.segments += read_segments(reader)
     elif not form:
-        found.ids += read_ids(reader)
+        found.ids += read_ids(reader, field=FIELDS[found.kind])
     elif form == ["GENERATE"]:
-        pairs = read_ids(reader)
+        pairs = read_ids(reader, field=FIELDS[found.kind])
         if len(pairs) % 2:
             raise BadInput(card.place, f"*{card.keyword} has a first id without a last: add it")
         found.ranges += list(zip(pairs[::2], pairs[1::2]))
     elif form == ["GENERATE", "INCREMENT"]:
         read_steps(card, reader, found)
     elif form == ["ADD"]:
-        found.sets += read_ids(reader)
+        found.sets += read_ids(reader, field="SID")
     elif form == ["COLUMN"]:
-        found.ids += [ids[0] for ids in (read_ids(line_of(reader)) for _ in iter(lambda: bool(reader), False)) if ids]
+        found.ids += [ids[0] for ids in (read_ids(line_of(reader), field=FIELDS[found.kind]) for _ in iter(lambda: bool(reader), False)) if ids]
     elif form == ["GENERAL"]:
         read_general(deck.ledger, card, reader, found)
     else:
@@ -62,7 +63,8 @@ def read_steps(card: Card, reader: Lines, found: SetCard) -> None:
         first, last, step = row.integer("BBEG"), row.integer("BEND"), row.integer("INCR") or 1
         if step < 1 or (last - first) // step >= MOST_STEPS:
             row.fail("INCR", f"a positive step, and at most {MOST_STEPS} ids, are expected")
-        found.ids += range(first, last + 1, step)
+        shift = card.change.shift_of(card.keyword, FIELDS[found.kind])
+        found.ids += range(first + shift, last + 1 + shift, step)
 
 
 def line_of(reader: Lines) -> Lines:
@@ -94,9 +96,12 @@ def read_general(ledger: Ledger, card: Card, reader: Lines, found: SetCard) -> N
         elif None in values:
             raise BadInput(card.at(line[0]), f"an id of *{card.keyword} is not a whole number: correct it")
         elif found.kind == "SEGMENT" and option == "SEG":
-            found.segments.append(tuple(dict.fromkeys(v for v in values[:4] if v)))
+            shift = card.change.shift_of(card.keyword, "NID")
+            found.segments.append(tuple(dict.fromkeys(v + shift for v in values[:4] if v)))
         else:
-            found.options.append((option, [v for v in values if v]))
+            kind = option.removeprefix("D")
+            shift = card.change.shift_of(card.keyword, {"PART": "PID", "BOX": "BOXID", "SHELL": "EID", "SEG": "NID"}.get(kind, FIELDS[found.kind]))
+            found.options.append((option, [v + shift for v in values if v]))
 
 
 def resolve_segments(deck: KeywordDeck) -> None:

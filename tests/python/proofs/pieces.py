@@ -9,7 +9,7 @@ CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1,
 
 def deck(*cards: str, end: float = 1e-5, rows: int = 100) -> str:
     """A deck of cards, with its end and its history."""
-    return f"*KEYWORD\n*CONTROL_TERMINATION\n{end!r}\n*DATABASE_GLSTAT\n{end / rows!r}\n{''.join(cards)}*END\n"
+    return f"*KEYWORD\n*CONTROL_TERMINATION\n{end!r}\n*DATABASE_GLSTAT\n{end / rows:.6g}\n{''.join(cards)}*END\n"
 
 
 def nodes(*rows: tuple[float, ...]) -> str:
