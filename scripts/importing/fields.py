@@ -52,6 +52,7 @@ REASONS = {
     "isotropic": "directions, which isotropic materials do not see",
     "absent": "of elements or bodies that percuss does not have",
     "storage": "how data are stored",
+    "attribute": "of members of a set, which only cards use that are refused",
     "default": "the defaults of what another card gives",
 }
 

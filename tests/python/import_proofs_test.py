@@ -154,7 +154,7 @@ def find_unproven_fields():
             with layouts.watch(number):
                 read_in_process(proof, folder)
         for (card, name), (has_reason, number, line, index, texts, layout) in layouts.found.items():
-            if f"{card}.{name}" in proven or has_reason:
+            if has_reason or f"{card}.{name}" in proven or f"{card}.{name}" in NOT_PHYSICS:
                 continue
             proof = keyword_decks[number]
             for value in TRIALS:

@@ -22,7 +22,7 @@ def read_set(deck: KeywordDeck, card: Card) -> None:
         return
     reader = card.reader()
     title = reader.text() if card.has_title else ""
-    row = reader.row("SID DA1~ DA2~ DA3~ DA4~ SOLVER~ ITS~")
+    row = reader.row("SID DA1~attribute DA2~attribute DA3~attribute DA4~attribute SOLVER~solver ITS~solver")
     found = SetCard(kind, row.integer("SID"), title, row.place)
     if ("COLLECT" in options) and (kind, found.id) in deck.sets:
         found = deck.sets[kind, found.id]
@@ -49,7 +49,8 @@ def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, f
     elif form == ["ADD"]:
         found.sets += read_ids(reader, field="SID")
     elif form == ["COLUMN"]:
-        found.ids += [ids[0] for ids in (read_ids(line_of(reader), field=FIELDS[found.kind]) for _ in iter(lambda: bool(reader), False)) if ids]
+        while reader.skip_blank():
+            found.ids.append(reader.row(f"{FIELDS[found.kind]} A1~attribute A2~attribute A3~attribute A4~attribute").integer(FIELDS[found.kind]))
     elif form == ["GENERAL"]:
         read_general(deck.ledger, card, reader, found)
     else:
@@ -67,17 +68,10 @@ def read_steps(card: Card, reader: Lines, found: SetCard) -> None:
         found.ids += range(first + shift, last + 1 + shift, step)
 
 
-def line_of(reader: Lines) -> Lines:
-    """One line as lines of their own."""
-    line = reader.take()
-    card = reader.card
-    return Lines(Card(card.keyword, card.place, card.least_width, card.parameters, lines=[line]))
-
-
 def read_segments(reader: Lines) -> list[tuple[int, ...]]:
     segments = []
     while reader.skip_blank():
-        row = reader.row("N1 N2 N3 N4 A1~ A2~ A3~ A4~")
+        row = reader.row("N1 N2 N3 N4 A1~attribute A2~attribute A3~attribute A4~attribute")
         nodes = [row.integer(name) for name in ("N1", "N2", "N3", "N4")]
         segments.append(tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes))
     return segments
@@ -147,10 +141,16 @@ def read_system(deck: KeywordDeck, card: Card) -> None:
     if form == "SYSTEM":
         row, more = reader.row("CID XO YO ZO XL YL ZL CIDL"), reader.row("XP YP ZP")
         origin = tuple(row.numbers("XO", "YO", "ZO"))
+        if row.integer("CIDL"):
+            deck.ledger.ignored(card.keyword, card.place, "in another system; a card that uses it is refused")
+            return
         x = subtract(tuple(row.numbers("XL", "YL", "ZL")), origin)  # type: ignore[arg-type]
         xy = subtract(tuple(more.numbers("XP", "YP", "ZP")), origin)  # type: ignore[arg-type]
     elif form == "VECTOR":
         row = reader.row("CID XX YX ZX XV YV ZV NID")
+        if row.integer("NID"):
+            deck.ledger.ignored(card.keyword, card.place, "its axes move with a node; a card that uses it is refused")
+            return
         x, xy = tuple(row.numbers("XX", "YX", "ZX")), tuple(row.numbers("XV", "YV", "ZV"))  # type: ignore[assignment]
     elif form == "NODES":
         row = reader.row("CID N1 N2 N3 FLAG DIR")

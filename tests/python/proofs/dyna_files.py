@@ -15,7 +15,7 @@ def moved(rows: str, *more: str) -> str:
 
 
 def at(x: float, y: float, z: float):
-    return [(f"{axis}:node_2", FIRST, value, 1e-9) for axis, value in zip("xyz", (x, y, z))]
+    return [(f"node_2_{axis}", FIRST, value, 1e-9) for axis, value in zip("xyz", (x, y, z))]
 
 
 def twice(offsets: str, row: str = "1,1,1") -> str:
@@ -33,7 +33,7 @@ PROOFS = [
     Proof(TRANSLATE, moved("MIRROR,4,0,0,7,0,0\n"), at(-2, 0, 0), "at the plane x = 4; the element stays right-handed", files=CENTER),
     Proof(TRANSLATE, moved("POINT,1,0,0,0\nPOINT,2,1,0,0\nPOINT,3,0,1,0\nPOINT,4,1,1,1\nPOINT,5,1,2,1\nPOINT,6,0,1,1\nPOS6P,1,2,3,4,5,6\n"),
           at(1, 11, 1), "x goes to y, the origin to (1, 1, 1)", files=CENTER),
-    Proof(TRANSLATE + "; MATRIX: M1 M2 M3 M4 M5 M6 M7 M8", moved("MATRIX\n0,1,0,0,-1,0,0,0\n0,0,1,0,5,6,7,1\n"), at(5, 16, 7),
+    Proof(TRANSLATE.replace("A7;", "A7 M1 M2 M3 M4 M5 M6 M7 M8;"), moved("MATRIX\n0,1,0,0,-1,0,0,0\n0,0,1,0,5,6,7,1\n"), at(5, 16, 7),
           "row vectors: (10, 0, 0, 1) M = (5, 10 + 6, 7)", files=CENTER),
     Proof(TRANSLATE, moved("TRANSL,0,0,5\nROTATE,0,0,1,0,0,0,90\n"), at(0, 10, 5), "these commute", files=CENTER),
     Proof(TRANSLATE, moved("TRANSL,5,0,0\nROTATE,0,0,1,0,0,0,90\n"), at(5, 10, 0), "the last acts first: it turns, then goes by 5", files=CENTER),

@@ -71,6 +71,11 @@ def curve(id: int, *points: tuple[float, float], more: str = "") -> str:
     return f"*DEFINE_CURVE\n{id}{more}\n" + "".join(f"{x!r},{y!r}\n" for x, y in points)
 
 
+def force(axis: str):
+    """The mean force on all nodes of a model that starts at rest: its momentum is that half a step before the row."""
+    return lambda h: h[f"momentum_{axis}"][-1] / (h["time"][-1] - 0.5 * h["dt"][-1])
+
+
 def node_set(id: int, *ids: int) -> str:
     return f"*SET_NODE_LIST\n{id}\n{','.join(map(str, ids))}\n"
 
