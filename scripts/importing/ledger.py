@@ -20,17 +20,16 @@ class Place(NamedTuple):
 
 
 REFERRED = "(this card refers to it)"
-# What a refusal says of parts that go with it, and of what then has no elements: the latter follows from the former, and is not told.
-LOSES = ("parts made of it", "these elements", "the parts")
+# What a refusal says of what has no elements: where parts were refused it follows from that, and is not told.
 FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element")
 
 
 class BadInput(Exception):
     """A file that cannot be read on; the message begins with its place."""
 
-    def __init__(self, place: "Place | str", text: str):
+    def __init__(self, place: "Place | str", text: str, follows: bool = False):
         super().__init__(f"{place}: error: {text}")
-        self.is_missing = REFERRED in text
+        self.is_missing = follows or REFERRED in text  # it is not told where what is refused may be what is missing
 
 
 def missing(what: str) -> str:
@@ -57,7 +56,6 @@ class Entry:
     text: str
     first: Place
     count: int = 1
-    loses: bool = False  # parts go with it
     follows: bool = False  # it may be that something lost its parts
 
 
@@ -69,6 +67,7 @@ class Ledger:
     entries: dict[tuple[str, Status, str], Entry] = field(default_factory=dict)
     used_patterns: set[str] = field(default_factory=set)
     files: set[str] = field(default_factory=set)  # that the model is read from
+    lost_parts: bool = False  # elements of the model are not in the deck
 
     def note(self, card: str, status: Status, place: Place, text: str) -> None:
         """Adds one card to its row."""
@@ -104,14 +103,13 @@ class Ledger:
         remedy = f"change or remove it, or use --allow {key}; then {instead}" if instead else "change or remove it"
         text = f"{problem}{reason}: {remedy}"
         self.note(key, Status.REFUSED, place, text)
-        entry = self.entries[key, Status.REFUSED, text]
-        entry.loses, entry.follows = any(word in instead for word in LOSES), any(word in problem for word in FOLLOWS)
+        self.entries[key, Status.REFUSED, text].follows = any(word in problem for word in FOLLOWS)
         return False
 
     def list_rows(self) -> list[Entry]:
         """All rows, by outcome, then by card."""
         order = list(Status)
-        causes = any(entry.status is Status.REFUSED and entry.loses for entry in self.entries.values())
+        causes = self.lost_parts and any(entry.status is Status.REFUSED and not entry.follows for entry in self.entries.values())
         entries = [entry for entry in self.entries.values() if not (causes and entry.follows and entry.status is Status.REFUSED)]
         return sorted(entries, key=lambda e: (order.index(e.status), e.card, e.first))
 

@@ -18,7 +18,7 @@ LIMIT = 20  # seconds for one mutant, of which a sound one takes 10 ms
 MEMORY = 2 << 30
 WORDS = ["0", "-1", "1e308", "1e-308", "nan", "inf", "ALL",
          "99999999999999999999", "1000000000000000", "*", "*END", "&a", "&", ",", ",,,,", "",
-         "-", "1-400", "$", "\t", "\u00e9", "2147483648", "<a+1>", "*INCLUDE", "../x", "*KEYWORD LONG=Y", "*NODE", "*PART", "=", "**"]  # fmt: skip
+         "-", "1-400", "$", "\t", "\u00e9", "2147483648", "<a+1>", "*INCLUDE", "../x", "part.k", "*INCLUDE_TRANSFORM", "*CASE_BEGIN_1", "+", "MIRROR", "*KEYWORD LONG=Y", "*NODE", "*PART", "=", "**"]  # fmt: skip
 
 
 def mutate(text: str, others: list[str], random_: random.Random) -> str:
@@ -102,10 +102,23 @@ def stop(*_: object) -> None:
 def list_seeds() -> list[tuple[str, str]]:
     """Decks and their endings."""
     import import_decks as decks
+    import proofs
 
     texts = [text for name, text in vars(decks).items() if name.isupper() and isinstance(text, str) and text.startswith("*KEYWORD")]
     texts += [decks.make_block(cards, state, shells) for _, cards, state, shells in decks.LAWS.values()]
-    return [(text, ".k") for text in texts] + [(decks.ABAQUS, ".inp")] * 4 + [(decks.ABAQUS_ROLLER, ".inp"), (decks.ABAQUS_STRESSED, ".inp")]
+    seeds = [(text, ".k") for text in texts] + [(decks.ABAQUS, ".inp")] * 4 + [(decks.ABAQUS_ROLLER, ".inp"), (decks.ABAQUS_STRESSED, ".inp")]
+    rows = [proof for proof in proofs.load()[0] if isinstance(proof.deck, str)]
+    return seeds + [(proof.deck, ".inp" if proof.is_abaqus() else ".k") for proof in rows]
+
+
+def write_files(folder: str) -> None:
+    """Files that seeds include."""
+    import proofs
+
+    for proof in proofs.load()[0]:
+        for name, text in proof.files.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
 
 
 def fuzz(count: int, seconds: float, first: int, keep: str) -> int:
@@ -113,6 +126,7 @@ def fuzz(count: int, seconds: float, first: int, keep: str) -> int:
     seeds = list_seeds()
     findings, number, end = 0, first, time.monotonic() + seconds
     with tempfile.TemporaryDirectory() as folder:
+        write_files(folder)
         while number < first + count and (not seconds or time.monotonic() < end):
             random_ = random.Random(number)
             text, ending = seeds[number % len(seeds)]

@@ -52,7 +52,10 @@ def prove(proof):
         path = write(folder, proof)
         code, text = call(folder, "import", os.path.basename(path), "--out", "m", "--quiet", *(["--allow", proof.allow] if proof.allow else []))
         if proof.refused:
-            return "" if code == 2 and proof.refused in text else f"import ends with {code} and does not say '{proof.refused}':\n{text}"
+            count = text.count(": error: ")
+            if code == 2 and proof.refused in text and proof.messages in (0, count):
+                return ""
+            return f"import ends with {code} and {count} errors, and should say '{proof.refused}':\n{text}"
         if code:
             return f"import ends with {code}:\n{text}"
         code, text = call(folder, "run", "m/deck.yaml", "--out", "r", "--quiet")

@@ -1,11 +1,14 @@
 """percuss import: import_test.py ROOT PERCUSS."""
 
 import json
+import math
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
+
+import yaml
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 sys.path[:0] = [os.path.join(ROOT, "scripts")]
@@ -18,10 +21,15 @@ from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
 from importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
 from importing.mesh_text import list_blocks  # noqa: E402
+from importing.proof import find_card, find_path  # noqa: E402
 from importing.shapes import solid_volume, tet_volume  # noqa: E402
 from importing.solids import collapse  # noqa: E402
 
 HERE = Place("deck.k", 1)
+PROGRAM_SCENE = """\
+parts: {block: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 2e11, poissons_ratio: 0.3}}
+"""
 
 
 class InFolder(unittest.TestCase):
@@ -113,6 +121,72 @@ class Curves(unittest.TestCase):
         self.assertEqual(len(rows), 32)
         self.assertLess(error, 0.01)
         self.assertEqual(thin_rows(points[:20]), (points[:20], 0.0))
+
+
+class Texts(InFolder):
+    """deck.yaml is what YAML libraries, and percuss, read back."""
+
+    NAMES = ("null", "no", "on", "y", "1e5", "nan", ".inf", "0x10", "~", "&a", "*a", "- a", "a: b", "a #b", "[a", "true", "2001-01-01", "'", '"', "=")
+
+    def test_names_are_read_back_as_they_are(self):
+        for name in self.NAMES:
+            self.assertEqual(yaml.safe_load(format_section("title", name)), {"title": name})
+            self.assertEqual(yaml.safe_load(format_section("parts", {name: {"material": name}})), {"parts": {name: {"material": name}}})
+
+    def test_the_program_reads_titles_back(self):
+        for name in self.NAMES:
+            deck = self.write(f"{format_section('title', name)}time: {{end: 1e-6}}\n" + PROGRAM_SCENE, "scene.yaml")
+            done = self.percuss("check", deck, "--json")
+            self.assertEqual((done.returncode, json.loads(done.stdout)["title"] if done.returncode == 0 else done.stderr), (0, name))
+
+    def test_numbers_are_those_of_the_model(self):
+        values = [1e5, 1.0, 0.1, 1e-300, -2.5e20, 3, True, 123456.0, -0.0]
+        self.assertEqual(format_section("a", values), "a: [1e5, 1, 0.1, 1e-300, -2.5e20, 3, true, 123456, 0]\n")
+        self.assertRaises(OverflowError, format_section, "a", math.inf)
+
+    def test_what_has_no_place_in_the_deck_is_an_error(self):
+        model = self.read(decks.SMALL)[0]
+        model.deck["dampers"] = [{"factor": 1.0}]
+        self.assertRaisesRegex(RuntimeError, "dampers", write_deck, model, "deck.k", "mesh.k", "")
+        for value in (None, object()):
+            model.deck["dampers"], model.deck["damping"] = [], [{"factor": value}]
+            del model.deck["dampers"]
+            self.assertRaises(yaml.representer.RepresenterError, write_deck, model, "deck.k", "mesh.k", "")
+
+    def test_a_long_entry_has_a_line_for_each_of_its_entries(self):
+        springs = {"a": {"between": [{"id": 1}, {"id": 2}], "table": [[0.0, float(i)] for i in range(30)]}}
+        text = format_section("springs", springs)
+        self.assertEqual(yaml.safe_load(text), {"springs": springs})
+        self.assertLess(max(map(len, text.splitlines())), 130)
+
+
+class Origins(InFolder):
+    """What the check refuses is a refusal of the card that made the entry."""
+
+    def test_an_entry_has_its_card(self):
+        model, ledger = self.read(decks.FULL)
+        for path, card in ((["conditions", 2, "fixed"], "BOUNDARY_SPC_SET"), (["loads", "nodal", 0], "LOAD_NODE_SET"), (["walls", 0], "RIGIDWALL_PLANAR"),
+                           (["parts", "plate", "points"], "PART"), (["materials", "steel"], "MAT_ELASTIC"), (["time", "step_scale"], "CONTROL_TIMESTEP")):  # fmt: skip
+            found = find_card(model, ledger, path)
+            self.assertEqual(found and found[0], card, path)
+        self.assertEqual(find_card(model, ledger, ["contact", "surfaces", 0])[0].split("_")[0], "CONTACT")
+
+    def test_a_place_is_found_in_the_deck(self):
+        root = yaml.compose("time: {end: 1}\nloads:\n  nodal:\n    - {nodes: a}\n    - {nodes: b, force: {x: 1}}\n", Loader=yaml.SafeLoader)
+        self.assertEqual(find_path(root, 5, 26), ["loads", "nodal", 1, "force", "x"])
+        self.assertEqual(find_path(root, 4, 9), ["loads", "nodal", 0, "nodes"])
+
+    def test_a_refused_deck_is_not_left_behind(self):
+        fake = os.path.join(self.folder, "percuss")
+        with open(fake, "w", encoding="utf-8") as file:
+            file.write('#!/bin/sh\nn=$(grep -n wall_force "$2" | head -1 | cut -d: -f1)\necho "$2:$n:3: error: it moves" >&2\nexit 2\n')
+        os.chmod(fake, 0o755)
+        text = self.write(decks.FULL.replace("72floor", "72wall_force"))
+        done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts/import"), text, "--out", os.path.join(self.folder, "out"), "--quiet"],
+                              capture_output=True, text=True, env=dict(os.environ, PERCUSS_PROGRAM=fake), check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"deck.k:\d+: error: \*RIGIDWALL_PLANAR: percuss check refuses what becomes of it \(at walls of the deck\): it moves")
+        self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "out"))), ["import_report.json", "import_report.md"])
 
 
 class Shapes(unittest.TestCase):

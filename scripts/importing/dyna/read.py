@@ -134,10 +134,11 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for card in reader.read():
         sort_card(deck, card, waiting)
     if not deck.elements:
-        raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}")
+        raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}", follows=True)
     if deck.end_time <= 0:
         raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end): {find_misspelt(deck, 'CONTROL_TERMINATION') or 'add one'}")
     build(deck)
+    ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams or found.others} <= {b.part for b in deck.model.blocks}
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
     finish(deck)

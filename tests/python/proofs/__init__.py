@@ -17,7 +17,7 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
   When is FIRST, LAST, MAX, MIN, LARGEST (of magnitude), ALL (each row), or a time. The tolerance is relative; absolute where value is 0.
   Have a value that no other reading of the card gives: numbers that differ from 0, 1 and from each other.
 - `why`: the mechanics of the value in a line.
-- `refused`: for a row of what must be refused: words of the message, such as the name of the field. It has no rights.
+- `refused`: for a row of what must be refused: words of the message, such as the name of the field. It has no rights. `messages`: how many.
 - `allow`: patterns for --allow. `files`: further files of the deck, by name.
 
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
@@ -51,6 +51,7 @@ class Proof:
     rights: list[Right] = field(default_factory=list)
     why: str = ""
     refused: str = ""
+    messages: int = 0  # how many refusals there are; 0: any number
     allow: str = ""
     files: dict[str, str] = field(default_factory=dict)
     family: str = ""

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from ...ledger import BadInput, missing
 from ...model import Block, Deck
+from ...text_files import suggest
 from ..cards import Card
 from .crushable import CRUSHABLE
 from ..deck import KeywordDeck, PartCard
@@ -133,7 +134,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     elif law_name in LAWS:
         law = translate(deck, card, use, LAWS[law_name])
     else:
-        deck.ledger.refuse(card.keyword, card.place, "this material law", "the parts made of it are left out")
+        deck.ledger.refuse(card.keyword, card.place, f"this material law{suggest(card.keyword, [f'MAT_{name}' for name in (*LAWS, *SPRINGS.values())])}", "the parts made of it are left out")
         return None
     if law is None or not may_be_used(deck, card, law, use):
         return None

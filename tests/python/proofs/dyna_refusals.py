@@ -1,0 +1,16 @@
+"""Refusals: one cause, one message."""
+
+from . import Proof
+from .pieces import curve, deck, node_set, part, shell, square, elastic, shell_section
+
+LEANING = (
+    "*ELEMENT_MASS\n1,3,1e-6\n", node_set(5, 1, 2), "*LOAD_NODE_SET\n5,3,7,1.0\n*SET_SEGMENT\n6\n1,2,3,4\n*LOAD_SEGMENT_SET\n6,7,1.0\n",
+    curve(7, (0, 1.0), (1, 1.0)), "*CONSTRAINED_NODAL_RIGID_BODY\n9,0,5\n*CONSTRAINED_SPOTWELD\n1,2\n",
+)  # fmt: skip
+PROOFS = [
+    Proof("SECTION_SHELL: ELFORM", deck(shell().replace("1,2,1.0,2", "1,12,1.0,2"), *LEANING), refused="SECTION_SHELL.ELFORM", messages=1),
+    Proof("SECTION_SHELL", deck(shell().replace("SECTION_SHELL", "SECTION_SHEL"), *LEANING), refused="SECTION_SHEL", messages=1),
+    Proof("MAT_ELASTIC", deck(shell().replace("MAT_ELASTIC", "MAT_ELASTICS"), *LEANING), refused="did you mean *MAT_ELASTIC?", messages=1),
+    Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
+          refused="ELEMENT_SHELL_DOF", messages=1),
+]  # fmt: skip
