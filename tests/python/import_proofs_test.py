@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
-ROOT, PERCUSS, *FAMILIES = sys.argv[1:]
+ROOT, PERCUSS, *CHOSEN = sys.argv[1:]
 sys.argv[1:] = []
 sys.dont_write_bytecode = True
 sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.dirname(os.path.realpath(__file__))]
@@ -20,12 +20,16 @@ import proofs  # noqa: E402
 from importing.abaqus import read as abaqus  # noqa: E402
 from importing.abaqus.options import KNOWN  # noqa: E402
 from importing.dyna import read as dyna  # noqa: E402
+from importing.dyna.contact_cards import FAMILIES, split_name  # noqa: E402
+from importing.dyna.forms import ANY, OPTIONS  # noqa: E402
+from importing.dyna.materials.choice import LAWS, SPRINGS, name_law  # noqa: E402
+from importing.dyna.materials.states import STATES  # noqa: E402
 from importing.fields import Row  # noqa: E402
 from importing.ledger import BadInput, Ledger, Status  # noqa: E402
 
 TRIALS = (1, 2, 7)
 TABLE, NOT_PHYSICS = proofs.load()
-PROOFS = [proof for proof in TABLE if not FAMILIES or proof.family in FAMILIES]
+PROOFS = [proof for proof in TABLE if not CHOSEN or proof.family in CHOSEN]
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false")
 
 
@@ -172,8 +176,19 @@ def find_unproven_fields():
 
 
 def list_cards():
-    """Names of tables of the importer that a row must prove."""
-    return sorted({*dyna.DEFINITIONS, *dyna.ACTIONS})
+    """Names of tables of the importer that a row must prove: keywords or their beginnings, materials, equations of state, contacts."""
+    laws = {f"MAT_{name}" for name in (*LAWS, *SPRINGS.values(), "RIGID")}
+    forms = {f"{name}{word}" for name, words in OPTIONS.items() if name.endswith("_") and words != ANY for word in words.partition("|")[0].split()}
+    states = {name for name in STATES if not name[-1].isdigit()}
+    return sorted({*dyna.DEFINITIONS, *dyna.ACTIONS, *laws, *forms, *states, *(f"CONTACT_{name}" for name in FAMILIES)})
+
+
+def list_tables_of(card):
+    """The names of the tables that a card of a row proves."""
+    if card.startswith("MAT_"):
+        return {"MAT_", f"MAT_{name_law(card)}"}
+    contact = split_name(card) if card.startswith("CONTACT_") else None
+    return {card, *(dyna.find_handler(table, card) for table in (dyna.DEFINITIONS, dyna.ACTIONS)), *([f"CONTACT_{contact[0]}"] if contact else [])}
 
 
 def list_keywords():
@@ -186,8 +201,7 @@ def list_keywords():
 def find_unproven_cards():
     """Of both kinds of decks."""
     keyword_rows = {name for proof in TABLE if not proof.is_abaqus() for name in proof.list_proven()}
-    handled = keyword_rows | {handler for name in keyword_rows for table in (dyna.DEFINITIONS, dyna.ACTIONS)
-                              if "." not in name and (handler := dyna.find_handler(table, name))}  # fmt: skip
+    handled = {table for name in keyword_rows if "." not in name for table in list_tables_of(name)}
     abaqus_rows = {name.replace("_", " ") for proof in TABLE if proof.is_abaqus() for name in proof.list_proven()}
     explained = {name.replace("_", " ") for name in NOT_PHYSICS}
     cards = [name for name in list_cards() if name not in handled and name not in NOT_PHYSICS]
@@ -216,7 +230,7 @@ class Proofs(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if FAMILIES == ["--unproven"]:
+    if CHOSEN == ["--unproven"]:
         with contextlib.redirect_stderr(io.StringIO()):
             print("\n".join(sorted({*find_unproven_cards(), *find_unproven_fields()})))
         sys.exit()
