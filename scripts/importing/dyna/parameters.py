@@ -62,7 +62,7 @@ class Parameters:
         if words == ["DUPLICATION"]:
             ledger.ignored(card.keyword, card.place, "a second value of a parameter is an error here")
             return
-        if any(word not in ("EXPRESSION", "LOCAL", "MUTABLE", "GLOBAL") for word in words):
+        if any(word not in ("EXPRESSION", "LOCAL", "MUTABLE", "GLOBAL", "TYPE") for word in words):
             ledger.refuse(card.keyword, card.place, "this form of parameters")
             return
         scope = self if "LOCAL" in words else self._root()
@@ -89,6 +89,7 @@ class Parameters:
         pairs: list[tuple[int, str, Value]] = []
         for line in card.lines:
             texts = card.split(line, (10,) * 8)
+            texts = texts[:2] if "TYPE" in card.keyword else texts  # behind the value stands what it is an id of
             for word, text in zip(texts[::2], texts[1::2]):
                 if not word:
                     continue
