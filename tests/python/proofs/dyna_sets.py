@@ -30,6 +30,18 @@ def pressed_shells(cards: str, area: float, proves: str) -> Proof:
     return Proof(proves, deck(shell(), second, cards, ONE, "*LOAD_SHELL_SET\n5,7,3.0\n"), [(force("z"), LAST, -3.0 * area, 1e-6)], "pressure times area")
 
 
+def cut(cards: str, proves: str) -> Proof:
+    """The force of a set 6 of solids on the held base of a cube: what of four loads of 2 N does not go into momentum."""
+    held = node_set(5, 1, 2, 3, 4) + "*BOUNDARY_SPC_SET\n5,0,1,1,1\n" + node_set(8, 5, 6, 7, 8) + "*LOAD_NODE_SET\n8,3,7,2.0\n" + ONE
+    section = "*DATABASE_CROSS_SECTION_SET_ID\n1,cut\n5,6\n"
+
+    def error(h: dict[str, list[float]]) -> float:
+        impulse = sum(f * (b - a) for f, a, b in zip(h["fz:cut"][1:], h["time"], h["time"][1:]))
+        return (impulse + h["momentum_z"][-1]) / (h["time"][-1] - 0.5 * h["dt"][-1])
+
+    return Proof(proves, deck(cube(), held, cards, section, end=5e-5), [(error, LAST, 8.0, 1e-6)], "the impulse of the section and the momentum are that of the loads")
+
+
 TOP = "5,6,7,8"
 BOX = "*DEFINE_BOX\n3,-1,11,-1,11,9,11\n"  # the upper four nodes
 # x of the box is (1, 1, 0) / sqrt(2) from (10, 0, 0): only nodes 3 and 7 have x above 5 there
@@ -65,6 +77,9 @@ PROOFS = [
     pressed_shells("*SET_SHELL_GENERAL\n5\nPART,2\n", 100.0, "SET_SHELL_GENERAL: SID"),
     pressed_shells("*SET_SHELL_GENERAL\n5\nALL\nDELEM,1\n", 100.0, "SET_SHELL_GENERAL: SID"),
     pressed_shells("*DEFINE_BOX\n3,9,21,-1,11,-1,1\n*SET_SHELL_GENERAL\n5\nBOX,3\n", 100.0, "SET_SHELL_GENERAL: SID"),
+    cut("*SET_SOLID\n6\n1\n", "SET_SOLID: SID; DATABASE_CROSS_SECTION_SET: NSID HSID"),
+    cut("*SET_SOLID_GENERAL\n6\nPART,1\n", "SET_SOLID_GENERAL: SID"),
+    cut("*SET_SOLID_LIST_GENERATE\n6\n1,7\n", "SET_SOLID_LIST_GENERATE: SID"),
     *(Proof(f"{card}; INITIAL_VELOCITY: ICID", deck(cube(), system, "*INITIAL_VELOCITY\n0,0,0,0,4\n1.0,2.0,3.0\n"),
             [("momentum_x", FIRST, -2.0 * CUBE_MASS, 1e-9), ("momentum_y", FIRST, 1.0 * CUBE_MASS, 1e-9), ("momentum_z", FIRST, 3.0 * CUBE_MASS, 1e-9)],
             "axes that are turned by 90 degrees about z: x is y, y is -x")
