@@ -102,10 +102,12 @@ def print_refused(ledger: Ledger) -> None:
 
 def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -> proof.Verdict:
     """Writes deck, mesh and tables to a folder of their own, checks them there, and moves them to their places if they pass."""
-    folder = tempfile.mkdtemp(prefix=".import_", dir=arguments.out)
+    place = arguments.out.rstrip("/") or "/"
+    folder = tempfile.mkdtemp(prefix=".import_", dir=place)
     try:
         names = write_files(arguments, model, folder)
         verdict = proof.check_deck(os.path.join(folder, DECK)) if arguments.check else proof.Verdict(0)
+        verdict = verdict._replace(output=verdict.output.replace(folder, place), errors=verdict.errors.replace(folder, place))
         if verdict.code == 2:
             proof.refuse_checked(model, ledger, arguments.model, os.path.join(folder, DECK), verdict)
         if not verdict.code:
@@ -113,7 +115,7 @@ def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -
                 os.replace(os.path.join(folder, name), os.path.join(arguments.out, name))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-    return verdict._replace(**{key: getattr(verdict, key).replace(folder, arguments.out.rstrip("/") or "/") for key in ("output", "errors")})
+    return verdict
 
 
 def write_files(arguments: argparse.Namespace, model: Model, folder: str) -> list[str]:

@@ -51,7 +51,7 @@ PROOFS = [
           "momentum of 7.8e-6 t"),
     *(Proof("NODE: TC", held(code), pushed(code), f"TC {code} holds {HELD[code]}") for code in HELD),
     Proof("ELEMENT_SOLID", solid("1,1\n1,2,3,4,5,6,7,8\n"), volume(1.0), "on two lines"),
-    Proof("ELEMENT_SOLID", solid("1,1,1,2,6,5,4,4,8,8\n"), volume(1.0 / 2), "a wedge is half the cube: its edges are 4 and 8"),
+    Proof("ELEMENT_SOLID", solid("1,1,1,2,3,4,5,5,8,8\n"), volume(1.0 / 2), "a wedge is half the cube: its triangles are 1 2 5 and 4 3 8"),
     Proof("ELEMENT_SOLID", solid("1,1,1,2,3,4,5,5,5,5\n"), volume(1.0 / 3), "a pyramid is a third of the cube"),
     Proof("ELEMENT_SOLID", solid("1,1,1,2,4,5,5,5,5,5\n"), volume(1.0 / 6), "a tetrahedron is a sixth of the cube"),
     Proof("ELEMENT_SOLID", solid("1,1\n1,2,4,5,11,12,13,14,15,16\n", (11, 5.0, 0.0, 0.0), (12, 5.0, 5.0, 0.0), (13, 0.0, 5.0, 0.0),
