@@ -25,7 +25,7 @@ from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_b
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mass_cards import add_masses_of_sets, read_masses
-from .mesh_cards import apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
+from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
@@ -76,6 +76,7 @@ ACTIONS: dict[str, Handler] = {
     "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
+OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
 # Harmless whatever they say.
 IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output"}
 # Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
@@ -98,14 +99,16 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
         raise BadInput(card.place, "an encrypted block cannot be read: ask its author for the plain text")
     elif keyword.startswith(MODIFIERS) and keyword not in MODIFIERS_READ:
         deck.ledger.refuse(keyword, card.place, "what it adds to a material", "the material is as it is without it")
-    elif name == "CONTROL_" and not is_known_control(keyword):
+    elif (name == "CONTROL_" and not is_known_control(keyword)) or (name == "ELEMENT_" and not keyword.startswith(OTHER_ELEMENTS)):
         refuse_unknown(deck, card)
     elif name in DEFINITIONS:
         apply(deck, card, DEFINITIONS[name])
     elif name:
         waiting.append((list(ACTIONS).index(name), card, ACTIONS[name]))
     elif option:
-        deck.ledger.refuse(keyword, card.place, f"the option {clip(option)}, with which the card means something else", "the card is left out")
+        deck.unknown.append((keyword, card.place))
+        text = f"the option {clip(option)}, with which the card means something else{suggest(keyword, list_keywords())}"
+        deck.ledger.refuse(keyword, card.place, text, "the card is left out")
     else:
         refuse_unknown(deck, card)
 
