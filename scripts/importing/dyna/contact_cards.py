@@ -418,6 +418,9 @@ def read_defaults(deck: KeywordDeck, card: Card) -> None:
     third.skip("DFRIC", "EDC")
     if third.number("TH_SF") in (0.0, 1.0):
         third.skip("TH_SF")
+    if any(fourth.numbers("SPOTDEL", "SPOTHIN")):
+        text = "spot welds: where the thickness of contact overlaps it is without force, and a tie ends with its face"
+        deck.ledger.approximated("CONTROL_CONTACT.SPOTHIN", fourth.place, text)
     if first.integer("ENMASS") == 2:  # as percuss: eroded nodes stay and touch
         first.skip("ENMASS")
     for row in (first, second, third, fourth, fifth, sixth):

@@ -57,6 +57,8 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
         factor = 0.9
     deck.model.deck.setdefault("time", {})["step_scale"] = factor
     limit_step(deck, row)
+    if row.number("TSLIMT") <= 0:
+        row.skip("TSLIMT")
     step = row.number("DT2MS")
     if step:
         more.skip("DT2MSF")  # of no effect beside DT2MS
@@ -160,7 +162,7 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.approximated("CONTROL_SHELL.ISTUPD", first.place, "the thickness of all shells follows their strain")
     if second.integer("INTGRD"):
         deck.ledger.approximated("CONTROL_SHELL.INTGRD", second.place, "Gauss points in place of Lobatto's")
-    if fourth.integer("NFAIL1") or fourth.integer("NFAIL4"):
+    if any(fourth.numbers("NFAIL1", "NFAIL4")):
         deck.erodes_folded_shells = True
         deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of all shells: one with a corner that has folded over is eroded")
         fourth.skip("PSNFAIL")
