@@ -31,8 +31,8 @@ def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         row.fail("K", "must be positive")
     row.skip("E", "PR")
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
-    if more.number("CP") >= bulk:
-        more.skip("CP")
+    if more.number("CP") < bulk:
+        deck.ledger.refuse(f"{card.keyword}.CP", more.place, "CP: a limit of tension", "there is no limit")
     row.finish(deck.ledger)
     more.finish(deck.ledger, "there is none")
     finish_lines(deck, card, reader)
@@ -123,8 +123,8 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row.skip("MID", "PCJ")
     if row.number("BETA") == 0:
         deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "programmed burn alone: compression does not ignite")
-    elif row.number("BETA") == 2:
-        row.skip("BETA")
+    elif row.number("BETA") == 1:
+        deck.ledger.refuse(f"{card.keyword}.BETA", row.place, "BETA: burning by compression alone", "it burns from the point of detonation")
     if len(deck.detonations) != 1:
         deck.ledger.refuse(
             "INITIAL_DETONATION",
