@@ -8,7 +8,6 @@ from typing import Any
 from .ledger import BadInput, Ledger, Place
 
 MOST_ID = 10**15
-MOST_FIELDS = 8  # of a line; what stands behind them is a remark
 _REAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d{1,4}|[+-]\d{1,4})?\Z", re.ASCII)
 _EXPONENT = re.compile(r"(?<=[\d.])([+-])")
 
@@ -80,7 +79,6 @@ class Row:
                 self._reasons[name] = REASONS[reason]
             self._defaults[name] = default or "0"
             self._texts[name] = texts[index] if index < len(texts) else ""
-        self._beyond = texts[len(layout.split()) : MOST_FIELDS]
 
     def text(self, name: str) -> str:
         self._read.add(name)
@@ -134,9 +132,6 @@ class Row:
                 ledger.ignored(f"{self.card}.{name}", self.place, self._reasons[name])
             else:
                 ledger.refuse(f"{self.card}.{name}", self.place, shown, instead)
-        for index, text in enumerate(self._beyond, len(self._texts) + 1):
-            if parse_real(text):
-                ledger.refuse(f"{self.card}.{index}", self.place, f"field {index} is {clip(text)}, which is not read", instead)
 
     def _parse(self, name: str, parse: Callable[[str], float | None], wanted: str) -> float:
         self._read.add(name)

@@ -31,7 +31,7 @@ def impulse(history):
 def tied(contact, *more, gap=0.0, poisson=0.0):
     """A cube above a held one begins to move away: if it is tied, its upper half swings."""
     text = two_cubes(gap).replace(elastic(), elastic(poisson=poisson))
-    moves = "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,100.0\n0\n*CONTROL_BULK_VISCOSITY\n0.0,0.0\n"
+    moves = "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,100.0\n0\n*CONTROL_BULK_VISCOSITY\n0.0,0.0\n*CONTROL_TIMESTEP\n0,0.1\n"
     return deck(text, node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n", moves, contact, *more, end=2e-5, rows=200)
 
 
