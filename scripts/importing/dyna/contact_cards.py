@@ -1,6 +1,6 @@
 """*CONTACT_...: pairs of surfaces and ties."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..fields import REASONS, Row
 from ..ledger import Place
@@ -103,7 +103,8 @@ def read_contact(deck: KeywordDeck, card: Card) -> None:
         deck.model.deck.setdefault("elements", {})["resist_folding"] = True
         deck.ledger.approximated(card.keyword, card.place, "elements.resist_folding, of all solids")
         return
-    reader = card.reader()
+    kinds = {TIE: "CONTACT_TIED", TRANSDUCER: "CONTACT_FORCE_TRANSDUCER"}
+    reader = replace(card, keyword=kinds.get(FAMILIES[family], "CONTACT")).reader()  # what its fields are called
     if not reader.skip_blank():
         return
     contact = read_cards(deck, card, reader, family, options)
@@ -150,7 +151,6 @@ def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
         if not reader:
             return
         row = reader.row(layout)
-        row.card = "CONTACT"
         row.finish(deck.ledger, "it is left out")
 
 
