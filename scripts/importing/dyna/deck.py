@@ -180,7 +180,7 @@ class KeywordDeck:
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
-        self.detonations: list[Vector] = []
+        self.detonations: list[tuple[int, Vector, Place]] = []  # part or 0 for all, point
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
         self.springs: list[SpringElement] = []
