@@ -1,9 +1,8 @@
 """*RIGID BODY, *COUPLING with *KINEMATIC, *MPC BEAM: nodes that move as one, with the reference nodes that move them."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from ..ledger import Ledger
+from ..ledger import BadInput, Ledger, Place
 from ..model import Deck
 from .deck import AbaqusDeck, RigidGroup
 from .lines import Block
@@ -16,16 +15,16 @@ LEFT_OUT = "its nodes are free"
 
 
 def read_rigid_body(scope: Scope, block: Block, ledger: Ledger) -> None:
-    if "PIN NSET" in block.options:
-        ledger.refuse("RIGID BODY.PIN NSET", block.place, "nodes whose rotations are free", "their rotations are those of the body")
-    nodes = [block.option(name) for name in ("TIE NSET", "PIN NSET") if block.option(name)]
+    pinned = [block.option("PIN NSET")] if block.option("PIN NSET") else []
+    nodes = [block.option("TIE NSET")] if block.option("TIE NSET") else []
     profile = block.option("ANALYTICAL SURFACE")
-    if profile and (nodes or "ELSET" in block.options):
+    if profile and (nodes or pinned or "ELSET" in block.options):
         ledger.refuse("RIGID BODY.ANALYTICAL SURFACE", block.place, "an analytical surface with nodes or elements", "it is left out")
         profile = ""
     scope.bodies.append(
-        BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes, profile=profile)
-    )
+        BodyCard(block.keyword, block.place, block.option("REF NODE"), block.option("ELSET"), nodes + pinned, profile=profile,
+                 pinned=pinned, at_center=block.option("POSITION") == "CENTER OF MASS")
+    )  # fmt: skip
 
 
 def read_coupling(block: Block) -> BodyCard:
@@ -41,8 +40,7 @@ def read_kinematic(scope: Scope, card: BodyCard | None, block: Block, ledger: Le
     for line in block.lines:
         first = block.integer(line, 0, 1)
         held |= set(range(first, (block.integer(line, 1, first) or first) + 1))
-    if held and held != set(range(1, 7)):
-        ledger.refuse("KINEMATIC.free", block.place, "a coupling that leaves directions free", "it couples all directions")
+    card.held = "".join(str(d) for d in sorted(held)) if held and held != set(range(1, 7)) else ""
     scope.bodies.append(card)
 
 
@@ -79,12 +77,22 @@ def list_members(deck: AbaqusDeck, card: BodyCard) -> Members:
             if {id for id, _ in deck.model.blocks[index].elements()} <= ids:
                 found.blocks.add(index)
         found.nodes |= {node for id in ids for node in deck.mesh.elements[id][1]}
+    refuse_free(deck, card)
     for name in card.nodes:
         found.nodes |= set(deck.nodes_of(name, card.place))
     if card.surface:
         found.nodes |= deck.nodes_of_surface(card.surface, card.place)
     found.nodes |= found.refs
     return found
+
+
+def refuse_free(deck: AbaqusDeck, card: BodyCard) -> None:
+    """Rotations that a body leaves free, of nodes that have them, and directions that a coupling does."""
+    turning = deck.model.turning_nodes()
+    if any(node in turning for name in card.pinned for node in deck.nodes_of(name, card.place)):
+        deck.ledger.refuse("RIGID BODY.PIN NSET", card.place, "nodes whose rotations are free", "their rotations are those of the body")
+    if card.held and (not card.held.startswith("123") or turning & deck.nodes_of_surface(card.surface, card.place)):
+        deck.ledger.refuse("KINEMATIC.free", card.place, "a coupling that leaves directions free", "it couples all directions")
 
 
 def merge(found: list[Members]) -> list[list[Members]]:
@@ -111,6 +119,7 @@ def build_bodies(deck: AbaqusDeck) -> None:
             deck.ledger.refuse(card.keyword, card.place, "a rigid body of nodes without elements", "it is left out")
             continue
         group = RigidGroup(card.place, nodes, {node for m in together for node in m.refs})
+        group.at_center = any(m.card.at_center for m in together)
         blocks = [deck.model.blocks[index] for index in sorted({index for m in together for index in m.blocks})]
         for block in blocks:
             group.keys = group.keys if group.name else {"body": block.name} if len(blocks) > 1 else {}
@@ -129,62 +138,67 @@ def build_bodies(deck: AbaqusDeck) -> None:
             deck.ledger.translated(m.card.keyword, m.card.place, "rigid parts and rigid_sets")
 
 
-def hold_reference(deck: AbaqusDeck, nodes: Iterable[int], directions: list[str], motion: Deck | None) -> bool:
-    """Notes what a condition does to reference nodes. motion: none: at rest. Whether it acts on such nodes alone."""
-    nodes = list(nodes)
-    for node in nodes:
-        if node in deck.group_of_ref:
-            group = deck.group_of_ref[node]
-            group.held |= {d: (node, motion) for d in directions}
-    return all(node in deck.group_of_ref for node in nodes)
-
-
-def add_reference_masses(deck: AbaqusDeck, nodes: list[int], mass: float) -> list[int]:
-    """Masses at reference nodes without elements belong to their body. The nodes that are left."""
+def add_reference_masses(deck: AbaqusDeck, nodes: list[int], keys: Deck, place: Place) -> list[int]:
+    """Mass or inertia at reference nodes belongs to their body. The nodes that are left."""
     left = []
     for node in nodes:
         group = deck.group_of_ref.get(node)
-        if group is not None and group.wall:
-            continue  # a wall is held or moved, whatever its mass
-        if group is None or node in deck.used_nodes():
+        if group is None:
             left.append(node)
             continue
-        name = deck.model.add_node_set(f"mass_{node}", [min(group.nodes)])
-        entry = {"nodes": name, "body": group.name, "mass": mass, "center": list(deck.mesh.nodes[node])}
-        deck.model.deck.setdefault("rigid_sets", {})[name] = entry
+        if "mass" in keys and "mass" in group.rigid_keys:
+            raise BadInput(place, "a rigid body has two masses at its reference node: add them up")
+        group.rigid_keys |= {**keys, "center": list(deck.mesh.nodes[node])}
+        deck.ledger.translated("MASS" if "mass" in keys else "ROTARY INERTIA", place, "mass and inertia of a rigid body")
     return left
+
+
+def add_point_mass(deck: AbaqusDeck, group: RigidGroup) -> None:
+    """Rigid elements without mass have that of their reference node; to other bodies it is added."""
+    blocks = [block for block in deck.model.blocks if block.keys.get("rigid") is not None and group.nodes >= deck.model.nodes_of_blocks([block.id])]
+    if blocks and all(block.keys["material"] == deck.rigid_material for block in blocks):
+        group.at_center = True
+        center = group.rigid_keys.get("center") or list(deck.mesh.nodes[min(group.refs)] if group.refs else deck.mesh.nodes[min(group.nodes)])
+        group.keys |= {**group.rigid_keys, "center": center}
+    elif group.rigid_keys:
+        name = deck.model.add_node_set("point_mass", [min(group.nodes)])
+        deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name, "body": group.name, **group.rigid_keys}
 
 
 def finish_bodies(deck: AbaqusDeck) -> None:
     """What is held of bodies at their reference nodes."""
     for number, group in enumerate(deck.groups, 1):
-        rest = {d for d, (_, motion) in group.held.items() if motion is None}
-        moved = {d: motion for d, (_, motion) in group.held.items() if motion is not None}
         if group.wall:
             finish_wall(deck, group)
-            continue
-        if not group.held:
-            continue
-        if TURNS <= rest:
-            hold_whole(deck, group, number, rest, moved)
-        elif not moved and (joint := make_joint(deck, group, rest)):
-            deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
-        elif not moved and not rest & set(WAYS):
-            hold_whole(deck, group, number, rest, {})
-        else:
-            deck.ledger.refuse("BOUNDARY.reference", group.place, "a reference node with only some directions held or moved", "its body is free")
+            if group.wall:
+                continue
+        add_point_mass(deck, group)
+        hold_group(deck, group, number)
+        for block in deck.model.blocks:
+            if block.keys.get("rigid") is not None and block.name == group.name:
+                block.keys["rigid"] = group.keys or True
 
 
-def hold_whole(deck: AbaqusDeck, group: RigidGroup, number: int, rest: set[str], moved: dict[str, Deck]) -> None:
-    """Without turns every point of a body moves as its centre does."""
-    group.keys["fixed"] = [d for d in (*WAYS, "rx", "ry", "rz") if d in rest]
-    for block in deck.model.blocks:
-        if block.keys.get("rigid") is not None and block.name == group.name:
-            block.keys["rigid"] = group.keys
-    if moved:
-        name = deck.model.add_node_set(f"body_{number}", group.nodes)
-        for motion in moved.values():
-            deck.model.add("conditions", {"nodes": name, **motion})
+def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
+    """At rest as a whole, a joint to the ground, or motions of the body."""
+    rest = {d for d, (_, motion) in group.held.items() if motion is None}
+    moved = {d: motion for d, (_, motion) in group.held.items() if motion is not None}
+    if not group.held:
+        return
+    joint = make_joint(deck, group, rest) if not moved and not group.at_center else None
+    if joint:
+        deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
+        return
+    if not (TURNS <= rest or group.at_center or not group.held.keys() & set(WAYS)):
+        text = "a reference node away from the centre of its body with only some directions held or moved"
+        deck.ledger.refuse("BOUNDARY.reference", group.place, text, "they are those of the centre")
+    if rest:
+        group.keys["fixed"] = [d for d in (*WAYS, "rx", "ry", "rz") if d in rest]
+    if not moved:
+        return
+    which = {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)} if TURNS <= rest else {"body": group.name}
+    for motion in moved.values():
+        deck.model.add("conditions", {**which, **motion})
 
 
 def make_joint(deck: AbaqusDeck, group: RigidGroup, rest: set[str]) -> Deck | None:

@@ -1,14 +1,17 @@
 """An Abaqus deck in memory: its mesh, and what its keywords define by name."""
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ..curves import Curve
+from ..curves import Points
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
+from .amplitudes import Amplitude
 from .lines import Block
-from .mesh import SIDES, SOLIDS, Instance, Scope
+from .mesh import SHELLS, SIDES, SOLIDS, BodyCard, Instance, Scope
+from .timeline import StepTime, Timeline, shift_points
 
 
 @dataclass
@@ -29,7 +32,10 @@ class RigidGroup:
     name: str = ""  # of the body
     keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
     held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
+    at_center: bool = False  # the reference node is the centre
+    rigid_keys: Deck = field(default_factory=dict)  # mass, centre and inertia at the reference node
     wall: Deck | None = None  # of an analytical surface, by its name
+    card: BodyCard | None = None  # of such a surface
     profile: str = ""
 
 
@@ -40,17 +46,32 @@ class AbaqusDeck:
         self.ledger, self.model = ledger, Model()
         self.mesh = Scope()
         self.parts: dict[str, Scope] = {}
+        self.assembly = Scope()
+        self.left_elements: set[int] = set()  # whose section or material is refused
+        self.rigid_material = ""  # of elements without a section
+        self.controls: dict[str, Block] = {}  # *SECTION CONTROLS
         self.instances: list[Instance] = []
+        self.whole_assembly: Instance | None = None  # as an instance without name
+        self.assembly_elements: list[int] = []  # ids of its elements, which are read when the instances are in their places
         self.materials: dict[str, MaterialBlocks] = {}
-        self.amplitudes: dict[str, Curve] = {}
+        self.amplitudes: dict[str, Amplitude] = {}
+        self.steps: list[StepTime] = []
+        self.motions, self.loads = Timeline(0.0), Timeline(0.0)
+        self.renewed: set[tuple[str, int]] = set()  # keyword and step of OP=NEW
+        self.condition_lines: list = []
+        self.load_writers: dict[tuple, Callable] = {}
+        self.transformed: set[int] = set()  # nodes of *TRANSFORM
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
+        self.body_velocities: dict[int, list[float]] = {}  # of reference nodes: of translation, and of rotation
         self.temperatures: dict[int, float] = {}  # likewise
         self.temperature_place: Place | None = None  # the last card of them
         self.pairs: list[Deck] = []
-        self.wall_pairs: list[tuple[str, str, float]] = []  # analytical surface, what it stops, friction
-        self.whole: Deck | None = None  # contact of everything
-        self.end_time = 0.0
+        self.wall_pairs: list[tuple[str, str, float | None]] = []  # analytical surface, what it stops, friction
+        self.is_whole = False  # everything touches everything
+        self.whole_friction = 0.0  # of general contact
+        self.excluded: list[frozenset[str]] = []  # pairs of parts
+        self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
         self.step_scale = 0.0  # 0: percuss' own
         self.heats = False  # plastic work changes temperatures
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
@@ -58,10 +79,24 @@ class AbaqusDeck:
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
         self.groups: list[RigidGroup] = []
         self.group_of_ref: dict[int, RigidGroup] = {}
-        self._names: dict[tuple[str, str], str] = {}
+        self._names: dict[tuple, str] = {}
         self._used: set[int] | None = None
 
+    @property
+    def end_time(self) -> float:
+        return self.steps[-1].end if self.steps else 0.0
+
     # --- references
+
+    def scope_of(self, instance: Instance) -> Scope:
+        """What an instance, or the assembly, has under its own ids."""
+        if instance is self.whole_assembly:
+            return self.assembly
+        part, own = self.parts[instance.part], instance.own
+        if not own.nodes and not own.elements:
+            return part
+        sets = {**part.element_sets, **own.element_sets}
+        return Scope(nodes={**part.nodes, **own.nodes}, elements={**part.elements, **own.elements}, element_sets=sets)
 
     def resolve(self, table: dict, name: str, place: Place, what: str):
         """What a name means: NAME, or INSTANCE.NAME where one instance alone has it."""
@@ -76,15 +111,18 @@ class AbaqusDeck:
         raise BadInput(place, f"'{clip(name)}' may be one of {len(fits)} {what}s (several instances have it): write INSTANCE.NAME")
 
     def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
-        """Ids of a set, or one id, also as INSTANCE.ID."""
-        instance, _, label = name.rpartition(".")
+        """Ids of a set, or one id: of the assembly, or as INSTANCE.ID."""
+        instance, _, label = name.strip().strip('"').rpartition(".")
         id = parse_integer(label)
         if id is None:
             return self.resolve(table, name, place, what)
-        shift = next((i.shift for i in self.instances if i.name == instance.upper()), 0)
-        if id + shift not in known:
+        if not self.instances and not instance:
+            fits, id = [0], id if id in known else 0
+        else:
+            fits = [i.shift for i in (*self.instances, self.whole_assembly) if i and i.name == instance.upper() and id <= i.largest]
+        if not fits or id + fits[0] not in known:
             raise BadInput(place, missing(f"{what} or id {clip(name)}"))
-        return [id + shift]
+        return [id + fits[0]]
 
     def nodes_of(self, name: str, place: Place) -> list[int]:
         return self.list_ids(self.mesh.node_sets, self.mesh.nodes, name, place, "node set")
@@ -92,12 +130,48 @@ class AbaqusDeck:
     def elements_of(self, name: str, place: Place) -> list[int]:
         return self.list_ids(self.mesh.element_sets, self.mesh.elements, name, place, "element set")
 
-    def amplitude(self, name: str, place: Place) -> Curve | None:
+    # --- steps and values over time
+
+    def step_of(self, block: Block) -> StepTime:
+        """The step of a keyword; what stands before all steps acts from the first one on."""
+        return self.steps[max(block.step, 1) - 1]
+
+    def amplitude(self, name: str, place: Place) -> Amplitude | None:
         if not name:
             return None
         if name not in self.amplitudes:
-            raise BadInput(place, missing(f"amplitude '{clip(name)}', or it is of a kind that is not read"))
+            raise BadInput(place, missing(f"amplitude '{clip(name)}'"))
         return self.amplitudes[name]
+
+    def values_in_step(self, block: Block, place: Place, value: float) -> Points | None:
+        """A value over the time of the run, from the step of its keyword on; None where its amplitude is refused."""
+        step = self.step_of(block)
+        curve = self.amplitude(block.option("AMPLITUDE"), place)
+        if curve is None:
+            return [(step.start, value), (self.end_time * 1.01, value)]
+        if curve.reason:
+            self.ledger.refuse("AMPLITUDE", curve.place, f"an amplitude {curve.reason}", "what it acts on is left out")
+            return None
+        if curve.error:
+            self.ledger.approximated("AMPLITUDE", curve.place, curve.error)
+        points = shift_points(curve.points, step, curve.is_total, self.end_time)
+        return [(x, y if curve.is_absolute else y * value) for x, y in points]
+
+    def sensor_at(self, time: float) -> str:
+        """A sensor that acts at the end of a step."""
+        sensors = self.model.deck.setdefault("sensors", {})
+        for name, keys in sensors.items():
+            if keys == {"time": time}:
+                return name
+        name = self.model.names.take(f"step_{len(sensors) + 2}")
+        sensors[name] = {"time": time}
+        return name
+
+    def friction(self, name: str, place: Place) -> float:
+        """Of *SURFACE INTERACTION."""
+        if name.upper() not in self.frictions:
+            raise BadInput(place, missing(f"*SURFACE INTERACTION '{clip(name)}'"))
+        return self.frictions[name.upper()]
 
     # --- names in the deck of percuss
 
@@ -105,6 +179,10 @@ class AbaqusDeck:
         if self._used is None:
             self._used = self.model.used_nodes()
         return self._used
+
+    def forget_used(self) -> None:
+        """Elements were added."""
+        self._used = None
 
     def node_set_name(self, name: str, place: Place) -> str:
         """Empty where no node of it has an element."""
@@ -122,18 +200,70 @@ class AbaqusDeck:
             self._names[key] = self._make_surface(name, place, of_contact)
         return self._names[key]
 
+    def is_of_nodes(self, name: str) -> bool:
+        """Whether a surface has nodes or edges alone."""
+        if self.find_node_surface(name) is not None:
+            return True
+        sides = self.mesh.surfaces.get(name.strip().strip('"').upper(), [])
+        return bool(sides) and all(is_edge(label) for _, label in sides)
+
+    def find_node_surface(self, name: str) -> list[str] | None:
+        name = name.strip().strip('"').upper()
+        fits = [key for key in self.mesh.node_surfaces if key == name or key.endswith("." + name)]
+        return self.mesh.node_surfaces[fits[0]] if len(fits) == 1 or name in fits else None
+
     def nodes_of_surface(self, name: str, place: Place) -> set[int]:
-        """Nodes of a surface of faces of elements, or of nodes."""
-        if name.upper() in self.mesh.node_surfaces:
-            return {node for word in self.mesh.node_surfaces[name.upper()] for node in self.nodes_of(word, place)}
+        """Nodes of a surface of faces or edges of elements, or of nodes."""
+        words = self.find_node_surface(name)
+        if words is not None:
+            return {node for word in words for node in self.nodes_of(word, place)}
         nodes: set[int] = set()
         for where, label in self.resolve(self.mesh.surfaces, name, place, "surface"):
             for id in self.elements_of(where, place):
-                if id in self.blocks_of_elements and label:
+                if id not in self.blocks_of_elements:
+                    continue
+                corners = self.mesh.elements[id][1]
+                if is_edge(label):
+                    first = (int(label[1]) - 1) % len(corners)
+                    nodes |= {corners[first], corners[(first + 1) % len(corners)]}
+                elif label:
                     nodes.update(node for face in self._list_faces(id, label, place, False) for node in face)
-                elif id in self.blocks_of_elements:
-                    nodes.update(self.mesh.elements[id][1])
+                else:
+                    nodes.update(corners)
         return nodes
+
+    def faces_of_nodes(self, name: str, place: Place) -> str:
+        """A side set of the faces whose corners are all of a surface of nodes; empty: there are none."""
+        key = ("faces of", name.upper())
+        if key not in self._names:
+            nodes = self.nodes_of_surface(name, place)
+            faces = [face for id in self.blocks_of_elements for face in self._list_all_faces(id) if nodes.issuperset(face)]
+            self._names[key] = self.model.names.take(name) if faces else ""
+            if faces:
+                self.model.side_sets[self._names[key]] = faces
+        return self._names[key]
+
+    def _list_all_faces(self, id: int) -> list[tuple[int, ...]]:
+        kind, corners = self.mesh.elements[id]
+        if kind in SHELLS:
+            return [corners, corners[::-1]]
+        faces = [tuple(dict.fromkeys(corners[i] for i in face)) for face in SIDES.get(len(corners), ())] if kind in SOLIDS else []
+        return [face for face in faces if len(face) >= 3]
+
+    def add_faces(self, name: str, label: str, place: Place) -> str:
+        """A side set of the faces that *DLOAD names; empty: there are none. P of a shell pushes along its normal."""
+        key = ("faces", name.upper(), label)
+        if key not in self._names:
+            ids = [id for id in self.elements_of(name, place) if id in self.blocks_of_elements]
+            faces: list[tuple[int, ...]] = []
+            for id in ids:
+                is_solid = self.mesh.elements[id][0].startswith("C3D")
+                if is_solid == (label != "P") and self.mesh.elements[id][0] in (*SOLIDS, *SHELLS):
+                    faces += self._list_faces(id, label if is_solid else "SNEG", place, False)
+            self._names[key] = self.model.names.take(f"{name}_{label}", "faces") if faces else ""
+            if faces:
+                self.model.side_sets[self._names[key]] = faces
+        return self._names[key]
 
     def _make_surface(self, name: str, place: Place, of_contact: bool) -> str:
         sides = self.resolve(self.mesh.surfaces, name, place, "surface")
@@ -174,3 +304,8 @@ class AbaqusDeck:
             raise BadInput(place, f"element {id} has no face '{clip(label)}'")
         face = tuple(dict.fromkeys(corners[i] for i in table[number - 1]))  # of a hexahedron with collapsed edges once
         return [face] if len(face) >= 3 else []
+
+
+def is_edge(label: str) -> bool:
+    """E1 to E4 of shells."""
+    return len(label) == 2 and label[0] == "E" and label[1] in "1234"

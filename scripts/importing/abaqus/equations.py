@@ -19,7 +19,7 @@ def read_equations(scope: Scope, block: Block, ledger: Ledger) -> None:
             raise BadInput(block.at(head[0]), "*EQUATION has no number of terms: correct it")
         terms: list[tuple[str, int, float]] = []
         for line in lines:
-            width = min(4, count - len(terms))
+            width = min(4, count - len(terms), max(1, len([word for word in line[1] if word]) // 3))  # CAE writes one in a line
             terms += [(block.text(line, 3 * i), block.integer(line, 3 * i + 1), block.number(line, 3 * i + 2)) for i in range(width)]
             if len(terms) == count:
                 break

@@ -1,11 +1,13 @@
 """Keywords of Abaqus decks with their options and data lines, files included."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ..fields import MOST_ID, clip, parse_integer, parse_real
 from ..ledger import BadInput, Ledger, Place, missing
+from ..text_files import read_lines
+from .parameters import Parameters
 
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 
@@ -15,8 +17,9 @@ class Block:
     """A keyword with its options and its data lines."""
 
     keyword: str  # in capitals, one blank between words
+    options: dict[str, str]  # names in capitals; a flag is ""
     place: Place
-    options: dict[str, str] = field(default_factory=dict)  # names in capitals; a flag is ""
+    step: int = 0  # in which it stands; 0: before the first
     lines: list[tuple[int, list[str]]] = field(default_factory=list)
 
     def at(self, number: int) -> Place:
@@ -62,6 +65,25 @@ def split_keyword(text: str) -> tuple[str, dict[str, str]]:
     return " ".join(words[0].upper().split()), options
 
 
+def join_lines(texts: Iterable[str]) -> Iterator[tuple[int, str]]:
+    """Lines without comments; of a keyword that ends with a comma the next one is a part."""
+    head, start = "", 0
+    for number, raw in enumerate(texts, 1):
+        text = raw.strip()
+        if not text or text.startswith("**"):
+            continue
+        if not text.startswith("*") and head.endswith(","):
+            head += text
+            continue
+        if head:
+            yield start, head
+        head, start = (text, number) if text.startswith("*") else ("", 0)
+        if not head:
+            yield number, text
+    if head:
+        yield start, head
+
+
 class BlockReader:
     """All keywords of a file and of those that it includes."""
 
@@ -69,6 +91,7 @@ class BlockReader:
         self._main, self._ledger = path, ledger
         self._folder = os.path.dirname(os.path.realpath(path))
         self._included: set[str] = set()
+        self._parameters = Parameters()
 
     def read(self) -> Iterator[Block]:
         yield from self._read_file(self._main, self._main, 1)
@@ -77,30 +100,24 @@ class BlockReader:
         for block in self._cut(path, shown):
             if block.keyword == "INCLUDE":
                 yield from self._include(block, depth)
+            elif block.keyword == "PARAMETER":
+                self._parameters.read(block)
+                self._ledger.translated("PARAMETER", block.place, "values are put in place")
             else:
                 if "INPUT" in block.options:
                     block.lines += self._read_data(block)
                 yield block
 
     def _cut(self, path: str, shown: str) -> Iterator[Block]:
-        with open(path, "rb") as file:
-            texts = file.read().decode("utf-8", "replace").split("\n")
+        texts = read_lines(path, shown)
         block: Block | None = None
-        waiting = ""
-        for number, raw in enumerate(texts, 1):
-            text = raw.strip()
-            if text.startswith("**") or not text:
-                continue
-            if text.startswith("*") or waiting:
-                joined = waiting + text
-                if joined.endswith(","):  # goes on in the next line
-                    waiting = joined
-                    continue
-                waiting = ""
+        for number, text in join_lines(texts):
+            if "<" in text and not (block and block.keyword == "PARAMETER" and text[0] != "*"):
+                text = self._parameters.put_in(text, Place(shown, number))
+            if text.startswith("*"):
                 if block:
                     yield block
-                keyword, options = split_keyword(joined)
-                block = Block(keyword, Place(shown, number), options)
+                block = Block(*split_keyword(text), place=Place(shown, number))
             elif block:
                 block.lines.append((number, [word.strip() for word in text.split(",")]))
             else:
@@ -131,7 +148,5 @@ class BlockReader:
     def _read_data(self, block: Block) -> list[tuple[int, list[str]]]:
         """Data lines of a file of their own."""
         path = self._find(block.options["INPUT"], block.place)
-        with open(path, "rb") as file:
-            texts = file.read().decode("utf-8", "replace").split("\n")
-        lines = [(block.place.line, [word.strip() for word in text.split(",")]) for text in texts]
+        lines = [(block.place.line, [word.strip() for word in text.split(",")]) for text in read_lines(path, block.place)]
         return [line for line in lines if any(line[1]) and not line[1][0].startswith("*")]

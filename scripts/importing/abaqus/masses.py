@@ -1,26 +1,74 @@
-"""*FIXED MASS SCALING and *VARIABLE MASS SCALING: a least time step."""
+"""*FIXED MASS SCALING and *VARIABLE MASS SCALING: factors of mass, and a least time step."""
 
+from ..fields import clip
+from ..ledger import BadInput
+from ..model import Block as Part
 from .deck import AbaqusDeck
 from .lines import Block
 
 SCALED = ("elastic", "j2_plasticity")  # laws of solids whose mass percuss scales
+MOST_ADDED = 1000.0  # a share of the mass of a part: there is no limit in Abaqus
+EVERY = 10  # steps between two looks, where the deck does not say
 
 
 def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:
-    """Mass scaling of all parts that percuss can scale."""
-    step = block.number((block.place.line, [block.options.get("DT", "")]), 0)
-    if "ELSET" in block.options or step <= 0:
-        deck.ledger.refuse(block.keyword, block.place, "mass scaling of a set of elements, or without DT", "no mass is added")
-        return
+    """Of a set of elements or of all: of whole parts."""
+    line = (block.place.line, [block.options.get(name, "") for name in ("FACTOR", "DT")])
+    factor, step = block.number(line, 0), block.number(line, 1)
+    if min(factor, step) < 0 or factor == step == 0:
+        raise BadInput(block.place, f"*{block.keyword} has no positive FACTOR or DT: add one")
+    if block.step > 1:
+        deck.ledger.refuse(f"{block.keyword}.step", block.place, "mass scaling that begins in a later step", "it acts from the start")
+    kind = block.option("TYPE") or "UNIFORM"
+    if step and kind not in ("BELOW MIN", "UNIFORM"):
+        deck.ledger.refuse(f"{block.keyword}.TYPE", block.place, f"mass scaling of the type {clip(kind)}, which takes mass away too", "mass is added alone")
+    elif step and kind == "UNIFORM":
+        deck.ledger.approximated(f"{block.keyword}.TYPE", block.place, "TYPE=UNIFORM scales all elements alike: percuss those below DT alone, with less mass")
+    parts = list_parts(deck, block)
+    if factor and factor != 1:
+        scale_density(deck, block, parts, factor)
+    if step:
+        set_step(deck, block, parts, step)
+
+
+def list_parts(deck: AbaqusDeck, block: Block) -> list[Part]:
+    """Parts whose elements are all in the set."""
+    name = block.option("ELSET")
+    if not name:
+        return list(deck.model.blocks)
+    wanted = set(deck.elements_of(name, block.place))
+    touched = [part for part in deck.model.blocks if any(id in wanted for id, _ in part.elements())]
+    if any(id not in wanted for part in touched for id, _ in part.elements()):
+        deck.ledger.refuse(f"{block.keyword}.ELSET", block.place, "mass scaling of some elements of a part", "all of the part are scaled")
+    return touched
+
+
+def scale_density(deck: AbaqusDeck, block: Block, parts: list[Part], factor: float) -> None:
+    """A material of its own, with more density, for the parts that are scaled."""
+    materials = deck.model.materials
+    copies: dict[str, str] = {}
+    for part in parts:
+        name = part.keys["material"]
+        if name not in copies:
+            copies[name] = deck.model.names.take(f"{name}_scaled", "material")
+            materials[copies[name]] = {**materials[name], "density": materials[name]["density"] * factor}
+        part.keys["material"], part.density = copies[name], part.density * factor
+    used = {part.keys["material"] for part in deck.model.blocks}
+    for name in [name for name in materials if name not in used]:
+        del materials[name]
+    deck.ledger.approximated(f"{block.keyword}.FACTOR", block.place, "FACTOR: the density of the parts times the factor, which counts in gravity too")
+
+
+def set_step(deck: AbaqusDeck, block: Block, parts: list[Part], step: float) -> None:
     left = set()
-    for part in deck.model.blocks:
+    frequency = block.integer((block.place.line, [block.options.get("FREQUENCY", "")]), 0, EVERY)
+    every = {"every": max(frequency, 1)} if block.keyword.startswith("VARIABLE") else {}
+    for part in parts:
         law = deck.model.materials[part.keys["material"]]
         if part.solids and (law["model"] not in SCALED or "equation_of_state" in law):
             left.add(law["model"])
         elif "rigid" not in part.keys:
-            every = {"every": 10} if block.keyword.startswith("VARIABLE") else {}
-            part.keys["mass_scaling"] = {"step": step, "max_added": 1.0, **every}
+            part.keys["mass_scaling"] = {"step": step, "max_added": MOST_ADDED, **every}
     if left:
-        laws = ", ".join(sorted(left))
-        deck.ledger.refuse(f"{block.keyword}.law", block.place, f"mass scaling of solids of {laws}", "these get no mass")
-    deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part, at most its own mass")
+        deck.ledger.refuse(f"{block.keyword}.law", block.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass")
+    deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part: DT is that of percuss' bound of an element")

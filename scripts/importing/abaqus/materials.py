@@ -3,20 +3,29 @@
 import math
 
 from ..curves import order_points, thin_rows
+from ..fields import clip
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import choose_rate, compare_curves
 from .deck import AbaqusDeck, MaterialBlocks
+from .damage import take_failure
 from .heat import take_heat
 from .lines import Block
 
 INSTEAD = "it is left out"
 NEVER = 1e15
-HARMLESS = {"DEPVAR"}
+USUAL_BULK = 20.0  # bulk over shear modulus of rubber without D1, in Abaqus/Explicit
+OF_OUTPUT = {"DEPVAR", "USER OUTPUT VARIABLES"}
+SEVERAL = {"PLASTIC", "DAMAGE INITIATION", "DAMAGE EVOLUTION"}
 
 
 def find(material: MaterialBlocks, keyword: str) -> Block | None:
     return next((block for block in material.parts if block.keyword == keyword), None)
+
+
+def density_lines(material: MaterialBlocks) -> list:
+    block = find(material, "DENSITY")
+    return block.lines if block else []
 
 
 def require_line(block: Block) -> tuple[int, list[str]]:
@@ -29,48 +38,108 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     """None where it is left out or refused."""
     material = deck.materials.get(name.upper())
     if material is None:
-        raise BadInput(place, missing(f"material '{name}'"))
+        raise BadInput(place, missing(f"material '{clip(name)}'"))
     density = find(material, "DENSITY")
     if density is None:
-        raise BadInput(material.place, f"material {name} has no *DENSITY (a dynamic run needs mass): add it")
+        raise BadInput(material.place, f"material {clip(name)} has no *DENSITY (a dynamic run needs mass): add it")
     law = translate_law(deck, name, material)
     if law is None:
         return None
     law = {"model": law.pop("model"), "density": density.number(require_line(density), 0), **law}
     if law["density"] <= 0:
         raise BadInput(density.place, "the density is not positive: correct *DENSITY")
-    heat = take_heat(deck, law, material.parts)
+    done = take_heat(deck, law, material.parts) | take_failure(deck, name, law, material.parts) | READ
+    refuse_several(material)
     for block in material.parts:
-        if block.keyword not in READ and block.keyword not in heat:
-            instead = "there is none" if block.keyword in HARMLESS else INSTEAD
-            deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", instead)
+        if block.keyword in OF_OUTPUT and not find(material, "USER MATERIAL"):
+            deck.ledger.ignored(block.keyword, block.place, "variables of user code, of which there is none")
+        elif block.keyword not in done:
+            deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", INSTEAD)
     deck.ledger.translated("MATERIAL", material.place, law["model"])
     return law
 
 
+def refuse_several(material: MaterialBlocks) -> None:
+    """A keyword that stands twice: which one counts is not known."""
+    seen: dict[str, Block] = {}
+    for block in material.parts:
+        if block.keyword in seen and block.keyword not in SEVERAL:
+            text = f"*{block.keyword} stands twice in one material (also in line {seen[block.keyword].place.line}): remove one, or add *MATERIAL"
+            raise BadInput(block.place, text)
+        seen[block.keyword] = block
+
+
 def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck | None:
     elastic, rubber = find(material, "ELASTIC"), find(material, "HYPERELASTIC")
+    state = find(material, "EOS")
+    if find(material, "USER MATERIAL"):
+        deck.ledger.refuse("USER MATERIAL", material.place, f"material {clip(name)} is user code", "the parts made of it are left out")
+        return None
     if rubber:
         return translate_rubber(deck, rubber)
+    if state and (elastic is None or elastic.option("TYPE") == "SHEAR"):
+        return translate_fluid(deck, material, state, elastic)
     if elastic is None or elastic.option("TYPE") not in ("", "ISOTROPIC"):
         place = elastic.place if elastic else material.place
-        deck.ledger.refuse(
-            "MATERIAL", place, f"material {name} is not of isotropic elasticity", "the parts made of it are left out"
-        )
+        what = f"elasticity of the type {clip(elastic.option('TYPE'))}" if elastic else "no *ELASTIC, *HYPERELASTIC or *EOS that is read"
+        deck.ledger.refuse("MATERIAL", place, f"material {clip(name)} has {what}", "the parts made of it are left out")
         return None
     line = require_line(elastic)
     law: Deck = {"model": "elastic", "youngs_modulus": elastic.number(line, 0), "poissons_ratio": elastic.number(line, 1)}
-    if len(elastic.lines) > 1:
-        deck.ledger.refuse("ELASTIC", elastic.place, "temperature-dependent moduli", "the first row is used")
+    if len(elastic.lines) > 1 or len(density_lines(material)) > 1:
+        deck.ledger.refuse("ELASTIC", elastic.place, "moduli or a density that depend on the temperature", "the first row is used")
     plastic = find(material, "PLASTIC")
     if plastic:
         add_plastic(deck, law, plastic)
         add_rate(deck, law, find(material, "RATE DEPENDENT"))
         add_rate_tables(deck, law, [block for block in material.parts if block.keyword == "PLASTIC"])
-    state = find(material, "EOS")
     if state:
         add_state(deck, law, state)
+    relaxing = find(material, "VISCOELASTIC")
+    if relaxing:
+        return relax(deck, law, elastic, relaxing)
     return law
+
+
+def translate_fluid(deck: AbaqusDeck, material: MaterialBlocks, state: Block, shear: Block | None) -> Deck:
+    """An equation of state alone, or with a shear modulus: then Young's modulus follows from it and the speed of sound."""
+    law: Deck = {"model": "fluid"}
+    if shear is None:
+        if find(material, "PLASTIC"):
+            raise BadInput(state.place, "*PLASTIC with *EOS needs *ELASTIC, TYPE=SHEAR: add it")
+    else:
+        line, density = require_line(shear), find(material, "DENSITY")
+        g = shear.number(line, 0)
+        k = (density.number(require_line(density), 0) if density else 0.0) * state.number(require_line(state), 0) ** 2
+        if g <= 0 or k <= 0:
+            raise BadInput(shear.place, "the shear modulus, density or speed of sound is not positive: correct it")
+        law = {"model": "elastic", "youngs_modulus": 9 * k * g / (3 * k + g), "poissons_ratio": (3 * k - 2 * g) / (6 * k + 2 * g)}
+        for block in [find(material, "PLASTIC")]:
+            if block:
+                add_plastic(deck, law, block)
+                add_rate(deck, law, find(material, "RATE DEPENDENT"))
+        if law["model"] == "elastic":
+            law |= {"model": "j2_plasticity", "yield_stress": NEVER}
+    add_state(deck, law, state)
+    return law
+
+
+def relax(deck: AbaqusDeck, law: Deck, elastic: Block, block: Block) -> Deck | None:
+    """Prony's series of the shear modulus."""
+    rows = [(block.number(line, 0), block.number(line, 1), block.number(line, 2)) for line in block.lines if any(line[1])]
+    if block.option("TIME") != "PRONY" or any(k for _, k, _ in rows) or not 1 <= len(rows) <= 4 or law["model"] != "elastic" or "equation_of_state" in law:
+        text = "viscoelasticity other than up to four terms of Prony's series of the shear modulus of *ELASTIC"
+        deck.ledger.refuse("VISCOELASTIC", block.place, text, "the material does not relax")
+        return law
+    share = sum(g for g, _, _ in rows)
+    if not 0 < share < 1 or min(min(g, t) for g, _, t in rows) <= 0:
+        raise BadInput(block.place, "the shares of *VISCOELASTIC must be positive and less than 1 together, times positive: correct them")
+    e, nu = law["youngs_modulus"], law["poissons_ratio"]
+    g, k = e / (2 * (1 + nu)), e / (3 * (1 - 2 * nu))
+    start = g if elastic.option("MODULI") == "INSTANTANEOUS" else g / (1 - share)
+    deck.ledger.translated("VISCOELASTIC", block.place, "viscoelastic")
+    return {"model": "viscoelastic", "bulk_modulus": k, "long_term_shear_modulus": start * (1 - share),
+            "relaxation": [[t, start * g] for g, _, t in sorted(rows, key=lambda row: row[2])]}  # fmt: skip
 
 
 def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
@@ -84,7 +153,12 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
                 "specific_heat": NEVER}  # fmt: skip
         deck.ledger.translated("PLASTIC", block.place, "johnson_cook; heat needs an ADIABATIC step and *INELASTIC HEAT FRACTION")
         return
+    if kind not in ("", "ISOTROPIC", "KINEMATIC"):
+        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {clip(kind)}", "isotropic hardening is used")
+        if kind == "USER":
+            return
     points = [(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)]
+    check_strains(block, points)
     if kind == "KINEMATIC" and len(points) > 1:
         (x0, y0), (x1, y1) = points[:2]
         law |= {
@@ -94,9 +168,7 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
             "kinematic_share": 1.0,
         }
         return
-    if kind not in ("", "ISOTROPIC", "KINEMATIC"):
-        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {kind}", "isotropic hardening is used")
-    ascending = order_points([p for i, p in enumerate(points) if i == 0 or p[0] > points[i - 1][0]])
+    ascending = order_points(points)
     if len(ascending) == 1:
         law |= {"model": "j2_plasticity", "yield_stress": ascending[0][1]}
         return
@@ -106,6 +178,17 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
             "PLASTIC", block.place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
         )
     law |= {"model": "tabulated_plasticity", "hardening": [list(row) for row in rows]}
+
+
+def check_strains(block: Block, points: list[tuple[float, float]]) -> None:
+    """Plastic strains begin with 0 and ascend."""
+    if points[0][0] != 0:
+        raise BadInput(block.at(require_line(block)[0]), f"the first plastic strain is {points[0][0]:g} (it must be 0, at the yield stress): correct it")
+    for line, (before, after) in zip(block.lines[1:], zip(points, points[1:])):
+        if after[0] <= before[0]:
+            raise BadInput(block.at(line[0]), f"plastic strains do not ascend ({before[0]:g}, then {after[0]:g}): correct the table")
+    if min(stress for _, stress in points) <= 0:
+        raise BadInput(block.place, "a yield stress of *PLASTIC is not positive: correct it")
 
 
 def take_rows(deck: AbaqusDeck, block: Block) -> list[tuple[int, list[str]]]:
@@ -162,22 +245,21 @@ def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
 def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     """NEO HOOKE or MOONEY-RIVLIN with constants: K = 2 / D1."""
     line = require_line(block)
-    is_mooney, is_neo = bool({"MOONEY-RIVLIN", "POLYNOMIAL"} & set(block.options)), "NEO HOOKE" in block.options
+    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
+    is_neo = "NEO HOOKE" in block.options or "REDUCED POLYNOMIAL" in block.options
     c10, c01, d1 = block.number(line, 0), block.number(line, 1) if is_mooney else 0.0, block.number(line, 2 if is_mooney else 1)
-    if (
-        not (is_mooney or is_neo)
-        or "TEST DATA INPUT" in block.options
-        or not (c10 > 0 and c01 >= 0 and d1 > 0)
-        or math.isinf(2 / d1)
-    ):
-        deck.ledger.refuse(
-            "HYPERELASTIC", block.place, "rubber without constants C10, C01 and D1 above 0", "the parts made of it are left out"
-        )
+    if not (is_mooney or is_neo) or "TEST DATA INPUT" in block.options or not (c10 > 0 and c01 >= 0 and d1 >= 0):
+        text = "rubber that is not NEO HOOKE or MOONEY-RIVLIN with constants C10 and C01 above 0"
+        deck.ledger.refuse("HYPERELASTIC", block.place, text, "the parts made of it are left out")
         return None
-    deck.ledger.approximated(
-        "HYPERELASTIC", block.place, "the same constants and bulk modulus 2 / D1, with percuss' term of volume"
-    )
-    return {"model": "mooney_rivlin", "c10": c10, "c01": c01, "bulk_modulus": 2 / d1}
+    if len(block.lines) > 1:
+        deck.ledger.refuse("HYPERELASTIC.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
+    bulk = 2 / d1 if d1 > 0 else USUAL_BULK * 2 * (c10 + c01)
+    if math.isinf(bulk):
+        raise BadInput(block.place, "D1 of *HYPERELASTIC is too small: correct it")
+    text = "the same constants and bulk modulus 2 / D1" if d1 > 0 else f"bulk modulus of {USUAL_BULK:g} shear moduli, as D1 is 0"
+    deck.ledger.approximated("HYPERELASTIC", block.place, f"mooney_rivlin: {text}, with percuss' term of volume")
+    return {"model": "mooney_rivlin", "c10": c10, "c01": c01, "bulk_modulus": bulk}
 
 
-READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC"}

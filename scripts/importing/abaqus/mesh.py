@@ -2,17 +2,21 @@
 
 import math
 from bisect import bisect_left, bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from ..fields import parse_integer
+from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
 SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10}
-SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
-BEAMS = {"B31": 2, "T3D2": 2}
+MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
+RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
+SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3, **MEMBRANES, **RIGID}
+BEAMS = {"B31": 2, "PIPE31": 2, "T3D2": 2}
+POINTS = {"MASS": 1, "ROTARYI": 1}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
 # Coupled elements: the temperatures of their nodes are left out with the conduction of heat.
 WITH_TEMPERATURE = {f"{kind}T": kind for kind in (*SOLIDS, *SHELLS)}
@@ -41,6 +45,9 @@ class Section:
     points: int = 5
     offset: float = 0.0
     is_nodal: bool = False  # shells have the thicknesses of their nodes
+    distribution: str = ""  # of thicknesses of shells, by its name
+    controls: str = ""  # *SECTION CONTROLS, by its name
+    is_layered: bool = False  # of several materials
     area: float = 0.0  # of trusses
     shape: str = ""  # of beams, with dimensions and the direction n1
     sizes: list[float] = field(default_factory=list)
@@ -59,12 +66,19 @@ class SpringSet:
 
 @dataclass
 class Profile:
-    """*SURFACE, TYPE=REVOLUTION: words of its line with their numbers, and the axis."""
+    """*SURFACE, TYPE=REVOLUTION, CYLINDER or SEGMENTS: words of its line with their numbers, in a plane of two directions.
+
+    `first` and `axis` are the directions of the numbers of a point. A surface of revolution turns about `axis`, others go along
+    the cross product of both.
+    """
 
     place: Place
+    kind: str = "REVOLUTION"
     pieces: list[tuple[str, list[float]]] = field(default_factory=list)
     origin: Vector = (0.0, 0.0, 0.0)
+    first: Vector = (1.0, 0.0, 0.0)
     axis: Vector = (0.0, 1.0, 0.0)
+    is_sided: bool = True  # bodies are on the left of the line
 
 
 @dataclass
@@ -79,6 +93,9 @@ class BodyCard:
     surface: str = ""
     profile: str = ""  # an analytical surface
     equal: str = ""  # directions, where the nodes move equally instead
+    pinned: list[str] = field(default_factory=list)  # nodes whose rotations are free
+    at_center: bool = False  # the reference node is moved to the centre
+    held: str = ""  # directions that *KINEMATIC couples, where these are not all
 
 
 @dataclass
@@ -97,7 +114,12 @@ class Scope:
     bodies: list[BodyCard] = field(default_factory=list)
     profiles: dict[str, Profile] = field(default_factory=dict)
     thicknesses: list[tuple[str, float, Place]] = field(default_factory=list)  # of a node or a set of nodes
+    distributions: dict[str, dict[int, float]] = field(default_factory=dict)  # values of elements; 0: of the others
+    inertias: list[tuple[str, list[float], Place]] = field(default_factory=list)  # *ROTARY INERTIA
+    transforms: list[tuple[str, Place]] = field(default_factory=list)  # sets of nodes with axes of their own
     place: Place | None = None
+    origin: Vector = (0.0, 0.0, 0.0)  # of *SYSTEM
+    axes: tuple[Vector, Vector, Vector] | None = None  # likewise; none: those of space
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
     def sort(self, keyword: str) -> list[int]:
@@ -118,6 +140,7 @@ class Instance:
     move: Vector = (0.0, 0.0, 0.0)
     turn: tuple[Vector, Vector, float] | None = None  # two points of an axis, degrees
     shift: int = 0  # what is added to the ids
+    largest: int = 0  # of its own ids
     own: Scope = field(default_factory=Scope)  # what stands between *INSTANCE and *END INSTANCE: a mesh of its own
 
     def put(self, x: Vector) -> Vector:
@@ -138,26 +161,22 @@ def rotate(p: Vector, a: Vector, b: Vector, degrees: float) -> Vector:
     return tuple(a[d] + v[d] * cosine + across[d] * sine + u[d] * along for d in range(3))  # type: ignore[return-value]
 
 
-def read_nodes(scope: Scope, block: Block) -> None:
-    for line in block.lines:
-        id = block.id(line, 0)
-        scope.nodes[id] = (block.number(line, 1), block.number(line, 2), block.number(line, 3))
-        if "NSET" in block.options:
-            scope.node_sets.setdefault(block.option("NSET"), []).append(id)
-
-
-def read_elements(scope: Scope, block: Block) -> None:
-    """An element may go over several lines."""
+def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] | None = None) -> None:
+    """An element may go over several lines. find: of a node that another instance has."""
     kind = WITH_TEMPERATURE.get(block.option("TYPE"), block.option("TYPE"))
+
+    def id_of(line: tuple[int, list[str]], index: int, is_node: bool) -> int:
+        return find(line[1][index], block.at(line[0])) if find and is_node else block.id(line, index)
+
     count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **BEAMS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
-        values = [block.id(line, i) for i in range(len(line[1])) if line[1][i]]
+        values = [id_of(line, i, i > 0) for i in range(len(line[1])) if line[1][i]]
         while values and len(values) - 1 < count:
             more = next(lines, None)
             if more is None:
                 raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes")
-            values += [block.id(more, i) for i in range(len(more[1])) if more[1][i]]
+            values += [id_of(more, i, True) for i in range(len(more[1])) if more[1][i]]
         if not values:
             continue
         scope.elements[values[0]] = (kind, tuple(values[1:]))
@@ -165,8 +184,8 @@ def read_elements(scope: Scope, block: Block) -> None:
             scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])
 
 
-def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], shift: int = 0) -> None:
-    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step. The ids of the scope are above by a shift."""
+def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], find: Callable[[str, Place], list[int]] | None = None) -> None:
+    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step. find: of what is not an id nor a set of the scope."""
     name = block.option("NSET" if block.keyword == "NSET" else "ELSET")
     if not name:
         raise BadInput(block.place, f"*{block.keyword} has no name: add it as an option")
@@ -178,39 +197,40 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], shift: int 
     for line in block.lines:
         if "GENERATE" in block.options:
             first, last, step = block.integer(line, 0), block.integer(line, 1), abs(block.integer(line, 2, 1)) or 1
-            found = ids[bisect_left(ids, first + shift) : bisect_right(ids, last + shift)]
-            members += [id - shift for id in found if (id - shift - first) % step == 0]
+            found = ids[bisect_left(ids, first) : bisect_right(ids, last)]
+            members += [id for id in found if (id - first) % step == 0]
             if len(members) > MOST_MEMBERS:
-                raise BadInput(block.at(line[0]), f"set '{name[:60]}' has more than {MOST_MEMBERS} members")
+                raise BadInput(block.at(line[0]), f"set '{clip(name)}' has more than {MOST_MEMBERS} members")
             continue
-        for text in line[1]:
-            if not text:
-                continue
+        for text in filter(None, line[1]):
             id = parse_integer(text)
-            if id is not None:
+            word = text.strip('"').upper()
+            if id is not None and not find:
                 members.append(id)
-            elif text.upper() in sets:
-                members += sets[text.upper()]
+            elif word in sets:
+                members += sets[word]
+            elif find:
+                members += find(text, block.at(line[0]))
             else:
-                raise BadInput(block.at(line[0]), missing(f"set '{text[:60]}'"))
+                raise BadInput(block.at(line[0]), missing(f"set '{clip(text)}'"))
 
 
 def list_corners(scope: Scope, block: Block) -> list[int]:
     """Nodes of a set of elements."""
     elements = scope.element_sets.get(block.option("ELSET"))
     if elements is None:
-        raise BadInput(block.place, missing(f"element set '{block.option('ELSET')[:60]}' in this part"))
+        raise BadInput(block.place, missing(f"element set '{clip(block.option('ELSET'))}' in this part"))
     return list(dict.fromkeys(corner for id in elements if id in scope.elements for corner in scope.elements[id][1]))
 
 
 def read_surface(scope: Scope, block: Block, ledger: Ledger) -> None:
     name = block.option("NAME")
     if block.option("TYPE") == "NODE":
-        scope.node_surfaces[name] = [block.text(line, 0).upper() for line in block.lines]
+        scope.node_surfaces[name] = [block.text(line, 0).strip('"').upper() for line in block.lines]
     elif block.option("TYPE") not in ("", "ELEMENT"):
-        ledger.refuse("SURFACE.TYPE", block.place, f"a surface of type {block.option('TYPE')}", "it is left out")
+        ledger.refuse("SURFACE.TYPE", block.place, f"a surface of type {clip(block.option('TYPE'))}", "it is left out")
     else:
-        scope.surfaces[name] = [(block.text(line, 0).upper(), block.text(line, 1).upper()) for line in block.lines]
+        scope.surfaces[name] = [(block.text(line, 0).strip('"').upper(), block.text(line, 1).upper()) for line in block.lines]
 
 
 def read_instance(block: Block) -> Instance:
@@ -225,43 +245,49 @@ def read_instance(block: Block) -> Instance:
 
 
 def join(into: Scope, part: Scope, instance: Instance) -> None:
-    """Adds an instance of a part to the mesh: ids raised, sets as INSTANCE.SET and, where nothing has the name, SET."""
+    """Adds an instance of a part, or the assembly (without name), to the mesh: ids raised, sets as INSTANCE.SET."""
     shift = instance.shift
     for id, x in part.nodes.items():
         into.nodes[id + shift] = instance.put(x)
     for id, (kind, corners) in part.elements.items():
         into.elements[id + shift] = (kind, tuple(corner + shift for corner in corners))
     for name, ids in part.node_sets.items():
-        add_names(into.node_sets, instance.name, name, [id + shift for id in ids])
+        into.node_sets[qualify(name, instance)] = [id + shift for id in ids]
     for name, ids in part.element_sets.items():
-        add_names(into.element_sets, instance.name, name, [id + shift for id in ids])
+        into.element_sets[qualify(name, instance)] = [id + shift for id in ids]
     for name, sides in part.surfaces.items():
-        add_names(into.surfaces, instance.name, name, [(qualify(where, instance), label) for where, label in sides])
+        into.surfaces[qualify(name, instance)] = [(qualify(where, instance), label) for where, label in sides]
     for name, names in part.node_surfaces.items():
-        add_names(into.node_surfaces, instance.name, name, [qualify(where, instance) for where in names])
-    for section in part.sections:
-        into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
-    into.springs += [replace(spring, elements=f"{instance.name}.{spring.elements}") for spring in part.springs]
+        into.node_surfaces[qualify(name, instance)] = [qualify(where, instance) for where in names]
+    into.sections += [
+        replace(section, elements=qualify(section.elements, instance), distribution=qualify(section.distribution, instance))
+        for section in part.sections
+    ]
+    into.springs += [replace(spring, elements=qualify(spring.elements, instance)) for spring in part.springs]
     for name, profile in part.profiles.items():
-        origin, end = instance.put(profile.origin), instance.put(tuple(o + a for o, a in zip(profile.origin, profile.axis)))  # type: ignore[arg-type]
-        axis = tuple(e - o for e, o in zip(end, origin))
-        add_names(into.profiles, instance.name, name, replace(profile, origin=origin, axis=axis))
+        into.profiles[qualify(name, instance)] = turn_profile(profile, instance)
     into.bodies += [
         replace(body, ref=qualify(body.ref, instance), elements=qualify(body.elements, instance),
-                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance),
+                nodes=[qualify(name, instance) for name in body.nodes], pinned=[qualify(name, instance) for name in body.pinned], surface=qualify(body.surface, instance),
                 profile=qualify(body.profile, instance))
         for body in part.bodies
     ]  # fmt: skip
     into.thicknesses += [(qualify(where, instance), thickness, place) for where, thickness, place in part.thicknesses]
-    into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
+    into.masses += [(qualify(name, instance), mass, place) for name, mass, place in part.masses]
+    into.inertias += [(qualify(name, instance), values, place) for name, values, place in part.inertias]
+    into.transforms += [(qualify(name, instance), place) for name, place in part.transforms]
+    for name, values in part.distributions.items():
+        into.distributions[qualify(name, instance)] = {id + shift if id else 0: value for id, value in values.items()}
 
 
-def add_names(names: dict, instance: str, name: str, value: object) -> None:
-    names[f"{instance}.{name}"] = value
+def turn_profile(profile: Profile, instance: Instance) -> Profile:
+    """A profile in the place of its instance."""
+    ends = (tuple(o + a for o, a in zip(profile.origin, profile.axis)), tuple(o + a for o, a in zip(profile.origin, profile.first)))
+    origin = instance.put(profile.origin)
+    axis, first = (tuple(e - o for e, o in zip(instance.put(end), origin)) for end in ends)  # type: ignore[arg-type]
+    return replace(profile, origin=origin, axis=axis, first=first)  # type: ignore[arg-type]
 
 
 def qualify(where: str, instance: Instance) -> str:
-    id = parse_integer(where)
-    if not where:
-        return where
-    return f"{instance.name}.{where}" if id is None else str(id + instance.shift)
+    """A name, or an id, as the whole mesh knows it."""
+    return f"{instance.name}.{where}" if where and instance.name else where

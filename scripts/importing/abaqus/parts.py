@@ -2,8 +2,8 @@
 
 from collections import Counter
 
-from ..fields import MOST_ID
-from ..ledger import BadInput, missing
+from ..fields import MOST_ID, clip
+from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Block as Part
 from ..model import NOT_DAMPED, Deck, takes_stiffness_damping
 from .bodies import add_reference_masses
@@ -12,7 +12,8 @@ from .deck import AbaqusDeck
 from .lines import Block
 from .materials import find, translate_material
 from ..solids import NAMES, collapse
-from .mesh import BEAMS, SHELLS, SOLIDS, SPRINGS, Scope, Section, join
+from .rigid_shells import build_rigid_parts
+from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, join
 
 MOST_NODES = 20_000_000
 
@@ -20,9 +21,13 @@ MOST_NODES = 20_000_000
 def read_section(scope: Scope, block: Block) -> None:
     """*SOLID SECTION, *SHELL SECTION and *BEAM SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
-    if section.kind == "SHELL" and block.lines:
+    section.controls = block.option("CONTROLS")
+    if {"COMPOSITE", "STACK DIRECTION"} & block.options.keys():
+        section.is_layered = True
+    if section.kind in ("SHELL", "MEMBRANE") and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
         section.is_nodal = "NODAL THICKNESS" in block.options
+        section.distribution = block.option("SHELL THICKNESS")
         offset = block.option("OFFSET")
         section.offset = {"SPOS": 0.5, "SNEG": -0.5}.get(offset, 0.0)
         if offset and offset not in ("SPOS", "SNEG"):
@@ -34,32 +39,52 @@ def read_section(scope: Scope, block: Block) -> None:
     scope.sections.append(section)
 
 
+def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
+    """*DISTRIBUTION of a value of elements; a line without element is that of all others."""
+    if block.option("LOCATION") not in ("", "ELEMENT"):
+        ledger.ignored("DISTRIBUTION", block.place, "axes of materials: the laws that are read are isotropic")
+        return
+    values = scope.distributions.setdefault(block.option("NAME"), {})
+    for line in block.lines:
+        if len([word for word in line[1] if word]) > 2:
+            ledger.ignored("DISTRIBUTION", block.place, "axes of materials: the laws that are read are isotropic")
+            return
+        values[block.id(line, 0) if block.text(line, 0) else 0] = block.number(line, 1)
+    ledger.translated("DISTRIBUTION", block.place, "thickness of shells, where a section asks for it")
+
+
 def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
-    """All instances in one mesh: the ids of one alone are kept, those of others raised."""
-    for index, instance in enumerate(deck.instances):
+    """All instances and the assembly in one mesh: the ids of the first are kept, those of others raised above them."""
+    for instance in deck.instances:
         part = deck.parts.get(instance.part)
         if part is None:
-            raise BadInput(instance.place, missing(f"part '{instance.part}'"))
-        if index > 0:
-            highest = max([*deck.mesh.nodes, *deck.mesh.elements, 1])
-            if highest > MOST_ID // 100:
-                raise BadInput(
-                    instance.place, f"the ids of the instances before go up to {highest}, which leaves no room for others"
-                )
-            instance.shift = 10 ** len(str(highest))
-            deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
+            raise BadInput(instance.place, missing(f"part '{clip(instance.part)}'"))
+        own = max([*part.nodes, *part.elements, *instance.own.nodes, *instance.own.elements, 0])
+        place_one(deck, instance, own)
         if len(deck.mesh.nodes) + len(part.nodes) + len(instance.own.nodes) > MOST_NODES:
             raise BadInput(instance.place, "the instances have more than 20 million nodes (the limit of the importer): import fewer instances")
         join(deck.mesh, part, instance)
         join(deck.mesh, instance.own, instance)
         deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
-    for id, x in assembly.nodes.items():  # reference points
-        deck.mesh.nodes.setdefault(id, x)
-    for name, table in (("node_sets", assembly.node_sets), ("element_sets", assembly.element_sets), ("surfaces", assembly.surfaces),
-                        ("node_surfaces", assembly.node_surfaces)):  # fmt: skip
-        getattr(deck.mesh, name).update(table)
-    deck.mesh.bodies += assembly.bodies
-    deck.mesh.profiles |= assembly.profiles
+    whole = Instance("", "", assembly.place or Place("", 0))
+    if deck.instances:
+        place_one(deck, whole, max([*assembly.nodes, *deck.assembly_elements, 0]))
+    deck.whole_assembly = whole
+    join(deck.mesh, assembly, whole)
+
+
+def place_one(deck: AbaqusDeck, instance: Instance, largest: int) -> None:
+    """Chooses what is added to ids: the least number, with as many zeros as its own ids have digits, above those before."""
+    instance.largest = largest
+    highest = max([*deck.mesh.nodes, *deck.mesh.elements, 0])
+    if not highest or not largest:
+        return
+    unit = 10 ** len(str(largest))
+    instance.shift = -(-highest // unit) * unit
+    if instance.shift + largest > MOST_ID:
+        raise BadInput(instance.place, f"the ids go beyond {MOST_ID} with those of this instance (the limit of the importer): renumber its part")
+    what = f"instance {clip(instance.name)}" if instance.name else "nodes and elements of the assembly"
+    deck.ledger.approximated("INSTANCE", instance.place, f"ids of {what} are raised by {instance.shift}")
 
 
 def build_parts(deck: AbaqusDeck) -> None:
@@ -67,14 +92,22 @@ def build_parts(deck: AbaqusDeck) -> None:
     made: dict[str, tuple[str, Deck] | None] = {}
     for number, section in enumerate(deck.mesh.sections, 1):
         name = section.material
+        if section.is_layered:
+            deck.ledger.refuse(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of several materials", "its elements are left out")
+            deck.left_elements |= set(deck.elements_of(section.elements, section.place))
+            continue
         if name not in made:
             law = translate_material(deck, name, section.place)
+            if law is None:
+                deck.left_elements |= set(deck.elements_of(section.elements, section.place))
             made[name] = (deck.model.names.take(name, "material"), law) if law else None
             if law:
                 deck.model.materials[made[name][0]] = law  # type: ignore[index]
         if made[name]:
             build_part(deck, section, number, *made[name])  # type: ignore[misc]
-    left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in deck.blocks_of_elements and kind not in ("MASS", *SPRINGS)]
+    build_rigid_parts(deck)
+    without = deck.blocks_of_elements.keys() | deck.left_elements
+    left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in without and kind not in (*POINTS, *SPRINGS)]
     if left and deck.mesh.place:
         kinds = sorted({deck.mesh.elements[id][0] for id in left})
         deck.ledger.refuse(
@@ -109,7 +142,33 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
     if part.elements():
         add_damping(deck, section, part, law)
         deck.model.blocks.append(part)
+        add_controls(deck, section, part)
         deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
+
+
+def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
+    """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS."""
+    if not section.controls:
+        return
+    block = deck.controls.get(section.controls)
+    if block is None:
+        raise BadInput(section.place, missing(f"*SECTION CONTROLS '{clip(section.controls)}'"))
+    kind = block.option("HOURGLASS")
+    ours = {"ENHANCED": "assumed_strain", "STIFFNESS": "stiffness", "RELAX STIFFNESS": "stiffness", "COMBINED": "stiffness", "VISCOUS": "viscous"}
+    if kind and kind not in ours:
+        raise BadInput(block.place, f"HOURGLASS={clip(kind)} of *SECTION CONTROLS is not known: correct it")
+    line = block.lines[0] if block.lines else (block.place.line, [])
+    if block.option("ELEMENT DELETION") == "NO" and "failure" in deck.model.materials[part.keys["material"]]:
+        deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", block.place, "failed elements that stay", "they are removed")
+    if kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
+        part.keys["hourglass"] = ours[kind]
+        deck.ledger.approximated("SECTION CONTROLS", block.place, "hourglass control of its kind, with the coefficient of percuss")
+    factors = [block.number(line, i, 1.0) for i in range(5)]
+    if factors[:3] != [1.0, 1.0, 1.0]:
+        deck.ledger.approximated("SECTION CONTROLS.scale", block.place, "factors of hourglass control are left out: percuss has coefficients of its own")
+    if part.solids and factors[3:] != [1.0, 1.0]:
+        part.keys["bulk_viscosity"] = {"linear": 0.06 * factors[3], "quadratic": 1.2 * factors[4]}
+        deck.ledger.translated("SECTION CONTROLS", block.place, "bulk_viscosity of the part")
 
 
 def add_damping(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> None:
@@ -137,7 +196,10 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         if len(corners) > 2:
             deck.ledger.refuse("ELEMENT.B31", section.place, "beams with a node that turns the section", "n1 of the section is used")
         part.beams.append((id, corners[:2]))
-    elif kind in SHELLS and len(corners) == SHELLS[kind]:
+    elif kind in SHELLS and kind not in RIGID and len(corners) == SHELLS[kind]:
+        if kind in MEMBRANES:
+            section.points = 1
+            deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "membranes are shells with one point through their thickness")
         part.shells.append((id, corners))
     elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
@@ -170,8 +232,25 @@ def average_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
         if min(values) <= 0:
             raise BadInput(section.place, f"shell {id} has a node without a thickness, which its section asks for")
         part.thicknesses[id] = values[0] if len(set(values)) == 1 else sum(values) / len(values)
-    part.thickness = max(part.thicknesses.values())
     deck.ledger.approximated("NODAL THICKNESS", section.place, "each shell has the mean thickness of its corners")
+    unite_thicknesses(deck, section, part)
+
+
+def distribute_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
+    """Each shell has its own of *DISTRIBUTION."""
+    values = deck.resolve(deck.mesh.distributions, section.distribution, section.place, "distribution")
+    for id, _ in part.shells:
+        value = values.get(id, values.get(0, 0.0))
+        if value <= 0:
+            raise BadInput(section.place, f"shell {id} has no positive thickness in *DISTRIBUTION {clip(section.distribution)}")
+        part.thicknesses[id] = value
+    deck.ledger.translated("SHELL SECTION.SHELL THICKNESS", section.place, "thickness of each shell in the mesh")
+    unite_thicknesses(deck, section, part)
+
+
+def unite_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
+    """One thickness where all are the same."""
+    part.thickness = max(part.thicknesses.values())
     if len(set(part.thicknesses.values())) == 1:
         part.thicknesses = {}
     elif section.offset:
@@ -180,11 +259,13 @@ def average_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
 
 
 def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    if section.thickness <= 0 and not section.is_nodal:
+    if section.thickness <= 0 and not section.is_nodal and not section.distribution:
         raise BadInput(section.place, "the thickness of this shell section is not positive: correct it")
     part.thickness = section.thickness
     if section.is_nodal:
         average_thicknesses(deck, section, part)
+    if section.distribution:
+        distribute_thicknesses(deck, section, part)
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:
         part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
@@ -210,10 +291,12 @@ def choose_integration(deck: AbaqusDeck) -> None:
 
 
 def add_masses(deck: AbaqusDeck) -> None:
-    """*MASS on elements of the type MASS."""
+    """*MASS and *ROTARY INERTIA on elements of the types MASS and ROTARYI."""
     for name, mass, place in deck.mesh.masses:
-        nodes = [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if deck.mesh.elements[id][1]]
-        nodes = add_reference_masses(deck, nodes, mass) if mass > 0 else nodes
+        nodes = list_points(deck, name, place)
+        if mass < 0:
+            raise BadInput(place, "the mass is negative: correct *MASS")
+        nodes = add_reference_masses(deck, nodes, {"mass": mass}, place) if mass > 0 else []
         used = [node for node in nodes if node in deck.used_nodes()]
         if len(used) < len(nodes):
             deck.ledger.refuse("MASS", place, "masses on nodes without elements", "they are left out")
@@ -221,3 +304,13 @@ def add_masses(deck: AbaqusDeck) -> None:
             set_name = deck.model.add_node_set(f"mass_{name.rpartition('.')[2]}", used)
             deck.model.add("added_mass", {"nodes": set_name, "mass": mass * len(used), "spread": "evenly"})
             deck.ledger.translated("MASS", place, "added_mass")
+    for name, values, place in deck.mesh.inertias:
+        xx, yy, zz, xy, xz, yz = values
+        left = add_reference_masses(deck, list_points(deck, name, place), {"inertia": [xx, yy, zz, xy, yz, xz]}, place)
+        if left:
+            deck.ledger.refuse("ROTARY INERTIA", place, "rotary inertia of nodes of no rigid body", "it is left out")
+
+
+def list_points(deck: AbaqusDeck, name: str, place: Place) -> list[int]:
+    """Nodes of elements of one node."""
+    return [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if deck.mesh.elements[id][1]]

@@ -2,31 +2,34 @@
 
 from collections.abc import Callable
 
-from ..ledger import BadInput, Ledger
+from ..fields import clip
+from ..ledger import BadInput, Ledger, Place
 from ..model import Model
-from . import bodies, equations, heat, steps, surfaces
+from ..text_files import suggest, suggest_place
+from . import bodies, conditions, contact, damage, equations, generators, heat, initial, loads, outputs, surfaces
+from .amplitudes import read_amplitude
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
-from .mesh import BodyCard, Scope, read_elements, read_instance, read_nodes, read_set, read_surface
-from .options import check_options
-from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
+from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
+from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze
+from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section
 from .springs import add_springs, read_spring
+from .timeline import StepTime
 
 Handler = Callable[[AbaqusDeck, Block], None]
+ROUGH = 100.0  # coefficient of friction without slip
+OF_PRINTING = "output that is printed or kept for a restart, not physics"
 IGNORED = {
-    "PREPRINT": "output", "RESTART": "output", "NODE OUTPUT": "output", "ELEMENT OUTPUT": "output", "ENERGY OUTPUT": "output",
-    "CONTACT OUTPUT": "output", "MONITOR": "output", "FILE OUTPUT": "output", "NODE PRINT": "output", "EL PRINT": "output",
-    "NODE FILE": "output",
-    "EL FILE": "output", "SECTION CONTROLS": "numerics", "CONTACT CONTROLS": "numerics", "CONTACT CONTROLS ASSIGNMENT": "numerics",
+    **dict.fromkeys(("PREPRINT", "RESTART", "MONITOR", "FILE OUTPUT", "NODE PRINT", "EL PRINT", "ENERGY PRINT", "CONTACT PRINT", "NODE FILE",
+                     "EL FILE", "ENERGY FILE", "CONTACT FILE", "DIAGNOSTICS", "FILTER", "TIME POINTS", "FILE FORMAT", "PRINT", "CONSTRAINT CONTROLS",
+                     "PREFERENCE", "VALIDATE", "INCREMENTATION OUTPUT"), OF_PRINTING),
+    "CONTACT CONTROLS": "numerics of contact: percuss has its own", "CONTACT CONTROLS ASSIGNMENT": "numerics of contact: percuss has its own",
     "CONTACT": "what follows it says all", "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
-    "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output",
-    "INCREMENTATION OUTPUT": "output",
-    "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
+    "CONTACT FORMULATION": "contact works both ways", "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
+    "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
+    "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
 }  # fmt: skip
-MATERIAL_END = {"MATERIAL", "STEP", "BOUNDARY", "AMPLITUDE", "SURFACE INTERACTION", "INITIAL CONDITIONS", "PART", "ASSEMBLY", "NSET", "ELSET",
-                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "BEAM SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE",
-                "END ASSEMBLY"}  # fmt: skip
 
 
 class Reader:
@@ -40,24 +43,39 @@ class Reader:
         self.interaction = ""
         self.coupling: BodyCard | None = None
         self.waiting: list[Block] = []
-        self.steps = 0
+        self.amplitudes: list[Block] = []
+        self.requests: list[outputs.Request] = []
+        self.steps: list[Place] = []
+        self.unknown: list[tuple[str, Place]] = []
 
     def take(self, block: Block) -> None:
-        keyword = block.keyword
+        complete_keyword(block, KEYWORDS)
+        keyword, block.step = block.keyword, len(self.steps)
         check_options(block, self.deck.ledger)
-        if self.material and not (keyword in MATERIAL_END or keyword in METHODS or keyword in ACTIONS):
+        if keyword in OF_MATERIALS and self.material:
             self.material.parts.append(block)
             return
-        self.material = None
+        self.material = self.material if keyword in OF_MATERIALS else None
         method = METHODS.get(keyword)
         if method:
             method(self, block)
         elif keyword in ACTIONS:
             self.waiting.append(block)
+        elif keyword in outputs.FOLLOWERS:
+            self.request(block)
         elif keyword in IGNORED:
             self.deck.ledger.ignored(keyword, block.place, IGNORED[keyword])
         else:
-            self.deck.ledger.refuse(keyword or "(blank)", block.place, "an unknown keyword", "it is left out")
+            self.refuse(block)
+
+    def refuse(self, block: Block) -> None:
+        """A keyword that is known and not read, or one that is not known."""
+        if block.keyword in OTHERS or block.keyword in OF_MATERIALS:
+            self.deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword}", "it is left out")
+            return
+        self.unknown.append((clip(block.keyword), block.place))
+        text = f"an unknown keyword{suggest(block.keyword, KEYWORDS.values())}"
+        self.deck.ledger.refuse(clip(block.keyword) or "(blank)", block.place, text, "it is left out")
 
     def heading(self, block: Block) -> None:
         self.deck.model.title = ", ".join(block.lines[0][1]) if block.lines else ""
@@ -68,6 +86,7 @@ class Reader:
 
     def begin_assembly(self, block: Block) -> None:
         self.scope = self.assembly
+        self.assembly.place = block.place
 
     def begin_instance(self, block: Block) -> None:
         self.deck.instances.append(read_instance(block))
@@ -77,35 +96,54 @@ class Reader:
         self.scope = self.assembly if block.keyword == "END INSTANCE" else self.flat
 
     def nodes(self, block: Block) -> None:
-        if block.option("SYSTEM") not in ("", "R"):
-            raise BadInput(block.place, "nodes in cylindrical or spherical coordinates are not read: convert them to rectangular ones")
-        read_nodes(self.scope, block)
+        generators.read_nodes(self.scope, block)
         self.deck.ledger.translated("NODE", block.place, "nodes of the mesh")
+
+    def generate(self, block: Block) -> None:
+        generators.GENERATORS[block.keyword](self.scope, block)
+        self.deck.ledger.translated(block.keyword, block.place, "nodes and elements of the mesh")
 
     def elements(self, block: Block) -> None:
         self.scope.place = self.scope.place or block.place
-        read_elements(self.scope, block)
+        if self.scope is self.assembly:
+            self.waiting.append(block)  # its nodes may be those of instances
+            self.deck.assembly_elements += [block.id(line, 0) for line in block.lines]
+        else:
+            read_elements(self.scope, block)
         self.deck.ledger.translated(
-            f"ELEMENT, TYPE={block.option('TYPE')}", block.place, "elements of the mesh, where a section has them"
+            f"ELEMENT, TYPE={clip(block.option('TYPE'))}", block.place, "elements of the mesh, where a section has them"
         )
 
     def sets(self, block: Block) -> None:
         if self.scope is self.assembly:
-            self.waiting.insert(0, block)  # instances are not in their places yet
+            self.waiting.append(block)  # instances are not in their places yet
             return
         read_set(self.scope, block, self.scope.node_sets if block.keyword == "NSET" else self.scope.element_sets)
         self.deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
 
+    def transform(self, block: Block) -> None:
+        for line in block.lines[:1]:
+            if [block.number(line, i) for i in range(6)] != [1.0, 0.0, 0.0, 0.0, 1.0, 0.0] or block.option("TYPE") not in ("", "R"):
+                self.scope.transforms.append((block.option("NSET"), block.place))
+                return
+        self.deck.ledger.ignored("TRANSFORM", block.place, "its axes are those of space")
+
     def surface(self, block: Block) -> None:
-        if block.option("TYPE") == "REVOLUTION":
+        if block.option("TYPE") in surfaces.KINDS:
             surfaces.read_profile(self.scope, block)
-            self.deck.ledger.translated("SURFACE.REVOLUTION", block.place, "a wall, where a rigid body has it")
+            self.deck.ledger.translated(f"SURFACE.{block.option('TYPE')}", block.place, "a wall or a rigid part, where a rigid body has it")
             return
         read_surface(self.scope, block, self.deck.ledger)
         self.deck.ledger.translated("SURFACE", block.place, "a side set, where something uses it")
 
     def section(self, block: Block) -> None:
         read_section(self.scope, block)
+
+    def controls(self, block: Block) -> None:
+        self.deck.controls[block.option("NAME")] = block
+
+    def distribution(self, block: Block) -> None:
+        read_distribution(self.scope, block, self.deck.ledger)
 
     def nodal_thickness(self, block: Block) -> None:
         for line in block.lines:
@@ -115,6 +153,10 @@ class Reader:
     def mass(self, block: Block) -> None:
         for line in block.lines[:1]:
             self.scope.masses.append((block.option("ELSET"), block.number(line, 0), block.place))
+
+    def inertia(self, block: Block) -> None:
+        for line in block.lines[:1]:
+            self.scope.inertias.append((block.option("ELSET"), [block.number(line, i) for i in range(6)], block.place))
 
     def spring(self, block: Block) -> None:
         read_spring(self.scope, block, self.deck.ledger)
@@ -136,6 +178,10 @@ class Reader:
         equations.read_equations(self.scope, block, self.deck.ledger)
 
     def begin_material(self, block: Block) -> None:
+        if not block.option("NAME"):
+            raise BadInput(block.place, "*MATERIAL has no name: add NAME=")
+        if block.option("NAME") in self.deck.materials:
+            raise BadInput(block.place, f"there are two materials {clip(block.option('NAME'))}: rename or remove one")
         self.material = MaterialBlocks(block.place)
         self.deck.materials[block.option("NAME")] = self.material
 
@@ -144,21 +190,31 @@ class Reader:
         self.deck.frictions[self.interaction] = 0.0
 
     def friction(self, block: Block) -> None:
-        if block.lines:
-            self.deck.frictions[self.interaction] = block.number(block.lines[0], 0)
-        if set(block.options) - {"TAUMAX", "SLIP TOLERANCE"} or "TAUMAX" in block.options:
-            self.deck.ledger.refuse("FRICTION", block.place, "friction other than Coulomb's", "Coulomb's coefficient is used")
+        lines = [line for line in block.lines if any(line[1])]
+        if not self.interaction:
+            raise BadInput(block.place, "*FRICTION stands behind no *SURFACE INTERACTION: correct the order")
+        if lines:
+            self.deck.frictions[self.interaction] = block.number(lines[0], 0)
+        if "ROUGH" in block.options:
+            self.deck.frictions[self.interaction] = ROUGH
+            self.deck.ledger.approximated("FRICTION.ROUGH", block.place, f"a coefficient of {ROUGH:g}: what touches does not slip")
+        if "TAUMAX" in block.options:
+            self.deck.ledger.refuse("FRICTION.TAUMAX", block.place, "a largest shear stress of friction", "friction has no limit")
+        if "EXPONENTIAL DECAY" in block.options:
+            self.deck.ledger.refuse("FRICTION.EXPONENTIAL DECAY", block.place, "friction that falls with the speed", "the static coefficient is used")
+        elif len(lines) > 1 or lines and any(lines[0][1][1:]):
+            self.deck.ledger.refuse("FRICTION.table", block.place, "friction that depends on speed, pressure or temperature", "the first coefficient is used")
         self.deck.ledger.translated("FRICTION", block.place, "friction of contact")
 
     def amplitude(self, block: Block) -> None:
-        steps.read_amplitude(self.deck, block)
+        if not block.option("NAME"):
+            raise BadInput(block.place, "*AMPLITUDE has no name: add NAME=")
+        self.amplitudes.append(block)
 
     def begin_step(self, block: Block) -> None:
-        self.steps += 1
-        if self.steps > 1:
-            self.deck.ledger.refuse(
-                "STEP", block.place, "a second step", "its conditions and loads act from the start, and its time is added"
-            )
+        self.steps.append(block.place)
+        if block.option("NLGEOM") == "NO":
+            self.deck.ledger.approximated("STEP.NLGEOM", block.place, "displacements may be large, whatever NLGEOM says")
 
     def dynamic(self, block: Block) -> None:
         if "EXPLICIT" not in block.options:
@@ -166,48 +222,69 @@ class Reader:
         if "SCALE FACTOR" in block.options:
             self.deck.step_scale = block.number((block.place.line, [block.options["SCALE FACTOR"]]), 0, 1.0)
         heat.read_procedure(self.deck, block)
-        self.deck.end_time += max((block.number(line, 1) for line in block.lines[:1]), default=0.0)
+        self.add_time(block, max((block.number(line, 1) for line in block.lines[:1]), default=0.0))
         self.deck.ledger.translated("DYNAMIC", block.place, "time.end")
 
     def static(self, block: Block) -> None:
         self.deck.ledger.refuse(
             block.keyword, block.place, "a step that is not explicit dynamics", "the run is explicit, with its time"
         )
-        self.deck.end_time += max((block.number(line, 1, 1.0) for line in block.lines[:1]), default=1.0)
+        self.add_time(block, max((block.number(line, 1, 1.0) for line in block.lines[:1]), default=1.0))
+
+    def add_time(self, block: Block, length: float) -> None:
+        """The step follows those before."""
+        steps = self.deck.steps
+        if not self.steps or len(steps) == len(self.steps):
+            raise BadInput(block.place, f"*{block.keyword} stands outside of a *STEP, or is the second of one: correct it")
+        if length <= 0:
+            raise BadInput(block.place, f"the step has no time (the second number behind *{block.keyword}): add it")
+        steps.append(StepTime(block.place, self.deck.end_time, length))
 
     def viscosity(self, block: Block) -> None:
         line = block.lines[0] if block.lines else (0, [])
         viscosity = {"linear": block.number(line, 0, 0.06), "quadratic": block.number(line, 1, 1.2)}
-        self.deck.model.deck.setdefault("elements", {})["bulk_viscosity"] = viscosity
+        before = self.deck.model.deck.setdefault("elements", {}).setdefault("bulk_viscosity", viscosity)
+        if before != viscosity:
+            self.deck.ledger.refuse("BULK VISCOSITY.step", block.place, "bulk viscosity that changes from step to step", "that of the first is used")
         self.deck.ledger.translated("BULK VISCOSITY", block.place, "elements.bulk_viscosity")
 
     def output(self, block: Block) -> None:
-        interval = block.option("TIME INTERVAL") or block.option("NUMBER INTERVAL")
-        value = block.number((block.place.line, [interval]), 0) if interval else 0.0
-        if "NUMBER INTERVAL" in block.options:
-            value = -value
-        if value:
-            self.deck.model.deck.setdefault("intervals", {})["fields" if "FIELD" in block.options else "history"] = value
-        self.deck.ledger.translated("OUTPUT", block.place, "output")
+        if not {"FIELD", "HISTORY"} & block.options.keys():
+            self.deck.ledger.ignored("OUTPUT", block.place, OF_PRINTING)
+        self.requests.append(outputs.Request(block))
+
+    def request(self, block: Block) -> None:
+        """A keyword that follows *OUTPUT."""
+        if self.requests:
+            self.requests[-1].followers.append(block)
+        else:
+            self.deck.ledger.ignored(block.keyword, block.place, "it stands behind no *OUTPUT")
 
 
 METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
+    **dict.fromkeys(generators.GENERATORS, Reader.generate), "TRANSFORM": Reader.transform,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
-    "NODAL THICKNESS": Reader.nodal_thickness,
+    "MEMBRANE SECTION": Reader.section,
+    "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness,
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
-    "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
+    "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
-    "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
-    "DLOAD": steps.read_distributed, "DSLOAD": steps.read_distributed, "TIE": steps.read_tie, "CONTACT PAIR": steps.read_contact_pair,
-    "CONTACT INCLUSIONS": steps.read_inclusions, "CONTACT PROPERTY ASSIGNMENT": steps.read_property,
+    "INITIAL CONDITIONS": initial.read_initial, "BOUNDARY": conditions.read_boundary, "CLOAD": loads.read_node_force,
+    "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "CONTACT PAIR": contact.read_contact_pair,
+    "CONTACT INCLUSIONS": contact.read_inclusions, "CONTACT EXCLUSIONS": contact.read_exclusions,
+    "CONTACT PROPERTY ASSIGNMENT": contact.read_property, "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
 }  # fmt: skip
+KEYWORDS = {
+    squeeze(word): word
+    for word in (*METHODS, *ACTIONS, *IGNORED, *outputs.FOLLOWERS, *OF_MATERIALS, *OTHERS, "INCLUDE", "PARAMETER")
+}
 
 
 def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
@@ -216,65 +293,112 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     for block in BlockReader(path, ledger).read():
         reader.take(block)
     deck = reader.deck
-    deck.mesh = reader.flat
+    deck.mesh, deck.assembly = reader.flat, reader.assembly
     place_instances(deck, reader.assembly)
     if deck.instances:
         deck.mesh.place = next(iter(deck.parts.values())).place
-    read_assembly_sets(reader)
+    read_assembly(reader)
     if not deck.mesh.elements:
-        raise BadInput(path, "the deck has no elements (percuss needs a mesh): include the mesh file")
+        raise BadInput(clip(path, 200), "the deck has no elements (percuss needs a mesh): include the mesh file")
     if deck.end_time <= 0:
-        raise BadInput(path, "there is no step with a time (the run would have no end): add *DYNAMIC, EXPLICIT")
+        hint = suggest_place("DYNAMIC", reader.unknown)
+        raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): add *DYNAMIC, EXPLICIT{hint}")
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)
+    damage.finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
     apply(reader)
-    finish(deck)
+    finish(reader)
     return deck.model
 
 
-def read_assembly_sets(reader: Reader) -> None:
-    """Sets of the assembly name members of instances, by their ids there."""
+def read_assembly(reader: Reader) -> None:
+    """Elements and sets of the assembly, which name members of instances by their ids there."""
     deck = reader.deck
-    for block in [b for b in reader.waiting if b.keyword in ("NSET", "ELSET")][::-1]:
-        sets = deck.mesh.node_sets if block.keyword == "NSET" else deck.mesh.element_sets
-        part = next((i for i in deck.instances if i.name == block.option("INSTANCE")), None)
-        prefix, shift = (part.name + ".", part.shift) if part else ("", 0)
-        words = {text.upper() for line in block.lines for text in line[1]}
-        found = {word: [id - shift for id in sets[prefix + word]] for word in words if prefix + word in sets}
-        name = block.option(block.keyword)
-        found.pop(name, None)
-        read_set(deck.mesh, block, found, shift)
-        sets.setdefault(name, []).extend(id + shift for id in found.get(name, []))
-        deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
+    if not deck.instances:  # all of it is in the mesh as it stands
+        deck.mesh.place = deck.mesh.place or reader.assembly.place
+    for block in [b for b in reader.waiting if b.keyword in ("NSET", "ELSET", "ELEMENT")]:
+        if block.keyword == "ELEMENT":
+            read_assembly_elements(deck, block)
+        else:
+            read_assembly_set(deck, block)
+            deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
+    deck.transformed = {node for name, place in deck.mesh.transforms for node in deck.nodes_of(name, place)}
+
+
+def read_assembly_elements(deck: AbaqusDeck, block: Block) -> None:
+    shift = deck.whole_assembly.shift if deck.whole_assembly else 0
+    found = Scope()
+    read_elements(found, block, lambda name, place: deck.nodes_of(name, place)[0])
+    for id, (kind, corners) in found.elements.items():
+        deck.mesh.elements[id + shift] = (kind, corners)
+    for name, ids in found.element_sets.items():
+        deck.mesh.element_sets.setdefault(name, []).extend(id + shift for id in ids)
+
+
+def read_assembly_set(deck: AbaqusDeck, block: Block) -> None:
+    """Ids and names are those of INSTANCE, or of the assembly, where they may stand as INSTANCE.ID."""
+    is_nodes = block.keyword == "NSET"
+    sets = deck.mesh.node_sets if is_nodes else deck.mesh.element_sets
+    instance = next((i for i in deck.instances if i.name == block.option("INSTANCE")), None)
+    if block.option("INSTANCE") and instance is None:
+        raise BadInput(block.place, f"there is no instance '{clip(block.option('INSTANCE'))}' (this card refers to it): add it, or correct the name")
+    name = block.option(block.keyword)
+    if "GENERATE" in block.options or is_nodes and "ELSET" in block.options:
+        whole = deck.whole_assembly
+        own = deck.scope_of(instance or whole) if instance or whole else deck.mesh
+        found: dict[str, list[int]] = {}
+        read_set(own, block, found)
+        shift = (instance or whole).shift if instance or whole else 0  # type: ignore[union-attr]
+        sets.setdefault(name, []).extend(id + shift for id in found[name])
+        return
+
+    def find(word: str, place: Place) -> list[int]:
+        full = f"{instance.name}.{word.strip(chr(34))}" if instance else word
+        return deck.nodes_of(full, place) if is_nodes else deck.elements_of(full, place)
+
+    own_names: dict[str, list[int]] = {} if instance else sets
+    read_set(deck.mesh, block, own_names, find)
+    if instance:
+        sets.setdefault(name, []).extend(own_names[name])
 
 
 def apply(reader: Reader) -> None:
     """What acts on the mesh."""
-    for block in reader.waiting:
-        if block.keyword in ACTIONS:
-            try:
-                ACTIONS[block.keyword](reader.deck, block)
-            except ArithmeticError as error:
-                raise BadInput(block.place, f"the numbers of *{block.keyword} are out of range ({error})") from None
+    deck = reader.deck
+    deck.motions.end = deck.loads.end = deck.end_time
+    for block in reader.amplitudes:
+        name = block.option("NAME")
+        if name in deck.amplitudes:
+            raise BadInput(block.place, f"there are two amplitudes {clip(name)}: rename or remove one")
+        deck.amplitudes[name] = guard(block, lambda block: read_amplitude(block, deck.end_time))
+        deck.ledger.translated("AMPLITUDE", block.place, "a table where something uses it")
+    acting = [block for block in reader.waiting if block.keyword in ACTIONS]
+    for block in sorted(acting, key=lambda block: block.keyword != "INITIAL CONDITIONS"):  # velocities come before what changes them
+        guard(block, lambda block: ACTIONS[block.keyword](deck, block))
 
 
-def finish(deck: AbaqusDeck) -> None:
+def guard(block: Block, act: Callable):
+    try:
+        return act(block)
+    except ArithmeticError as error:
+        raise BadInput(block.place, f"the numbers of *{block.keyword} are out of range ({error})") from None
+
+
+def finish(reader: Reader) -> None:
     """The sections that need all keywords."""
+    deck = reader.deck
     add_masses(deck)
+    conditions.finish_conditions(deck)
     bodies.finish_bodies(deck)
+    loads.finish_loads(deck)
     add_springs(deck)
-    steps.add_velocities(deck)
+    initial.add_velocities(deck)
     heat.apply_temperatures(deck)
-    steps.finish_contact(deck)
-    intervals = deck.model.deck.pop("intervals", {})
-    every = {name: -deck.end_time / value if value < 0 else value for name, value in intervals.items()}
-    output: dict = {"history": {"every": max(every.get("history", float(f"{deck.end_time / 1000:.6g}")), deck.end_time / 1e6)}}
-    if "fields" in every:
-        output["fields"] = {"every": max(every["fields"], deck.end_time / 1e5), "write": ["velocity", "von_mises"]}
-    deck.model.deck["output"] = output
+    contact.finish_contact(deck)
+    outputs.add_outputs(deck, reader.requests)
     time = {"end": deck.end_time}
     if 0 < deck.step_scale < 1:
         time["step_scale"] = deck.step_scale

@@ -1,0 +1,196 @@
+"""*BOUNDARY: nodes that are held or moved, in each step."""
+
+from dataclasses import dataclass
+
+from ..curves import integrate, order_points
+from ..fields import clip
+from ..ledger import Place
+from ..model import Deck
+from .deck import AbaqusDeck
+from .lines import Block
+from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
+
+AXES = ("x", "y", "z", "rx", "ry", "rz")
+NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"), "ZSYMM": ("z", "rx", "ry"),
+         "XASYMM": ("y", "z", "rx"), "YASYMM": ("x", "z", "ry"), "ZASYMM": ("x", "y", "rz")}  # fmt: skip
+KINDS = ("DISPLACEMENT", "VELOCITY", "ACCELERATION")
+LEFT_OUT = "it is left out"
+
+Line = tuple[int, list[str]]
+
+
+@dataclass
+class ConditionLine:
+    """A line of *BOUNDARY: what it does in which directions."""
+
+    name: str
+    nodes: list[int]
+    directions: list[str]
+    action: Action
+
+
+def read_boundary(deck: AbaqusDeck, block: Block) -> None:
+    """set, ENCASTRE; or set, first, last, value, of displacements or velocities."""
+    if block.option("OP") == "NEW" and ("BOUNDARY", block.step) not in deck.renewed:
+        deck.motions.stop(list(deck.motions.windows), deck.step_of(block).start)
+        deck.renewed.add(("BOUNDARY", block.step))
+    for line in block.lines:
+        word = block.text(line, 1).upper()
+        if word in NAMED:
+            directions, value = list(NAMED[word]), 0.0
+        elif block.text(line, 1) and not block.text(line, 1).strip("+-").isdigit() and "." not in block.text(line, 1):
+            deck.ledger.refuse("BOUNDARY.type", block.at(line[0]), f"a condition of the kind {clip(word)}", LEFT_OUT)
+            continue
+        else:
+            first = block.integer(line, 1, 1)
+            last = block.integer(line, 2, first) or first
+            if not 1 <= first <= last <= 6:
+                deck.ledger.refuse("BOUNDARY.dof", block.at(line[0]), f"directions {first} to {last}, beyond 1 to 6", "these are left out")
+            directions, value = [AXES[i - 1] for i in range(max(first, 1), min(last, 6) + 1)], block.number(line, 3)
+        act(deck, block, line, directions, value)
+
+
+def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value: float) -> None:
+    """Notes what a line does from its step on."""
+    place = block.at(line[0])
+    name = block.text(line, 0)
+    nodes = [node for node in deck.nodes_of(name, place) if node in deck.used_nodes() or node in deck.group_of_ref]
+    if not nodes:
+        deck.ledger.ignored("BOUNDARY", place, "its nodes have no element")
+        return
+    refuse_other_axes(deck, nodes, place)
+    action = make_action(deck, block, place, nodes, directions, value)
+    if action is None:
+        return
+    for node in nodes:
+        for direction in directions:
+            deck.motions.act((node, direction), action)
+    deck.condition_lines.append(ConditionLine(name, nodes, directions, action))
+
+
+def refuse_other_axes(deck: AbaqusDeck, nodes: list[int], place: Place) -> None:
+    """Directions in a system of *TRANSFORM."""
+    if any(node in deck.transformed for node in nodes):
+        deck.ledger.refuse("TRANSFORM", place, "conditions or loads along the axes of *TRANSFORM", "they act along the axes of space")
+
+
+def make_action(deck: AbaqusDeck, block: Block, place: Place, nodes: list[int], directions: list[str], value: float) -> Action | None:
+    """What a line does; None where it is refused."""
+    kind = block.option("TYPE") or "DISPLACEMENT"
+    start = deck.step_of(block).start
+    amplitude = deck.amplitude(block.option("AMPLITUDE"), place)
+    if kind not in KINDS:
+        deck.ledger.refuse("BOUNDARY.TYPE", place, f"a condition of type {clip(kind)}", LEFT_OUT)
+        return None
+    if value == 0 and not (amplitude and amplitude.is_absolute) and kind != "ACCELERATION":
+        return Action(FIXED, start, (), place)
+    if kind == "DISPLACEMENT" and amplitude is None:
+        deck.ledger.approximated(
+            "BOUNDARY.value", place, "a displacement without an amplitude: its nodes are held, as Abaqus/Explicit ignores the jump"
+        )
+        return Action(FIXED, start, (), place)
+    points = deck.values_in_step(block, place, value)
+    if points is None:
+        return None
+    if kind == "ACCELERATION":
+        velocity = find_start(deck, nodes, directions)
+        if velocity is None:
+            deck.ledger.refuse("BOUNDARY.TYPE", place, "an acceleration of nodes that start with different velocities", LEFT_OUT)
+            return None
+        points = [(x, y + velocity) for x, y in integrate(order_points(points))]
+        kind = "VELOCITY"
+    elif kind == "DISPLACEMENT" and points[0][1] != 0:
+        deck.ledger.approximated("BOUNDARY.jump", place, "a displacement that begins with a jump: the jump is left out, as in Abaqus/Explicit")
+    return Action(DISPLACEMENT if kind == "DISPLACEMENT" else VELOCITY, start, tuple(points), place)
+
+
+def find_start(deck: AbaqusDeck, nodes: list[int], directions: list[str]) -> float | None:
+    """The velocity at time 0 that all these nodes have in all directions."""
+    found = {deck.velocities.get(node, [0.0, 0.0, 0.0])[AXES.index(d)] if d in AXES[:3] else 0.0 for node in nodes for d in directions}
+    return found.pop() if len(found) == 1 else None
+
+
+def finish_conditions(deck: AbaqusDeck) -> None:
+    """Conditions of nodes; those of reference nodes are noted with their bodies."""
+    hold_references(deck)
+    turning = deck.model.turning_nodes()
+    done: set[tuple] = set()
+    for line in deck.condition_lines:
+        add_line(deck, line, turning, done)
+    rest: dict[tuple, list[int]] = {}
+    for target, windows in deck.motions.windows.items():
+        node, direction = target
+        if target in done or node in deck.group_of_ref or direction.startswith("r") and node not in turning:
+            continue
+        rest.setdefault((direction, *((w.start, w.end, id(w.action)) for w in windows)), []).append(node)
+    for key, nodes in rest.items():
+        add_changing(deck, key[0], deck.motions.windows[(nodes[0], key[0])], nodes)
+
+
+def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set[tuple]) -> None:
+    """Entries of what acts through the whole run as its line says."""
+    place = line.action.place
+    groups: dict[tuple[int, ...], list[str]] = {}
+    free = [node for node in line.nodes if node not in deck.group_of_ref]
+    for direction in line.directions:
+        if direction.startswith("r") and not any(node in turning for node in free):
+            continue
+        nodes = tuple(node for node in free if acts_alone(deck, line.action, (node, direction)))
+        if nodes:
+            groups.setdefault(nodes, []).append(direction)
+            done |= {(node, direction) for node in nodes}
+    for nodes, directions in groups.items():
+        name = deck.node_set_name(line.name, place) if len(nodes) == len(line.nodes) else deck.model.add_node_set(line.name, nodes)
+        window = [Window(line.action, 0.0, deck.end_time)]
+        motions = [make_motion(window, deck.end_time, direction) for direction in directions]
+        deck.model.add("conditions", {"nodes": name, **join_motions(motions)})
+        deck.ledger.translated("BOUNDARY", place, "conditions")
+
+
+def acts_alone(deck: AbaqusDeck, action: Action, target: tuple) -> bool:
+    windows = deck.motions.windows.get(target, [])
+    if len(windows) != 1 or not is_whole(windows, deck.end_time):
+        return False
+    found = windows[0].action
+    return found is action or found.kind == FIXED == action.kind
+
+
+def join_motions(motions: list[Deck]) -> Deck:
+    """One kind in several directions."""
+    kind = next(iter(motions[0]))
+    if kind == "fixed":
+        return {kind: [direction for motion in motions for direction in motion[kind]]}
+    return {kind: {direction: value for motion in motions for direction, value in motion[kind].items()}}
+
+
+def add_changing(deck: AbaqusDeck, direction: str, windows: list[Window], nodes: list[int]) -> None:
+    """What changes from step to step: one motion, which a sensor begins or ends."""
+    place = windows[0].action.place
+    groups = split_groups(windows)
+    if len(groups) > 1:
+        deck.ledger.refuse("BOUNDARY.steps", place, "a condition that ends and begins again", "it ends for good")
+    group = groups[0]
+    entry: Deck = {"nodes": deck.model.add_node_set(f"held_{direction}", nodes), **make_motion(group, deck.end_time, direction)}
+    if group[0].start > 0:
+        entry["from"] = deck.sensor_at(group[0].start)
+    if group[-1].end < deck.end_time:
+        entry["until"] = deck.sensor_at(group[-1].end)
+    deck.model.add("conditions", entry)
+    deck.ledger.translated("BOUNDARY", place, "conditions, over the steps")
+
+
+def hold_references(deck: AbaqusDeck) -> None:
+    """What acts on reference nodes acts on their bodies."""
+    for (node, direction), windows in deck.motions.windows.items():
+        group = deck.group_of_ref.get(node)
+        if group is None:
+            continue
+        place = windows[0].action.place
+        if not is_whole(windows, deck.end_time):
+            deck.ledger.refuse("BOUNDARY.steps", place, "a rigid body that is held or moved in some of the steps alone", LEFT_OUT)
+            continue
+        motion = make_motion(windows, deck.end_time, direction)
+        if group.held.get(direction, (node, None))[0] != node:
+            deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved", "the last of them counts")
+        group.held[direction] = (node, None if "fixed" in motion else motion)
+        deck.ledger.translated("BOUNDARY", place, "what holds a rigid body")

@@ -1,0 +1,229 @@
+"""*TIE, *CONTACT PAIR and general contact."""
+
+from itertools import combinations_with_replacement
+
+from ..fields import clip
+from ..ledger import BadInput, Place
+from ..model import Deck
+from .deck import AbaqusDeck
+from .lines import Block
+from .surfaces import is_profile
+
+INSTEAD = "it is left out"
+MOST_PAIRS = 500
+
+
+def read_tie(deck: AbaqusDeck, block: Block) -> None:
+    """slave, master."""
+    for line in block.lines:
+        place = block.at(line[0])
+        slave, master = block.text(line, 0), block.text(line, 1)
+        if deck.is_of_nodes(slave):
+            nodes = [node for node in sorted(deck.nodes_of_surface(slave, place)) if node in deck.used_nodes()]
+            a = deck.model.add_node_set(slave, nodes) if nodes else ""
+        else:
+            nodes = sorted(deck.nodes_of_surface(slave, place))
+            a = deck.surface_name(slave, place, of_contact=True)
+        b = deck.surface_name(master, place, of_contact=True)
+        if not a or not b:
+            deck.ledger.refuse("TIE", place, "a tie with a surface without elements", INSTEAD)
+            continue
+        entry: Deck = {"a": a, "b": b}
+        if block.option("POSITION TOLERANCE"):
+            entry["distance"] = block.number((line[0], [block.option("POSITION TOLERANCE")]), 0)
+        if "NO ROTATION" not in block.options and ties_rotations(deck, set(nodes), master, place):
+            entry["rotations"] = True
+        if deck.ledger.allows("TIE.empty"):  # found by the run, which knows the reach
+            entry["empty"] = "ignore"
+            deck.ledger.approximated("TIE.empty", place, "a tie in reach of nothing is told by the run, and ignored")
+        deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
+        deck.ledger.approximated("TIE", place, "contact.ties: gaps stay as they are")
+
+
+def ties_rotations(deck: AbaqusDeck, slaves: set[int], master: str, place: Place) -> bool:
+    """Rotations are equal where both sides have them."""
+    turning = deck.model.turning_nodes()
+    rigid = {node for group in deck.groups for node in group.nodes}
+    return bool((slaves & turning) - rigid) and deck.nodes_of_surface(master, place) <= turning
+
+
+def refuse_late(deck: AbaqusDeck, block: Block) -> None:
+    """Contact that begins in a later step."""
+    if block.step > 1:
+        deck.ledger.refuse(f"{block.keyword}.step", block.place, "contact that begins in a later step", "it acts from the start")
+
+
+def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
+    """slave, master; one alone touches itself."""
+    if not block.option("INTERACTION"):
+        raise BadInput(block.place, "*CONTACT PAIR has no INTERACTION (it says how the surfaces touch): add the name of a *SURFACE INTERACTION")
+    friction = deck.friction(block.option("INTERACTION"), block.place)
+    if block.option("OP") == "DELETE":
+        deck.ledger.refuse("CONTACT PAIR.OP", block.place, "contact that ends with a step", "it goes on")
+        return
+    for line in block.lines:
+        add_pair(deck, block, line, friction)
+
+
+def add_pair(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], friction: float | None) -> None:
+    """friction: none: that of general contact."""
+    place = block.at(line[0])
+    first, second = block.text(line, 0), block.text(line, 1)
+    if is_profile(deck, first):
+        first, second = second, first
+    if is_profile(deck, second):
+        note_wall_pair(deck, block, (first, second), place, friction)
+        return
+    a = name_side(deck, block, first, place)
+    b = name_side(deck, block, second, place) if second else a
+    if not a or not b:
+        deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
+        return
+    pair = {"a": a, "b": b, **({} if friction is None else {"friction": friction})}
+    if pair in deck.pairs:
+        return  # again in a later step
+    refuse_late(deck, block)
+    deck.pairs.append(pair)
+    deck.contact_names[(first.upper(), (second or first).upper())] = (a, b)
+    deck.ledger.translated(block.keyword, place, "contact.surfaces")
+
+
+def name_side(deck: AbaqusDeck, block: Block, name: str, place: Place) -> str:
+    """A surface of contact; one of nodes alone stands for the faces that have them."""
+    if not deck.is_of_nodes(name):
+        return deck.surface_name(name, place, of_contact=True)
+    faces = deck.faces_of_nodes(name, place)
+    if not faces:
+        deck.ledger.refuse(f"{block.keyword}.nodes", place, f"contact of the nodes of '{clip(name)}', which no face has", INSTEAD)
+        return ""
+    deck.ledger.approximated(block.keyword, place, "a surface of nodes is that of the faces between them")
+    return faces
+
+
+def note_wall_pair(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float | None) -> None:
+    """A surface before an analytical one."""
+    name = deck.surface_name(names[0], place, of_contact=True) if names[0] and not deck.is_of_nodes(names[0]) else ""
+    if names[0] and deck.is_of_nodes(names[0]):
+        nodes = sorted(deck.nodes_of_surface(names[0], place) & deck.used_nodes())
+        name = deck.model.add_node_set(names[0], nodes) if nodes else ""
+    if not name:
+        deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
+        return
+    pair = (names[1].strip().strip('"').upper(), name, friction)
+    if pair not in deck.wall_pairs:
+        refuse_late(deck, block)
+        deck.wall_pairs.append(pair)
+    deck.ledger.translated(block.keyword, place, "walls.N.nodes")
+
+
+def read_inclusions(deck: AbaqusDeck, block: Block) -> None:
+    """*CONTACT INCLUSIONS: everything, or pairs."""
+    if "ALL EXTERIOR" in block.options:
+        if not deck.is_whole:
+            refuse_late(deck, block)
+        deck.is_whole = True
+        deck.ledger.translated("CONTACT INCLUSIONS", block.place, "contact.surfaces: all")
+        return
+    for line in block.lines:
+        if not block.text(line, 0) and not block.text(line, 1):
+            deck.is_whole = True
+        elif not block.text(line, 0) or block.text(line, 1).upper() == block.text(line, 0).upper():
+            add_pair(deck, block, (line[0], [block.text(line, 1)]), None)
+        elif block.text(line, 1):
+            add_pair(deck, block, line, None)
+        else:
+            deck.ledger.refuse("CONTACT INCLUSIONS.exterior", block.at(line[0]), "contact of one surface with everything", "everything touches everything")
+            deck.is_whole = True
+
+
+def read_exclusions(deck: AbaqusDeck, block: Block) -> None:
+    """*CONTACT EXCLUSIONS: pairs of general contact that do not touch; one alone does not touch itself."""
+    parts = {part.name for part in deck.model.blocks}
+    for line in block.lines:
+        place = block.at(line[0])
+        names = [block.text(line, 0), block.text(line, 1)]
+        if not any(names):
+            continue
+        sides = [name_side(deck, block, name, place) for name in names if name]
+        if not all(sides):
+            deck.ledger.ignored(block.keyword, place, "its surfaces have no element")
+        elif not parts.issuperset(sides):
+            deck.ledger.refuse(block.keyword, place, "an exclusion of surfaces that are not whole parts", "they touch")
+        else:
+            deck.excluded += [frozenset(sides)] if names[0] else [frozenset({sides[0], part}) for part in parts]
+            deck.ledger.translated(block.keyword, place, "contact.surfaces without these pairs of parts")
+
+
+def read_property(deck: AbaqusDeck, block: Block) -> None:
+    """*CONTACT PROPERTY ASSIGNMENT: blank, blank, interaction for all."""
+    for line in block.lines:
+        place = block.at(line[0])
+        if not any(line[1]):
+            continue
+        friction = deck.friction(block.text(line, 2), place)
+        if not block.text(line, 0) and not block.text(line, 1):
+            deck.whole_friction = friction
+            deck.ledger.translated(block.keyword, place, "contact.friction")
+        else:
+            assign_friction(deck, block, (block.text(line, 0), block.text(line, 1)), place, friction)
+
+
+def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
+    """That of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
+    if not names[1]:
+        names = ("", names[0])
+    if any(is_profile(deck, name) for name in names if name):
+        deck.ledger.refuse(block.keyword, place, "a friction of one pair with an analytical surface", "that of all is used")
+        return
+    sides = [deck.surface_name(name, place, of_contact=True) for name in reversed(names) if name]
+    if not all(sides):
+        deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
+        return
+    row = dict(zip("ab", sides))
+    others = [r for r in deck.pair_frictions if {r["a"], r.get("b")} != {row["a"], row.get("b")}]
+    deck.pair_frictions = [{**row, "friction": friction}, *others]
+    deck.ledger.translated(block.keyword, place, "contact.friction.pairs")
+
+
+def read_surface_property(deck: AbaqusDeck, block: Block) -> None:
+    """*SURFACE PROPERTY ASSIGNMENT: thicknesses, offsets and edges of general contact."""
+    kind = block.option("PROPERTY")
+    if kind == "FEATURE EDGE CRITERIA":
+        deck.ledger.approximated(block.keyword, block.place, "percuss chooses the edges that touch: those of more than 30 degrees, and rims of shells")
+        return
+    plain = {"THICKNESS": ("", "ORIGINAL", "THINNING"), "OFFSET FRACTION": ("", "ORIGINAL")}.get(kind, ())
+    for line in block.lines:
+        factor = block.number(line, 2, 1.0) if kind == "THICKNESS" else 1.0
+        if block.text(line, 1).upper() not in plain or factor != 1:
+            text = f"{clip(kind) or 'a property'} {clip(block.text(line, 1))} of a surface in contact"
+            deck.ledger.refuse(block.keyword, block.at(line[0]), text, "shells touch at half their thickness")
+            return
+    deck.ledger.ignored(block.keyword, block.place, "shells touch at half their thickness here too")
+
+
+def finish_contact(deck: AbaqusDeck) -> None:
+    section = deck.model.deck.setdefault("contact", {})
+    pairs = list(deck.pairs)
+    if deck.is_whole and deck.excluded:
+        pairs += list_rest(deck)
+    elif deck.is_whole and pairs:
+        pairs.append({"a": "all", "b": "all"})
+    if deck.is_whole or pairs:
+        section["surfaces"] = pairs or "all"
+        if deck.whole_friction and not all("friction" in pair for pair in pairs or [{}]):
+            section["friction"] = deck.whole_friction
+    elif "ties" in section:
+        section["surfaces"] = "none"
+    else:
+        del deck.model.deck["contact"]
+    if deck.pair_frictions and deck.model.deck.get("contact") and section["surfaces"] != "none":
+        section["friction"] = {"default": section.get("friction", 0.0), "pairs": deck.pair_frictions}
+
+
+def list_rest(deck: AbaqusDeck) -> list[Deck]:
+    """General contact as pairs of parts, without those that are excluded."""
+    names = [part.name for part in deck.model.blocks]
+    pairs = [pair for pair in combinations_with_replacement(names, 2) if frozenset(pair) not in deck.excluded]
+    if len(pairs) > MOST_PAIRS:
+        raise BadInput(deck.steps[0].place, f"general contact with exclusions makes {len(pairs)} pairs of parts (at most {MOST_PAIRS}): name the pairs that touch")
+    return [{"a": a, "b": b} for a, b in pairs]

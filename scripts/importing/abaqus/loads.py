@@ -1,0 +1,204 @@
+"""*CLOAD, *DLOAD, *DSLOAD: forces, pressures and gravity, in each step."""
+
+from collections.abc import Callable
+
+from ..fields import clip
+from ..ledger import BadInput, Place
+from ..model import Deck
+from .conditions import AXES, refuse_other_axes
+from .deck import AbaqusDeck
+from .lines import Block
+from .timeline import LOAD, Action, join_loads, values_of
+
+LEFT_OUT = "it is left out"
+BODY_FORCES = {"BX": 0, "BY": 1, "BZ": 2}
+
+Line = tuple[int, list[str]]
+
+
+def renew(deck: AbaqusDeck, block: Block) -> None:
+    """OP=NEW ends the loads of this kind of the steps before."""
+    if block.option("OP") == "NEW" and (block.keyword, block.step) not in deck.renewed:
+        deck.loads.stop([target for target in deck.loads.windows if target[0] == block.keyword], deck.step_of(block).start)
+        deck.renewed.add((block.keyword, block.step))
+
+
+def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple, value: float, emit: Callable) -> None:
+    """From this step on, in place of the same load of a step before; several of one step add up."""
+    place = block.at(line[0])
+    points = deck.values_in_step(block, place, value)
+    if points is None:
+        return
+    start = deck.step_of(block).start
+    number = 0
+    while any(window.start == start for window in deck.loads.windows.get((block.keyword, *key, number), [])):
+        number += 1
+    target = (block.keyword, *key, number)
+    deck.loads.act(target, Action(LOAD, start, tuple(points), place))
+    deck.load_writers.setdefault(target, emit)
+
+
+def finish_loads(deck: AbaqusDeck) -> None:
+    """Each load with its values over the run."""
+    for target, emit in deck.load_writers.items():
+        windows = deck.loads.windows.get(target)
+        if windows:
+            place = windows[0].action.place
+            emit(values_of(join_loads(windows, deck.end_time), place, deck.end_time))
+
+
+def list_loads(deck: AbaqusDeck, kind: str) -> list[Deck]:
+    return deck.model.deck.setdefault("loads", {}).setdefault(kind, [])
+
+
+def read_node_force(deck: AbaqusDeck, block: Block) -> None:
+    """*CLOAD: node or set, dof, magnitude."""
+    renew(deck, block)
+    if "FOLLOWER" in block.options:
+        deck.ledger.refuse("CLOAD.FOLLOWER", block.place, "follower forces", LEFT_OUT)
+        return
+    for line in block.lines:
+        name, place, dof = block.text(line, 0), block.at(line[0]), block.integer(line, 1)
+        nodes = deck.nodes_of(name, place)
+        if not 1 <= dof <= 6:
+            deck.ledger.refuse("CLOAD.dof", place, f"a load on direction {dof} of '{clip(name)}'", LEFT_OUT)
+            continue
+        refuse_other_axes(deck, nodes, place)
+        refs = [node for node in nodes if node in deck.group_of_ref]
+        free = [node for node in nodes if node not in deck.group_of_ref]
+        used = [node for node in free if node in deck.used_nodes()]
+        if len(used) < len(free):
+            deck.ledger.refuse("CLOAD.free", place, f"a load on nodes without elements ('{clip(name)}')", "these have no load")
+        for ref in refs:
+            act(deck, block, line, (f"node {ref}", dof), block.number(line, 2), write_body_load(deck, ref, dof, place))
+        if used:
+            act(deck, block, line, (name.upper(), dof), block.number(line, 2), write_node_load(deck, name, used, dof, place))
+
+
+def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, place: Place) -> Callable:
+    def write(value: "float | Deck") -> None:
+        if dof > 3 and not set(nodes) <= deck.model.turning_nodes():
+            deck.ledger.refuse("CLOAD.moment", place, f"a moment on nodes that have no rotations ('{clip(name)}')", LEFT_OUT)
+            return
+        kind = "force" if dof <= 3 else "moment"
+        given = deck.node_set_name(name, place)
+        list_loads(deck, "nodal").append({"nodes": given, kind: {AXES[(dof - 1) % 3]: value}})
+        deck.ledger.translated("CLOAD", place, "loads.nodal")
+
+    return write
+
+
+def write_body_load(deck: AbaqusDeck, ref: int, dof: int, place: Place) -> Callable:
+    def write(value: "float | Deck") -> None:
+        group = deck.group_of_ref[ref]
+        if not group.name:
+            deck.ledger.refuse("CLOAD.wall", place, "a load on an analytical surface that is held or moved", "it has no effect")
+            return
+        kind = "force" if dof <= 3 else "moment"
+        at = {"at": list(deck.mesh.nodes[ref])} if dof <= 3 else {}
+        list_loads(deck, "nodal").append({"body": group.name, **at, kind: {AXES[(dof - 1) % 3]: value}})
+        deck.ledger.translated("CLOAD", place, "loads.nodal on a body, at its reference node")
+
+    return write
+
+
+def read_distributed(deck: AbaqusDeck, block: Block) -> None:
+    """*DLOAD of elements, *DSLOAD of surfaces."""
+    renew(deck, block)
+    for line in block.lines:
+        label = block.text(line, 1).upper()
+        if label == "GRAV":
+            read_gravity(deck, block, line)
+        elif block.keyword == "DSLOAD" and label in ("P", "TRVEC"):
+            read_surface_load(deck, block, line, label)
+        elif block.keyword == "DLOAD" and label[:1] == "P" and label[1:] in ("", "1", "2", "3", "4", "5", "6"):
+            read_element_pressure(deck, block, line, label)
+        elif block.keyword == "DLOAD" and label in BODY_FORCES:
+            read_body_force(deck, block, line, BODY_FORCES[label])
+        else:
+            key = f"{block.keyword}.{clip(label) or 'blank'}"
+            deck.ledger.refuse(key, block.at(line[0]), f"a distributed load {clip(label)}", LEFT_OUT)
+
+
+def covers_all(deck: AbaqusDeck, name: str, place: Place) -> bool:
+    """Whether a load on elements is one on the whole mesh."""
+    if not name:
+        return True
+    ids = set(deck.elements_of(name, place))
+    return all(id in ids for block in deck.model.blocks for id, _ in block.elements())
+
+
+def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: list[float], what: str) -> None:
+    def write_one(direction: int, name: str) -> Callable:
+        def write(value: "float | Deck") -> None:
+            gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
+            if isinstance(gravity[direction], dict) or isinstance(value, dict) and gravity[direction] != 0:
+                raise BadInput(block.at(line[0]), "two accelerations along one axis, of which one changes (percuss has one): add them up")
+            gravity[direction] = value if isinstance(value, dict) else gravity[direction] + value
+            deck.ledger.translated(block.keyword, block.at(line[0]), what)
+
+        return write
+
+    for direction in range(3):
+        if axis[direction]:
+            key = (block.text(line, 1).upper(), block.text(line, 0).upper(), direction)
+            act(deck, block, line, key, size * axis[direction], write_one(direction, block.text(line, 0)))
+
+
+def read_gravity(deck: AbaqusDeck, block: Block, line: Line) -> None:
+    """Acceleration and its direction."""
+    axis = [block.number(line, i) for i in (3, 4, 5)]
+    length = sum(a * a for a in axis) ** 0.5
+    if length <= 0:
+        raise BadInput(block.at(line[0]), "the direction of gravity is zero: correct it")
+    if not covers_all(deck, block.text(line, 0), block.at(line[0])):
+        deck.ledger.refuse("DLOAD.GRAV", block.at(line[0]), "gravity on some of the elements", "it acts on all of them")
+    add_gravity(deck, block, line, block.number(line, 2), [a / length for a in axis], "loads.gravity")
+
+
+def read_body_force(deck: AbaqusDeck, block: Block, line: Line, direction: int) -> None:
+    """A force per volume: of one density it is an acceleration."""
+    densities = {part.density for part in deck.model.blocks}
+    if not covers_all(deck, block.text(line, 0), block.at(line[0])) or len(densities) != 1 or deck.mesh.masses:
+        text = "a force per volume on some of the elements, or on several densities or masses"
+        deck.ledger.refuse(f"DLOAD.{block.text(line, 1).upper()}", block.at(line[0]), text, LEFT_OUT)
+        return
+    axis = [float(d == direction) for d in range(3)]
+    add_gravity(deck, block, line, block.number(line, 2) / densities.pop(), axis, "loads.gravity: the force per volume over the density")
+
+
+def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str) -> None:
+    """P of shells pushes along their normal, P1 to P6 of solids into the face."""
+    place = block.at(line[0])
+    name = deck.add_faces(block.text(line, 0), label, place)
+    if not name:
+        deck.ledger.refuse(f"DLOAD.{clip(label)}", place, "a pressure on elements without such a face", LEFT_OUT)
+        return
+    add_pressure(deck, block, line, name, None)
+
+
+def read_surface_load(deck: AbaqusDeck, block: Block, line: Line, label: str) -> None:
+    place = block.at(line[0])
+    name = deck.surface_name(block.text(line, 0), place, of_contact=False)
+    if not name:
+        deck.ledger.ignored(block.keyword, place, "its surface has no element")
+        return
+    direction = None
+    if label == "TRVEC":
+        direction = [block.number(line, i) for i in (3, 4, 5)]
+        if not any(direction):
+            raise BadInput(place, "the direction of the traction is zero: correct it")
+        if block.option("FOLLOWER") != "NO":
+            deck.ledger.approximated("DSLOAD.TRVEC", place, "a traction in a fixed direction: it does not turn with its surface")
+    add_pressure(deck, block, line, name, direction)
+
+
+def add_pressure(deck: AbaqusDeck, block: Block, line: Line, name: str, direction: list[float] | None) -> None:
+    def write(value: "float | Deck") -> None:
+        entry: Deck = {"faces": name, "value": value}
+        if direction:
+            entry["direction"] = direction
+        list_loads(deck, "pressure").append(entry)
+        deck.ledger.translated(block.keyword, block.at(line[0]), "loads.pressure")
+
+    act(deck, block, line, (block.text(line, 1).upper(), block.text(line, 0).upper()), block.number(line, 2), write)
