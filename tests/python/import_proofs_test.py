@@ -151,6 +151,16 @@ def change(proof, line, index, texts, layout, value):
     return "\n".join(lines)
 
 
+def find_group(card):
+    """Cards whose lines of one layout are read by the same function: a field of one of them proves that of the others."""
+    contact = split_name(card) if card.startswith("CONTACT_") else None
+    if contact:
+        return f"CONTACT {FAMILIES[contact[0]]}"
+    if card.startswith(("MAT_", "EOS_", "SECTION_", "CONTROL_")):
+        return card
+    return next((name for table in (dyna.DEFINITIONS, dyna.ACTIONS) if (name := dyna.find_handler(table, card))), card)
+
+
 def find_unproven_fields():
     """Fields that no row names, that have no reason, and that an import does not refuse by name."""
     proven = {name for proof in TABLE for name in proof.list_proven()}
@@ -160,8 +170,9 @@ def find_unproven_fields():
         for number, proof in enumerate(keyword_decks):
             with layouts.watch(number):
                 read_in_process(proof, folder)
+        shared = {(find_group(card), row[-1], name) for (card, name), row in layouts.found.items() if f"{card}.{name}" in proven}
         for (card, name), (has_reason, number, line, index, texts, layout) in layouts.found.items():
-            if has_reason or f"{card}.{name}" in proven or f"{card}.{name}" in NOT_PHYSICS:
+            if has_reason or (find_group(card), layout, name) in shared or f"{card}.{name}" in NOT_PHYSICS:
                 continue
             proof = keyword_decks[number]
             for value in TRIALS:

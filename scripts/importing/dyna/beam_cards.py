@@ -66,7 +66,7 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
 
 def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
     """CST 0: a rectangle TS by TT; 1: a tube of these diameters."""
-    more = reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC")
+    more = reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC ITORM")
     s, s2, t, t2 = more.numbers("TS1", "TS2", "TT1", "TT2")
     more.finish(deck.ledger, "the nodes are in the middle of the section")
     if (s2 and s2 != s) or (t2 and t2 != t):
@@ -86,16 +86,17 @@ def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
 
 def make_general(deck: KeywordDeck, reader) -> Deck:
     """A ISS ITT J SA: resultants. s is y of percuss."""
-    more = reader.row("A ISS ITT J SA IST")
-    area, iss, itt, j, shear = more.numbers("A", "ISS", "ITT", "J", "SA")
+    more = reader.row("A ISS ITT J SA IST ITORM SAT")
+    area, iss, itt, j, shear, across = more.numbers("A", "ISS", "ITT", "J", "SA", "SAT")
     more.finish(deck.ledger, "it is left out")
     if min(area, iss, itt) <= 0:
         more.fail("A", "a positive area and positive moments of inertia are expected")
     shear = shear if shear > 0 else area * 5 / 6
-    deck.ledger.approximated("SECTION_BEAM", more.place, "shear areas of SA, or 5/6 of A; J of 0 is ISS + ITT")
+    across = across if across > 0 else shear
+    deck.ledger.approximated("SECTION_BEAM", more.place, "shear areas of SA and SAT, or 5/6 of A; J of 0 is ISS + ITT")
     return {
         "general": {"area": area, "inertia_y": iss, "inertia_z": itt, "torsion": j if j > 0 else iss + itt,
-                    "shear_area_y": shear, "shear_area_z": shear}
+                    "shear_area_y": shear, "shear_area_z": across}
     }  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """*CONTACT_...: pairs of surfaces and ties."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..fields import REASONS, Row
 from ..ledger import Place
@@ -103,7 +103,8 @@ def read_contact(deck: KeywordDeck, card: Card) -> None:
         deck.model.deck.setdefault("elements", {})["resist_folding"] = True
         deck.ledger.approximated(card.keyword, card.place, "elements.resist_folding, of all solids")
         return
-    reader = card.reader()
+    kinds = {TIE: "CONTACT_TIED", TRANSDUCER: "CONTACT_FORCE_TRANSDUCER"}
+    reader = replace(card, keyword=kinds.get(FAMILIES[family], "CONTACT")).reader()  # what its fields are called
     if not reader.skip_blank():
         return
     contact = read_cards(deck, card, reader, family, options)
@@ -150,7 +151,6 @@ def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
         if not reader:
             return
         row = reader.row(layout)
-        row.card = "CONTACT"
         row.finish(deck.ledger, "it is left out")
 
 
@@ -416,10 +416,14 @@ def read_defaults(deck: KeywordDeck, card: Card) -> None:
     if third.number("SFRIC") != third.number("DFRIC") and third.number("EDC") > 0:
         deck.ledger.approximated("CONTROL_CONTACT.DFRIC", third.place, "the static coefficient at all speeds")
     third.skip("DFRIC", "EDC")
-    if third.number("TH_SF") in (0.0, 1.0):
-        third.skip("TH_SF")
-    if first.integer("ENMASS") == 2:  # as percuss: eroded nodes stay and touch
-        first.skip("ENMASS")
+    if third.number("TH_SF") not in (0.0, 1.0):
+        deck.ledger.refuse("CONTROL_CONTACT.TH_SF", third.place, "TH_SF: a factor on the thickness of contact", "shells touch at half their own thickness")
+    if any(fourth.numbers("SPOTDEL", "SPOTHIN")):
+        text = "spot welds: where the thickness of contact overlaps it is without force, and a tie ends with its face"
+        deck.ledger.approximated("CONTROL_CONTACT.SPOTHIN", fourth.place, text)
+    if first.integer("ENMASS") == 1:
+        deck.ledger.approximated("CONTROL_CONTACT.ENMASS", first.place, "nodes of eroded shells stay in contact, too")
+    deck.keeps_eroded_nodes = first.integer("ENMASS") > 0
     for row in (first, second, third, fourth, fifth, sixth):
         row.finish(deck.ledger, "it is left out")
     if deck.usual_friction:
@@ -445,9 +449,19 @@ def finish_contacts(deck: KeywordDeck) -> None:
         del deck.model.deck["contact"]
     if deck.friction_by_part and "surfaces" in section:
         add_frictions(deck, section)
+    remove_eroded_nodes(deck)
     if len({c["friction"] for c in general}) > 1:
         place = next(iter(deck.parts.values())).place
         deck.ledger.approximated("CONTACT", place, "several contacts of everything: the friction of the first")
+
+
+def remove_eroded_nodes(deck: KeywordDeck) -> None:
+    """ENMASS 0: nodes whose elements are all eroded go out of the calculation. Otherwise they stay, as percuss has it."""
+    fails = any("failure" in law for law in deck.model.materials.values())
+    if fails and deck.contacts and not deck.keeps_eroded_nodes:
+        deck.model.deck["erosion"] = {"free_nodes": "remove"}
+        place = next(iter(deck.parts.values())).place
+        deck.ledger.translated("CONTROL_CONTACT.ENMASS", place, "erosion.free_nodes: remove, as ENMASS 0 has it")
 
 
 def add_frictions(deck: KeywordDeck, section: Deck) -> None:

@@ -57,17 +57,22 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
         factor = 0.9
     deck.model.deck.setdefault("time", {})["step_scale"] = factor
     limit_step(deck, row)
+    if row.number("TSLIMT") > 0:
+        deck.ledger.refuse("CONTROL_TIMESTEP.TSLIMT", card.place, "TSLIMT: shells that get softer where their step is short", "they keep their stiffness")
     step = row.number("DT2MS")
     if step:
         more.skip("DT2MSF")  # of no effect beside DT2MS
         scale_masses(deck, card, abs(step), bool(row.integer("MS1ST")), row)
-    more.skip("EMSCL", *([] if more.integer("IMSCL") else ["RMSCL"]))
+    if more.integer("IMSCL"):
+        deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling", "mass counts in all motions")
+    more.skip("EMSCL", "RMSCL")
     row.skip("MS1ST")
     if row.integer("ERODE") and deck.model.deck["time"].get("collapse_ratio", 0) == 0:
-        row.skip("ERODE")
         deck.ledger.ignored("CONTROL_TIMESTEP.ERODE", card.place, "no effect without DTMIN of *CONTROL_TERMINATION")
+    elif row.integer("ERODE"):
+        deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is below DTMIN", "the run ends there")
     row.finish(deck.ledger, "it is left out")
-    more.finish(deck.ledger, "mass is added to elements with a short step alone, as without it")
+    more.finish(deck.ledger, "it is left out")
     deck.ledger.translated(card.keyword, card.place, "time.step_scale")
 
 
@@ -160,7 +165,7 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.approximated("CONTROL_SHELL.ISTUPD", first.place, "the thickness of all shells follows their strain")
     if second.integer("INTGRD"):
         deck.ledger.approximated("CONTROL_SHELL.INTGRD", second.place, "Gauss points in place of Lobatto's")
-    if fourth.integer("NFAIL1") or fourth.integer("NFAIL4"):
+    if any(fourth.numbers("NFAIL1", "NFAIL4")):
         deck.erodes_folded_shells = True
         deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of all shells: one with a corner that has folded over is eroded")
         fourth.skip("PSNFAIL")

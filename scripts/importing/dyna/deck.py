@@ -176,10 +176,11 @@ class KeywordDeck:
         self.usual_friction = 0.0  # SFRIC of *CONTROL_CONTACT
         self.most_added_mass = 0.0  # ENDMAS: as a share; 0: no limit
         self.shell_form = 2  # THEORY: where a section says nothing
+        self.keeps_eroded_nodes = False  # ENMASS
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
-        self.detonations: list[Vector] = []
+        self.detonations: list[tuple[int, Vector, Place]] = []  # part or 0 for all, point
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
         self.springs: list[SpringElement] = []

@@ -33,13 +33,15 @@ def to_real(card: Card, number: int, text: str, what: str) -> float:
 
 def read_nodes(deck: KeywordDeck, card: Card) -> None:
     """NID X Y Z TC RC."""
+    change = card.change
     for line in card.lines:
         if not line[1].strip():
             continue
         texts = card.split(line, NODE_WIDTHS) + [""] * 6
         id = to_id(card, line[0], texts[0], "NID")
         x = tuple(to_real(card, line[0], texts[i], "XYZ"[i - 1]) for i in (1, 2, 3))
-        x = card.change.move(x)  # type: ignore[arg-type]
+        if change is not UNCHANGED:
+            x = change.move(x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
             raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places: renumber or remove one")
         deck.nodes[id] = x  # type: ignore[assignment]

@@ -147,6 +147,8 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     row.skip("SECID", "SHRF", "ICOMP")
     row.finish(deck.ledger)
     reference = more.number("NLOC")
+    if reference and deck.contact_at_offset:
+        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, "CNTCO: contact at the surfaces of shells with an offset", "they touch at half their thickness from the mesh")
     per_area = max(more.number("MAREA"), 0.0)
     if per_area:
         deck.ledger.translated("SECTION_SHELL.MAREA", more.place, "a higher density in a material of its own")

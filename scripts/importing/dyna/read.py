@@ -46,10 +46,13 @@ def read_title(deck: KeywordDeck, card: Card) -> None:
 def read_detonation(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
-        row = reader.row("PID X Y Z LT MMGSET~")
-        if row.number("LT"):
-            deck.ledger.refuse("INITIAL_DETONATION.LT", row.place, "a later time of detonation", "it is time 0")
-        deck.detonations.append(tuple(row.numbers("X", "Y", "Z")))  # type: ignore[arg-type]
+        row = reader.row("PID X Y Z LT MMGSET")
+        part, point = row.integer("PID"), tuple(row.numbers("X", "Y", "Z"))
+        if part < 0:
+            deck.ledger.refuse("INITIAL_DETONATION.PID", row.place, f"PID is {part}, a boundary of acoustic elements", "it is left out")
+            continue
+        row.finish(deck.ledger, "it detonates at time 0")
+        deck.detonations.append((part, point, row.place))  # type: ignore[arg-type]
 
 
 # Read at once. forms.py has what may follow a name.

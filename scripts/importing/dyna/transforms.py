@@ -79,7 +79,7 @@ class FileChange:
     def move(self, x: Vector) -> Vector:
         """A node of the file in the axes and units of the model."""
         length = self.factors[1]
-        return x if self == UNCHANGED else apply(self.transform, (x[0] * length, x[1] * length, x[2] * length))
+        return apply(self.transform, (x[0] * length, x[1] * length, x[2] * length))
 
     def mirrors(self) -> bool:
         rows = self.transform[0]

@@ -23,7 +23,8 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
 - each name of DEFINITIONS and ACTIONS of dyna/read.py, each keyword of abaqus/read.py and each of its options in KNOWN, but what
   NOT_PHYSICS of a module explains: {"TITLE": "a name"}, {"NSET.INTERNAL": "hides it in a user interface"};
-- each field of each layout that a deck of the table reaches. A field that no row names is set to 1, 2 and 7, one after the other, in such a
+- each field of each layout that a deck of the table reaches; a row for one of several cards that are read by one function is enough. A field
+  that no row names is set to 1, 2 and 7, one after the other, in such a
   deck: the import must refuse each, and name the field, unless its layout has a reason: `NAME~output`. Reasons are the keys of
   REASONS in scripts/importing/fields.py: add one there if none fits. A bare `NAME~` is one that nobody has audited.
 

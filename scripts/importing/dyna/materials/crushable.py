@@ -87,9 +87,9 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         law |= {"hysteretic_unloading": row.number("HU"), "unloading_shape": more.number("SHAPE") or 1.0}
     more.skip("SHAPE")
     tell_viscosity(deck, row, "DAMP")
-    if row.number("TC") >= law["youngs_modulus"] or row.number("TC") == 0:
-        row.skip("TC")
-        more.skip("FAIL")  # at TC
+    if 0 < row.number("TC") < law["youngs_modulus"]:
+        deck.ledger.refuse(f"{card.keyword}.TC", row.place, "TC: a limit of the tensile stress", "there is no limit")
+    more.skip("FAIL")  # what happens at TC
     row.finish(deck.ledger)
     more.finish(deck.ledger)
     finish_lines(deck, card, reader)

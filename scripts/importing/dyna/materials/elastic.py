@@ -1,6 +1,6 @@
 """Laws without yield: elastic, rubber, relaxation, fluids and explosives."""
 
-from ...model import Deck
+from ...model import Deck, Vector
 from ..cards import Card
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, limit_tension
@@ -31,8 +31,8 @@ def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         row.fail("K", "must be positive")
     row.skip("E", "PR")
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
-    if more.number("CP") >= bulk:
-        more.skip("CP")
+    if more.number("CP") < bulk:
+        deck.ledger.refuse(f"{card.keyword}.CP", more.place, "CP: a limit of tension", "there is no limit")
     row.finish(deck.ledger)
     more.finish(deck.ledger, "there is none")
     finish_lines(deck, card, reader)
@@ -117,19 +117,32 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
+def find_detonations(deck: KeywordDeck, material: int) -> list[Vector]:
+    """Points for the parts of an explosive: those of all parts, and those of the one part that is made of it."""
+    parts = {part.id for part in deck.parts.values() if part.material == material}
+    points = []
+    for part, point, place in deck.detonations:
+        if part in parts and len(parts) > 1:
+            deck.ledger.refuse("INITIAL_DETONATION.PID", place, "a point of one of several parts of an explosive", "all of them detonate from it")
+        if part == 0 or part in parts:
+            points.append(point)
+    return points
+
+
 def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     """*MAT_HIGH_EXPLOSIVE_BURN with *EOS_JWL and one *INITIAL_DETONATION."""
     row = card.reader().row("MID RO D PCJ BETA K G SIGY")
     row.skip("MID", "PCJ")
     if row.number("BETA") == 0:
         deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "programmed burn alone: compression does not ignite")
-    elif row.number("BETA") == 2:
-        row.skip("BETA")
-    if len(deck.detonations) != 1:
+    elif row.number("BETA") == 1:
+        deck.ledger.refuse(f"{card.keyword}.BETA", row.place, "BETA: burning by compression alone", "it burns from the point of detonation")
+    points = find_detonations(deck, row.integer("MID"))
+    if len(points) != 1:
         deck.ledger.refuse(
             "INITIAL_DETONATION",
             card.place,
-            f"{len(deck.detonations)} points of detonation (percuss takes one at time 0)",
+            f"{len(points)} points of detonation (percuss takes one at time 0)",
             "the parts made of it are left out",
         )
         return None
@@ -139,7 +152,7 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
             f"{card.keyword}.EOSID", card.place, "an explosive without *EOS_JWL", "the parts made of it are left out"
         )
         return None
-    state |= {"detonation_velocity": row.positive("D"), "detonation_point": list(deck.detonations[0])}
+    state |= {"detonation_velocity": row.positive("D"), "detonation_point": list(points[0])}
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
     row.finish(deck.ledger)
     return law

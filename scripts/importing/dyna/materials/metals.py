@@ -377,6 +377,8 @@ def power_law(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         offset = start or (law["youngs_modulus"] / strength) ** (1 / (exponent - 1))
     strains = [2.0 * (i / 30) ** 3 for i in range(31)]
     law["hardening"] = [[p, strength * (offset + p) ** exponent] for p in strains]
+    if start > 0.02:
+        law["hardening"][0][1] = start  # the offset may be too small for a number
     deck.ledger.approximated(card.keyword, card.place, "the power law by 31 rows up to a plastic strain of 2")
     add_rate(law, deck, card, row.number("SRC"), row.number("SRP"), more)
     more.skip("VP")

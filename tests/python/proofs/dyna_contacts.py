@@ -1,0 +1,99 @@
+"""Contacts and ties, with the friction of parts and controls."""
+
+from . import LAST, MIN, Proof
+from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, solid_section, two_cubes
+
+OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
+MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
+
+
+def slide(contact, *more, parts=("*PART", "")):
+    """A cube that falls on a held rigid floor and slides. parts: the keyword of both parts and lines behind them."""
+    word, line = parts
+    floor = hexahedron(2, 11, (-25.0, -25.0, -5.0), (60.0, 60.0, 4.99), 2) + f"{word}\nfloor\n2,1,2\n{line}" + rigid(2, 1, 7, 7)
+    return deck(hexahedron() + f"{word}\ncube\n1,1,1\n{line}" + solid_section() + elastic(), floor, MOVES, contact, OUTPUTS, *more, end=2e-5)
+
+
+def friction(history):
+    """Ratio of the changes of momentum along and across the floor."""
+    change = {axis: history[f"momentum_{axis}"][-1] - history[f"momentum_{axis}"][0] for axis in "xz"}
+    return change["x"] / change["z"] if change["z"] > 0.5 * CUBE_MASS * 1000.0 else 9.0
+
+
+def impulse(history):
+    """Of the first force of the history, over the change of momentum that it makes."""
+    column = history[next(name for name in history if name.startswith("fz:"))]
+    steps = [after - before for before, after in zip(history["time"], history["time"][1:])]
+    total = sum(force * step for force, step in zip(column[1:], steps))
+    return total / (history["momentum_z"][-1] - history["momentum_z"][0])
+
+
+def tied(contact, *more, gap=0.0, poisson=0.0):
+    """A cube above a held one begins to move away: if it is tied, its upper half swings."""
+    text = two_cubes(gap).replace(elastic(), elastic(poisson=poisson))
+    moves = "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,100.0\n0\n*CONTROL_BULK_VISCOSITY\n0.0,0.0\n*CONTROL_TIMESTEP\n0,0.1\n"
+    return deck(text, node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n", moves, contact, *more, end=2e-5, rows=200)
+
+
+HALF = 100.0 * CUBE_MASS / 2
+SETS = "*SET_PART_LIST\n1\n1\n*SET_PART_LIST\n2\n2\n"
+LIST = node_set(1, 1, 2, 3, 4) + "*SET_SEGMENT\n5\n1,2,3,4\n"
+REFUSED = {
+    "BT": ("0.3,0,0,0,0,0,1e-6\n\n", "birth"), "DT": ("0.3,0,0,0,0,0,0,1e-6\n\n", "birth"), "VC": ("0.3,0,0,9.0\n\n", "limit on the friction"),
+}  # fmt: skip
+PAIR = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n"
+
+PROOFS = [
+    Proof("CONTACT_AUTOMATIC_SINGLE_SURFACE; CONTACT: FS FD DC; CONTACT: SSID SSTYP",
+          slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.3,0.1\n\n"), [(friction, LAST, -0.3, 5e-2)], "friction over the normal impulse; FS, where DC is 0"),
+    Proof("CONTACT_AUTOMATIC_GENERAL_INTERIOR; CONTACT: FS", slide("*CONTACT_AUTOMATIC_GENERAL_INTERIOR\n0\n0.25\n\n"), [(friction, LAST, -0.25, 5e-2)], "as a single surface"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: SSID MSID SSTYP MSTYP FS FSF SFST SFMT",
+          slide(PAIR + "0.4\n0,0,0,0,0,0,0.5\n"), [(friction, LAST, -0.2, 5e-2)], "0.5 of 0.4; factors on thickness do nothing to solids"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: SSTYP MSTYP", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,2,2\n0.2\n\n", SETS), [(friction, LAST, -0.2, 5e-2)], "sets of parts"),
+    Proof("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE; CONTACT: SSTYP", slide("*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE\n5,2,0,3\n0.2\n\n", LIST), [(friction, LAST, -0.2, 5e-2)], "a set of segments"),
+    Proof("CONTACT_AUTOMATIC_NODES_TO_SURFACE; CONTACT: SSTYP FS", slide("*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,2,4,3\n0.2\n\n", LIST), [(friction, LAST, -0.2, 5e-2)], "a set of nodes"),
+    Proof("CONTACT_ERODING_SURFACE_TO_SURFACE; CONTACT: FS", slide("*CONTACT_ERODING_SURFACE_TO_SURFACE\n1,2,3,3\n0.2\n\n\n"), [(friction, LAST, -0.2, 5e-2)], "its fourth card is read"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR; CONTACT: FS", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR\n1,2,3,3\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "as without the option"),
+    Proof("CONTACT_AUTOMATIC_SINGLE_SURFACE; CONTACT: SSID SSTYP", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,3\n0.3\n\n"),
+          [("momentum_z", LAST, -1000.0 * CUBE_MASS, 1e-6)], "part 1 with itself alone: it falls through the floor"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: FS; PART_CONTACT: FS",
+          slide(PAIR + "-1.0\n\n", parts=("*PART_CONTACT", "0.35\n")), [(friction, LAST, -0.35, 5e-2)], "FS of the parts"),
+    Proof("CONTROL_CONTACT: SFRIC DFRIC EDC",
+          slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-1.0\n\n*CONTROL_CONTACT\n0.1\n\n0.15,0.1\n"), [(friction, LAST, -0.15, 5e-2)], "SFRIC of parts without *PART_CONTACT"),
+    Proof("CONTROL_CONTACT: SFRIC; PART_CONTACT: FS",
+          slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-1.0\n\n*CONTROL_CONTACT\n0.1\n\n0.3\n", parts=("*PART_CONTACT", "0.1\n")), [(friction, LAST, -0.1, 5e-2)],
+          "parts with a smaller FS keep it among each other"),
+    Proof("CONTACT_FORCE_TRANSDUCER: SSID SSTYP", slide(PAIR + "\n\n*CONTACT_FORCE_TRANSDUCER\n1,0,3\n\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the force makes the change of momentum"),
+    Proof("DATABASE_RCFORC: DT", slide(PAIR + "\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the force makes the change of momentum"),
+    *[Proof(f"CONTACT: {name}", slide(PAIR + lines), refused=words) for name, (lines, words) in REFUSED.items()],
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: SBOXID MBOXID", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3,7\n\n\n"), refused="contact in a box"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ORTHO_FRICTION", slide(PAIR.replace("FACE\n", "FACE_ORTHO_FRICTION\n") + "0.2\n\n0.1\n0.2\n0.1\n0.2\n"), refused="depends on the direction"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ORTHO_FRICTION; CONTACT: FS",
+          slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ORTHO_FRICTION\n1,2,3,3\n0.2\n\n0.1\n0.2\n0.1\n0.2\n"), [(friction, LAST, -0.2, 5e-2)], "FS in all directions", allow="CONTACT*"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_LUBRICATION", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_LUBRICATION\n1,2,3,3\n0.2\n\n\n"), refused="lubrication"),
+    Proof("CONTACT_SLIDING_ONLY", slide("*CONTACT_SLIDING_ONLY\n1,2,3,3\n0.2\n\n"), refused="this kind of contact"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: REGION", slide(PAIR + "0.2\n\n\n\n\n\n0,0,0,0,1.0,0,0,3\n"), refused="REGION"),
+    Proof("CONTACT_AUTOMATIC_BEAMS_TO_SURFACE",
+          deck(cube(), nodes((21, 0.0, 5.0, 11.0), (22, 10.0, 5.0, 11.0), (23, 0.0, 0.0, 30.0)), "*ELEMENT_BEAM\n9,2,21,22,23\n", part(2, 2),
+               "*SECTION_BEAM\n2,1,1.0,2,1\n1.0,1.0\n*CONTACT_AUTOMATIC_BEAMS_TO_SURFACE\n2,1,3,3\n\n\n"), refused="beams of percuss touch nothing"),
+    Proof("CONTROL_CONTACT: ENMASS", slide(PAIR + "\n\n").replace("*END", "*MAT_ADD_EROSION\n1\n0,0,0,1e-9\n*END"),
+          [("vanished_mass", LAST, CUBE_MASS, 1e-6)], "a cube that breaks at once: its nodes go out of the calculation"),
+    Proof("CONTROL_CONTACT: ENMASS", slide(PAIR + "\n\n*CONTROL_CONTACT\n0.1,0,1,0,1,0,1,2\n").replace("*END", "*MAT_ADD_EROSION\n1\n0,0,0,1e-9\n*END"),
+          [("eroded_mass", LAST, CUBE_MASS, 1e-6), (lambda h: float("vanished_mass" in h), LAST, 0.0, 0.0)], "with ENMASS 2 they stay"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: SSID MSID SSTYP MSTYP", tied("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n"), [("momentum_z", MIN, -HALF, 5e-2)],
+          "four tied nodes are at rest, the others swing"),
+    Proof("CONTACT_TIED_NODES_TO_SURFACE_OFFSET; CONTACT_TIED: SSID SSTYP SST MST",
+          tied("*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n7,1,4,3\n\n0,0,1.0,1.0\n", node_set(7, 11, 12, 13, 14), gap=1.0), [("momentum_z", MIN, -HALF, 5e-2)],
+          "nodes within 0.6 (SST + MST)"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: BT", tied("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n0,0,0,0,0,0,1e-6\n\n"), refused="begins during the run"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: DT", tied("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n0,0,0,0,0,0,0,1e-6\n\n"), refused="birth or death"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", tied("*CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE\n2,1,3,3\n\n\n1.0,1.0\n"), refused="ties that fail"),
+    Proof("CONTACT_TIEBREAK_SURFACE_TO_SURFACE; CONTACT_TIED: NFLS SFLS", tied("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n1.0,1.0\n"), [("failed_ties", LAST, 4.0, 0.0)],
+          "the stress of the start, rho c v of 4 MPa, breaks it"),
+    Proof("CONTACT_TIEBREAK_SURFACE_TO_SURFACE; CONTACT_TIED: NFLS SFLS", tied("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n90.0,90.0\n"), [("momentum_z", MIN, -HALF, 5e-2)],
+          "it holds"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS",
+          tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,90.0,90.0\n"), [("momentum_z", MIN, -HALF, 5e-2)], "it holds"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,90.0,90.0\n"), refused="ties that fail"),
+    Proof("CONTACT_TIEBREAK_NODES_TO_SURFACE", tied("*CONTACT_TIEBREAK_NODES_TO_SURFACE\n7,1,4,3\n\n\n90.0,90.0\n", node_set(7, 11, 12, 13, 14)), refused="ties that fail"),
+]  # fmt: skip

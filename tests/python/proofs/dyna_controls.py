@@ -1,0 +1,177 @@
+"""Sections, controls, outputs, springs and welds."""
+
+import math
+
+from . import ALL, FIRST, LAST, MAX, Proof
+from .dyna_laws import BULK, END, FOLLOW, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, led, stretched, stretched_shell
+from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell, shell_section, square, two_cubes, velocity
+
+STEEL = elastic(1, DENSITY, YOUNG, POISSON)
+SPEED = math.sqrt(STIFF / DENSITY)
+PLATE_MASS = DENSITY * 100.0
+
+
+def plate(section, more=""):
+    return deck(square(), more, part(), section, elastic(), velocity(100.0))
+
+
+def triangle(section):
+    return deck(nodes((1, 0.0, 0.0, 0.0), (2, 10.0, 0.0, 0.0), (3, 0.0, 10.0, 0.0)), "*ELEMENT_SHELL\n1,1,1,2,3,3\n", part(), section, elastic(), velocity(100.0))
+
+
+def beam(section, *more, law="", end=1e-5):
+    """A beam of 10 mm along x, with its third node along z."""
+    return deck(nodes((1, 0.0, 0.0, 0.0), (2, 10.0, 0.0, 0.0), (3, 0.0, 0.0, 10.0)), "*ELEMENT_BEAM\n1,1,1,2,3\n", part(), section, law or STEEL, *more, end=end)
+
+
+FLYING = velocity(100.0)
+BEAM_OUT = "*DATABASE_HISTORY_BEAM\n1\n*DATABASE_ELOUT\n1e-5\n"
+PULLED = "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,0,1,1,1,1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,1,2,7\n" + curve(7, (0.0, 0.0), (END, 0.1)) + BEAM_OUT
+TURN = 0.002  # of each end of the beam, against each other
+BENT = ("*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,{y},{z}\n2,0,1,1,1,1,{y},{z}\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,{d},0,7,-1.0\n2,{d},0,7,1.0\n"
+        + curve(7, (0.0, TURN / END), (1.0, TURN / END)) + BEAM_OUT)  # fmt: skip
+ABOUT_Y, ABOUT_Z = BENT.format(y=0, z=1, d=6), BENT.format(y=1, z=0, d=7)
+
+
+TWISTED = BENT.format(y=1, z=1, d=5).replace("1,0,1,1,1,1,1,1", "1,0,1,1,1,0,1,1").replace("2,0,1,1,1,1,1,1", "2,0,1,1,1,0,1,1")
+
+
+def magnitude(name):
+    return lambda history: abs(history[name][-1])
+
+
+def largest_moment(history):
+    return max(abs(history[f"element_1_moment_{axis}"][-1]) for axis in "yz")
+
+
+AXIAL = "element_1_axial_force"
+
+
+def weld(card, direction, *more, keyword="SPOTWELD"):
+    """A node of a cube, welded to one of a held cube, is pulled by a force that grows by 1e6 N/s: it does not move, the weld carries it all."""
+    load = f"*LOAD_NODE_POINT\n11,{direction},7,1.0\n" + curve(7, (0.0, 0.0), (1.0, 1e6))
+    flying = hexahedron(3, 31, (50.0, 0.0, 0.0), of=3) + part(3) + "*INITIAL_VELOCITY_GENERATION\n3,2,0,1000.0,0,0\n0\n"  # so that something moves
+    return deck(two_cubes(), flying, node_set(1, *range(1, 9)), f"*BOUNDARY_SPC_SET\n1,0,1,1,1\n*CONSTRAINED_{keyword}\n{card}\n", load, *more, end=1e-4, rows=1000)
+
+
+def flying_weld(card):
+    """Two cubes that fly as one."""
+    return deck(two_cubes(), velocity(100.0), f"*CONSTRAINED_{card}\n", end=1e-4, rows=1000)
+
+
+def failure_time(history):
+    return next((time for time, count in zip(history["time"], history["welds_failed"]) if count > 0), 0.0)
+
+
+def spring(card, material, *more):
+    """Two held cubes, 5 mm apart, of which the second moves away by 0.1 mm; a spring between nodes 5 and 11."""
+    held = node_set(1, *range(1, 9)) + node_set(2, *range(11, 19)) + "*BOUNDARY_SPC_SET\n1,0,1,1,1\n2,0,1,1,0\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,2,7\n"
+    return deck(two_cubes(5.0), held, curve(7, (0.0, 0.0), (END, 0.1)), f"*ELEMENT_DISCRETE\n{card}\n*PART\nspring\n5,5,5\n*SECTION_DISCRETE\n5\n{material}\n*DATABASE_DEFORC\n1e-5\n",
+                *more, end=END)  # fmt: skip
+
+
+FORCE = "spring_force:spring_9"
+
+
+def impulse_of(column):
+    """The impulse of a force over the change of momentum."""
+
+    def find(history):
+        steps = [after - before for before, after in zip(history["time"], history["time"][1:])]
+        total = sum(force * step for force, step in zip(history[column][1:], steps))
+        return total / (history["momentum_z"][-1] - history["momentum_z"][0])
+
+    return find
+
+
+def thinning_energy(ratio):
+    """Work on a shell that is stretched equally by ln(ratio), whose thickness falls by 2 nu / (1 - nu) of the strain."""
+    strain, rate = math.log(ratio), 2 - 2 * POISSON / (1 - POISSON)
+    modulus = YOUNG / (1 - POISSON)
+    return 100.0 * 2 * modulus * ((strain / rate - 1 / rate**2) * math.exp(rate * strain) + 1 / rate**2)
+
+
+SECTIONS = [
+    Proof("SECTION_SHELL: SECID T1; PART: SECID", plate(shell_section(1, 1.5)), [("momentum_x", FIRST, 150.0 * PLATE_MASS, 1e-9)], "mass of the thickness"),
+    Proof("SECTION_SHELL: T1 T2 T3 T4", plate("*SECTION_SHELL\n1,2\n1.0,2.0,3.0,4.0\n"), [("momentum_x", FIRST, 250.0 * PLATE_MASS, 1e-9)], "the mean of the corners"),
+    Proof("SECTION_SHELL: T1 T2 T3 T4", triangle("*SECTION_SHELL\n1,2\n1.0,2.0,3.0,4.0\n"), [("momentum_x", FIRST, 200.0 * PLATE_MASS / 2, 1e-9)], "of the three corners"),
+    Proof("SECTION_SHELL: MAREA", plate("*SECTION_SHELL\n1,16\n1.0,1.0,1.0,1.0,0,1e-8\n"), [("momentum_x", FIRST, 100.0 * (PLATE_MASS + 1e-6), 1e-9)], "mass per area"),
+    Proof("SECTION_SHELL: MAREA", deck(square(), square(2, 11, (50.0, 0.0, 0.0)).replace(",1,11", ",1,11"), part(), "*SECTION_SHELL\n1,2\n1.0,1.0,1.0,3.0,0,1e-8\n", elastic(), velocity(100.0)),
+          [("momentum_x", FIRST, 100.0 * (3.0 * PLATE_MASS + 2e-6), 1e-9)], "beside a thickness by corner"),
+    Proof("SECTION_SHELL: NIP ICOMP ELFORM SHRF", stretched_shell(STEEL, 1.01).replace("1,2,1.0,2\n1.0,1.0,1.0,1.0", "1,16,0.8333,3,0,0,1\n1.0,1.0,1.0,1.0\n0.0,45.0,90.0"),
+          [("element_1_stress_xx", LAST, YOUNG / (1 - POISSON) * math.log(1.01), 2e-3)], "angles of layers turn nothing; their lines are read"),
+    Proof("SECTION_SHELL: ELFORM", plate("*SECTION_SHELL\n1,12\n1.0,1.0,1.0,1.0\n"), refused="formulation 12"),
+    Proof("SECTION_SHELL_MISC", plate("*SECTION_SHELL_MISC\n1,2\n1.0,1.0,1.0,1.0\n2.0\n"), refused="MISC"),
+    Proof("SECTION_BEAM: SECID ELFORM CST TS1 TT1", beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.0,3.0,3.0\n", FLYING), [("momentum_x", FIRST, 100.0 * DENSITY * 60.0, 1e-9)], "a rectangle of 2 by 3"),
+    Proof("SECTION_BEAM: CST TS1 TT1", beam("*SECTION_BEAM\n1,1,1.0,2,1\n4.0,4.0,2.0,2.0\n", FLYING), [("momentum_x", FIRST, 100.0 * DENSITY * 10.0 * math.pi * 3, 1e-9)], "a tube of diameters 4 and 2"),
+    Proof("SECTION_BEAM: NSM", beam("*SECTION_BEAM\n1,1,1.0,2,0,0,1e-8\n2.0,2.0,3.0,3.0\n", FLYING), [("momentum_x", FIRST, 100.0 * (DENSITY * 60.0 + 1e-7), 1e-9)], "mass per length"),
+    Proof("SECTION_BEAM: ELFORM A", beam("*SECTION_BEAM\n1,3\n5.0\n", PULLED, end=END), [(AXIAL, LAST, YOUNG * 5.0 * math.log(1.01), 1e-2)], "E A ln(1.01)"),
+    Proof("SECTION_BEAM: A ITT; ELEMENT_BEAM: EID PID N1 N2 N3",
+          beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0\n", ABOUT_Y, end=END), [(largest_moment, LAST, YOUNG * 11.0 * 2 * TURN / 10.0, 1e-2)],
+          "s is along z, in the plane of N3: ends that turn about y, which is t, bend it with ITT"),
+    Proof("SECTION_BEAM: ISS", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0\n", ABOUT_Z, end=END),
+          [(largest_moment, LAST, YOUNG * 7.0 * 2 * TURN / 10.0, 1e-2)], "about z, which is s"),
+    Proof("SECTION_BEAM: J", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0\n", TWISTED, end=END),
+          [(magnitude("element_1_torque"), LAST, SHEAR * 13.0 * 2 * TURN / 10.0, 1e-2)], "G J times the twist"),
+    Proof("ELEMENT_BEAM_ORIENTATION: VX VY VZ",
+          beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.0,3.0,3.0\n", FLYING).replace("*ELEMENT_BEAM\n1,1,1,2,3\n", "*ELEMENT_BEAM_ORIENTATION\n1,1,1,2\n0,0,1.0\n"),
+          [("momentum_x", FIRST, 100.0 * DENSITY * 60.0, 1e-9)], "the vector in place of N3"),
+]  # fmt: skip
+
+CONTROLS = [
+    Proof("CONTROL_TERMINATION: ENDTIM", deck(cube(), velocity(100.0), end=3e-5), [("time", LAST, 3e-5, 1e-12)], "the end"),
+    Proof("CONTROL_TERMINATION: ENDCYC", deck(cube(), velocity(100.0)).replace("1e-05\n*DATABASE", "1e-05,4\n*DATABASE"), [("step", LAST, 4.0, 0.0)], "four steps"),
+    Proof("CONTROL_TIMESTEP: LCTM", deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n", curve(7, (0.0, 3e-7), (1.0, 2e-7))), [("dt", MAX, 2e-7, 1e-9)], "the least value of the curve"),
+    Proof("CONTROL_TIMESTEP: DT2MS MS1ST TSSFAC", deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.5,0,0,-9e-6,0,0,1\n", end=9e-5),
+          [("dt", MAX, 0.5 * 9e-6, 1e-3)], "TSSFAC of the step that DT2MS asks for"),
+    Proof("CONTROL_TIMESTEP: DT2MS; CONTROL_TERMINATION: ENDMAS",
+          deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.9,0,0,-9e-6\n").replace("1e-05\n*DATABASE", "1e-05,0,0,0,50.0\n*DATABASE"), refused="max_added"),
+    Proof("CONTROL_TIMESTEP: TSLIMT", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9,0,1e-6\n"), refused="TSLIMT"),
+    Proof("CONTROL_TIMESTEP: DT2MSF DT2MSLC IMSCL", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9\n0.5\n"), refused="DT2MSF"),
+    Proof("CONTROL_BULK_VISCOSITY: Q1 Q2", stretched(STEEL, 1 / UP, "*CONTROL_BULK_VISCOSITY\n0.0,0.3\n"),
+          [("viscous", LAST, 0.3 * DENSITY * SPEED * 10.0 * (STRAIN / END) * 1000.0 * (1 - 1 / UP), 5e-2)], "work of the pressure Q2 rho c L rate"),
+    Proof("CONTROL_SHELL: ISTUPD", stretched_shell(STEEL, 1.05, "*CONTROL_SHELL\n20.0,0,-1,1\n"), [("internal", LAST, thinning_energy(1.05), 5e-3)], "the thickness follows the strain"),
+    Proof("CONTROL_SHELL: W_MODE STRETCH", stretched_shell(STEEL, 1.05, "*CONTROL_SHELL\n\n\n0,0,0,0,0,10.0\n"), refused="W_MODE"),
+    Proof("CONTROL_SOLUTION: SOLN", deck(cube(), "*CONTROL_SOLUTION\n2\n"), refused="thermal"),
+    Proof("CONTROL_SOLID: PM1", deck(cube(), "*CONTROL_SOLID\n\n2,1,3,4,5,6,7,8,9,10\n"), refused="order of the nodes"),
+    Proof("CONTROL_RIGID: GJADSTF GJADVSC TJADSTF TJADVSC", deck(cube(), "*CONTROL_RIGID\n\n0,1.0\n"), refused="GJADSTF"),
+    Proof("CONTROL_FORMING_AUTOPOSITION_PARAMETER", deck(cube(), "*CONTROL_FORMING_AUTOPOSITION_PARAMETER\n1\n"), refused="parts stay where the deck has them"),
+    Proof("CONTROL_STAGED_CONSTRUCTION", deck(cube(), "*CONTROL_STAGED_CONSTRUCTION\n1\n"), refused="all parts act"),
+    Proof("CONTROL_MAT", deck(cube(), "*CONTROL_MAT\n1\n"), refused="the failure of all materials acts"),
+    Proof("CONTROL_START", deck(cube(), "*CONTROL_START\n1.0\n"), refused="time 0"),
+]  # fmt: skip
+
+OUTPUTS = [
+    Proof("DATABASE_CROSS_SECTION_PLANE: PSID XCT YCT ZCT XCH YCH ZCH; DATABASE_SECFORC: DT",
+          stretched(STEEL, 1.001, "*DATABASE_CROSS_SECTION_PLANE\n0,5.0,5.0,4.0,5.0,5.0,9.0\n\n*DATABASE_SECFORC\n1e-5\n"),
+          [("fz:section_1", LAST, STIFF * 0.001 * 100.0, 1e-2)], "stress times area"),
+    Proof("DATABASE_CROSS_SECTION_SET: NSID HSID",
+          stretched(STEEL, 1.001, "*SET_SOLID\n7\n1\n*DATABASE_CROSS_SECTION_SET\n1,7\n"), [("fz:section_1", LAST, STIFF * 0.001 * 100.0, 1e-2)], "what the element gives to its lower nodes"),
+    Proof("DATABASE_SPCFORC: DT", deck(cube(), node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n*LOAD_NODE_SET\n1,3,7,2.0\n*DATABASE_SPCFORC\n1e-7\n", curve(7, (0.0, 1.0), (1.0, 1.0))),
+          [("fz:supports", LAST, -16.0, 1e-9)], "what holds eight loads of 2 N"),
+    Proof("DATABASE_RWFORC: DT", deck(cube(), velocity(0, 0, -1000.0), "*RIGIDWALL_PLANAR_ID\n1,wall\n0\n0,0,-0.001,0,0,1.0\n*DATABASE_RWFORC\n1e-7\n"), [(impulse_of("fz:force_wall"), LAST, 1.0, 1e-6)], "force and momentum"),
+    Proof("DATABASE_HISTORY_NODE; DATABASE_NODOUT: DT", deck(cube(), velocity(100.0), "*DATABASE_HISTORY_NODE\n2\n*DATABASE_NODOUT\n1e-7\n"), [("node_2_x", LAST, 10.0 + 100.0 * 1e-5, 1e-9)], "v t"),
+    Proof("DATABASE_HISTORY_NODE_LOCAL", deck(cube(), velocity(100.0), "*DATABASE_HISTORY_NODE_LOCAL\n2,0,0,0\n"), [("node_2_x", LAST, 10.0 + 100.0 * 1e-5, 1e-9)], "v t, along global axes"),
+    Proof("DATABASE_HISTORY_BEAM", beam("*SECTION_BEAM\n1,3\n5.0\n", PULLED, end=END), [("element_1_stress_xx", LAST, YOUNG * math.log(1.01), 1e-2)], "E ln(1.01)"),
+    Proof("DATABASE_RBDOUT: DT", deck(cube("*MAT_RIGID\n1,7.8e-9,2.1e5,0.3\n0\n\n"), velocity(100.0), "*DATABASE_RBDOUT\n1e-7\n"), [("body_x:part_1", LAST, 5.0 + 100.0 * 1e-5, 1e-9)], "v t"),
+    Proof("DATABASE_MATSUM: DT", deck(two_cubes(), "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,100.0\n0\n*DATABASE_MATSUM\n1e-7\n"), [("momentum_z:part_2", ALL, 100.0 * CUBE_MASS, 1e-9)], "of one part"),
+    Proof("DATABASE_BINARY_D3PLOT: DT", deck(cube(), velocity(100.0), "*DATABASE_BINARY_D3PLOT\n2e-6\n"), [("momentum_x", LAST, 100.0 * CUBE_MASS, 1e-9)], "frames change nothing"),
+]  # fmt: skip
+
+SPRINGS = [
+    Proof("MAT_SPRING_ELASTIC: MID K; ELEMENT_DISCRETE: EID PID N1 N2 S; DATABASE_DEFORC: DT", spring("9,5,5,11,0,2.0", "*MAT_SPRING_ELASTIC\n5,30.0"), [(FORCE, LAST, 2 * 30.0 * 0.1, 1e-6)], "S K times 0.1"),
+    Proof("MAT_DAMPER_VISCOUS: MID DC", spring("9,5,5,11", "*MAT_DAMPER_VISCOUS\n5,0.2"), [(FORCE, LAST, 0.2 * 0.1 / END, 1e-2)], "DC times the speed"),
+    Proof("MAT_SPRING_NONLINEAR_ELASTIC: MID LCD", spring("9,5,5,11", "*MAT_SPRING_NONLINEAR_ELASTIC\n5,9", curve(9, (0.0, 0.0), (0.05, 4.0), (0.2, 10.0))), [(FORCE, LAST, 6.0, 1e-6)], "the curve at 0.1"),
+    Proof("MAT_SPRING_NONLINEAR_ELASTIC: LCR", spring("9,5,5,11", "*MAT_SPRING_NONLINEAR_ELASTIC\n5,9,8", curve(9, (0.0, 0.0), (0.2, 10.0))), refused="LCR"),
+    Proof("ELEMENT_DISCRETE: VID OFFSET", spring("9,5,5,11,3", "*MAT_SPRING_ELASTIC\n5,30.0"), refused="VID"),
+    Proof("SECTION_DISCRETE: DRO KD CL FD", spring("9,5,5,11", "*MAT_SPRING_ELASTIC\n5,30.0").replace("*SECTION_DISCRETE\n5\n", "*SECTION_DISCRETE\n5,1\n"), refused="torsional"),
+    Proof("CONSTRAINED_SPOTWELD: N1 N2 SN", weld("5,11,70.0,1e20", 3), [(failure_time, LAST, 7e-5, 3e-2), ("weld_normal:weld_1", MAX, 70.0, 3e-2)], "the force reaches SN"),
+    Proof("CONSTRAINED_SPOTWELD: N M", weld("5,11,70.0,1e20,1.0,1.0", 3), [(failure_time, LAST, 7e-5, 3e-2)], "alone, exponents change nothing"),
+    Proof("CONSTRAINED_SPOTWELD: TF", flying_weld("SPOTWELD\n5,11,0,0,0,0,6e-5"), [(failure_time, LAST, 6e-5, 3e-2)], "it fails at TF"),
+    Proof("CONSTRAINED_SPOTWELD: EP", weld("5,11,20.0,30.0,2,2,0,0.1", 3), refused="plastic strain"),
+    Proof("CONSTRAINED_RIVET: N1 N2 TF", flying_weld("RIVET\n5,11,6e-5"), [(failure_time, LAST, 6e-5, 3e-2)], "it fails at TF"),
+    Proof("CONSTRAINED_GENERALIZED_WELD_SPOT: NSID TFAIL SN SS N M", weld("9\n0,0,70.0,900.0,2.0,2.0", 3, node_set(9, 5, 11), keyword="GENERALIZED_WELD_SPOT"), [(failure_time, LAST, 7e-5, 3e-2)], "as of a spot weld"),
+    Proof("CONSTRAINED_GENERALIZED_WELD_SPOT: CID FILTER EPSF", weld("9,3\n", 3, node_set(9, 5, 11), keyword="GENERALIZED_WELD_SPOT"), refused="axes of its own"),
+]  # fmt: skip
+
+PROOFS = SECTIONS + CONTROLS + OUTPUTS + SPRINGS

@@ -1,0 +1,294 @@
+"""Materials: one element whose nodes are all led, so that its strain is known, and the stress that the law has at it."""
+
+import math
+
+from . import LAST, Proof
+from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, node_set, rigid, shell, velocity
+
+END = 1e-3
+SHEAR, BULK = 80000.0, 170000.0  # of E = 207457.6, nu = 0.29661
+YOUNG = 9 * BULK * SHEAR / (3 * BULK + SHEAR)
+POISSON = (3 * BULK - 2 * SHEAR) / (6 * BULK + 2 * SHEAR)
+E_NU = f"{YOUNG!r},{POISSON!r}"
+FOLLOW = "*DATABASE_HISTORY_SOLID\n1\n*DATABASE_ELOUT\n1e-5\n"
+ZZ, XX, XY, MISES, PRESSURE, EPS = (f"element_1_{name}" for name in ("stress_zz", "stress_xx", "stress_xy", "von_mises", "pressure", "eps"))
+
+
+def stretched(material, ratio, *more, path=(), rows=100):
+    """A cube of 10 mm whose top moves along z, all else held, until its height is 10 * ratio. path: times and displacements instead."""
+    points = path or ((0.0, 0.0), (END, 10.0 * (ratio - 1)))
+    return led(material, points, 3, more, rows)
+
+
+def sheared(material, angle, *more, points=()):
+    """Simple shear: the top moves along x."""
+    return led(material, points or ((0.0, 0.0), (END, 10.0 * angle)), 1, more)
+
+
+def led(material, points, direction, more, rows=100):
+    held = ",".join("0" if d == direction else "1" for d in (1, 2, 3))
+    return deck(cube(material), node_set(1, 1, 2, 3, 4), node_set(2, 5, 6, 7, 8), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n",
+                f"*BOUNDARY_SPC_SET\n2,0,{held}\n", f"*BOUNDARY_PRESCRIBED_MOTION_SET\n2,{direction},2,7\n", curve(7, *points), FOLLOW, *more,
+                end=END, rows=rows)  # fmt: skip
+
+
+def stretched_shell(material, ratio, *more):
+    """A square shell of 10 mm that is stretched equally along x and y."""
+    x, y = node_set(1, 2, 3), node_set(2, 3, 4)
+    return deck(shell(1.0, material), x, y, "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,0,1,1,1,1,1\n3,0,0,0,1,1,1,1\n4,0,1,0,1,1,1,1\n",
+                "*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,2,7\n2,2,2,7\n", curve(7, (0.0, 0.0), (END, 10.0 * (ratio - 1))),
+                "*DATABASE_HISTORY_SHELL\n1\n*DATABASE_ELOUT\n1e-5\n", *more, end=END)  # fmt: skip
+
+
+def plastic_strain(strain, yield_stress, hardening, shear=SHEAR):
+    """Uniaxial strain: the von Mises stress 2 G strain - 3 G p is the yield stress."""
+    return (2 * shear * strain - yield_stress) / (3 * shear + hardening)
+
+
+def mises(strain, yield_stress, hardening, shear=SHEAR):
+    return yield_stress + hardening * plastic_strain(strain, yield_stress, hardening, shear)
+
+
+def erosion_time(history):
+    """When the element is gone; 0: it is not."""
+    return next((time for time, count in zip(history["time"], history["eroded_elements"]) if count > 0), 0.0)
+
+
+def time_of(ratio_end, strain):
+    """When a cube that is stretched to ratio_end has a logarithmic strain."""
+    return END * (math.exp(strain) - 1) / (ratio_end - 1)
+
+
+UP = 1.02
+STRAIN = math.log(UP)
+HARDENING = YOUNG * 2000.0 / (YOUNG - 2000.0)  # of ETAN 2000
+RATE = STRAIN / END  # its mean
+STEP_OF_CUBE = 10.0 / math.sqrt((BULK + 4 / 3 * SHEAR) / DENSITY)
+
+
+def reversed_kinematic():
+    """von Mises stress after 2 % and back to 0, hardening kinematic."""
+    first = plastic_strain(STRAIN, 300.0, HARDENING)
+    top = 300.0 + HARDENING * first
+    back = (2 * SHEAR * STRAIN - 2 * 300.0) / (3 * SHEAR + HARDENING)
+    return top - 2 * SHEAR * STRAIN + 3 * SHEAR * back
+
+
+def cowper(rate, c, p):
+    return 1 + (2 / 3 * rate / c) ** (1 / p)
+
+
+def m24(line_2="0", strains="", stresses="", fail="0", etan="2000.0", tdel="0"):
+    return f"*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,{DENSITY!r},{E_NU},300.0,{etan},{fail},{tdel}\n{line_2}\n{strains or '0'}\n{stresses or '0'}\n"
+
+
+def table_stress(strain):
+    """von Mises stress where the table goes from 300 at 0 to 400 at 0.05."""
+    return mises(strain, 300.0, 2000.0)
+
+
+STATE = "*EOS_LINEAR_POLYNOMIAL\n1,0.0,170000.0,40000.0,90000.0\n0.0,1.0\n"
+WITH_STATE = ",1"
+
+
+def state_cube(material, ratio, *more):
+    text = stretched(material, ratio, *more)
+    return text.replace("*PART\npart_1\n1,1,1\n", "*PART\npart_1\n1,1,1,1\n")
+
+
+def polynomial(ratio):
+    mu = 1 / ratio - 1
+    return BULK * mu + 40000.0 * mu**2 + 90000.0 * mu**3
+
+
+LINES = {
+    "kinematic": lambda beta, line: f"*MAT_PLASTIC_KINEMATIC\n1,{DENSITY!r},{E_NU},300.0,2000.0,{beta}\n{line}\n",
+}
+
+METALS = [
+    Proof("MAT_ELASTIC: RO E PR MID; PART: PID SECID MID; BOUNDARY_PRESCRIBED_MOTION_SET: NSID DOF VAD LCID; DATABASE_ELOUT",
+          stretched(elastic(1, DENSITY, YOUNG, POISSON), 1.001),
+          [(ZZ, LAST, (BULK + 4 / 3 * SHEAR) * 0.001, 2e-3), (XX, LAST, (BULK - 2 / 3 * SHEAR) * 0.001, 2e-3)],
+          "uniaxial strain: K + 4/3 G along it, K - 2/3 G across it"),
+    Proof("MAT_ELASTIC: E PR; ELEMENT_SHELL: EID PID N1 N2 N3 N4; SECTION_SHELL: T1",
+          stretched_shell(elastic(1, DENSITY, YOUNG, POISSON), 1.01),
+          [(XX, LAST, YOUNG / (1 - POISSON) * math.log(1.01), 2e-3)],
+          "equal stretch in plane stress: E / (1 - nu)"),
+    Proof("MAT_PLASTIC_KINEMATIC: MID RO E PR SIGY ETAN BETA",
+          stretched(LINES["kinematic"]("1.0", "0"), UP),
+          [(MISES, LAST, mises(STRAIN, 300.0, HARDENING), 2e-3), (EPS, LAST, plastic_strain(STRAIN, 300.0, HARDENING), 2e-3)],
+          "2 G e - 3 G p = 300 + H p with H = E ETAN / (E - ETAN)"),
+    Proof("MAT_PLASTIC_KINEMATIC: BETA",
+          stretched(LINES["kinematic"]("0.0", "0"), 0, path=((0.0, 0.0), (END / 2, 0.2), (END, 0.0))),
+          [(MISES, LAST, abs(reversed_kinematic()), 5e-3)],
+          "after reversal it yields at twice the first yield stress below the largest stress"),
+    Proof("MAT_PLASTIC_KINEMATIC: SRC SRP VP",
+          stretched(f"*MAT_PLASTIC_KINEMATIC\n1,{DENSITY!r},{E_NU},300.0,0.0,1.0\n40.0,5.0,0.0,1.0\n", UP),
+          [(MISES, LAST, 300.0 * cowper(RATE / 1.01, 40.0, 5.0), 4e-3)],
+          "1 + (rate / C)^(1/P), the plastic rate is 2/3 of that of the strain"),
+    Proof("MAT_PLASTIC_KINEMATIC: FS",
+          stretched(LINES["kinematic"]("1.0", "0,0,0.008"), UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR)), 1e-2)],
+          "the plastic strain reaches 0.008"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: MID RO E PR SIGY ETAN",
+          stretched(m24(), UP), [(MISES, LAST, mises(STRAIN, 300.0, HARDENING), 2e-3)], "as of MAT_003"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: A B C D E F G H",
+          stretched(m24("0", "0.0,0.05", "300.0,400.0"), UP), [(MISES, LAST, table_stress(STRAIN), 2e-3)], "slope 2000 over plastic strain"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: LCSS",
+          stretched(m24("0,0,9"), UP, curve(9, (0.0, 300.0), (0.05, 400.0))), [(MISES, LAST, table_stress(STRAIN), 2e-3)], "the curve"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: C P VP",
+          stretched(m24("40.0,5.0,0,0,1", "0.0,0.05", "300.0,300.0"), UP),
+          [(MISES, LAST, 300.0 * cowper(RATE / 1.01, 40.0, 5.0), 4e-3)], "as of MAT_003"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: FAIL",
+          stretched(m24(fail="0.008"), UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR)), 1e-2)], "the plastic strain reaches 0.008"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: TDEL",
+          stretched(m24(tdel=repr(1.01 * STEP_OF_CUBE)), UP), [("eroded_elements", LAST, 1.0, 0.0)], "the element allows less than TDEL"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: FAIL", stretched(m24(fail="-0.008"), UP), refused="FAIL"),
+    Proof("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY: MID RO E PR SIGY ETAN FAIL TDEL EPSMAJ",
+          stretched(m24("0,0,0,0,0,0,0.012").replace("MAT_PIECE", "MAT_MODIFIED_PIECE"), UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, 0.012), 1e-2)], "the largest strain reaches 0.012"),
+    Proof("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY: EPSTHIN",
+          stretched_shell(m24("0,0,0,0,0,0.1").replace("MAT_PIECE", "MAT_MODIFIED_PIECE"), UP), refused="EPSTHIN"),
+    Proof("MAT_PLASTICITY_WITH_DAMAGE: MID RO E PR SIGY ETAN EPPF EPPFR",
+          stretched(f"*MAT_PLASTICITY_WITH_DAMAGE\n1,{DENSITY!r},{E_NU},300.0,2000.0,0.004\n0,0,0,0,0.02\n0\n0\n", UP),
+          [(lambda h: h[MISES][-1] / ((300.0 + HARDENING * h[EPS][-1]) * (1 - (h[EPS][-1] - 0.004) / 0.016)), LAST, 1.0, 1e-2)],
+          "the yield stress times 1 - damage, which grows from 0 at EPPF to 1 at EPPFR"),
+    Proof("MAT_PLASTICITY_WITH_DAMAGE: LCDM",
+          stretched(f"*MAT_PLASTICITY_WITH_DAMAGE\n1,{DENSITY!r},{E_NU},300.0,2000.0,0.004\n0,0,0,0,0.02,0,9\n", UP), refused="LCDM"),
+    Proof("MAT_ISOTROPIC_ELASTIC_PLASTIC: MID RO G SIGY ETAN BULK",
+          stretched(f"*MAT_ISOTROPIC_ELASTIC_PLASTIC\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,{BULK!r}\n", UP),
+          [(MISES, LAST, mises(STRAIN, 300.0, 2000.0), 2e-3), (PRESSURE, LAST, -BULK * STRAIN, 2e-3)], "ETAN is over plastic strain"),
+    Proof("MAT_ISOTROPIC_ELASTIC_FAILURE: MID RO G SIGY ETAN BULK EPF",
+          stretched(f"*MAT_ISOTROPIC_ELASTIC_FAILURE\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,{BULK!r}\n0.008\n", UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + 2000.0) + 300.0) / (2 * SHEAR)), 1e-2)], "the plastic strain reaches 0.008"),
+    Proof("MAT_ISOTROPIC_ELASTIC_FAILURE: PRF",
+          stretched(f"*MAT_ISOTROPIC_ELASTIC_FAILURE\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,{BULK!r}\n0,-2000.0\n", UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, 2000.0 / BULK), 1e-2)], "the tension K e reaches 2000"),
+    Proof("MAT_ISOTROPIC_ELASTIC_FAILURE: REM",
+          stretched(f"*MAT_ISOTROPIC_ELASTIC_FAILURE\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,{BULK!r}\n0.008,0,1\n", UP), refused="REM"),
+    Proof("MAT_ISOTROPIC_ELASTIC_FAILURE: TREM",
+          stretched(f"*MAT_ISOTROPIC_ELASTIC_FAILURE\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,{BULK!r}\n0,0,0,{1.01 * STEP_OF_CUBE!r}\n", UP),
+          [("eroded_elements", LAST, 1.0, 0.0)], "the element allows less than TREM"),
+    Proof("MAT_POWER_LAW_PLASTICITY: MID RO E PR K N SIGY",
+          stretched(f"*MAT_POWER_LAW_PLASTICITY\n1,{DENSITY!r},{E_NU},500.0,0.2\n300.0\n", UP),
+          [(lambda h: h[MISES][-1] / (500.0 * ((300.0 / 500.0) ** 5 + h[EPS][-1]) ** 0.2), LAST, 1.0, 1e-2),
+           (lambda h: h[MISES][-1] + 3 * SHEAR * h[EPS][-1], LAST, 2 * SHEAR * STRAIN, 2e-3)],
+          "K (e0 + p)^N with K e0^N = SIGY; 2 G e - 3 G p"),
+    Proof("MAT_POWER_LAW_PLASTICITY: SRC SRP EPSF VP",
+          stretched(f"*MAT_POWER_LAW_PLASTICITY\n1,{DENSITY!r},{E_NU},500.0,0.01,40.0,5.0\n300.0,1,0.006\n", UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.006 * 3 * SHEAR + 500.0 * 0.006**0.01 * cowper(RATE / 1.01, 40.0, 5.0)) / (2 * SHEAR)), 2e-2)],
+          "the plastic strain reaches EPSF; K p^N, scaled by the rate"),
+    Proof("MAT_SIMPLIFIED_JOHNSON_COOK: MID RO E PR VP A B N C EPSO",
+          stretched(f"*MAT_SIMPLIFIED_JOHNSON_COOK\n1,{DENSITY!r},{E_NU},1\n300.0,400.0,0.5,0.03,0,0,0,0.1\n", UP),
+          [(lambda h: h[MISES][-1] / ((300.0 + 400.0 * h[EPS][-1] ** 0.5) * (1 + 0.03 * math.log(2 / 3 * RATE / 1.02 / 0.1))), LAST, 1.0, 3e-3)],
+          "(A + B p^N) (1 + C ln(rate / EPSO))"),
+    Proof("MAT_SIMPLIFIED_JOHNSON_COOK: PSFAIL",
+          stretched(f"*MAT_SIMPLIFIED_JOHNSON_COOK\n1,{DENSITY!r},{E_NU}\n300.0,0.0,1.0,0.0,0.008\n", UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.008 * 3 * SHEAR + 300.0) / (2 * SHEAR)), 1e-2)], "the plastic strain reaches 0.008"),
+    Proof("MAT_SIMPLIFIED_JOHNSON_COOK: SIGMAX SIGSAT", stretched(f"*MAT_SIMPLIFIED_JOHNSON_COOK\n1,{DENSITY!r},{E_NU}\n300.0,0,1,0,0,400.0,500.0\n", UP),
+          refused="SIGMAX"),
+    Proof("MAT_SPOTWELD: MID RO E PR SIGY EH EFAIL",
+          stretched(f"*MAT_SPOTWELD\n1,{DENSITY!r},{E_NU},300.0,2000.0\n0.008\n", UP, rows=1000),
+          [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + 2000.0) + 300.0) / (2 * SHEAR)), 1e-2)], "EH is over plastic strain"),
+    Proof("MAT_SPOTWELD: DT", stretched(f"*MAT_SPOTWELD\n1,{DENSITY!r},{E_NU},300.0,2000.0,1e-5\n0\n", UP), refused="mass that is added to welds"),
+    Proof("MAT_SPOTWELD: TFAIL", stretched(f"*MAT_SPOTWELD\n1,{DENSITY!r},{E_NU},300.0,2000.0,0,1e-4\n0\n", UP), refused="welds that fail at a time"),
+    Proof("MAT_SPOTWELD: NRR NRS NRT MRR MSS MTT", stretched(f"*MAT_SPOTWELD\n1,{DENSITY!r},{E_NU},300.0,2000.0\n0,5.0\n", UP), refused="NRR"),
+    Proof("MAT_RIGID: RO", deck(cube(rigid()), velocity(100.0)), [("momentum_x", LAST, 100.0 * CUBE_MASS, 1e-6)], "mass of the part"),
+]  # fmt: skip
+
+STATES = [
+    Proof("MAT_ELASTIC_PLASTIC_HYDRO: MID RO G SIGY EH; EOS_LINEAR_POLYNOMIAL: EOSID C0 C1 C2 C3; PART: EOSID",
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0\n0\n0\n0\n0\n{STATE}", 1 / UP),
+          [(MISES, LAST, mises(STRAIN, 300.0, 2000.0), 3e-3), (PRESSURE, LAST, polynomial(1 / UP), 3e-3)], "C1 mu + C2 mu^2 + C3 mu^3"),
+    Proof("MAT_ELASTIC_PLASTIC_HYDRO: FS",
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-9e9,0.008\n0\n0\n0\n0\n{STATE}", UP, "") ,
+          [("eroded_elements", LAST, 1.0, 0.0)], "the plastic strain reaches 0.008; PC of -9e9 is none"),
+    Proof("MAT_ELASTIC_PLASTIC_HYDRO: PC",
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-900.0\n0\n0\n0\n0\n{STATE}", UP), refused="tension cutoff"),
+    Proof("MAT_JOHNSON_COOK: MID RO G A B N C EPSO VP; EOS_GRUNEISEN: EOSID C S1 GAMMA0",
+          state_cube(f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r},0,0,0,1\n300.0,400.0,0.5,0.03,1.0,1e9,300.0,0.1\n0\n0\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n1.0\n", 1 / UP),
+          [(lambda h: h[MISES][-1] / ((300.0 + 400.0 * h[EPS][-1] ** 0.5) * (1 + 0.03 * math.log(2 / 3 * RATE * 1.01 / 0.1))), LAST, 1.0, 5e-3),
+           (PRESSURE, LAST, DENSITY * 4.6e6**2 * (UP - 1) * UP / (UP - 1.5 * (UP - 1)) ** 2, 2e-2)],
+          "(A + B p^N) (1 + C ln(rate / EPSO)); Hugoniot pressure rho c^2 mu (1 + mu) / (1 - (S1 - 1) mu)^2, within the energy of 2 %"),
+    Proof("MAT_JOHNSON_COOK: M TM TR CP",
+          state_cube(f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r}\n300.0,0,1.0,0,1.0,310.0,300.0\n4.6e8\n0\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r}\n0,1\n", 1 / UP),
+          [(lambda h: h[MISES][-1] / (300.0 * math.exp(-300.0 * h[EPS][-1] / (DENSITY * 4.6e8) / 10.0)), LAST, 1.0, 1e-2)],
+          "plastic work heats: dT = stress dp / (rho CP), and the stress is A (1 - (T - TR) / (TM - TR))"),
+    Proof("MAT_JOHNSON_COOK: E PR",
+          stretched_shell(f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},0,{E_NU}\n9e9,0,1.0,0,1.0,1500.0,300.0\n0\n0\n", 1.01),
+          [(XX, LAST, YOUNG / (1 - POISSON) * math.log(1.01), 2e-3)], "elastic shells"),
+    Proof("MAT_JOHNSON_COOK: DMODEL", state_cube(f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r}\n300.0,0,1.0,0,1.0,310.0,300.0\n0\n0,0,0,0,0,0,0,1\n{STATE}", UP), refused="DMODEL"),
+    Proof("MAT_NULL: MID RO; EOS_LINEAR_POLYNOMIAL: C4 C5 E0",
+          state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r},0,0,0.4,0.4\n50.0,1.0\n", 1 / UP),
+          [(lambda h: h[PRESSURE][-1] / (BULK * (UP - 1) + 0.4 * UP * (50.0 + BULK * (UP - 1) ** 2 / 2 / UP)), LAST, 1.0, 1e-2)],
+          "K mu + 0.4 (1 + mu) E, E from 50 by compression work"),
+    Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n{STATE}", 1 / UP), refused="tension cutoff"),
+    Proof("MAT_ELASTIC_FLUID: MID RO K", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},0,0,0,0,{BULK!r}\n", 1 / UP),
+          [(PRESSURE, LAST, BULK * (UP - 1), 2e-3)], "K (V0 / V - 1)"),
+    Proof("MAT_ELASTIC_FLUID: E PR", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},{E_NU}\n", 1 / UP),
+          [(PRESSURE, LAST, BULK * (UP - 1), 2e-3)], "K = E / (3 (1 - 2 nu)) where K is blank"),
+    Proof("MAT_ELASTIC_FLUID: VC CP", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},{E_NU}\n0.2,1.0\n", 1 / UP), refused="VC"),
+    Proof("EOS_LINEAR_POLYNOMIAL: V0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r}\n0,0.9\n", UP), refused="initial relative volume"),
+    Proof("MAT_HIGH_EXPLOSIVE_BURN: MID RO D; EOS_JWL: EOSID A B R1 R2 OMEG E0 V0; INITIAL_DETONATION: X Y Z",
+          deck(cube("*MAT_HIGH_EXPLOSIVE_BURN\n1,1.6e-9,7.0e6,2e4,2\n*EOS_JWL\n1,371000.0,3230.0,4.15,0.95,0.3,7000.0,1.0\n").replace("part_1\n1,1,1\n", "part_1\n1,1,1,1\n"),
+               node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n*INITIAL_DETONATION\n1,0,0,5.0,0\n", FOLLOW, end=1e-5),
+          [(PRESSURE, LAST, 371000.0 * (1 - 0.3 / 4.15) * math.exp(-4.15) + 3230.0 * (1 - 0.3 / 0.95) * math.exp(-0.95) + 0.3 * 7000.0, 1e-3)],
+          "burnt at its own volume"),
+]  # fmt: skip
+
+
+def relaxing(strain_rate):
+    """Shear stress of a constant rate: GI g + (G0 - GI) rate / beta (1 - exp(-beta t))."""
+    return 200.0 * strain_rate * END + 600.0 * strain_rate / 3000.0 * (1 - math.exp(-3000.0 * END))
+
+
+FOAM = curve(9, (0.0, 0.0), (0.1, 2.0), (0.6, 3.0), (0.9, 20.0))
+SOFT = [
+    Proof("MAT_VISCOELASTIC: MID RO BULK G0 GI BETA", sheared(f"*MAT_VISCOELASTIC\n1,{DENSITY!r},2000.0,800.0,200.0,3000.0\n", 0.02),
+          [(XY.replace("xy", "zx"), LAST, relaxing(20.0), 3e-3)], "GI + (G0 - GI) exp(-BETA t)"),
+    Proof("MAT_BLATZ-KO_RUBBER: MID RO G", sheared(f"*MAT_BLATZ-KO_RUBBER\n1,{DENSITY!r},50.0\n", 0.02),
+          [(XY.replace("xy", "zx"), LAST, 50.0 * 0.02, 3e-3)], "G times the angle"),
+    Proof("MAT_MOONEY-RIVLIN_RUBBER: MID RO A B", sheared(f"*MAT_MOONEY-RIVLIN_RUBBER\n1,{DENSITY!r},0.49,20.0,5.0\n0\n", 0.02),
+          [(XY.replace("xy", "zx"), LAST, 2 * 25.0 * 0.02, 3e-3)], "2 (A + B) times the angle"),
+    Proof("MAT_MOONEY-RIVLIN_RUBBER: PR", stretched(f"*MAT_MOONEY-RIVLIN_RUBBER\n1,{DENSITY!r},0.49,20.0,5.0\n0\n", 0.999),
+          [(PRESSURE, LAST, 4 * 25.0 * 1.49 / (3 * 0.02) * 0.001, 5e-3)], "K = 2 G (1 + nu) / (3 (1 - 2 nu)), G = 2 (A + B)"),
+    Proof("MAT_SOIL_AND_FOAM: MID RO G BULK A0 VCR LCID A B C D E F G H I J",
+          stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
+          [(PRESSURE, LAST, 15.0, 3e-3), (MISES, LAST, 6.0, 3e-3)], "half of the curve; J2 = A0 is a von Mises stress of sqrt(3 A0)"),
+    Proof("MAT_LOW_DENSITY_FOAM: MID RO E LCID", stretched(f"*MAT_LOW_DENSITY_FOAM\n1,{DENSITY!r},20.0,9\n1.0\n", 0.65, FOAM),
+          [(ZZ, LAST, -(2.0 + 0.25 / 0.5), 5e-3)], "nominal stress at the nominal strain 0.35, without a Poisson effect"),
+    Proof("MAT_CRUSHABLE_FOAM: MID RO E LCID", stretched(f"*MAT_CRUSHABLE_FOAM\n1,{DENSITY!r},2000.0,0.0,9\n", 0.65, FOAM),
+          [(ZZ, LAST, -(2.0 + 0.25 / 0.5), 5e-3)], "the curve at 1 - V = 0.35"),
+    Proof("MAT_HONEYCOMB: MID RO E PR SIGY VF LCA LCB LCC EAAU EBBU ECCU GABU GBCU GCAU AOPT A1 A2 A3 D1 D2 D3",
+          stretched(f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9,9,8\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0\n", 0.65, FOAM,
+                    curve(8, (0.0, 5.0), (1.0, 15.0))),
+          [(ZZ, LAST, -(5.0 + 10.0 * 0.35), 5e-3)], "LCC at 1 - V = 0.35"),
+    Proof("MAT_HONEYCOMB: TSEF SSEF",
+          stretched(f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0,0.2,0.3\n", 0.65, FOAM), refused="TSEF"),
+]  # fmt: skip
+
+
+def eroding(first, second="0", material=""):
+    return stretched((material or elastic(1, DENSITY, YOUNG, POISSON)) + f"*MAT_ADD_EROSION\n1,0,{first}\n{second}\n", UP, rows=1000)
+
+
+STIFF = BULK + 4 / 3 * SHEAR
+EROSION = [
+    Proof("MAT_ADD_EROSION: MID SIGP1", eroding("0", "0,3000.0"), [(erosion_time, LAST, time_of(UP, 3000.0 / STIFF), 2e-2)], "the largest stress reaches 3000"),
+    Proof("MAT_ADD_EROSION: MXEPS", eroding("0", "0,0,0,0.012"), [(erosion_time, LAST, time_of(UP, 0.012), 1e-2)], "the largest strain reaches 0.012"),
+    Proof("MAT_ADD_EROSION: MNPRES", eroding("0", "-2000.0"), [(erosion_time, LAST, time_of(UP, 2000.0 / BULK), 2e-2)], "the tension reaches 2000"),
+    Proof("MAT_ADD_EROSION: EFFEPS", eroding("0,0,-0.008", "0", m24()),
+          [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR)), 1e-2)], "below 0: the plastic strain"),
+    Proof("MAT_ADD_EROSION: FAILTM", eroding("0", "0,3000.0,0,0,0,0,0,1.0"), [(erosion_time, LAST, time_of(UP, 3000.0 / STIFF), 2e-2)],
+          "a time behind the end is none"),
+    Proof("MAT_ADD_EROSION: FAILTM", eroding("0", "0,0,0,0,0,0,0,1e-4"), refused="FAILTM"),
+    Proof("MAT_ADD_EROSION: SIGP1", eroding("0", "0,-7.0"), refused="SIGP1"),
+    Proof("MAT_ADD_EROSION: EFFEPS", eroding("0,0,0.1"), refused="EFFEPS"),
+    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic() + "*MAT_ADD_DAMAGE_GISSMO\n1\n", UP), refused="MAT_ADD_DAMAGE_GISSMO"),
+    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_DAMAGE_GISSMO\n1\n", 1.001),
+          [(ZZ, LAST, STIFF * 0.001, 2e-3)], "without it the material is that of its own card", allow="MAT_ADD_DAMAGE_GISSMO"),
+    Proof("MAT_NONLOCAL", stretched(elastic() + "*MAT_NONLOCAL\n1\n", UP), refused="MAT_NONLOCAL"),
+]  # fmt: skip
+
+PROOFS = METALS + STATES + SOFT + EROSION
