@@ -1,7 +1,9 @@
 """*CONTROL_...: end, time step, viscosity."""
 
 from ..fields import Row
-from ..model import Deck
+from ..model import Block, Deck, Vector
+from ..shapes import dot, shell_area, solid_volume, subtract
+from ..solids import FACES
 from .cards import Card
 from .deck import KeywordDeck
 
@@ -67,13 +69,53 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling", "mass counts in all motions")
     more.skip("EMSCL", "RMSCL")
     row.skip("MS1ST")
-    if row.integer("ERODE") and deck.model.deck["time"].get("collapse_ratio", 0) == 0:
-        deck.ledger.ignored("CONTROL_TIMESTEP.ERODE", card.place, "no effect without DTMIN of *CONTROL_TERMINATION")
-    elif row.integer("ERODE"):
-        deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is below DTMIN", "the run ends there")
+    erode_short_steps(deck, card, row.integer("ERODE"))
     row.finish(deck.ledger, "it is left out")
     more.finish(deck.ledger, "it is left out")
     deck.ledger.translated(card.keyword, card.place, "time.step_scale")
+
+
+def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
+    """ERODE with DTMIN: solids (1), shells (10) or both (11) are eroded where they allow less than DTMIN of the first step."""
+    time = deck.model.deck["time"]
+    if not code:
+        return
+    if time.get("collapse_ratio", 0) == 0:
+        deck.ledger.ignored("CONTROL_TIMESTEP.ERODE", card.place, "no effect without DTMIN of *CONTROL_TERMINATION")
+        return
+    blocks = [block for block in deck.model.blocks if block.part not in deck.rigid and not block.beams]
+    laws = {block.id: deck.model.materials[block.keys["material"]] for block in blocks}
+    if any("youngs_modulus" not in law for law in laws.values()):
+        deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is below DTMIN, beside laws without Young's modulus", "the run ends there")
+        return
+    least = time["step_scale"] * time["collapse_ratio"] * min((find_first_step(deck.nodes, block, laws[block.id]) for block in blocks), default=0.0)
+    for block in blocks:
+        if code % 10 == 1 if block.solids else code // 10 % 10 == 1:
+            law = laws[block.id]
+            law["failure"] = {**law.get("failure", {}), "step": max(law.get("failure", {}).get("step", 0.0), least), "inverted": True}
+    time["collapse_ratio"] = min(1e-4, 0.1 * time["collapse_ratio"])
+    deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place, f"failure.step of {least:.4g}: DTMIN of the least step at the start, as LS-DYNA has it; and failure.inverted")
+
+
+def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float:
+    """The least step of its elements: volume over the largest face, or area over the longest edge, by the speed of sound."""
+    young, poisson = law["youngs_modulus"], law.get("poissons_ratio", 0.0)
+    stiffness = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) if block.solids else young / (1 - poisson**2)
+    lengths = (find_length([nodes[n] for n in corners]) for _, corners in block.solids) if block.solids else (
+        find_width([nodes[n] for n in dict.fromkeys(corners)]) for _, corners in block.shells)  # fmt: skip
+    return min(lengths, default=0.0) * (law["density"] / stiffness) ** 0.5
+
+
+def find_length(x: list[Vector]) -> float:
+    """Of a solid."""
+    areas = [shell_area([x[i] for i in face]) for face in FACES[len(x)]] if len(x) in FACES else []
+    return solid_volume(x) / max(areas) if areas else 0.0
+
+
+def find_width(x: list[Vector]) -> float:
+    """Of a shell."""
+    edges = [subtract(a, b) for a, b in zip(x, x[1:] + x[:1])]
+    return shell_area(x) / max(dot(edge, edge) ** 0.5 for edge in edges)
 
 
 def limit_step(deck: KeywordDeck, row: Row) -> None:

@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, FIRST, LAST, MAX, Proof
-from .dyna_laws import BULK, END, FOLLOW, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, led, stretched, stretched_shell
+from .dyna_laws import END, FOLLOW, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, stretched, stretched_shell
 from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell, shell_section, square, two_cubes, velocity
 
 STEEL = elastic(1, DENSITY, YOUNG, POISSON)
@@ -126,6 +126,9 @@ CONTROLS = [
           [("dt", MAX, 0.5 * 9e-6, 1e-3)], "TSSFAC of the step that DT2MS asks for"),
     Proof("CONTROL_TIMESTEP: DT2MS; CONTROL_TERMINATION: ENDMAS",
           deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.9,0,0,-9e-6\n").replace("1e-05\n*DATABASE", "1e-05,0,0,0,50.0\n*DATABASE"), refused="max_added"),
+    Proof("CONTROL_TIMESTEP: ERODE; CONTROL_TERMINATION: DTMIN",
+          stretched(STEEL, 0.4, "*CONTROL_TIMESTEP\n0,0.5,0,0,0,0,1\n", rows=1000).replace(f"{END!r}\n*DATABASE", f"{END!r},0,0.6\n*DATABASE"),
+          [(erosion_time, LAST, END * 0.4 / 0.6, 3e-2)], "the step is in proportion to the height, and falls to 0.6 of the first one"),
     Proof("CONTROL_TIMESTEP: TSLIMT", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9,0,1e-6\n"), refused="TSLIMT"),
     Proof("CONTROL_TIMESTEP: DT2MSF DT2MSLC IMSCL", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9\n0.5\n"), refused="DT2MSF"),
     Proof("CONTROL_BULK_VISCOSITY: Q1 Q2", stretched(STEEL, 1 / UP, "*CONTROL_BULK_VISCOSITY\n0.0,0.3\n"),
