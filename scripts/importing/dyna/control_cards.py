@@ -94,7 +94,7 @@ def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
             law = laws[block.id]
             law["failure"] = {**law.get("failure", {}), "step": max(law.get("failure", {}).get("step", 0.0), least), "inverted": True}
     time["collapse_ratio"] = min(1e-4, 0.1 * time["collapse_ratio"])
-    deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place, f"failure.step of {least:.4g}: DTMIN of the least step at the start, as LS-DYNA has it; and failure.inverted")
+    deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place, f"failure.step of {least:.4g}: DTMIN of the least step at the start by LS-DYNA's rule, up to 1.6 times that of percuss; and failure.inverted")
 
 
 def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float:
