@@ -302,13 +302,16 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
         raise BadInput(clip(path, 200), "the deck has no elements (percuss needs a mesh): include the mesh file")
     if deck.end_time <= 0:
         hint = suggest_place("DYNAMIC", reader.unknown)
-        raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): add *DYNAMIC, EXPLICIT{hint}")
+        raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): {hint or 'add *DYNAMIC, EXPLICIT'}")
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)
     damage.finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
+    for block in deck.model.blocks:
+        deck.model.origins.cards["parts", block.name] = deck.model.origins.cards["materials", block.keys["material"]] = ("SECTION", block.place)
+    deck.model.origins.note(deck.model, "RIGID BODY", None)
     apply(reader)
     finish(reader)
     return deck.model
@@ -378,6 +381,7 @@ def apply(reader: Reader) -> None:
     acting = [block for block in reader.waiting if block.keyword in ACTIONS]
     for block in sorted(acting, key=lambda block: block.keyword != "INITIAL CONDITIONS"):  # velocities come before what changes them
         guard(block, lambda block: ACTIONS[block.keyword](deck, block))
+        deck.model.origins.note(deck.model, block.keyword, block.place)
 
 
 def guard(block: Block, act: Callable):
@@ -390,14 +394,13 @@ def guard(block: Block, act: Callable):
 def finish(reader: Reader) -> None:
     """The sections that need all keywords."""
     deck = reader.deck
-    add_masses(deck)
-    conditions.finish_conditions(deck)
-    bodies.finish_bodies(deck)
-    loads.finish_loads(deck)
-    add_springs(deck)
-    initial.add_velocities(deck)
-    heat.apply_temperatures(deck)
-    contact.finish_contact(deck)
+    for function, keyword in (
+        (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
+        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
+        (contact.finish_contact, "CONTACT"),
+    ):  # fmt: skip
+        function(deck)
+        deck.model.origins.note(deck.model, keyword, None)
     outputs.add_outputs(deck, reader.requests)
     time = {"end": deck.end_time}
     if 0 < deck.step_scale < 1:
