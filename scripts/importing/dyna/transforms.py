@@ -20,23 +20,35 @@ MOVABLE = (
     "NODE", "ELEMENT_SOLID", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_", "DEFINE_CURVE",
     "DEFINE_TABLE", "HOURGLASS", "CONTROL_", "DATABASE_", "CONTACT_", "TITLE", "CONSTRAINED_EXTRA_NODES", "CONSTRAINED_NODAL_RIGID_BODY",
 )  # fmt: skip
+# What has directions and speeds, but no places: it is as it stands where a file is not turned, scaled or mirrored.
+DIRECTED = (
+    "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_", "DAMPING_", "DEFINE_VECTOR",
+    "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY", "CONSTRAINED_NODE_SET", "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD",
+    "CONSTRAINED_RIVET", "CONSTRAINED_JOINT_", "ELEMENT_BEAM",
+)  # fmt: skip
 # Whose fields with ids are all of SHIFTS, so that offsets reach what they define and what they refer to.
 SHIFTED = (
     "NODE", "ELEMENT_SOLID", "ELEMENT_SHELL", "ELEMENT_BEAM", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_",
     "DEFINE_CURVE", "DEFINE_TABLE", "DEFINE_BOX", "DEFINE_VECTOR", "HOURGLASS", "CONTROL_", "TITLE", "CONSTRAINED_EXTRA_NODES",
-    "CONSTRAINED_NODAL_RIGID_BODY", "BOUNDARY_SPC",
+    "CONSTRAINED_NODAL_RIGID_BODY", "CONSTRAINED_NODE_SET", "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET",
+    "CONSTRAINED_JOINT_", "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_",
+    "DAMPING_PART_MASS", "INITIAL_VELOCITY_NODE", "INITIAL_VELOCITY_RIGID_BODY",
 )  # fmt: skip
+ALONE = ("INITIAL_VELOCITY",)  # without what else begins so
 # Which offset of *INCLUDE_TRANSFORM a field gets, by its name; ID and N1 to N8 by their card.
 SHIFTS = {
     **dict.fromkeys(("NID", "NID1", "NID2", "NID3", *(f"N{i}" for i in range(1, 9)), "PNODE"), "IDNOFF"),
-    "EID": "IDEOFF", "PID": "IDPOFF", **dict.fromkeys(("MID", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
-    **dict.fromkeys(("LCID", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC", "LCCA"), "IDFOFF"),
-    **dict.fromkeys(("BOXID", "VID", "CID"), "IDDOFF"), **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
+    "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC"), "IDPOFF"), **dict.fromkeys(("MID", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
+    **dict.fromkeys(("LCID", "LCIDDR", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC", "LCCA"), "IDFOFF"),
+    **dict.fromkeys(("BOXID", "VID", "CID", "ICID"), "IDDOFF"), **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
 }  # fmt: skip
 ID_OF_CARDS = {
     "CONSTRAINED_EXTRA_NODES_NODE": "IDNOFF", "CONSTRAINED_EXTRA_NODES_SET": "IDSOFF", "ELEMENT_MASS": "IDNOFF", "ELEMENT_MASS_NODE_SET": "IDSOFF",
     "ELEMENT_MASS_PART": "IDPOFF", "ELEMENT_MASS_PART_SET": "IDSOFF", "BOUNDARY_SPC_NODE": "IDNOFF", "BOUNDARY_SPC_SET": "IDSOFF",
-    "BOUNDARY_SPC_NODE_BIRTH_DEATH": "IDNOFF", "BOUNDARY_SPC_SET_BIRTH_DEATH": "IDSOFF",
+    "BOUNDARY_SPC_NODE_BIRTH_DEATH": "IDNOFF", "BOUNDARY_SPC_SET_BIRTH_DEATH": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_NODE": "IDNOFF",
+    "BOUNDARY_PRESCRIBED_MOTION_SET": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_RIGID": "IDPOFF", "LOAD_NODE_POINT": "IDNOFF", "LOAD_NODE_SET": "IDSOFF",
+    "LOAD_SEGMENT_SET": "IDSOFF", "LOAD_SHELL_SET": "IDSOFF", "LOAD_SHELL_ELEMENT": "IDEOFF", "DAMPING_PART_MASS": "IDPOFF",
+    "DAMPING_PART_MASS_SET": "IDSOFF",
 }  # fmt: skip
 # Powers of mass, length and time of the fields of cards whose units can be changed.
 DENSITY, STRESS, LENGTH, MASS = (1, -3, 0), (1, -1, -2), (0, 1, 0), (1, 0, 0)
@@ -89,9 +101,10 @@ class FileChange:
     def check(self, card: "Card", ledger: Ledger) -> None:
         """Refuses cards of the file with places, ids or numbers that are not changed with it."""
         kind = card.keyword
-        if self.transform != SAME and not kind.startswith(MOVABLE):
+        is_directed = self.transform[0] == SAME[0] and (kind.startswith(DIRECTED) or kind in ALONE)
+        if self.transform != SAME and not (is_directed or kind.startswith(MOVABLE)):
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved", "it acts where it stands")
-        if self.offsets and not kind.startswith(SHIFTED):
+        if self.offsets and not kind.startswith(SHIFTED) and kind not in ALONE:
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose ids get offsets", "its ids stay as they are")
         if self.factors != (1.0, 1.0, 1.0) and not kind.startswith(CONVERTED):
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose units are changed", "its numbers stay as they are")

@@ -1,11 +1,12 @@
 """Files that are included, moved, renumbered and converted; parameters; titles and widths of keywords; cases."""
 
-from . import ALL, FIRST, Proof
-from .pieces import CUBE_MASS, DENSITY, cube, deck, elastic, hexahedron, nodes, part, solid_section, velocity
+from . import ALL, FIRST, LAST, Proof
+from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, force, hexahedron, node_set, nodes, part, solid_section, velocity
 
 PLACED = "*DATABASE_HISTORY_NODE\n2\n"  # (10, 0, 0) of a cube
 BLOCK = "*KEYWORD\n" + hexahedron() + part() + solid_section() + elastic() + "*END\n"
 CENTER = {"part.k": BLOCK}
+MOVING = "*INITIAL_VELOCITY_GENERATION\n101,2,0,7.0,0,0\n0\n"  # of part 101
 
 
 def moved(rows: str, *more: str) -> str:
@@ -21,7 +22,7 @@ def at(x: float, y: float, z: float):
 def twice(offsets: str, row: str = "1,1,1") -> str:
     """A cube of a file that is included as it is, and again with offsets and factors, 30 mm higher."""
     again = f"*DEFINE_TRANSFORMATION\n5\nTRANSL,0,0,30\n*INCLUDE_TRANSFORM\npart.k\n{offsets}\n{row}\n5\n"
-    return deck("*INCLUDE\npart.k\n", again, "*INITIAL_VELOCITY_GENERATION\n101,2,0,7.0,0,0\n0\n")
+    return deck("*INCLUDE\npart.k\n", again, MOVING)
 
 
 TRANSLATE = "DEFINE_TRANSFORMATION: TRANID OPTION A1 A2 A3 A4 A5 A6 A7; INCLUDE_TRANSFORM: TRANID"
@@ -43,9 +44,17 @@ PROOFS = [
           at(10, 2, 0), "by 2 along y"),
     Proof("INCLUDE; INCLUDE_TRANSFORM: IDNOFF IDEOFF IDPOFF IDMOFF IDSOFF IDFOFF IDDOFF IDROFF", twice("100,100,100,100,0,0,0\n100"),
           [("momentum_x", ALL, 7.0 * CUBE_MASS, 1e-9)], "two cubes of one file; part 101 moves", files=CENTER),
+    *(Proof("INCLUDE_TRANSFORM: IDNOFF IDSOFF IDFOFF", twice("100,100,100,100,100,100,100\n100").replace(MOVING, ""), rights, why,
+            files={"part.k": BLOCK.replace("*END", node_set(4, 5, 6, 7, 8) + curve(7, (0, 1.0), (1, 1.0)) + cards + "*END")})
+      for cards, rights, why in (
+          ("*LOAD_NODE_SET\n4,3,7,2.0\n", [(force("z"), LAST, 2 * 4 * 2.0, 1e-6)], "the loads of both files"),
+          ("*LOAD_NODE_POINT\n3,3,7,2.0\n", [(force("z"), LAST, 2 * 2.0, 1e-6)], "on one node of each"),
+          ("*LOAD_SEGMENT\n7,2.0,0,5,6,7,8\n", [(force("z"), LAST, 2 * -200.0, 1e-4)], "on a face of each"),
+          ("*INITIAL_VELOCITY_NODE\n3,0.0,0.0,5.0\n", [("momentum_z", FIRST, 2 * 5.0 * CUBE_MASS / 8, 1e-9)], "one node of each starts with 5 mm/s"),
+          ("*INITIAL_VELOCITY\n4\n0.0,0.0,5.0\n", [("momentum_z", FIRST, 2 * 5.0 * CUBE_MASS / 2, 1e-9)], "four nodes of each start with 5 mm/s"))),
     Proof("INCLUDE_TRANSFORM: FCTMAS FCTTIM FCTLEN", twice("100,100,100,100,0,0,0\n100", "1e-3,1e-3,1e-1").replace("TRANSL,0,0,30", "TRANSL,0,0,20"),
           [("momentum_x", ALL, 7.0 * CUBE_MASS * 1e-3, 1e-9)], "density and volume in other units: mass times 1e-3", files=CENTER),
-    Proof("INCLUDE_TRANSFORM", moved("TRANSL,1,2,3\n").replace("*END", ""), refused="LOAD_BODY_Z",
+    Proof("INCLUDE_TRANSFORM", moved("ROTATE,0,0,1,0,0,0,90\n"), refused="LOAD_BODY_Z",
           files={"part.k": BLOCK.replace("*END", "*LOAD_BODY_Z\n7,1.0\n*DEFINE_CURVE\n7\n0,1\n1,1\n*END")}),
     Proof("PARAMETER", deck("*PARAMETER\nRrho,7.8e-9,Ipart,1\n", cube(elastic().replace(repr(DENSITY), "&rho")), velocity(2.0)),
           [("momentum_x", ALL, 2.0 * CUBE_MASS, 1e-9)], "density by its name"),
