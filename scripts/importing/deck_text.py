@@ -16,6 +16,7 @@ ORDER = (
     "parts",
     "materials",
     "elements",
+    "imperfections",
     "added_mass",
     "rigid_sets",
     "springs",

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,7 @@ sys.path[:0] = [os.path.join(ROOT, "scripts")]
 import import_decks as decks  # noqa: E402
 from importing.abaqus.read import read_abaqus_deck  # noqa: E402
 from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
-from importing.deck_text import format_section, write_deck  # noqa: E402
+from importing.deck_text import ORDER, format_section, write_deck  # noqa: E402
 from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
 from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
@@ -152,6 +153,12 @@ class Texts(InFolder):
             model.deck["dampers"], model.deck["damping"] = [], [{"factor": value}]
             del model.deck["dampers"]
             self.assertRaises(yaml.representer.RepresenterError, write_deck, model, "deck.k", "mesh.k", "")
+
+    def test_every_section_of_a_deck_has_its_place(self):
+        with open(os.path.join(ROOT, "docs/deck.md"), encoding="utf-8") as file:
+            sections = set(re.findall(r"^\| `([a-z_]+)` \|", file.read(), re.MULTILINE))
+        self.assertEqual(sections - set(ORDER), {"title", "units"})
+        self.assertEqual(set(ORDER) - sections, set())
 
     def test_a_long_entry_has_a_line_for_each_of_its_entries(self):
         springs = {"a": {"between": [{"id": 1}, {"id": 2}], "table": [[0.0, float(i)] for i in range(30)]}}
