@@ -38,6 +38,15 @@ OPTIONS: dict[str, tuple[int, str, str]] = {
     "TIED": (1, "surfaces that are tied where they are close", "they touch, and are not tied"),
     "TIED_WELD": (2, "surfaces that are tied where they are hot", "they touch, and are not tied"),
 }  # fmt: skip
+# Ties have no friction, and reach as far as SST and MST say; transducers are output.
+LAW_OF = {
+    TIE: "FS~unused FD~unused DC~unused VC~unused VDC~penalty PENCHK~search BT DT=1e20",
+    TRANSDUCER: "FS~unused FD~unused DC~unused VC~unused VDC~unused PENCHK~unused BT~output DT~output=1e20",
+}
+SCALE_OF = {
+    TIE: "SFS~penalty=1 SFM~penalty=1 SST MST SFST~unused=1 SFMT~unused=1 FSF~unused=1 VSF~unused=1",
+    TRANSDUCER: "SFS~unused SFM~unused SST~unused MST~unused SFST~unused SFMT~unused FSF~unused VSF~unused",
+}
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
 INSTEAD = "it is left out"
 # Optional cards A to G.
@@ -124,8 +133,8 @@ def read_cards(deck: KeywordDeck, card: Card, reader: Lines, family: str, option
         if reader.peek().startswith("&"):
             reader.take()
     sides = reader.row("SSID MSID SSTYP MSTYP SBOXID MBOXID SPR~output MPR~output")
-    law = reader.row("FS FD DC VC VDC~penalty PENCHK~search BT DT=1e20")
-    scale = reader.row("SFS~penalty=1 SFM~penalty=1 SST MST SFST=1 SFMT=1 FSF=1 VSF~penalty=1")
+    law = reader.row(LAW_OF.get(FAMILIES[family], "FS FD DC VC VDC~penalty PENCHK~search BT DT=1e20"))
+    scale = reader.row(SCALE_OF.get(FAMILIES[family], "SFS~penalty=1 SFM~penalty=1 SST MST SFST=1 SFMT=1 FSF=1 VSF~penalty=1"))
     failure, lines = None, sum(OPTIONS[option][0] for option in options if option != "TIEBREAK")
     if family.startswith(("ERODING", "CONSTRAINT")):
         lines += 1

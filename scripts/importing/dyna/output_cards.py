@@ -144,7 +144,7 @@ def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
     if "LOCAL" in name:
         deck.ledger.approximated(card.keyword, card.place, "output.history.nodes, along global axes")
         if not card.has_id:
-            ids = [card.row(line, "ID CID REF HFO").integer("ID") for line in card.lines if line[1].strip()]
+            ids = [card.row(line, "ID CID~output REF~output HFO~output").integer("ID") for line in card.lines if line[1].strip()]
             if "SET" in name:
                 ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
             deck.output.nodes.extend(ids)

@@ -14,6 +14,7 @@ from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
 
 OTHER_SECTIONS = {"TSHELL", "SEATBELT", "SPH", "POINT", "ALE1D", "ALE2D", "FPD", "IGA"}
+SHELL_LINE = "SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent"
 MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
@@ -83,15 +84,16 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         if card.has_title:
             reader.take()
         lines = [reader.take()]
-        row = card.row(lines[0], "SECID ELFORM A B C D E F")
+        row = card.row(lines[0], "SECID ELFORM")
         if 100 < row.integer("ELFORM") < 106:  # a user's element has lines of its own
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
         elif kind in ("DISCRETE", "BEAM") and reader:
             lines.append(reader.take())
         elif kind == "SHELL":
             lines.append(reader.take())
-            count = int(card.row(lines[0], "SECID ELFORM=2 SHRF=1 NIP=2 PROPT QR ICOMP SETYP").number("NIP"))
-            if card.row(lines[0], "SECID A B C D E ICOMP F").integer("ICOMP"):
+            layers = card.row(lines[0], SHELL_LINE)
+            count = int(layers.number("NIP"))
+            if layers.integer("ICOMP"):
                 lines += [reader.take() for _ in range(min(-(-count // 8), 100))]
         deck.sections[row.integer("SECID")] = Card(card.keyword, row.place, card.least_width, card.parameters, lines=lines)
 
@@ -126,7 +128,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     """None where the section is refused."""
     reader = card.reader()
     # The laws of percuss' shells are isotropic, so that angles of layers (ICOMP) turn nothing.
-    row = reader.row("SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent")
+    row = reader.row(SHELL_LINE)
     more = reader.row("T1 T2 T3 T4 NLOC MAREA IDOF~absent EDGSET~absent")
     form = row.integer("ELFORM") or deck.shell_form
     if form not in SHELL_FORMS and not deck.ledger.refuse(

@@ -1,7 +1,7 @@
 """Contacts and ties, with the friction of parts and controls."""
 
 from . import LAST, MIN, Proof
-from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, solid_section, two_cubes
+from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell_section, solid_section, square, two_cubes
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
 MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
@@ -43,7 +43,32 @@ REFUSED = {
 }  # fmt: skip
 PAIR = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n"
 
-PROOFS = [
+PAIRS = ("SURFACE_TO_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE", "FORMING_SURFACE_TO_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE")
+WITH_NODES = ("NODES_TO_SURFACE", "FORMING_NODES_TO_SURFACE")
+FOURTH_CARD = ("ERODING_NODES_TO_SURFACE", "CONSTRAINT_NODES_TO_SURFACE")
+SHEET = square(3, 21, (0.0, 0.0, 30.0), of=3) + part(3, 3) + shell_section(3, 0.5) + "*INITIAL_VELOCITY_GENERATION\n3,2,0,0,0,-1000.0\n0\n"
+
+FAMILIES = [
+    *[Proof(f"CONTACT_{word}", slide(f"*CONTACT_{word}\n1,2,3,3\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "a pair") for word in PAIRS],
+    Proof("CONTACT_CONSTRAINT_SURFACE_TO_SURFACE", slide("*CONTACT_CONSTRAINT_SURFACE_TO_SURFACE\n1,2,3,3\n0.2\n\n\n"), [(friction, LAST, -0.2, 5e-2)], "a pair, with a fourth card"),
+    *[Proof(f"CONTACT_{word}", slide(f"*CONTACT_{word}\n1,2,4,3\n0.2\n\n", LIST), [(friction, LAST, -0.2, 5e-2)], "nodes and a surface") for word in WITH_NODES],
+    *[Proof(f"CONTACT_{word}", slide(f"*CONTACT_{word}\n1,2,4,3\n0.2\n\n\n", LIST), [(friction, LAST, -0.2, 5e-2)], "nodes and a surface, with a fourth card") for word in FOURTH_CARD],
+    *[Proof(f"CONTACT_{word}", slide(f"*CONTACT_{word}\n0\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "everything") for word in ("SINGLE_SURFACE", "AIRBAG_SINGLE_SURFACE")],
+    Proof("CONTACT_ERODING_SINGLE_SURFACE", slide("*CONTACT_ERODING_SINGLE_SURFACE\n0,0,5\n0.2\n\n\n"), [(friction, LAST, -0.2, 5e-2)], "everything, with a fourth card"),
+    Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n0,0,0.3\n", SHEET), refused="thickness of contact other than"),
+    Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n0,0,0.3\n"), [(friction, LAST, -0.2, 5e-2)], "without shells it does nothing"),
+    Proof("PART_CONTACT: FD DC", slide(PAIR + "-1.0\n\n", parts=("*PART_CONTACT", "0.35,0.2,0.0\n")), [(friction, LAST, -0.35, 5e-2)], "FS of the parts, where DC is 0"),
+    Proof("CONTROL_CONTACT: TH_SF SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n0,0,0,0,0,0.5\n"), refused="TH_SF"),
+    Proof("CONTROL_CONTACT: SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n\n\n\n0,0,0,0,0,0,0.5\n"), refused="SHLTRW"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED\n2,1,3,3\n\n\n"), [("momentum_z", MIN, -HALF, 5e-2)], "a tie"),
+    Proof("CONTACT_SPOTWELD", tied("*CONTACT_SPOTWELD\n7,1,4,3\n\n\n", node_set(7, 11, 12, 13, 14)), [("momentum_z", MIN, -HALF, 5e-2)], "a tie of nodes"),
+    *[Proof(f"CONTACT_TIED_SHELL_EDGE_TO_{word}", tied(f"*CONTACT_TIED_SHELL_EDGE_TO_{word}\n7,1,4,3\n\n\n", node_set(7, 11, 12, 13, 14)), [("momentum_z", MIN, -HALF, 5e-2)],
+            "a tie of nodes; those of solids have no rotations") for word in ("SURFACE", "SOLID")],
+]  # fmt: skip
+
+NOT_PHYSICS = {"CONTACT_INTERIOR": "elements.resist_folding, which acts without it too"}
+
+PROOFS = FAMILIES + [
     Proof("CONTACT_AUTOMATIC_SINGLE_SURFACE; CONTACT: FS FD DC; CONTACT: SSID SSTYP",
           slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.3,0.1\n\n"), [(friction, LAST, -0.3, 5e-2)], "friction over the normal impulse; FS, where DC is 0"),
     Proof("CONTACT_AUTOMATIC_GENERAL_INTERIOR; CONTACT: FS", slide("*CONTACT_AUTOMATIC_GENERAL_INTERIOR\n0\n0.25\n\n"), [(friction, LAST, -0.25, 5e-2)], "as a single surface"),

@@ -4,7 +4,7 @@ import math
 
 from . import ALL, FIRST, LAST, MAX, Proof
 from .dyna_laws import END, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, stretched, stretched_shell
-from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell_section, solid_section, square, two_cubes, velocity
+from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell, shell_section, solid_section, square, two_cubes, velocity
 
 STEEL = elastic(1, DENSITY, YOUNG, POISSON)
 SPEED = math.sqrt(STIFF / DENSITY)
@@ -33,11 +33,16 @@ BENT = ("*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,{y},{z}\n2,0,1,1,1,1,{y},{z}\n*BOUNDARY
 ABOUT_Y, ABOUT_Z = BENT.format(y=0, z=1, d=6), BENT.format(y=1, z=0, d=7)
 
 
+SHEARED = ("*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,1,0,0,1,1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,{axis},2,7\n" + curve(7, (0.0, 0.0), (END, 0.01)) + BEAM_OUT)
 TWISTED = BENT.format(y=1, z=1, d=5).replace("1,0,1,1,1,1,1,1", "1,0,1,1,1,0,1,1").replace("2,0,1,1,1,1,1,1", "2,0,1,1,1,0,1,1")
 
 
 def magnitude(name):
     return lambda history: abs(history[name][-1])
+
+
+def largest_shear(history):
+    return max(abs(history[f"element_1_shear_{axis}"][-1]) for axis in "yz")
 
 
 def largest_moment(history):
@@ -180,4 +185,30 @@ SPRINGS = [
     Proof("CONSTRAINED_GENERALIZED_WELD_SPOT: CID FILTER EPSF", weld("9,3\n", 3, node_set(9, 5, 11), keyword="GENERALIZED_WELD_SPOT"), refused="axes of its own"),
 ]  # fmt: skip
 
-PROOFS = SECTIONS + CONTROLS + OUTPUTS + SPRINGS
+FOLDED = ("*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,1,1,1,1,1,1\n4,0,1,1,1,1,1,1\n3,0,0,0,1,1,1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,1,2,7\n3,2,2,7\n"
+          + curve(7, (0.0, 0.0), (END, -9.0)))  # fmt: skip
+MORE = [
+    *[Proof(f"CONTROL_SHELL: {name}", deck(shell(1.0, STEEL), FOLDED, f"*CONTROL_SHELL\n\n\n\n{line}\n", end=END), [("eroded_elements", LAST, 1.0, 0.0)],
+            "a corner that moves behind the diagonal folds the shell") for name, line in (("NFAIL1", "1"), ("NFAIL4", "0,1"))],
+    *[Proof(f"CONTROL_SHELL: {name}", deck(shell(1.0, STEEL), f"*CONTROL_SHELL\n{lines}\n"), refused=name)
+      for name, lines in (("ROTASCL", "\n2.0"), ("DELFR", "\n\n\n0,0,0,0,1"), ("LISPSID", "\n\n\n\n0,7"), ("STRETCH", "\n\n0,0,0,0,0,0,2.0"))],
+    Proof("CONTROL_SHELL: THEORY", deck(square(), part(), "*SECTION_SHELL\n1\n1.0\n", STEEL, "*CONTROL_SHELL\n20.0,0,-1,0,12\n"), refused="formulation 12"),
+    Proof("CONTROL_SHELL: CNTCO; SECTION_SHELL: NLOC", deck(square(), part(), "*SECTION_SHELL\n1,2\n1.0,1.0,1.0,1.0,1.0\n", STEEL, "*CONTROL_SHELL\n\n\n0,0,1\n"), refused="CNTCO"),
+    Proof("SECTION_SHELL: QR", plate("*SECTION_SHELL\n1,2,0,0,0,-7\n1.0\n"), refused="rule of integration"),
+    Proof("SECTION_BEAM: TS2 TT2", beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.5,3.0,3.0\n"), refused="differ between the ends"),
+    Proof("SECTION_BEAM: QR", beam("*SECTION_BEAM\n1,1,1.0,-7,0\n2.0,2.0,3.0,3.0\n"), refused="rule of integration"),
+    Proof("SECTION_BEAM: SA SAT", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0,0,0,2.0\n", SHEARED.format(axis="2"), end=END),
+          [(largest_shear, LAST, SHEAR * 2.0 * 0.001, 1e-2)], "across the plane of N3: along t, with SAT"),
+    Proof("SECTION_BEAM: SA", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0,0,0,2.0\n", SHEARED.format(axis="3"), end=END),
+          [(largest_shear, LAST, SHEAR * 4.0 * 0.001, 1e-2)], "along s, with SA"),
+    Proof("DATABASE_CROSS_SECTION_PLANE: RADIUS XHEV YHEV ZHEV LENL LENM ID ITYPE",
+          stretched(STEEL, 1.001, "*DATABASE_CROSS_SECTION_PLANE\n0,5.0,5.0,4.0,5.0,5.0,9.0,3.0\n\n"), [(lambda h: float("fz:section_1" in h), LAST, 0.0, 0.0)], "a plane with limits is not written"),
+    Proof("DATABASE_CROSS_SECTION_SET: SSID TSID BSID DSID ID ITYPE",
+          deck(shell(1.0, STEEL), node_set(1, 1, 2), "*SET_SHELL\n7\n1\n*DATABASE_CROSS_SECTION_SET\n1,0,0,7\n", "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n2,0,1,1,1\n3,0,1,0,1\n4,0,1,0,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,2,2,7\n4,2,2,7\n",
+               curve(7, (0.0, 0.0), (END, 0.01)), end=END),
+          [("fy:section_1", LAST, YOUNG / (1 - POISSON**2) * 0.001 * 10.0, 1e-2)], "plane strain of a sheet of 10 mm"),
+    Proof("DATABASE_BINARY_D3PLOT: NPLTC", deck(cube(), velocity(100.0), "*DATABASE_BINARY_D3PLOT\n0,0,0,5\n"), [("momentum_x", LAST, 100.0 * CUBE_MASS, 1e-9)], "frames change nothing"),
+    Proof("CONTROL_TERMINATION: NOSOL", deck(cube(), velocity(100.0)).replace("1e-05\n*DATABASE", "1e-05,0,0,0,0,1\n*DATABASE"), [("time", LAST, 1e-5, 1e-12)], "percuss run has its own word for it: percuss check"),
+]  # fmt: skip
+
+PROOFS = MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS

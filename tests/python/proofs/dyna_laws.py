@@ -91,8 +91,8 @@ STATE = "*EOS_LINEAR_POLYNOMIAL\n1,0.0,170000.0,40000.0,90000.0\n0.0,1.0\n"
 WITH_STATE = ",1"
 
 
-def state_cube(material, ratio, *more):
-    text = stretched(material, ratio, *more)
+def state_cube(material, ratio, *more, rows=100):
+    text = stretched(material, ratio, *more, rows=rows)
     return text.replace("*PART\npart_1\n1,1,1\n", "*PART\npart_1\n1,1,1,1\n")
 
 
@@ -291,4 +291,67 @@ EROSION = [
     Proof("MAT_NONLOCAL", stretched(elastic() + "*MAT_NONLOCAL\n1\n", UP), refused="MAT_NONLOCAL"),
 ]  # fmt: skip
 
-PROOFS = METALS + STATES + SOFT + EROSION
+def m123(second, third="", fourth="", word="MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY"):
+    return f"*{word}\n1,{DENSITY!r},{E_NU},300.0,2000.0\n{second}\n{third or '0'}\n{fourth or '0'}\n"
+
+
+def at_strain(strain):
+    """When the plastic strain of a law without hardening beyond 2000 over plastic strain is reached."""
+    return time_of(UP, (strain * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR))
+
+
+def cook(damage, last="0"):
+    return f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r}\n300.0,0,1.0,0,1.0,1e9,300.0,1.0\n0,0,0,0,{damage}\n{last}\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r}\n0,1\n"
+
+
+def flat(strain):
+    """When the plastic strain of a law without hardening is reached."""
+    return time_of(UP, (strain * 3 * SHEAR + 300.0) / (2 * SHEAR))
+
+
+CONSTANT_RATE = [
+    *[Proof(f"{word}: A B C D E F G H; {word}: LCSS C P VP", stretched(m123(second, third, fourth, word), UP, curve(9, (0.0, 300.0), (0.05, 400.0))),
+            [(MISES, LAST, value, 4e-3)], why)
+      for word, blank in (("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", ""), ("MAT_PLASTICITY_WITH_DAMAGE", "1e20"))
+      for second, third, fourth, value, why in (
+          (f"0,0,0,0,{blank or 0}", "0.0,0.05", "300.0,400.0", table_stress(STRAIN), "the table"),
+          (f"0,0,9,0,{blank or 0}", "", "", table_stress(STRAIN), "the curve"),
+          (f"40.0,5.0,0,0,{blank or 1},1", "0.0,0.05", "300.0,300.0", 300.0 * cowper(RATE / 1.01, 40.0, 5.0), "scaled by the rate"))],
+    Proof("MAT_PLASTICITY_WITH_DAMAGE: TDEL",
+          stretched(f"*MAT_PLASTICITY_WITH_DAMAGE\n1,{DENSITY!r},{E_NU},300.0,2000.0,0,{1.01 * STEP_OF_CUBE!r}\n0,0,0,0,0.5\n", UP), [("eroded_elements", LAST, 1.0, 0.0)], "the element allows less than TDEL"),
+    Proof("MAT_ELASTIC_PLASTIC_HYDRO: A B C D E F G H",
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r}\n0.0,0.05\n0\n300.0,400.0\n0\n{STATE}", 1 / UP), [(MISES, LAST, table_stress(STRAIN), 3e-3)], "the table"),
+    Proof("MAT_JOHNSON_COOK: D1", state_cube(cook("0.006"), UP, rows=1000), [(erosion_time, LAST, flat(0.006), 1e-2)], "the plastic strain reaches D1"),
+    Proof("MAT_JOHNSON_COOK: D4", state_cube(cook("0.004,0,0,0.2"), UP, rows=1000), [(erosion_time, LAST, flat(0.004 * (1 + 0.2 * math.log(2 / 3 * RATE / 1.01))), 2e-2)], "D1 (1 + D4 ln rate)"),
+    Proof("MAT_JOHNSON_COOK: D2", state_cube(cook("0.002,0.004,0"), UP, rows=1000), [(erosion_time, LAST, flat(0.006), 1e-2)], "D1 + D2 exp(0)"),
+    Proof("MAT_JOHNSON_COOK: D3", state_cube(cook("0.002,0.004,-1.5"), UP), refused="D3"),
+    Proof("MAT_JOHNSON_COOK: EROD", state_cube(cook("0.006", "0,0,1"), UP), refused="not eroded"),
+    Proof("MAT_JOHNSON_COOK: PC", state_cube(cook("0.006").replace("\n0,0,0,0,0.006", "\n0,-900.0,0,0,0.006"), UP), refused="tension cutoff"),
+    Proof("MAT_JOHNSON_COOK: DTF", state_cube(f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r},0,0,{1.01 * STEP_OF_CUBE!r}\n300.0\n0\n0\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r}\n0,1\n", UP),
+          [("eroded_elements", LAST, 1.0, 0.0)], "the element allows less than DTF"),
+    Proof("EOS_LINEAR_POLYNOMIAL: C6", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r},0,0,0,0,300.0\n50.0,1.0\n", 1 / UP),
+          [(lambda h: h[PRESSURE][-1] / (BULK * (UP - 1) + 300.0 * (UP - 1) ** 2 * (50.0 + BULK * (UP - 1) ** 2 / 2 / UP)), LAST, 1.0, 1e-2)], "C6 mu^2 E"),
+    Proof("EOS_GRUNEISEN: E0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,0,0,0,2.0,0,50.0\n1.0\n", 1.0001),
+          [(PRESSURE, LAST, 2.0 * 50.0 - DENSITY * 4.6e6**2 * 1e-4, 3e-2)], "GAMMA0 E0, less rho c^2 mu"),
+    Proof("EOS_GRUNEISEN: A S2 S3", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0,0.3,0\n1.0\n", UP), refused="A is 0.3"),
+    Proof("EOS_GRUNEISEN: V0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n0.9\n", UP), refused="initial relative volume"),
+    Proof("MAT_SOIL_AND_FOAM: PC", stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,-7.0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", UP),
+          [(PRESSURE, LAST, -7.0, 2e-2)], "the tension stays at PC"),
+    Proof("MAT_SOIL_AND_FOAM_FAILURE", stretched(f"*MAT_SOIL_AND_FOAM_FAILURE\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
+          [(PRESSURE, LAST, 15.0, 3e-3)], "half of the curve"),
+    Proof("MAT_LOW_DENSITY_FOAM: HU SHAPE DAMP BVFLAG",
+          stretched(f"*MAT_LOW_DENSITY_FOAM\n1,{DENSITY!r},20.0,9,0,0.2,0,0.1\n2.0\n", 0, FOAM, path=((0.0, 0.0), (END / 2, -3.5), (END, 0.0))),
+          [(lambda h: max(abs(s) for s, t in zip(h[ZZ], h["time"]) if t > 0.95 * END), LAST, 0.0, 0.2)], "without stress again at its height; DAMP is a viscosity, and does nothing here"),
+    Proof("MAT_LOW_DENSITY_FOAM: TC FAIL", stretched(f"*MAT_LOW_DENSITY_FOAM\n1,{DENSITY!r},20.0,9,0.5\n1.0\n", 0.65, FOAM), refused="TC"),
+    Proof("MAT_CRUSHABLE_FOAM: DAMP PR TSC", stretched(f"*MAT_CRUSHABLE_FOAM\n1,{DENSITY!r},2000.0,0.2,9,3.0,0.1\n", 0.65, FOAM),
+          [(ZZ, LAST, -(2.0 + 0.25 / 0.5), 5e-3)], "the curve at 1 - V = 0.35: Poisson's ratio, the limit of tension and a viscosity do nothing in slow compression"),
+    Proof("MAT_ADD_EROSION: EXCL", eroding("0", "0,3000.0").replace("*MAT_ADD_EROSION\n1,0,", "*MAT_ADD_EROSION\n1,3000.0,"), [(ZZ, LAST, STIFF * STRAIN / UP, 3e-3)],
+          "a limit of EXCL is none"),
+    Proof("MAT_ADD_EROSION: NCS", eroding("0,0,0,0,1.0,2.0", "0,3000.0,0,0.012"), refused="NCS"),
+    Proof("MAT_ELASTIC: DA DB", stretched(f"*MAT_ELASTIC\n1,{DENSITY!r},{E_NU},0.1,0.1\n", 1.001), [(ZZ, LAST, STIFF * 0.001, 2e-3)], "damping of beams, which solids do not have"),
+    Proof("MAT_HIGH_EXPLOSIVE_BURN: BETA", deck(cube("*MAT_HIGH_EXPLOSIVE_BURN\n1,1.6e-9,7.0e6,2e4,1\n*EOS_JWL\n1,371000.0,3230.0,4.15,0.95,0.3,7000.0,1.0\n").replace("part_1\n1,1,1\n", "part_1\n1,1,1,1\n"),
+          "*INITIAL_DETONATION\n1,0,0,5.0,0\n"), refused="BETA"),
+    Proof("MAT_RIGID: COUPLE", deck(cube("*MAT_RIGID\n1,7.8e-9,2.1e5,0.3,0,2\n0\n\n")), refused="COUPLE"),
+]  # fmt: skip
+
+PROOFS = METALS + STATES + SOFT + EROSION + CONSTANT_RATE

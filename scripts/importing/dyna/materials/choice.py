@@ -52,7 +52,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         reader = card.reader()
         if card.has_title:
             reader.take()
-        deck.erosions[card.row(reader.take(), "MID EXCL").integer("MID")] = card
+        deck.erosions[card.row(reader.take(), "MID").integer("MID")] = card
         return
     reader, count = card.reader(), LINES.get(name_law(card.keyword), 0)
     while reader.skip_blank():
@@ -60,7 +60,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         lines = [reader.take()]
         while reader and (not count or len(lines) < count):
             lines.append(reader.take())
-        id = card.row(lines[0], "MID RO").integer("MID")
+        id = card.row(lines[0], "MID").integer("MID")
         if id in deck.materials:
             raise BadInput(card.at(lines[0][0]), f"there are two materials {id} (ids must be unique): renumber one")
         deck.material_titles[id] = title
@@ -92,7 +92,7 @@ def read_state(deck: KeywordDeck, card: Card) -> None:
     while reader:
         lines.append(reader.take())
     found = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
-    deck.states[found.row(lines[0], "EOSID A").integer("EOSID")] = found
+    deck.states[found.row(lines[0], "EOSID").integer("EOSID")] = found
 
 
 def build_materials(deck: KeywordDeck) -> None:

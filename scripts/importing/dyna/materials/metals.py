@@ -26,6 +26,7 @@ from .states import initial_bulk_modulus, translate_state
 
 RATES = "curves for several rates"
 EIGHT = " ".join("ABCDEFGH")
+COLD = 70.0  # Kelvin, below which a temperature is that of another scale
 SOFTENING = 8  # rows of a table that falls
 
 
@@ -277,6 +278,9 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law |= {**johnson_cook_moduli(row, state, law["density"]), "equation_of_state": state}
     row.skip("E", "PR", "G")
     law |= read_flow(flow)
+    if not use.is_shell and law["start_temperature"] < COLD:  # compression heats from there
+        law["absolute_zero"] = law["start_temperature"] - 293.15 if law["start_temperature"] == 0 else -273.15
+        deck.ledger.approximated(f"{card.keyword}.TR", flow.place, "temperatures are taken as degrees Celsius; of 0 as room temperature")
     law |= {"specific_heat": heat.number("CP") or NEVER, "heating_share": 1.0}
     limit_tension(deck, heat, law, find_bulk_modulus(law))
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)

@@ -10,7 +10,7 @@ DIRECTIONS = {0: "", 1: "x", 2: "y", 3: "z", 4: "xy", 5: "yz", 6: "zx", 7: "xyz"
 
 def read_law(row: Row) -> Deck:
     """Density, and the stiffness of contact."""
-    row.skip("MID", "N", "M", "ALIAS")
+    row.skip("MID")
     return {
         "model": "elastic",
         "density": row.positive("RO"),
@@ -22,7 +22,7 @@ def read_law(row: Row) -> Deck:
 def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
     """The law of its elements, of which mass and stiffness count. Notes its parts and what holds them."""
     reader = card.reader()
-    row, limits = reader.row("MID RO E PR N COUPLE M ALIAS"), reader.row("CMO CON1 CON2")
+    row, limits = reader.row("MID RO E PR N~absent COUPLE M~absent ALIAS~label"), reader.row("CMO CON1 CON2")
     law, id = read_law(row), row.integer("MID")
     held: list[str] = []
     if limits.number("CMO") == 1:
@@ -32,5 +32,6 @@ def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
     for part in deck.parts.values():
         if part.material == id and deck.names_of_parts.get(part.id):
             deck.rigid[part.id] = RigidPart(held)
+    row.finish(deck.ledger, "it is not coupled")
     deck.ledger.translated("MAT_RIGID", card.place, "parts.NAME.rigid")
     return law
