@@ -15,6 +15,7 @@ from .transforms import UNCHANGED, FileChange, Transformation, read_include
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 MOST_BYTES = 4 << 30
 WIDTH_OF_SUFFIX = {"+": "long", "%": "i10", "-": "standard"}
+HEADING = 70  # columns of a text
 WIDTH = {"standard": 0, "i10": 10, "long": 20}
 OPTIONS = re.compile(r"_(TITLE|ID)(?=_|$)")
 
@@ -51,8 +52,17 @@ class Card:
                 texts.append(text[first : first + width].strip())
                 first += width
         if "&" in text:
-            texts = [self.parameters.replace(word, self.at(number)) if "&" in word else word for word in texts]
+            texts = [self._replace(word, number, widths[i] if i < len(widths) else 0) if "&" in word else word for i, word in enumerate(texts)]
         return texts
+
+    def _replace(self, word: str, number: int, width: int) -> str:
+        """A field with its parameters put in place; in a heading '&' may be a character like others."""
+        try:
+            return self.parameters.replace(word, self.at(number))
+        except BadInput:
+            if width < HEADING:
+                raise
+            return word
 
     def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         """A line as named fields."""
