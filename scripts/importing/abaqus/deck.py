@@ -134,6 +134,8 @@ class AbaqusDeck:
 
     def step_of(self, block: Block) -> StepTime:
         """The step of a keyword; what stands before all steps acts from the first one on."""
+        if max(block.step, 1) > len(self.steps):
+            raise BadInput(block.place, f"*{block.keyword} acts in a step without a procedure: add *DYNAMIC, EXPLICIT behind its *STEP")
         return self.steps[max(block.step, 1) - 1]
 
     def amplitude(self, name: str, place: Place) -> Amplitude | None:
