@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, FIRST, LAST, MAX, Proof
-from .dyna_laws import END, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, stretched, stretched_shell
+from .dyna_laws import END, FOLLOW, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, stretched, stretched_shell
 from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell, shell_section, solid_section, square, two_cubes, velocity
 
 STEEL = elastic(1, DENSITY, YOUNG, POISSON)
@@ -211,4 +211,30 @@ MORE = [
     Proof("CONTROL_TERMINATION: NOSOL", deck(cube(), velocity(100.0)).replace("1e-05\n*DATABASE", "1e-05,0,0,0,0,1\n*DATABASE"), [("time", LAST, 1e-5, 1e-12)], "percuss run has its own word for it: percuss check"),
 ]  # fmt: skip
 
-PROOFS = MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS
+HELD_ENDS = node_set(1, *range(1, 9)) + "*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
+LOADED = node_set(9, *range(1, 9)) + "*LOAD_NODE_SET\n9,1,7,2.0\n9,3,7,3.0\n" + curve(7, (0.0, 1.0), (1.0, 1.0))
+STARTS = [
+    Proof("INITIAL_AXIAL_FORCE_BEAM: BSID LCID SCALE",
+          beam("*SECTION_BEAM\n1,3\n5.0\n", "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n2,0,1,1,1\n*SET_BEAM\n7\n1\n*INITIAL_AXIAL_FORCE_BEAM\n7,7,2.0\n", curve(7, (0.0, 0.0), (1e-6, 40.0), (1.0, 40.0)), BEAM_OUT,
+               nodes((31, 50.0, 0.0, 0.0), (32, 60.0, 0.0, 0.0), (33, 50.0, 0.0, 10.0)), "*ELEMENT_BEAM\n2,1,31,32,33\n"),
+          [(AXIAL, FIRST, 80.0, 1e-3)], "SCALE times the curve"),
+    Proof("INITIAL_STRESS_SECTION: ISSID CSID LCID",
+          deck(cube(STEEL), HELD_ENDS, "*DATABASE_CROSS_SECTION_PLANE_ID\n3,cut\n0,5.0,5.0,4.0,5.0,5.0,9.0\n\n*INITIAL_STRESS_SECTION\n1,3,7\n", curve(7, (0.0, 0.0), (1e-6, 60.0), (1.0, 60.0)), FOLLOW),
+          [("element_1_stress_zz", FIRST, 60.0, 1e-3)], "the stress of the section at time 0"),
+    Proof("CONTROL_DYNAMIC_RELAXATION: IDRFLG DRTOL",
+          deck(cube(elastic(1, DENSITY, YOUNG, 0.0)), node_set(1, 1, 2, 3, 4), node_set(2, 5, 6, 7, 8), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n*LOAD_NODE_SET\n2,3,7,50.0\n", curve(7, (0.0, 1.0), (1.0, 1.0), more=",2"),
+               "*CONTROL_DYNAMIC_RELAXATION\n250,1e-6,0,0,0,0,0,1\n", FOLLOW),
+          [("element_1_stress_zz", FIRST, 2.0, 1e-2), ("element_1_stress_zz", LAST, 2.0, 1e-2)], "four loads of 50 N on 100 mm2, at rest"),
+    Proof("ELEMENT_SEATBELT_ACCELEROMETER: SBACID NID1 NID2 NID3", deck(cube(), LOADED, "*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,5,4,0,1\n", end=1e-3),
+          [("local_dvx:accelerometer_7", LAST, 24.0 * 1e-3 / CUBE_MASS, 2e-3)], "x of its axes is z, along which the loads are 24 N"),
+    Proof("MAT_RIGID: CMO CON1 CON2", deck(cube("*MAT_RIGID\n1,7.8e-9,2.1e5,0.3\n1,1,7\n\n"), LOADED),
+          [("momentum_x", LAST, 0.0, 1e-12), ("momentum_z", LAST, 24.0 * 1e-5, 1e-3)], "held along x"),
+    Proof("HOURGLASS: HGID Q1 Q2; PART: HGID", stretched(STEEL, 1 / UP, "*HOURGLASS\n5,4,0.1,0,1e-9,0.3\n").replace("*PART\npart_1\n1,1,1\n", "*PART\npart_1\n1,1,1,0,5\n"),
+          [("viscous", LAST, 0.3 * DENSITY * SPEED * 10.0 * (STRAIN / END) * 1000.0 * (1 - 1 / UP), 5e-2)], "work of the pressure Q2 rho c L rate"),
+    Proof("SECTION_SOLID: ELFORM", deck(cube().replace("*SECTION_SOLID\n1,1\n", "*SECTION_SOLID\n1,12\n")), refused="formulation 12"),
+]  # fmt: skip
+
+NOT_PHYSICS = {f"SECTION_{kind}": "sections of elements that are refused themselves"
+               for kind in ("ALE1D", "ALE2D", "FPD", "POINT_SOURCE", "POINT_SOURCE_MIXTURE", "SEATBELT", "SPH", "TSHELL")}  # fmt: skip
+
+PROOFS = STARTS + MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS

@@ -11,7 +11,7 @@ YOUNG = 9 * BULK * SHEAR / (3 * BULK + SHEAR)
 POISSON = (3 * BULK - 2 * SHEAR) / (6 * BULK + 2 * SHEAR)
 E_NU = f"{YOUNG!r},{POISSON!r}"
 FOLLOW = "*DATABASE_HISTORY_SOLID\n1\n*DATABASE_ELOUT\n1e-5\n"
-ZZ, XX, XY, MISES, PRESSURE, EPS = (f"element_1_{name}" for name in ("stress_zz", "stress_xx", "stress_xy", "von_mises", "pressure", "eps"))
+ZZ, XX, ZX, MISES, PRESSURE, EPS = (f"element_1_{name}" for name in ("stress_zz", "stress_xx", "stress_zx", "von_mises", "pressure", "eps"))
 
 
 def stretched(material, ratio, *more, path=(), rows=100):
@@ -244,13 +244,14 @@ def relaxing(strain_rate):
 
 
 FOAM = curve(9, (0.0, 0.0), (0.1, 2.0), (0.6, 3.0), (0.9, 20.0))
+HONEY = f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9,9,8\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0\n"
 SOFT = [
     Proof("MAT_VISCOELASTIC: MID RO BULK G0 GI BETA", sheared(f"*MAT_VISCOELASTIC\n1,{DENSITY!r},2000.0,800.0,200.0,3000.0\n", 0.02),
-          [(XY.replace("xy", "zx"), LAST, relaxing(20.0), 3e-3)], "GI + (G0 - GI) exp(-BETA t)"),
+          [(ZX, LAST, relaxing(20.0), 3e-3)], "GI + (G0 - GI) exp(-BETA t)"),
     Proof("MAT_BLATZ-KO_RUBBER: MID RO G", sheared(f"*MAT_BLATZ-KO_RUBBER\n1,{DENSITY!r},50.0\n", 0.02),
-          [(XY.replace("xy", "zx"), LAST, 50.0 * 0.02, 3e-3)], "G times the angle"),
+          [(ZX, LAST, 50.0 * 0.02, 3e-3)], "G times the angle"),
     Proof("MAT_MOONEY-RIVLIN_RUBBER: MID RO A B", sheared(f"*MAT_MOONEY-RIVLIN_RUBBER\n1,{DENSITY!r},0.49,20.0,5.0\n0\n", 0.02),
-          [(XY.replace("xy", "zx"), LAST, 2 * 25.0 * 0.02, 3e-3)], "2 (A + B) times the angle"),
+          [(ZX, LAST, 2 * 25.0 * 0.02, 3e-3)], "2 (A + B) times the angle"),
     Proof("MAT_MOONEY-RIVLIN_RUBBER: PR", stretched(f"*MAT_MOONEY-RIVLIN_RUBBER\n1,{DENSITY!r},0.49,20.0,5.0\n0\n", 0.999),
           [(PRESSURE, LAST, 4 * 25.0 * 1.49 / (3 * 0.02) * 0.001, 5e-3)], "K = 2 G (1 + nu) / (3 (1 - 2 nu)), G = 2 (A + B)"),
     Proof("MAT_SOIL_AND_FOAM: MID RO G BULK A0 VCR LCID A B C D E F G H I J",
@@ -264,6 +265,10 @@ SOFT = [
           stretched(f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9,9,8\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0\n", 0.65, FOAM,
                     curve(8, (0.0, 5.0), (1.0, 15.0))),
           [(ZZ, LAST, -(5.0 + 10.0 * 0.35), 5e-3)], "LCC at 1 - V = 0.35"),
+    Proof("MAT_MODIFIED_HONEYCOMB", stretched(HONEY.replace("HONEYCOMB", "MODIFIED_HONEYCOMB"), 0.65, FOAM, curve(8, (0.0, 5.0), (1.0, 15.0))), [(ZZ, LAST, -(5.0 + 10.0 * 0.35), 5e-3)], "as of MAT_026"),
+    Proof("MAT_HONEYCOMB: LCS LCCA", sheared(HONEY.replace("9,9,8", "9,9,9,8"), 0.012, FOAM, curve(8, (0.0, 5.0), (1.0, 15.0))), [(ZX, LAST, 5.0, 5e-3)], "the shear strength without crush"),
+    Proof("MAT_HONEYCOMB: LCAB LCBC LCCA", sheared(HONEY.replace("9,9,8", "9,9,9,9,9,9,8"), 0.012, FOAM, curve(8, (0.0, 5.0), (1.0, 15.0))), [(ZX, LAST, 5.0, 5e-3)], "zx is ca"),
+    Proof("MAT_HONEYCOMB: MACF", stretched(HONEY.replace("500.0,2\n", "500.0,2,3\n"), 0.65, FOAM, curve(8, (0.0, 5.0), (1.0, 15.0))), refused="MACF"),
     Proof("MAT_HONEYCOMB: TSEF SSEF",
           stretched(f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0,0.2,0.3\n", 0.65, FOAM), refused="TSEF"),
 ]  # fmt: skip
@@ -337,7 +342,11 @@ CONSTANT_RATE = [
     Proof("EOS_GRUNEISEN: V0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n0.9\n", UP), refused="initial relative volume"),
     Proof("MAT_SOIL_AND_FOAM: PC", stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,-7.0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", UP),
           [(PRESSURE, LAST, -7.0, 2e-2)], "the tension stays at PC"),
-    Proof("MAT_SOIL_AND_FOAM_FAILURE", stretched(f"*MAT_SOIL_AND_FOAM_FAILURE\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
+    Proof("MAT_SOIL_AND_FOAM_FAILURE: PC", stretched(f"*MAT_SOIL_AND_FOAM_FAILURE\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,-7.0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", UP),
+          [(PRESSURE, LAST, -7.0, 2e-2)], "the tension stays at PC"),
+    Proof("MAT_SOIL_AND_FOAM_FAILURE: LCID", stretched(f"*MAT_SOIL_AND_FOAM_FAILURE\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0,0,9\n", math.exp(-0.05), curve(9, (-0.1, 30.0), (0.0, 0.0))),
+          [(PRESSURE, LAST, 15.0, 3e-3)], "half of the curve"),
+    Proof("MAT_SOIL_AND_FOAM_FAILURE: MID RO G BULK A0 A B C D E F G H I J", stretched(f"*MAT_SOIL_AND_FOAM_FAILURE\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
           [(PRESSURE, LAST, 15.0, 3e-3)], "half of the curve"),
     Proof("MAT_LOW_DENSITY_FOAM: HU SHAPE DAMP BVFLAG",
           stretched(f"*MAT_LOW_DENSITY_FOAM\n1,{DENSITY!r},20.0,9,0,0.2,0,0.1\n2.0\n", 0, FOAM, path=((0.0, 0.0), (END / 2, -3.5), (END, 0.0))),
