@@ -21,7 +21,7 @@ from importing.abaqus import read as abaqus  # noqa: E402
 from importing.abaqus.options import KNOWN  # noqa: E402
 from importing.dyna import read as dyna  # noqa: E402
 from importing.dyna.contact_cards import FAMILIES, split_name  # noqa: E402
-from importing.dyna.forms import ANY, OPTIONS  # noqa: E402
+from importing.dyna.forms import ANY, OPTIONS, find_form  # noqa: E402
 from importing.dyna.materials.choice import LAWS, SPRINGS, name_law  # noqa: E402
 from importing.dyna.materials.states import STATES  # noqa: E402
 from importing.fields import Row  # noqa: E402
@@ -196,6 +196,18 @@ def list_cards():
     return sorted({*dyna.DEFINITIONS, *dyna.ACTIONS, *laws, *forms, *states, *(f"CONTACT_{name}" for name in FAMILIES)})
 
 
+def list_options():
+    """Keywords with each option of theirs; all kinds of sets have the same."""
+    names = [name for name, words in OPTIONS.items() if words != ANY and not name.endswith("_") and not name.startswith("SET_")]
+    return sorted(f"{name}_{word}" for name in names for word in OPTIONS[name].replace("|", " ").split())
+
+
+def has_option(card, option):
+    """Whether a card of a row has a keyword with an option: BOUNDARY_SPC_NODE_BIRTH_DEATH has BOUNDARY_SPC_BIRTH_DEATH."""
+    name = find_form(OPTIONS, option)[0]
+    return find_form(OPTIONS, card)[0] == name and option[len(name) :] + "_" in card[len(name) :] + "_"
+
+
 def list_tables_of(card):
     """The names of the tables that a card of a row proves."""
     if card.startswith("MAT_"):
@@ -218,6 +230,7 @@ def find_unproven_cards():
     abaqus_rows = {name.replace("_", " ") for proof in TABLE if proof.is_abaqus() for name in proof.list_proven()}
     explained = {name.replace("_", " ") for name in NOT_PHYSICS}
     cards = [name for name in list_cards() if name not in handled and name not in NOT_PHYSICS]
+    cards += [name for name in list_options() if name not in NOT_PHYSICS and not any(has_option(card, name) for card in keyword_rows)]
     keywords = [name for name in list_keywords() if name.removeprefix("abaqus ") not in abaqus_rows | explained]
     return cards + keywords
 
