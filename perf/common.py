@@ -38,7 +38,8 @@ def find_settings(scene, quick):
 def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
     """One run; its summary."""
     shutil.rmtree(folder, ignore_errors=True)
-    command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder)]
+    command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder),
+               "--set", "output.checkpoint.at_end=false"]  # which is no part of a step
     for key, value in find_settings(scene, quick).items():
         command += ["--set", f"{key}={value}"]
     if ranks > 1:

@@ -466,6 +466,7 @@ struct Deck {
   KeyPlaces places;                        // of its keys
   std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them
   std::set<std::string> silenced;          // rules whose warnings nobody wants to see (src/output/warning_log.hpp)
+  std::string resolved;                    // all its values, with the --set arguments, as JSON (yaml/deck_json.hpp)
 
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;

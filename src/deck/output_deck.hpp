@@ -100,8 +100,9 @@ struct OutputDeck {
   std::vector<Selector> blocks;  // element blocks and element sets, each with columns of its own
   std::vector<ForceDeck> forces;
   std::vector<AccelerometerDeck> accelerometers;
-  std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
+  std::optional<double> checkpoint_every;  // simulated time [time]
   std::optional<double> checkpoint_wall;   // of the clock [s]
+  bool checkpoint_at_end = true;           // whether one is left at the end
 
   /// Those that are written, output.fields first.
   std::vector<const FieldsDeck*> list_fields() const {

@@ -103,7 +103,7 @@ LaterStates find_later_rows(const std::string& path, std::int64_t bytes) {
 }
 
 HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns)
-    : path_(path), columns_(columns.size()), file_(path, O_RDWR | O_CREAT | O_TRUNC), hash_(empty_hash) {
+    : path_(path), columns_(columns.size()), file_(path, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW), hash_(empty_hash) {
   pending_ = make_heading(columns);
   flush();
 }

@@ -143,6 +143,11 @@ void visit_summary(S& s, Visitor&& v) {
   });
   v.value("peak_bytes", s.peak_bytes);
   v.value("state_hash", s.state_hash);
+  v.later_group("deck", [&] {
+    v.value("file", s.deck.file);
+    v.value("settings", s.deck.settings);
+    v.json("values", s.deck.values);
+  });
 }
 
 class Writer {
@@ -167,12 +172,19 @@ class Writer {
     value(key, member);
   }
 
+  /// A text that is JSON itself; empty: null.
+  void json(const char* key, const std::string& text) { (*object_)[key] = text.empty() ? Json() : Json::parse(text); }
+
   template <class Visit>
   void group(const char* key, Visit&& visit) {
     Json* const outer = object_;
     object_ = &((*outer)[key] = Json::object());
     visit();
     object_ = outer;
+  }
+  template <class Visit>
+  void later_group(const char* key, Visit&& visit) {
+    group(key, visit);
   }
 
  private:
@@ -211,6 +223,16 @@ class Reader {
     visit();
     object_ = outer;
     prefix_ = outer_prefix;
+  }
+  template <class Visit>
+  void later_group(const char* key, Visit&& visit) {
+    if (object_->contains(key)) group(key, visit);
+  }
+
+  void json(const char* key, std::string& text) {
+    const Json& found = find(key);
+    if (!found.is_object() && !found.is_null()) fail(key, "is not an object");
+    text = found.is_null() ? "" : found.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
  private:

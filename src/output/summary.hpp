@@ -98,6 +98,10 @@ struct Summary {
   } decomposition;  // for contact
   std::int64_t peak_bytes = 0;
   std::string state_hash;  // 16 hexadecimal digits
+  struct {
+    std::string file, values;           // values: all of them as JSON, with the settings; empty: not known
+    std::vector<std::string> settings;  // the --set arguments
+  } deck;
 };
 
 /// Writes the summary (write, sync, rename). Throws SystemError.

@@ -4,7 +4,9 @@
 //   FAULT_FOLDER  absolute path of the folder; only calls on files below it count
 //   FAULT_CALL    number of the call that fails, from 0; without it none does
 //   FAULT_KIND    once: it fails with EIO; always: it and all after it fail with ENOSPC; kill: the process is killed
-//                 in the middle of it; lose: a write is not done, and told as done
+//                 in the middle of it; lose: a write is not done, and told as done; flip: of what a read gives one bit
+//                 is another
+//   FAULT_CALLS   reads: calls that read files count, and no others
 //   FAULT_RANK    the MPI rank that is to fail; without it the program has one
 //   FAULT_REPORT  a file for the report: "N FUNCTION PATH" of the call that failed, or "N calls" at the end of a
 //                 program in which none was to fail
@@ -29,7 +31,7 @@
 
 namespace {
 
-enum class Kind { none, once, always, kill, lose };
+enum class Kind { none, once, always, kill, lose, flip };
 
 std::string read_environment(const char* name) {
   const char* value = std::getenv(name);
@@ -49,13 +51,17 @@ struct Plan {
   std::string folder = read_environment("FAULT_FOLDER"), report = read_environment("FAULT_REPORT");
   Kind kind = Kind::none;
   long call = -1;
-  bool counts = !folder.empty() && is_on_chosen_rank();
+  bool counts = !folder.empty() && is_on_chosen_rank(), is_of_reads = read_environment("FAULT_CALLS") == "reads";
 
   Plan() {
     const std::string number = read_environment("FAULT_CALL"), name = read_environment("FAULT_KIND");
     if (number.empty()) return;
     call = std::stol(number);
-    kind = name == "once" ? Kind::once : name == "always" ? Kind::always : name == "lose" ? Kind::lose : Kind::kill;
+    kind = name == "once"     ? Kind::once
+           : name == "always" ? Kind::always
+           : name == "lose"   ? Kind::lose
+           : name == "flip"   ? Kind::flip
+                              : Kind::kill;
   }
 };
 
@@ -88,7 +94,7 @@ enum class Fate { succeeds, fails, dies, is_lost };
 
 /// What becomes of this call.
 Fate meet(const char* function, const std::string& path) {
-  if (!plan().counts || !is_below_folder(path)) return Fate::succeeds;
+  if (!plan().counts || plan().is_of_reads || !is_below_folder(path)) return Fate::succeeds;
   const long number = calls++;
   if (plan().kind == Kind::none) return Fate::succeeds;
   if (number == plan().call) {
@@ -147,6 +153,16 @@ ssize_t follow_pwrite(const char* symbol, int file, const void* data, std::size_
   return follow(
       symbol, find_path(file), [&] { return next(file, data, size, offset); },
       [&] { next(file, data, size / 2, offset); }, [&] { return static_cast<ssize_t>(size); });
+}
+
+/// Of what was read, if it is this call's turn, a bit in the middle is turned.
+ssize_t follow_read(const char* function, int file, void* data, ssize_t got) {
+  if (!plan().counts || !plan().is_of_reads || got <= 0) return got;
+  const std::string path = find_path(file);
+  if (!is_below_folder(path) || calls++ != plan().call || plan().kind != Kind::flip) return got;
+  report(std::to_string(plan().call) + " " + function + " " + path + "\n");
+  static_cast<unsigned char*>(data)[got / 2] ^= 4;
+  return got;
 }
 
 ssize_t follow_pwritev(const char* symbol, int file, const iovec* pieces, int count, off_t offset) {
@@ -236,6 +252,18 @@ ssize_t pwritev(int file, const iovec* pieces, int count, off_t offset) {
 }
 ssize_t pwritev64(int file, const iovec* pieces, int count, off_t offset) {
   return follow_pwritev("pwritev64", file, pieces, count, offset);
+}
+
+ssize_t read(int file, void* data, std::size_t size) {
+  return follow_read("read", file, data, find_next<ssize_t (*)(int, void*, std::size_t)>("read")(file, data, size));
+}
+ssize_t pread(int file, void* data, std::size_t size, off_t offset) {
+  using Pread = ssize_t (*)(int, void*, std::size_t, off_t);
+  return follow_read("pread", file, data, find_next<Pread>("pread")(file, data, size, offset));
+}
+ssize_t pread64(int file, void* data, std::size_t size, off_t offset) {
+  using Pread = ssize_t (*)(int, void*, std::size_t, off_t);
+  return follow_read("pread64", file, data, find_next<Pread>("pread64")(file, data, size, offset));
 }
 
 int fsync(int file) {

@@ -25,6 +25,12 @@
 namespace percuss {
 namespace {
 
+std::string format_file_size(const std::string& path) {
+  std::error_code lost;  // somebody may have moved it
+  const auto bytes = std::filesystem::file_size(path, lost);
+  return lost ? "size unknown" : fmt::format("{:.3g} MB", static_cast<double>(bytes) * 1e-6);
+}
+
 void report(const RunResult& result, const std::string& out_dir, const Deck& deck) {
   const Summary& s = result.summary;
   print_quietly(stderr, "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.1e}\n",
@@ -36,6 +42,9 @@ void report(const RunResult& result, const std::string& out_dir, const Deck& dec
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {
     print_quietly(stderr, "checkpoint: {}; {}\n", result.checkpoint, result.resume);
+  } else if (result.has_end) {
+    print_quietly(stderr, "checkpoint: {}, {}, of the end: a later time.end and --restart continue the run\n",
+                  result.checkpoint, format_file_size(result.checkpoint));
   }
   if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
 }

@@ -47,7 +47,7 @@ Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU stop the run after the current step
 Ctrl-C ends it at once. Under mpirun use `kill -USR1 PID_OF_MPIRUN`: mpirun passes it on at once and waits for the ranks.
 After Ctrl-C Open MPI 4 waits one second before it signals its ranks, and one more before it kills them; `mpirun --mca
 odls_base_sigkill_timeout 10` extends both waits to ten seconds. During the run summary.json says `running`; if no run is
-active then, it was killed. `output.checkpoint` in the deck writes checkpoints during the run.
+active then, it was killed. The run leaves a checkpoint at its end; `output.checkpoint` in the deck writes more during it.
 
 --restart continues from a checkpoint, on any number of ranks and threads. The results are bit-identical to those of an
 uninterrupted run. It appends to history and fields in the checkpoint's folder, or starts new ones in the empty folder

@@ -273,6 +273,7 @@ std::string format_scene_json(const SceneReport& scene, const ChunkedMesh& chunk
                      {"selections", list_selections(deck, chunked)},
                      {"walls", list_walls(deck)},
                      {"field_outputs", list_field_outputs(scene)},
+                     {"values", Json::parse(deck.resolved)},
                      {"overlap", describe(overlap, chunked.mesh, deck)},
                      {"warnings", to_json(scene.warnings)}};
   return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";

@@ -150,6 +150,7 @@ std::string format_output(const Deck& deck, const std::vector<FieldOutputSize>& 
   }
   if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
   if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);
+  if (output.checkpoint_at_end) text += ", checkpoint at the end";
   return format_line("output", text);
 }
 

@@ -83,6 +83,7 @@ struct Parser {
     run->add_flag("-q,--quiet", command.quiet, "Print no progress and no report; warnings are still printed");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
     add_external(info);
+    add_info_options();
     // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
     app.allow_extras();
   }
@@ -145,6 +146,13 @@ struct Parser {
     check->add_flag("--report", page, "Write a page about the scene and a short run of it");
     check->add_option("-o,--out", command.out_dir, "With --report: the page (default: SCENE_check.html)")
         ->type_name("FILE");
+    check->add_flag("-f,--force", command.force, "With --report: write over a file that percuss check has not written");
+  }
+
+  /// Those of the program that prints the tables (tools.hpp), here for their lines of help.
+  void add_info_options() {
+    info->add_flag("--energies", page, "Print energies of the history: first, last and largest value");
+    info->add_flag("--forces", page, "Print forces of the history: peak with its time, impulse, mean");
   }
 
   void add_deck(CLI::App* sub) {
@@ -332,7 +340,7 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
     return refuse_extras(extras, *chosen->first, chosen->first->get_name());
   }
   parser.command.kind = chosen->second;
-  if (parser.command.kind == Command::Kind::check && !parser.command.out_dir.empty())
+  if (parser.command.kind == Command::Kind::check && (!parser.command.out_dir.empty() || parser.command.force))
     return wrong("percuss check writes a file with --report only (--out names it)", "check");
   if (const auto refusal = refuse_empty_setting(parser.command)) return *refusal;
   return parser.command;

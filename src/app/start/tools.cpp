@@ -53,8 +53,12 @@ bool become_tool(int argc, char** argv) {
   static char help[] = "--help";
   char* words_of_help[] = {argv[0], argv[2], help, nullptr};
   if (name == "help" && argc == 3 && is_tool(argv[2])) return become_tool(3, words_of_help);
-  if (name == "check" && std::find(argv + 2, argv + argc, std::string("--report")) != argv + argc) name = "preview";
-  if (!is_tool(name) && name != "preview") return false;
+  const auto has = [&](const char* option) {
+    return std::find(argv + 2, argv + argc, std::string(option)) != argv + argc;
+  };
+  if (name == "check" && has("--report")) name = "preview";
+  if (name == "info" && (has("--energies") || has("--forces"))) name = "tables";
+  if (!is_tool(name) && name != "preview" && name != "tables") return false;
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
   std::string tool = find_tool(name).string();

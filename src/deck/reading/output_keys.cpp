@@ -159,13 +159,14 @@ const Keys<OutputDeck>& checkpoint_keys() {
   static const Keys<OutputDeck> keys = {
       may("every", &OutputDeck::checkpoint_every, NumberValue{positive}),
       may("wall", &OutputDeck::checkpoint_wall, NumberValue{positive}),
+      may("at_end", &OutputDeck::checkpoint_at_end, BooleanValue{}),
   };
   return keys;
 }
 
 bool check_checkpoint(const Reader& reader, const Node& node, OutputDeck& output) {
-  if (output.checkpoint_every || output.checkpoint_wall) return true;
-  reader.error(node.spot, fmt::format("{} has neither every nor wall (one of them says when to write)", reader.self()));
+  if (output.checkpoint_every || output.checkpoint_wall || node.find("at_end") != nullptr) return true;
+  reader.error(node.spot, fmt::format("{} has none of every, wall and at_end (they say when to write)", reader.self()));
   return false;
 }
 

@@ -7,6 +7,7 @@
 
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/text/deck_text.hpp"
+#include "src/deck/yaml/deck_json.hpp"
 #include "src/deck/yaml/deck_values.hpp"
 #include "src/deck/yaml/overrides.hpp"
 
@@ -62,6 +63,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   reading.errors.throw_if_any();
   deck.motion_values = list_motion_values(root);
   for (std::string& value : list_free_values(root)) deck.motion_values.push_back(std::move(value));
+  deck.resolved = write_deck_json(root);
   deck.places = KeyPlaces(root);
   deck.warnings = reading.errors.warnings();
   return deck;

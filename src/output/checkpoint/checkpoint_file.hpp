@@ -28,7 +28,9 @@ struct CheckpointHeader {
   std::string precision;  // "double"
   std::string title;      // of the deck
   std::string deck;       // its values on which the motion depends, a line each
+  std::string values;     // all values of the deck as JSON (Deck::resolved)
   std::string mesh;       // hash of the mesh
+  std::string pieces;     // of the mesh, each with its hash, a line each (src/step/restart/mesh_pieces.hpp)
   std::string warnings;   // that the run has given (write_warnings())
   std::string written;    // UTC
   std::string content;    // hash of all that was given, 16 digits; empty: of a percuss that did not write it

@@ -6,12 +6,14 @@
 namespace percuss::checkpoint_names {
 
 /// Changes when a reader of the other format could not make sense of a file.
-inline constexpr std::int64_t format = 5;
+inline constexpr std::int64_t format = 6;
 
 inline constexpr const char* header = "percuss_checkpoint";  // group whose attributes are the header
 inline constexpr const char* state = "state";                // group of the arrays
 inline constexpr const char* content = "content";            // attribute: hash of the content, 16 digits
 inline constexpr const char* deck = "deck";                  // datasets of the header's group
+inline constexpr const char* values = "values";
+inline constexpr const char* pieces = "mesh_pieces";
 inline constexpr const char* warnings = "warnings";
 inline constexpr const char* number_names = "number_names";
 inline constexpr const char* numbers = "numbers";  // bits of a double, or an integer

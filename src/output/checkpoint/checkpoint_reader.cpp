@@ -98,6 +98,8 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
     return std::string(text_bytes.begin(), text_bytes.end());
   };
   header.deck = long_text(names::deck);
+  header.values = long_text(names::values);
+  header.pieces = long_text(names::pieces);
   header.warnings = long_text(names::warnings);
   return header;
 }

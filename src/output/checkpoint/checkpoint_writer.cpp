@@ -90,10 +90,11 @@ void CheckpointWriter::abandon() {
   remove_temporary();
 }
 
-// Its room on the disk is given back at once, though HDF5 keeps it open.
+// Its room on the disk is given back at once, though HDF5 keeps it open. What stands at its name by now may be another
+// file, or a link to one.
 void CheckpointWriter::remove_temporary() const {
   if (ranks_.rank() != 0) return;
-  ::truncate(temporary_.c_str(), 0);
+  disk_.release();
   ::unlink(temporary_.c_str());
 }
 
@@ -105,7 +106,8 @@ void CheckpointWriter::create() {
 }
 
 void CheckpointWriter::write_header() {
-  reserve(2 * metadata_bytes + header_.deck.size() + header_.warnings.size());
+  reserve(2 * metadata_bytes + header_.deck.size() + header_.values.size() + header_.pieces.size() +
+          header_.warnings.size());
   const hdf5::Handle group(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
   const auto number = [&](const char* name, std::int64_t value) {
     hdf5::write_attribute(group.get(), name, std::array<std::int64_t, 1>{value});
@@ -128,6 +130,8 @@ void CheckpointWriter::write_header() {
     write_once<std::uint8_t>(std::string(names::header) + "/" + name, {bytes, value.size()});
   };
   long_text(names::deck, header_.deck);
+  long_text(names::values, header_.values);
+  long_text(names::pieces, header_.pieces);
   long_text(names::warnings, header_.warnings);
 }
 
@@ -245,12 +249,14 @@ void CheckpointWriter::compare() const {
   fail_together(ranks_, [&] {
     try {
       record_.compare(hdf5::open_to_compare(temporary_).get());
+      if (ranks_.rank() == 0 && read_unsealed_header(temporary_) != header_)
+        throw hdf5::Error("read back the header", "it is not what was written");
     } catch (const hdf5::Error& error) {
       throw SystemError(make_message(error));
+    } catch (const InputError& error) {  // what was just written is nobody's input
+      throw SystemError(
+          fmt::format("cannot write '{}' (it cannot be read back: {}){}", path_, error.what(), suggest_for_errno(EIO)));
     }
-    if (ranks_.rank() == 0 && read_unsealed_header(temporary_) != header_)
-      throw SystemError(fmt::format("cannot write '{}' (its header, read back, is not what was written){}", path_,
-                                    suggest_for_errno(EIO)));
   });
 }
 

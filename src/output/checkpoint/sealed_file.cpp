@@ -120,12 +120,15 @@ void seal_file(const Communicator& ranks, const std::string& path) {
   seal.own = hash_seal(seal);
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
-    PosixFile file(path, O_RDWR);
+    PosixFile file(path, O_RDWR | O_NOFOLLOW);
     file.write(&seal, bytes, sizeof seal);
     file.sync();
     file.close();
     check_whole(path, seal);
   });
+  // What was hashed may have been read wrong.
+  if (hash_share(ranks, path, bytes) != seal.hash)
+    throw SystemError(fmt::format("cannot write '{}' (read twice, it is not the same): check the disk", path));
 }
 
 void check_seal(const Communicator& ranks, const std::string& path) {

@@ -6,7 +6,8 @@
 
 namespace percuss {
 
-DiskReservation::DiskReservation(const std::string& path) : file_(path, O_RDWR) {}
+DiskReservation::DiskReservation(const std::string& path, bool follows_links)
+    : file_(path, O_RDWR | (follows_links ? 0 : O_NOFOLLOW)) {}
 
 void DiskReservation::reserve(std::uint64_t size, std::uint64_t bytes) {
   file_.check_place();
@@ -28,6 +29,13 @@ void DiskReservation::trim(std::uint64_t size) const { file_.truncate(static_cas
 
 void DiskReservation::trim_if_unused() const {
   if (file_.size() == end_) file_.truncate(begin_);
+}
+
+void DiskReservation::release() const noexcept {
+  try {
+    file_.truncate(0);
+  } catch (const SystemError&) {  // it was not even opened, or the disk is gone
+  }
 }
 
 }  // namespace percuss

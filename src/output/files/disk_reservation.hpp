@@ -12,7 +12,8 @@ namespace percuss {
 class DiskReservation {
  public:
   DiskReservation() = default;
-  explicit DiskReservation(const std::string& path);
+  /// A link at `path` is followed only where `follows_links`: not of a file that was just made there.
+  explicit DiskReservation(const std::string& path, bool follows_links = false);
 
   /// Makes the disk hold `bytes` more behind the first `size` bytes; if it cannot, the file is `size` bytes long after.
   /// Throws as well if the path no longer leads to the file.
@@ -24,6 +25,9 @@ class DiskReservation {
   /// The same as trim() for an owner that has cut the file to its data by itself, unless they fitted in before: if the
   /// file is still as long as reserve() made it, all that was reserved is given back.
   void trim_if_unused() const;
+
+  /// Gives back all room of the file, which is empty then. Without an error: it is for a file that is given up.
+  void release() const noexcept;
 
   const PosixFile& file() const { return file_; }
 

@@ -6,11 +6,58 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
 
 #include "src/output/files/atomic_file.hpp"
+#include "src/output/files/safe_text.hpp"
 
 namespace percuss {
+namespace {
+
+constexpr double usual_wait = 60;       // seconds that a full disk is given
+constexpr double longest_wait = 86400;  // that can be asked for
+
+/// PERCUSS_WAIT_FOR_SPACE in seconds; what is no number of them is as if it was not there.
+double find_longest_wait() {
+  const char* const text = std::getenv("PERCUSS_WAIT_FOR_SPACE");
+  if (text == nullptr) return usual_wait;
+  char* end = nullptr;
+  const double seconds = std::strtod(text, &end);
+  return end != text && *end == '\0' && seconds >= 0 && seconds <= longest_wait ? seconds : usual_wait;
+}
+
+/// What is done where a disk is full: it is tried again every second until there is room, the wait is over or a signal
+/// comes. A warning tells of the wait.
+class WaitForSpace {
+ public:
+  explicit WaitForSpace(const std::string& name) : name_(name) {}
+
+  /// Whether the call that failed with this error is to be tried again.
+  bool tries_again(int error_number) {
+    if (error_number != ENOSPC && error_number != EDQUOT) return false;
+    if (left_ < 0) begin();
+    if (left_ < 1) return false;
+    left_ -= 1;
+    const timespec second{1, 0};
+    return ::nanosleep(&second, nullptr) == 0;
+  }
+
+ private:
+  void begin() {
+    left_ = find_longest_wait();
+    if (left_ < 1) return;
+    print_text(stderr, fmt::format("percuss: warning: the disk is full (the run writes '{}'): free some space within "
+                                   "{:g} s, for which the run waits\n",
+                                   name_, left_));
+  }
+
+  const std::string& name_;
+  double left_ = -1;  // seconds; -1: it has not been full yet
+};
+
+}  // namespace
 
 PosixFile::PosixFile(std::string path, int flags, std::string name)
     : path_(std::move(path)),
@@ -54,20 +101,27 @@ void PosixFile::read(void* into, std::int64_t offset, std::int64_t count) const 
 
 void PosixFile::write(const void* from, std::int64_t offset, std::int64_t count) const {
   const auto* at = static_cast<const char*>(from);
+  WaitForSpace wait(name_);
   while (count > 0) {
     const ssize_t done = ::pwrite(descriptor_, at, static_cast<std::size_t>(count), offset);
     if (done < 0 && errno == EINTR) continue;
     if (done == 0) errno = ENOSPC;
-    if (done <= 0) fail("write");
+    if (done <= 0) {
+      const int error_number = errno;
+      if (wait.tries_again(error_number)) continue;
+      errno = error_number;
+      fail("write");
+    }
     at += done, offset += done, count -= done;
   }
 }
 
 bool PosixFile::reserve(std::int64_t offset, std::int64_t count) const {
   int error_number = 0;
+  WaitForSpace wait(name_);
   do {  // returns its error, and leaves errno alone
     error_number = ::posix_fallocate(descriptor_, offset, count);
-  } while (error_number == EINTR);
+  } while (error_number == EINTR || wait.tries_again(error_number));
   if (error_number == EOPNOTSUPP || error_number == EINVAL) return false;
   errno = error_number;
   if (error_number != 0) fail("write");

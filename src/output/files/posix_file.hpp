@@ -21,11 +21,13 @@ class PosixFile {
 
   std::int64_t size() const;
 
-  /// Bytes [offset, offset + count), all of them.
+  /// Bytes [offset, offset + count), all of them. A full disk is waited for: PERCUSS_WAIT_FOR_SPACE seconds, 60
+  /// without.
   void read(void* into, std::int64_t offset, std::int64_t count) const;
   void write(const void* from, std::int64_t offset, std::int64_t count) const;
 
-  /// Makes the disk hold bytes [offset, offset + count). False: this file system cannot reserve room.
+  /// Makes the disk hold bytes [offset, offset + count), and waits likewise. False: this file system cannot reserve
+  /// room.
   bool reserve(std::int64_t offset, std::int64_t count) const;
 
   /// Cuts or extends it to so many bytes.

@@ -38,7 +38,7 @@ void DurableFile::create(std::uint64_t bytes, const std::function<void()>& write
 void DurableFile::open(std::int64_t frames, const std::function<void()>& open) {
   run_or_abandon("open", [&] {
     file_ = open_durable_file(path_, ranks_);
-    run_on_first_rank(ranks_, [&] { disk_ = DiskReservation(path_); });
+    run_on_first_rank(ranks_, [&] { disk_ = DiskReservation(path_, true); });
     open();
     frames_ = frames;
   });
@@ -119,6 +119,8 @@ void DurableFile::compare() {
         throw Error("read back the number of frames", "it is not what was written");
     } catch (const Error& error) {
       throw SystemError(make_message("write", error));
+    } catch (const InputError& error) {  // it is damaged, and nobody's input
+      throw SystemError(make_message("write", Error("read it back", error.what())));
     }
   };
   try {

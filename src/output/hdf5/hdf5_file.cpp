@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <thread>
 
 #include "src/output/files/atomic_file.hpp"
@@ -50,19 +51,35 @@ Handle create_access(const Communicator& ranks, const std::string& action) {
   return access;
 }
 
-// Rank 0 makes the file, so that the reason of a failure is the system's own; MPI-IO would hide it.
-void make_empty_file(const std::string& path) {
-  ::unlink(path.c_str());  // who still reads an older run keeps its file
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw make_io_error("create", path, errno);
-  ::close(descriptor);
-}
+/// An empty file that nobody else has made, by one rank. The reason of a failure is the system's own.
+class NewFile {
+ public:
+  explicit NewFile(const std::string& path) {
+    ::unlink(path.c_str());  // who still reads an older run keeps its file
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throw make_io_error("create", path, errno);
+  }
+  ~NewFile() { ::close(descriptor_); }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  /// A path that leads to this file whatever stands at its name by now; empty where the system has none.
+  std::string own_path() const {
+    std::string path = fmt::format("/proc/self/fd/{}", descriptor_);
+    return ::access(path.c_str(), W_OK) == 0 ? path : "";
+  }
+
+ private:
+  int descriptor_ = -1;
+};
+
+enum class Links { refuse, follow };
 
 // Open MPI 4.1 waits for ever where one rank cannot open what others can: a folder that only one machine has, say.
-void agree_that_all_reach(const std::string& path, const Communicator& ranks) {
+void agree_that_all_reach(const std::string& path, const Communicator& ranks, Links links) {
   if (ranks.size() == 1) return;
   fail_together(ranks, [&] {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (links == Links::refuse ? O_NOFOLLOW : 0));
     if (descriptor < 0)
       throw SystemError(fmt::format("rank {} of {} cannot open '{}' ({}); results need a folder that all ranks share",
                                     ranks.rank(), ranks.size(), path, std::strerror(errno)));
@@ -101,13 +118,14 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks, L
   check(H5Pset_istore_k(creation.get(), chunk_index), action);
   if (links == LinkOrder::by_creation)
     check(H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), action);
-  if (together) {
-    run_on_first_rank(ranks, [&] { make_empty_file(path); });
-  } else {
-    ::unlink(path.c_str());
-  }
-  agree_that_all_reach(path, ranks);
-  Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
+  // HDF5 opens by name: through the file that was just made, never through a link that has taken its place. Several
+  // ranks, on machines of their own, have the name alone.
+  std::optional<NewFile> made;
+  run_on_first_rank(ranks, [&] { made.emplace(path); });
+  agree_that_all_reach(path, ranks, Links::refuse);
+  const std::string own = together ? "" : made->own_path();
+  const std::string& name = own.empty() ? path : own;
+  Handle file(check(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
 }
@@ -115,7 +133,7 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks, L
 Handle open_durable_file(const std::string& path, const Communicator& ranks) {
   const std::string action = "open the file";
   const Handle access = create_access(ranks, action);
-  agree_that_all_reach(path, ranks);
+  agree_that_all_reach(path, ranks, Links::follow);
   Handle file(check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
@@ -149,22 +167,43 @@ void turn_away(const Handle& file, const Communicator& ranks) {
 
 }  // namespace percuss::hdf5
 
+namespace {
+
+/// A write that came short is made again as a whole: the library does not tell where the gap is.
+constexpr int most_tries = 8;
+
+struct Written {
+  int code = MPI_SUCCESS;
+  MPI_Count bytes = 0;
+  MPI_Status status;
+};
+
+Written write_once(MPI_File file, MPI_Offset offset, const void* data, int count, MPI_Datatype type) {
+  Written written;
+  written.code = PMPI_File_write_at(file, offset, data, count, type, &written.status);
+  MPI_Get_elements_x(&written.status, MPI_BYTE, &written.bytes);
+  return written;
+}
+
+}  // namespace
+
 // Stands before the MPI library's function of this name, as MPI's profiling interface provides for. With several ranks
 // all that HDF5 writes passes here. HDF5 1.10 continues in a flush after a failed write, past what the other ranks wait
 // for, and Open MPI 4.1 reports one by the count alone: both would be a hang. So a failed write ends all ranks.
 extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* data, int count, MPI_Datatype type,
                                  MPI_Status* status) {
-  MPI_Status own;
-  const int code = PMPI_File_write_at(file, offset, data, count, type, &own);
-  MPI_Count written = 0, item = 0;
-  MPI_Get_elements_x(&own, MPI_BYTE, &written);
+  MPI_Count item = 0;
   MPI_Type_size_x(type, &item);
-  if (code != MPI_SUCCESS || written != item * count) {
+  Written last = write_once(file, offset, data, count, type);
+  for (int tries = 1; tries < most_tries && last.code == MPI_SUCCESS && last.bytes > 0 && last.bytes < item * count;
+       ++tries)
+    last = write_once(file, offset, data, count, type);
+  if (last.code != MPI_SUCCESS || last.bytes != item * count) {
     percuss::hdf5::end_all_ranks(
         percuss::Communicator::world(),
-        fmt::format("cannot write a file of results ({} of {} bytes written; is the disk sound?)", written,
+        fmt::format("cannot write a file of results ({} of {} bytes written; is the disk sound?)", last.bytes,
                     item * count));
   }
-  if (status != MPI_STATUS_IGNORE) *status = own;
-  return code;
+  if (status != MPI_STATUS_IGNORE) *status = last.status;
+  return last.code;
 }

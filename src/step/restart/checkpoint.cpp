@@ -17,6 +17,7 @@
 #include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/restart/archive_lives.hpp"
+#include "src/step/restart/mesh_pieces.hpp"
 
 namespace percuss {
 namespace {
@@ -194,32 +195,6 @@ void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/damping_work", books.damping_work);
 }
 
-/// 16 hexadecimal digits of ids, places, corners and own thicknesses of the whole mesh.
-std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
-  const Mesh& mesh = chunked.mesh;
-  std::uint64_t sum = 0;
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    if (!owns_node(chunked, static_cast<int>(n))) continue;
-    std::uint64_t h = mix_bits(static_cast<std::uint64_t>(mesh.node_numbers[n]));
-    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_ids[n]));
-    for (const double x : mesh.nodes[n]) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(x));
-    sum += h;
-  }
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(find_element_number(chunked, static_cast<int>(e))));
-    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_ids[e]));
-    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.part_of(e)));
-    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.block_of(e).topology));
-    for (const int n : mesh.corners(e)) {
-      h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
-    }
-    if (!mesh.elements.own_thickness.empty()) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(mesh.thickness_of(e)));
-    sum += h;
-  }
-  all_reduce(ranks, Reduce::sum, sum);
-  return fmt::format("{:016x}", sum);
-}
-
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -288,14 +263,16 @@ void complete_state(const ChunkedMesh& chunked, const Model& model, const State&
   }
 }
 
-CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                                        const State& state) {
+CheckpointHeader make_checkpoint_header(const Deck& deck, const std::vector<std::string>& pieces,
+                                        const ChunkedMesh& chunked, const State& state) {
   CheckpointHeader header;
   header.version = PERCUSS_VERSION;
   header.precision = precision_name;
   header.title = deck.title;
   header.deck = fmt::format("{}", fmt::join(deck.motion_values, "\n"));
-  header.mesh = hash_mesh(chunked, model.ranks);
+  header.values = deck.resolved;
+  header.mesh = hash_mesh_pieces(pieces);
+  header.pieces = fmt::format("{}", fmt::join(pieces, "\n"));
   header.written = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::chrono::system_clock::now()));
   header.elements = chunked.numbering.element_count();
   header.nodes = chunked.numbering.node_count();
@@ -321,12 +298,12 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
                     deck.file, path, join_first(differences),
                     deck.sensors.empty() ? "output" : "output without output.history, which sensors look at"));
   }
-  if (checkpoint.mesh != now.mesh) {
-    throw InputError(fmt::format(
-        "{}: error: the mesh differs from that of {} ({} elements, {} nodes, hash {}; in the checkpoint {} elements, "
-        "{} nodes, hash {}): was a mesh file changed, or a section by elements?",
-        deck.file, path, now.elements, now.nodes, now.mesh, checkpoint.elements, checkpoint.nodes, checkpoint.mesh));
-  }
+  if (checkpoint.mesh == now.mesh) return;
+  const auto pieces = compare_mesh_pieces(split_lines(now.pieces), split_lines(checkpoint.pieces));
+  throw InputError(
+      fmt::format("{}: error: the mesh differs from that of {} (a restart must have the same mesh): {}; was "
+                  "a mesh file changed, or a section by elements?",
+                  deck.file, path, join_first(pieces)));
 }
 
 std::vector<std::string> list_changed_values(const CheckpointHeader& checkpoint, const Deck& deck) {

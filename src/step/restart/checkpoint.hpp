@@ -16,9 +16,9 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
 /// Gives the copies of nodes what their owners have read. Collective.
 void complete_state(const ChunkedMesh& chunked, const Model& model, const State& state);
 
-/// The header of a checkpoint of this state. Collective.
-CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                                        const State& state);
+/// The header of a checkpoint of this state. pieces: of the mesh (mesh_pieces.hpp).
+CheckpointHeader make_checkpoint_header(const Deck& deck, const std::vector<std::string>& pieces,
+                                        const ChunkedMesh& chunked, const State& state);
 
 /// Throws InputError if the checkpoint is of another version, precision, mesh or deck, and says what differs. `now`:
 /// the header of the scene at hand.

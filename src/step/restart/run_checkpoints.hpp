@@ -19,8 +19,8 @@ class RunCheckpoints {
   /// them, too. The deck outlives this.
   RunCheckpoints(const Deck& deck, const std::string& directory, bool allows_external_files);
 
-  /// Whether the deck asks for any; then one is left at the end, too.
-  bool are_wanted() const { return output_.checkpoint_every || output_.checkpoint_wall; }
+  /// Whether one is left when the run comes to its end.
+  bool is_wanted_at_end() const { return output_.checkpoint_at_end; }
   /// By simulated time.
   bool is_due(double time) const { return due_.is_due(time); }
   /// By the clock, of this rank: all have to agree.

@@ -17,6 +17,7 @@
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/restart/checkpoint.hpp"
+#include "src/step/restart/mesh_pieces.hpp"
 #include "src/step/restart/restart_removals.hpp"
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/stop_request.hpp"
@@ -52,6 +53,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       output_(deck, chunked_, model_, contact_, options.out_dir),
       sensors_(deck, ranks_),
       checkpoints_(deck, options.out_dir, options.allows_external_files),
+      mesh_pieces_(list_mesh_pieces(deck, chunked_, ranks_)),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
@@ -72,6 +74,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   stop_if_requested(ranks_, "before the first step");
   open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
   summary_.end_time = deck_.time.end;
+  summary_.deck = {deck_.file, deck_.resolved, deck_.settings};
   summary_.setup_s = find_seconds(setup_start_);
 }
 
@@ -109,8 +112,8 @@ void Run::begin() {
 
 void Run::restart() {
   CheckpointReader reader(options_.restart, chunked_, ranks_);
-  check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
-                          deck_);
+  check_checkpoint_header(options_.restart, reader.header(),
+                          make_checkpoint_header(deck_, mesh_pieces_, chunked_, state_), deck_);
   archive(reader);
   summary_.restart_changes = list_changed_values(reader.header(), deck_);
   if (options_.goes_on_in_place) refuse_changed_regions(reader.header(), deck_, summary_.restart_changes);
@@ -195,7 +198,7 @@ void Run::loop() {
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.
   if (!is_finished()) {
     save_interrupted();
-  } else if (checkpoints_.step() != state_.step && checkpoints_.are_wanted()) {
+  } else if (checkpoints_.step() != state_.step && checkpoints_.is_wanted_at_end()) {
     write_checkpoint();
   }
   observe_last();
@@ -376,7 +379,7 @@ void Run::save_checkpoint() {
   if (options_.out_dir.empty()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.note_lengths();
-  CheckpointHeader header = make_checkpoint_header(deck_, chunked_, model_, state_);
+  CheckpointHeader header = make_checkpoint_header(deck_, mesh_pieces_, chunked_, state_);
   header.warnings = warnings_.write();
   checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
   forget_checkpoint_request();
@@ -407,7 +410,7 @@ RunResult Run::operator()() {
   const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
   return {interrupted ? ExitCode::interrupted : ExitCode::done, result_, checkpoints_.path(),
-          checkpoints_.describe_resume()};
+          checkpoints_.describe_resume(), checkpoints_.step() == state_.step};
 }
 
 RunResult run_scene(const Deck& deck, const RunOptions& options) {

@@ -31,6 +31,7 @@ struct RunResult {
   Summary summary;
   std::string checkpoint;  // the last one written, or gone on from; empty: none
   std::string resume;      // how to continue from it
+  bool has_end = false;    // whether that checkpoint is of the last state
 };
 
 /// Runs a scene to its end on all ranks of the program; rank 0 writes and speaks. Files in out_dir: fields, history and

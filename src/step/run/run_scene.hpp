@@ -106,6 +106,7 @@ class Run {
   RunOutput output_;
   Sensors sensors_;
   RunCheckpoints checkpoints_;
+  const std::vector<std::string> mesh_pieces_;  // for its checkpoints (mesh_pieces.hpp)
   FolderRequests requests_;
   const SceneMeasures measures_;  // at time 0
   bool is_state_whole_ = true;    // false while a step is made

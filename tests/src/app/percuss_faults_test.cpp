@@ -127,7 +127,7 @@ TEST_P(PercussFaults, AFullDiskEndsTheRunWithItsReasonAndASoundCheckpoint) {
   const std::string out = disk + "/out", look = folder_.path() + "/info";
   const ProcessResult result =
       run_percuss({"run", deck_, "-o", out, "--set", "output.fields.every=0.1", "--set", "time.end=1e5"},
-                  "unshare -m sh -c '"
+                  "unshare -m sh -c 'export PERCUSS_WAIT_FOR_SPACE=0; "
                   "mount -t tmpfs -o size=1800k none " +
                       disk + " && { " + launch() + " \"$@\"; code=$?; \"$1\" info " + out + "/checkpoint.h5 >" + look +
                       "; exit $code; }' sh");

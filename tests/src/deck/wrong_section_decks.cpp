@@ -340,7 +340,7 @@ std::vector<WrongDeck> at_odds() {
        "both near and id"},
       {"PointNamedTwice", append("output: {history: {nodes: [{name: a, id: 1}], elements: [{name: a, id: 2}]}}"),
        "6:58", "name 'a' is given twice"},
-      {"CheckpointNever", append("output: {checkpoint: {}}"), "6:22", "neither every nor wall"},
+      {"CheckpointNever", append("output: {checkpoint: {}}"), "6:22", "none of every, wall and at_end"},
       {"NoPairs", append("contact: {surfaces: []}"), "6:21", "at least one pair"},
       {"PairOfThree", append("contact: {surfaces: [[rod, rod, rod]]}"), "6:22", "must be a pair [a, b]"},
       {"PairTwice", append("contact: {surfaces: [[rod, rod/x_min], {a: rod/x_min, b: rod, friction: 0.5}]}"), "6:40",

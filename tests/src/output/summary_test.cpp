@@ -147,7 +147,10 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "decomposition.rounds_per_cut",
                                           "decomposition.ghost_faces",
                                           "peak_bytes",
-                                          "state_hash"};
+                                          "state_hash",
+                                          "deck.file",
+                                          "deck.settings",
+                                          "deck.values"};
   EXPECT_EQ(keys, promised);
 }
 
@@ -185,6 +188,36 @@ TEST(Summary, WritesWhatIsNotFiniteAsNullAndReadsItAsNan) {
   EXPECT_TRUE(std::isnan(read_summary(folder.file("summary.json")).energy.kinetic));
 }
 
+void expect_refusal(const std::string& text, const std::string& message) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  std::ofstream(path) << text;
+  try {
+    read_summary(path);
+    ADD_FAILURE() << "took for a summary: " << text;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(path + message));
+  }
+}
+
+TEST(Summary, KeepsTheValuesOfTheDeckAndReadsSummariesThatHaveNone) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  Summary summary = make_summary();
+  summary.deck = {"deck.yaml", "{\"time\":{\"end\":0.1},\"walls\":[1,null,\"x\"]}", {"time.end=0.1"}};
+  write_summary(path, summary);
+  const Summary read = read_summary(path);
+  EXPECT_EQ(read.deck.file, summary.deck.file);
+  EXPECT_EQ(read.deck.values, summary.deck.values);
+  EXPECT_EQ(read.deck.settings, summary.deck.settings);
+  auto json = nlohmann::ordered_json::parse(read_whole(path));
+  json["deck"]["values"] = 3;
+  expect_refusal(json.dump(), ": error: 'deck.values' is not an object");
+  json.erase("deck");
+  std::ofstream(path) << json.dump();
+  EXPECT_EQ(read_summary(path).deck.values, "");
+}
+
 TEST(Summary, IsWrittenEvenIfTheErrorTextIsNotUtf8) {
   const sample::TemporaryFolder folder;
   Summary summary = make_summary();
@@ -200,18 +233,6 @@ TEST(Summary, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   std::filesystem::create_directory(path + ".tmp");  // where the new one would be prepared
   EXPECT_THROW(write_summary(path, Summary{}), SystemError);
   EXPECT_EQ(read_summary(path).status, "completed");
-}
-
-void expect_refusal(const std::string& text, const std::string& message) {
-  const sample::TemporaryFolder folder;
-  const std::string path = folder.file("summary.json");
-  std::ofstream(path) << text;
-  try {
-    read_summary(path);
-    ADD_FAILURE() << "took for a summary: " << text;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr(path + message));
-  }
 }
 
 TEST(Summary, RefusesWhatIsNotASummaryWithItsPlace) {
