@@ -2,6 +2,7 @@
 
 import io
 import math
+import os
 
 import numpy as np
 from matplotlib import rc_context
@@ -9,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import ScalarFormatter
+from percuss.files import make_mark, write_file
 from percuss.units import choose_time_unit, choose_unit
 
 from .panels import Panel
@@ -34,8 +36,13 @@ class Plot:
     def __init__(self, runs, options):
         self.runs, self.options = runs, options
         history = runs[0][2]
-        ends = [h["time"][-1] for _, _, h in runs if len(h)]
-        self.time_unit, self.time_factor = choose_time_unit(history.unit("time"), min(max(ends, default=0), options.end))
+        self.test = None  # a measured curve (measured.py), in the units of the histories
+        if options.x == "time":
+            ends = [h["time"][-1] for _, _, h in runs if len(h)]
+            self.x_unit, self.x_factor = choose_time_unit(history.unit("time"), min(max(ends, default=0), options.end))
+        else:
+            largest = max((float(np.nanmax(np.abs(h[options.x]), initial=0)) for _, _, h in runs), default=0)
+            self.x_unit, self.x_factor = choose_unit(history.unit(options.x), largest)
 
     def draw_all(self, panels, size, title=""):
         """One figure of all panels, in two columns where there are more than two. size: (width, height) in inches or None."""
@@ -68,10 +75,12 @@ class Plot:
                 time, values = make_curve(history, name, self.options)
                 time, values = thin(time, values)
                 color = COLORS[(number if len(panel.columns) == 1 else curve) % len(COLORS)]
-                axes.plot(time * self.time_factor, values * factor, color=color, linestyle=STYLES[number % len(STYLES)],
+                axes.plot(time * self.x_factor, values * factor, color=color, linestyle=STYLES[number % len(STYLES)],
                           linewidth=1.3)
-            if panel.colored_by_part and not several:
+            if panel.colored_by_part and not several and self.options.x == "time":
                 self._color_by_part(axes, run, history, factor)
+        if self.test is not None:
+            self.test.draw(axes, self.x_factor, factor)
         self._add_legend(axes, panel)
         self._finish(axes, panel, unit)
 
@@ -82,7 +91,7 @@ class Plot:
             for curve, name in enumerate(panel.columns):
                 owner = next(history for _, _, history in self.runs if name in history)
                 entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=owner.label(name)))
-        if len(self.runs) > 1:
+        if len(self.runs) > 1 or self.test is not None:
             for number, (label, _, _) in enumerate(self.runs):
                 color = COLORS[number % len(COLORS)] if len(panel.columns) == 1 else INK
                 entries.append(Line2D([], [], color=color, linestyle=STYLES[number % len(STYLES)], label=label))
@@ -116,7 +125,7 @@ class Plot:
         chosen = chosen[(history["dt"][chosen] > 0) & (time >= self.options.start) & (time <= self.options.end)]
         for part in np.unique(parts[chosen]):
             rows = chosen[parts[chosen] == part]
-            axes.plot(history["time"][rows] * self.time_factor, history["dt"][rows] * factor, ".", markersize=4,
+            axes.plot(history["time"][rows] * self.x_factor, history["dt"][rows] * factor, ".", markersize=4,
                       color=COLORS[(part + 1) % len(COLORS)] if part >= 0 else GRID,
                       label=f"controlled by {names[part]}" if part >= 0 else "controlling element not known")
 
@@ -126,7 +135,8 @@ class Plot:
         meaning = history.label(panel.columns[0])
         title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
         axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
-        axes.set_xlabel(f"time [{self.time_unit}]" if self.time_unit else "time")
+        words = "time" if self.options.x == "time" else self.runs[0][2].label(self.options.x)
+        axes.set_xlabel(f"{words} [{self.x_unit}]" if self.x_unit else words)
         axes.set_ylabel(f"[{unit}]" if unit else "")
         self._widen_constants(axes)
         formatter = ScalarFormatter(useMathText=True)
@@ -148,10 +158,12 @@ class Plot:
 
     def _mark_warnings(self, axes):
         """A line at the time at which each rule was first found, numbered as in list_marks."""
+        if self.options.x != "time":
+            return
         low, high = axes.get_xlim()
         groups = []  # numbers that would lie over each other share one label
         for number, (time, _) in enumerate(self.list_marks(), 1):
-            place = time * self.time_factor
+            place = time * self.x_factor
             if not low <= place <= high:
                 continue
             axes.axvline(place, color=MARK, linewidth=0.8, linestyle=(0, (3, 3)))
@@ -184,6 +196,10 @@ def write_svg(figure):
     return text[text.index("<svg") :]
 
 
-def save(figure, path, dpi=110):
+def save(figure, path, force=False, dpi=110):
+    """Writes a PNG or an SVG, with the mark of percuss plot."""
+    form, stream = os.path.splitext(path)[1][1:].lower(), io.BytesIO()
+    mark = make_mark("plot")
     with rc_context(SETTINGS):
-        figure.savefig(path, dpi=dpi, metadata={"Date": None} if str(path).endswith(".svg") else None)
+        figure.savefig(stream, format=form, dpi=dpi, metadata={"Date": None, "Creator": mark} if form == "svg" else {"Software": mark})
+    write_file(path, stream.getvalue(), "plot", force)

@@ -1,5 +1,6 @@
 """What is plotted: panels of columns, by default or by what the user asks for."""
 
+import difflib
 import fnmatch
 from dataclasses import dataclass, field
 
@@ -25,7 +26,7 @@ class Panel:
 
 def list_panels(histories):
     """Every panel for which some run has columns, by name, in the order in which they are shown."""
-    names = list(dict.fromkeys(name for history in histories for name in [*history, *history.derived]))
+    names = list(dict.fromkeys(name for history in histories for name in history.everything))
 
     def moves(name):
         return any(name in history and history[name].any() for history in histories)
@@ -75,8 +76,13 @@ def choose_panels(words, histories):
     known = list_panels(histories)
     if not words:
         return [known[name] for name in DEFAULT if name in known]
-    names = list(dict.fromkeys(name for history in histories for name in [*history, *history.derived]))
+    names = list(dict.fromkeys(name for history in histories for name in history.everything))
     return [known[word] if word in known else _choose_columns(word.removeprefix("="), names, known) for word in words]
+
+
+def choose_columns(word, histories):
+    """The columns of a word; BadChoice where there are none."""
+    return _choose_columns(word, list(dict.fromkeys(name for history in histories for name in history.everything)), {}).columns
 
 
 def _choose_columns(word, names, known):
@@ -84,7 +90,8 @@ def _choose_columns(word, names, known):
     for part in [word] if word in names else word.split(","):
         found = [part] if part in names else fnmatch.filter(names, part) or (known[part].columns if part in known else [])
         if not found:
-            raise BadChoice(f"there is no column '{part}' (panels: {', '.join(known)}; columns: {', '.join(names)})")
+            near = difflib.get_close_matches(part, [*names, *known], 1, 0.6)
+            raise BadChoice(f"there is no column '{part}'{f'; did you mean {near[0]}?' if near else ''} (panels: {', '.join(known)}; columns: {', '.join(names)})")
         columns += found
     columns = list(dict.fromkeys(columns))
     return Panel(word, columns[0] if len(columns) == 1 else "", columns, columns == ["dt"])

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from percuss.expressions import evaluate, is_expression
 from percuss.filters import filter_cfc, resample
 
 MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
@@ -10,7 +11,9 @@ MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
 
 @dataclass
 class Options:
-    channel_class: int = 0       # of SAE J211; 0: no filter
+    channel_class: int = 0       # of SAE J211, of the columns; 0: no filter
+    class_after: int = 0         # the same of computed curves
+    x: str = "time"              # the column of the abscissa
     units: object = None         # a Units, to convert to
     start: float = -np.inf       # range of time, in the units of the deck
     end: float = np.inf
@@ -24,17 +27,72 @@ def prepare_history(run, options):
     return history.in_units(options.units)
 
 
+UNFILTERED = ("time", "dt_element", "dt_spring", "step")
+
+
 def make_curve(history, name, options):
-    """(times, values) of a column; ValueError where it cannot be filtered."""
+    """(abscissas, values) of a column; ValueError where it cannot be filtered."""
     time, values = history["time"], history[name]
     if name == "dt" and len(time) > 1 and values[0] == 0:  # no step has led to the start
         time, values = time[1:], values[1:]
-    if options.channel_class and name not in ("dt_element", "dt_spring", "step"):
-        time, values = resample(time, values)
-        seconds = history.units.time[1] if history.units else 1.0
-        values = filter_cfc(values, (time[1] - time[0]) * seconds, options.channel_class)
+    time, values = _filter(history, name, time, values, options)
     inside = (time >= options.start) & (time <= options.end)
-    return time[inside], values[inside]
+    if options.x == "time":
+        return time[inside], values[inside]
+    across = np.interp(time, *_filter(history, options.x, history["time"], history[options.x], options))
+    return across[inside], values[inside]
+
+
+def _filter(history, name, time, values, options):
+    channel_class = options.class_after if name in history.computed else options.channel_class
+    if not channel_class or name in UNFILTERED:
+        return time, values
+    time, values = resample(time, values)
+    seconds = history.units.time[1] if history.units else 1.0
+    return time, filter_cfc(values, (time[1] - time[0]) * seconds, channel_class)
+
+
+class _Filtered:
+    """The columns of a history, each filtered, at its rows: what expressions are computed of."""
+
+    def __init__(self, history, options):
+        self._history, self._options, self._known = history, options, {}
+        self.units, self.everything, self.dimension = history.units, history.everything, history.dimension
+
+    def __iter__(self):
+        return iter(self._history)
+
+    def __contains__(self, name):
+        return name in self._history
+
+    def __len__(self):
+        return len(self._history)
+
+    def __getitem__(self, name):
+        if name not in self._known:
+            time, values = _filter(self._history, name, self._history["time"], self._history[name], self._options)
+            self._known[name] = np.interp(self._history["time"], time, values)
+        return self._known[name]
+
+
+def add_expressions(words, histories, options, known=()):
+    """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)'.
+    known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
+    named = []
+    for word in words:
+        label, equals, text = word.partition("=")
+        if not equals or not label.strip():
+            label, text = word, word
+        label, text = label.strip(), text.strip()
+        names = [name for history in histories for name in history.everything]
+        is_column = label == text and (word in known or all(piece in names or piece in known for piece in word.split(",")))
+        if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):
+            named.append(word)
+            continue
+        for history in histories:
+            history.add(label, *evaluate(_Filtered(history, options) if options.channel_class else history, text))
+        named.append(label)
+    return named
 
 
 def is_too_short(history, channel_class):

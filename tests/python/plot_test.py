@@ -87,6 +87,43 @@ class Plot(unittest.TestCase):
             low, high = Drawing([("a", self.run_, history)], Options()).draw_one(panel).axes[0].get_ylim()
             self.assertEqual(high - low > 0.3, flat, (low, high))
 
+    def test_draws_expressions_over_any_column(self):
+        path = os.path.join(self.folder.name, "over.svg")
+        done = self.plot(self.out, "loss = kinetic - first(kinetic)", "--x", "integral(wall_force_z)", "--out", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        for words in ("Loss", "integral(wall_force_z) [", "[J]"):
+            self.assertTrue(words in text, words)
+
+    def test_writes_what_it_draws_as_a_table(self):
+        path = os.path.join(self.folder.name, "curves.csv")
+        self.assertEqual(self.plot(self.out, "kinetic + internal", "--out", path).returncode, 0)
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines[1], "time [s],kinetic + internal [J]")
+        history = self.run_.history
+        np.testing.assert_array_equal(np.array([line.split(",") for line in lines[2:]], dtype=float),
+                                      np.column_stack([history["time"], history["kinetic"] + history["internal"]]))
+
+    def test_rates_runs_against_a_test(self):
+        path, history = os.path.join(self.folder.name, "test.csv"), self.run_.history
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(f"{float(t)!r},{float(y)!r},{float(y) - 1!r},{float(y) + 1!r}\n" for t, y in zip(history["time"], history["kinetic"]))
+        done = self.plot(self.out, "kinetic", "--test", path, "--out", os.path.join(self.folder.name, "rated.png"))
+        self.assertIn("rating 1.000 of 1 by ISO/TS 18571", done.stdout)
+        self.assertIn("100 % of its points are within the corridor", done.stdout)
+        self.assertIn("--test is for one curve", self.plot(self.out, "--test", path).stderr)
+
+    def test_info_prints_tables_of_energies_and_forces(self):
+        done = subprocess.run([PERCUSS, "info", self.out, "--energies", "--forces"], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        history = self.run_.history
+        self.assertRegex(done.stdout, rf"kinetic +{history['kinetic'][0]:.5g} +{history['kinetic'][-1]:.5g} ")
+        self.assertRegex(done.stdout, r"kinetic:block +\S")
+        size = np.linalg.norm([history[f"wall_force_{axis}"] for axis in "xyz"], axis=0)
+        self.assertRegex(done.stdout, rf"wall_force +all walls +{size.max():.5g} +{history['time'][size.argmax()]:.5g} +~")
+
     def test_lists_columns_with_units(self):
         done = self.plot(self.out, "--list")
         self.assertRegex(done.stdout, r"kinetic +J +kinetic energy")
@@ -109,7 +146,7 @@ class Plot(unittest.TestCase):
         for line in examples.splitlines():
             words = shlex.split(re.split(r"\s{2,}", line.strip())[0])[2:]
             options = next((i for i, word in enumerate(words) if word.startswith("--")), len(words))
-            choose_panels([word for word in words[:options] if word not in ("ball", "ball_fine", "can")], [history])
+            choose_panels([word for word in words[:options] if word not in ("ball", "ball_fine", "can", "box")], [history])
 
     def test_says_what_is_wrong(self):
         for arguments, words in (((self.out, "kinetics"), "there is no column 'kinetics'"), (("nowhere",), "no folder among nowhere"),
