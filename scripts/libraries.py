@@ -30,6 +30,14 @@ def find_readers():
             sys.path.insert(0, folder)
 
 
+def fail(tool, message, code=2):
+    """Ends the program with an error of the tool."""
+    find_readers()
+    from percuss import terminal
+
+    terminal.fail(tool, message, code)
+
+
 def find_libraries(modules):
     """Continues in the system's Python if this one lacks one of the modules. An ImportError where that one does, too."""
     try:

@@ -1,12 +1,14 @@
 """columns.json: what the columns of history.csv are. A run writes it; there is no other list of their meanings."""
 
-import json
 import os
+
+from .files import load_json
+from .shapes import COLUMNS
 
 
 def read_sidecar(folder):
     """{column: {name, unit, dimension, meaning}} of columns.json; empty where a run has written none."""
-    return {entry["name"]: entry for entry in _read_file(folder).get("columns", []) if "name" in entry}
+    return {entry["name"]: entry for entry in _read_file(folder).get("columns", [])}
 
 
 def read_units(folder):
@@ -14,10 +16,11 @@ def read_units(folder):
     return _read_file(folder).get("units") or ""
 
 
+def has_sensors(folder):
+    """Whether the deck has sensors."""
+    return any(name.startswith("sensor:") for name in read_sidecar(folder))
+
+
 def _read_file(folder):
-    try:
-        with open(os.path.join(folder, "columns.json"), encoding="utf-8") as file:
-            found = json.load(file)
-    except (OSError, ValueError):
-        return {}
-    return found if isinstance(found, dict) else {"columns": found}
+    path = os.path.join(folder, "columns.json")
+    return load_json(path, COLUMNS) if os.path.lexists(path) else {}

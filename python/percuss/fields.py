@@ -1,12 +1,30 @@
 """Reads fields.vtkhdf: the mesh once, then frame after frame."""
 
+import functools
 import os
 import re
 
 import h5py
 import numpy as np
 
-from .errors import NotResults
+from .errors import NoFrames, NotResults
+
+# What h5py raises at a damaged file, here or in a later call.
+_DAMAGE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, OverflowError, MemoryError)
+
+
+def _reads(method):
+    """What a damaged file raises becomes NotResults."""
+
+    @functools.wraps(method)
+    def read(self, *arguments):
+        try:
+            return method(self, *arguments)
+        except _DAMAGE as error:
+            raise NotResults(f"{self.path}: this is no fields file of percuss, or it is damaged ({error})") from error
+
+    return read
+
 
 # Files of the entries of output.field_outputs: fields_NAME.vtkhdf.
 _NAMED = re.compile(r"fields_([A-Za-z0-9_-]+)\.vtkhdf")
@@ -42,16 +60,19 @@ class Fields:
             there = [other for other in list_outputs(beside) if other != name]
             others = f"; there are field outputs {', '.join(there)}: choose one by its name" if there else ""
             raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has {key}{others})")
+        if not os.path.isfile(self.path):
+            raise NotResults(f"{self.path}: this is no regular file")
         try:
             # A run that goes on may be looked at: percuss takes no lock, and none is needed here.
             os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
             self.file = h5py.File(self.path, "r")
-            self._read_mesh()
-        except (OSError, KeyError, ValueError) as error:
+        except OSError as error:
             raise NotResults(f"{self.path}: this is no fields file of percuss ({error})") from error
+        self._read_mesh()
         if not len(self.times):
-            raise NotResults(f"{self.path}: there is no frame in it (the run ended before its first output)")
+            raise NoFrames(f"{self.path}: there is no frame in it (the run ended before its first output)")
 
+    @_reads
     def _read_mesh(self):
         root, own = self.file["VTKHDF"], self.file["percuss"]
         self.root = root
@@ -73,7 +94,18 @@ class Fields:
         self._round, self._moving_round = (own[name][:] if name in own else np.empty((0, 11))
                                            for name in ("round_walls", "moving_round_walls"))
         self._wall_displacements = own["wall_displacements"][:count] if "wall_displacements" in own else np.empty((count, 0))
+        self._check_mesh()
 
+    def _check_mesh(self):
+        """What later calls rely on."""
+        if self.hexahedra.shape != (self.elements, 8) or (self.hexahedra.size and not 0 <= self.hexahedra.min() <= self.hexahedra.max() < self.nodes):
+            raise ValueError("elements have nodes that are not there")
+        if len(self.part) != self.elements or (self.elements and not 0 <= self.part.min() <= self.part.max() < len(self.part_names)):
+            raise ValueError("elements are of parts that are not there")
+        if not len(self.times) == len(self.steps) == len(self._wall_displacements) or not np.isfinite(self.times).all():
+            raise ValueError("frames without a time or a step")
+
+    @_reads
     def walls_at(self, frame):
         """[(point, normal, edges)] of all rigid planes at the time of a frame, those that move last. edges: two vectors from the
         point, which is a corner then; None of a wall that does not end."""
@@ -82,6 +114,7 @@ class Fields:
         return [(plane[:3] + by * plane[3:], plane[3:], vectors.reshape(2, 3) if vectors.any() else None)
                 for plane, vectors, by in zip(planes, edges, moved)]
 
+    @_reads
     def round_walls_at(self, frame):
         """[(point, axis, radius, length)] of all rigid cylinders and spheres at the time of a frame, those that move last. The point
         is an end of the axis, or the centre. axis: a unit vector; None of a sphere. length: None of a cylinder without ends."""
@@ -90,19 +123,23 @@ class Fields:
                 for wall, by in zip(np.concatenate([self._round, self._moving_round]), moved)]
 
     @property
+    @_reads
     def element_ids(self):
-        return self.root["CellData/element_id"][: self.elements]
+        return _expect(self.root["CellData/element_id"][: self.elements], self.elements)
 
     @property
+    @_reads
     def node_ids(self):
-        return self.root["PointData/node_id"][: self.nodes]
+        return _expect(self.root["PointData/node_id"][: self.nodes], self.nodes)
 
+    @_reads
     def cells(self):
         """Corners of each element, an array each, in VTK's order: eight, six of a wedge, five of a pyramid, four of a tetrahedron
         or a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
         corners, offsets = self.root["Connectivity"][:], self.root["Offsets"][:]
         return np.split(corners, offsets[1:-1])
 
+    @_reads
     def names(self):
         """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""
         steps = self.root["Steps"]
@@ -111,6 +148,7 @@ class Fields:
         found.update({name: "element" for name in steps["CellDataOffsets"] if name not in fixed})
         return found
 
+    @_reads
     def unit_of(self, name):
         """The unit of a field as the file has it; empty if it has none, or the deck's units have no known names."""
         group = "PointData" if self.names()[name] == "node" else "CellData"
@@ -131,15 +169,25 @@ class Fields:
         """A field as one number an item: the magnitude of a vector, von Mises' value of a stress."""
         return to_scalar(self.data(name, frame))
 
+    @_reads
     def _rows(self, dataset, offsets, frame, items):
         first = int(self.root[f"Steps/{offsets}"][range(len(self.times))[frame]])
-        return self.root[dataset][first : first + items]
+        values = self.root[dataset][first : first + items]
+        if len(values) != items or values.dtype.kind not in "fiu":
+            raise ValueError(f"{dataset} has {len(values)} numbers of a frame, not {items}")
+        return values
 
     def alive(self, frame):
         """[elements] whether each has not died; all of a run without the field."""
         if "alive" not in self.names():
             return np.ones(self.elements, dtype=bool)
         return self.values("alive", frame) > 0
+
+
+def _expect(values, count):
+    if len(values) != count:
+        raise ValueError(f"{len(values)} ids of {count}")
+    return values
 
 
 def _text(value):

@@ -5,25 +5,36 @@ import numpy as np
 from .accelerations import describe, find_acceleration, list_accelerations
 from .columns import read_sidecar
 from .errors import NotResults
-from .table import read_lines
+from .table import read_rows
 from .units import find_powers, name_quantity
+
+# Columns of every history.
+ALWAYS = ("time", "step", "dt", "kinetic", "internal", "hourglass", "contact", "friction", "external", "energy_error", "momentum_x",
+          "momentum_y", "momentum_z")
 
 
 class History:
     """Columns by name: history["kinetic"]. Attributes: names (those of the file, which are also what a loop over the history
-    gives), derived (names of the accelerations that follow from its velocities), units (a Units, or None where the deck has none)."""
+    gives), derived (names of the accelerations that follow from its velocities), computed (those of add()), units (a Units, or None
+    where the deck has none)."""
 
     def __init__(self, names, table, units=None, sidecar=None):
         """table [rows][columns]. sidecar: entries of columns.json by name."""
         self.names = list(names)
         self.units = units
         self._sidecar = sidecar or {}
+        self.computed = set()
         self._columns = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
         self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
 
     @property
     def derived(self):
         return list(self._velocities)
+
+    @property
+    def everything(self):
+        """Names of all columns: of the file, accelerations, computed."""
+        return [*self.names, *self.derived, *sorted(self.computed)]
 
     def __getitem__(self, name):
         if name not in self._columns and name in self._velocities:
@@ -81,6 +92,15 @@ class History:
         """The value of a column at a time, linear between rows."""
         return float(np.interp(time, self["time"], self[name]))
 
+    def add(self, name, values, powers=None):
+        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known."""
+        unit = self.units.name_of_powers(powers) if self.units and powers and any(powers) else None
+        self.computed.add(name)
+        self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name}}
+        if powers:
+            words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
+            self._sidecar[name]["dimension"] = " ".join(words) or "1"
+
     def in_units(self, units):
         """The same history in another system of units. Columns whose dimension is not known stay as they are."""
         if self.units is None:
@@ -112,9 +132,7 @@ class History:
 
 def read_history(path, units=None, folder=None):
     """A history.csv, complete or of a run that goes on."""
-    names, lines = read_lines(path)
-    try:
-        table = np.array([line.split(",") for line in lines], dtype=float) if lines else np.empty((0, len(names)))
-        return History(names, table.reshape(len(lines), len(names)), units, read_sidecar(folder) if folder else None)
-    except ValueError as error:
-        raise NotResults(f"{path}: this is no history of percuss ({error})") from error
+    names, rows = read_rows(path)
+    if missing := [name for name in ALWAYS if name not in names]:
+        raise NotResults(f"{path}: there is no column {', '.join(missing)} (every run writes it; the file is damaged, or of another program)")
+    return History(names, np.array(rows, dtype=float).reshape(len(rows), len(names)), units, read_sidecar(folder) if folder else None)

@@ -1,13 +1,14 @@
 """A run: its output folder, of which each file is read when it is first asked for."""
 
-import json
 import os
 from functools import cached_property
 
 from .columns import read_units
 from .deck import find_deck
-from .errors import NotResults
+from .errors import NoFrames, NotResults
+from .files import load_json
 from .lock import is_active
+from .shapes import SUMMARY
 from .units import find_units
 
 
@@ -21,12 +22,11 @@ class Run:
     """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units, history,
     fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
 
-    def __init__(self, folder, deck=None, fields=None):
-        """deck: the file of the deck, where the folder does not lead to it. fields: the name of an entry of
-        output.field_outputs, whose file `fields` is then."""
+    def __init__(self, folder, fields=None):
+        """fields: the name of an entry of output.field_outputs, whose file `fields` is then."""
         folder = os.fspath(folder)
         self.folder = folder if os.path.isdir(folder) else os.path.dirname(folder) or "."
-        self._deck_file, self._fields_name = deck, fields
+        self._fields_name = fields
         if not os.path.isdir(self.folder) or not (self._has("summary.json") or self._has("history.csv") or
                                                   self._has("fields.vtkhdf") or self._has("run.lock") or
                                                   self._has_outputs()):
@@ -43,8 +43,7 @@ class Run:
         return os.path.basename(os.path.abspath(self.folder))
 
     def reload(self):
-        known = bool(self.__dict__.get("deck"))  # a deck stays as it is; the lock that led to it goes with the end of the run
-        for name in ("summary", "units", "history", "fields", "field_outputs") + ("deck",) * (not known):
+        for name in ("summary", "deck", "units", "history", "fields", "field_outputs"):
             self.__dict__.pop(name, None)
         return self
 
@@ -52,13 +51,7 @@ class Run:
     def summary(self):
         """summary.json as dictionaries; empty where a run has written none yet."""
         path = os.path.join(self.folder, "summary.json")
-        if not os.path.exists(path):
-            return {}
-        try:
-            with open(path, encoding="utf-8") as file:
-                return json.load(file)
-        except (OSError, ValueError) as error:
-            raise NotResults(f"{path}: this is no summary of percuss ({error})") from error
+        return load_json(path, SUMMARY) if os.path.lexists(path) else {}
 
     @property
     def warnings(self):
@@ -86,20 +79,28 @@ class Run:
 
     @cached_property
     def deck(self):
-        return find_deck(self.folder, self._deck_file)
+        return find_deck(self.summary, self.folder)
 
     @cached_property
     def units(self):
         """The Units of the deck, or None where it has none."""
         if known := read_units(self.folder):
             return find_units(known)
-        if self.has_fields:
-            return find_units(self.fields.units)
-        return find_units(self.deck.get("units", ""))
+        if fields := self._find_fields():
+            return find_units(fields.units)
+        return find_units(str(self.deck.get("units") or ""))
 
     @property
     def title(self):
-        return self.deck.get("title") or (self.fields.title if self.has_fields else "") or self.name
+        fields = None if self.deck.get("title") else self._find_fields()
+        return str(self.deck.get("title") or (fields.title if fields else "") or self.name)
+
+    def _find_fields(self):
+        """Where they are a help alone: None where there are none, or damaged ones."""
+        try:
+            return self.fields if self.has_fields else None
+        except NotResults:
+            return None
 
     @cached_property
     def history(self):
@@ -129,8 +130,11 @@ class Run:
         for name in list_outputs(self.folder):
             try:
                 found[name] = Fields(self.folder, name)
-            except NotResults:  # a run that has just begun
+            except NoFrames:  # a run that has just begun
                 pass
+            except NotResults:
+                if not is_active(self.folder):  # which may be writing this file
+                    raise
         return found
 
     @property
@@ -138,7 +142,11 @@ class Run:
         try:
             file = f"fields_{self._fields_name}.vtkhdf" if self._fields_name else "fields.vtkhdf"
             return self._has(file) and self.fields is not None
-        except (ImportError, NotResults):
+        except (ImportError, NoFrames):
+            return False
+        except NotResults:
+            if not is_active(self.folder):  # which may be writing it
+                raise
             return False
 
     @property

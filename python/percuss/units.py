@@ -83,6 +83,11 @@ class Units:
                     return prefix + name
         return self._write_product(powers)
 
+    def name_of_powers(self, powers):
+        """The unit of a product of powers of length, mass and time."""
+        named = next((name for name, known in DIMENSIONS.items() if known == tuple(powers) and name not in ("temperature", "-")), None)
+        return self.name_of(named) if named else self._write_product(powers)
+
     def _write_product(self, powers):
         above, below = [], []
         for (name, _), power in zip((self.mass, self.length, self.time), (powers[1], powers[0], powers[2])):

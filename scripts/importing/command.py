@@ -6,9 +6,12 @@ import shutil
 import sys
 import tempfile
 
+from percuss.files import write_file
+from percuss.terminal import clean
+
 from . import earlier, proof, report, units
 from .abaqus.read import read_abaqus_deck
-from .deck_text import clean, write_deck
+from .deck_text import write_deck
 from .dyna.read import read_keyword_deck
 from .ledger import BadInput, Ledger
 from .mesh_text import write_mesh
@@ -127,8 +130,7 @@ def write_files(arguments: argparse.Namespace, model: Model, folder: str) -> lis
     write_mesh(model, os.path.join(folder, MESH))
     tables = {name: "".join(f"{line}\n" for line in lines) for name, lines in model.tables.items()}
     for name, content in {**tables, DECK: text}.items():
-        with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
-            file.write(content)
+        write_file(os.path.join(folder, name), content, "import", force=True)
     return [MESH, *tables, DECK]
 
 

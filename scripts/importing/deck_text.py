@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from percuss.terminal import clean
+
 from .model import Deck, Model
 
 WIDTH = 110  # at which a line of flow style goes on in the next
@@ -167,7 +169,3 @@ def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
         if sections.get(name):
             texts.append(format_section(name, sections[name]))
     return "".join(texts)
-
-
-def clean(text: str) -> str:
-    return "".join(c if c.isprintable() else "?" for c in text)

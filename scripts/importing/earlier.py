@@ -2,14 +2,15 @@
 
 import argparse
 import hashlib
-import json
 import os
 
-from .deck_text import clean
+from percuss.errors import NotResults
+from percuss.files import TEXT, load_json
+from percuss.terminal import clean
+
 from .ledger import BadInput
 
 REPORT = "import_report.json"
-MOST_BYTES = 64 << 20  # of a report
 
 def find_mark(path: str) -> str:
     """A digest of a file; empty of none."""
@@ -54,15 +55,10 @@ def tell_loss(path: str, name: str, folder: str) -> str:
 
 def read_mark(folder: str) -> str:
     """Of the deck as the last import wrote it; empty if that is not known, as of a report that no import has written."""
-    path = os.path.join(folder, REPORT)
     try:
-        if not os.path.isfile(path) or os.path.getsize(path) > MOST_BYTES:
-            return ""
-        with open(path, encoding="utf-8") as file:
-            mark = json.load(file)["deck_sha256"]
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
+    except NotResults:
         return ""
-    return mark if isinstance(mark, str) else ""
 
 
 def refuse_no_file(path: str) -> None:

@@ -6,6 +6,7 @@ from enum import Enum
 from typing import NamedTuple
 
 
+NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
 NO_COUNTERPART = "percuss has no counterpart"
 
 
@@ -87,7 +88,10 @@ class Ledger:
         self.note(card, Status.IGNORED, place, text)
 
     def allows(self, key: str) -> bool:
-        """Whether a pattern of the user covers the key."""
+        """Whether a pattern of the user covers the key. What reads other files of the user must be named: no pattern covers it."""
+        if key in NAMED_ALONE:
+            self.used_patterns |= {key.upper()} & set(self.allowed)
+            return key.upper() in self.allowed
         for pattern in self.allowed:
             if pattern == "ALL" or fnmatch.fnmatchcase(key.upper(), pattern):
                 self.used_patterns.add(pattern)

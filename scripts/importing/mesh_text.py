@@ -1,7 +1,9 @@
 """The mesh as a keyword file with commas, which percuss reads: numbers are the same doubles, ids the user's."""
 
 from collections.abc import Iterator
-from itertools import islice
+from itertools import chain, islice
+
+from percuss.files import write_file
 
 from .deck_text import format_number
 from .model import Model
@@ -12,10 +14,8 @@ PER_LINE = 8
 
 def write_mesh(model: Model, path: str) -> None:
     """Writes nodes of elements, elements by part, and sets."""
-    with open(path, "w", encoding="utf-8", newline="\n") as file:
-        for lines in (list_nodes(model), list_blocks(model), list_sets(model)):
-            file.writelines(line + "\n" for line in lines)
-        file.write("*END\n")
+    lines = chain(list_nodes(model), list_blocks(model), list_sets(model), ["*END"])
+    write_file(path, (line + "\n" for line in lines), "import", force=True)
 
 
 def list_nodes(model: Model) -> Iterator[str]:

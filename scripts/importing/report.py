@@ -2,7 +2,9 @@
 
 import json
 
-from .deck_text import clean
+from percuss.files import write_file
+from percuss.terminal import clean
+
 from .ledger import Entry, Ledger, Status
 from .model import Model
 from .shapes import measure_block
@@ -78,8 +80,7 @@ def write_report(path: str, source: str, ledger: Ledger, summary: list[str]) -> 
             lines += [f"| `*{escape(entry.card)}` | {escape(entry.text)} | {escape(place)} |" for entry, place in rows]
             lines.append("")
     lines += ["## The model", "", *(f"- {escape(line)}" for line in summary)]
-    with open(path, "w", encoding="utf-8", newline="\n") as file:
-        file.write("\n".join(lines) + "\n")
+    write_file(path, "\n".join(lines) + "\n", "import", force=True)
 
 
 def escape(text: str) -> str:
@@ -90,6 +91,5 @@ def write_json(path: str, source: str, ledger: Ledger, summary: list[str], mark:
     """The same for programs. mark: of the deck as written (earlier.py); empty: none is written."""
     cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file, "line": entry.first.line,
               "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
-    with open(path, "w", encoding="utf-8", newline="\n") as file:
-        json.dump({"source": source, "cards": cards, "model": summary, "deck_sha256": mark}, file, indent=1)
-        file.write("\n")
+    content = {"source": source, "cards": cards, "model": summary, "deck_sha256": mark}
+    write_file(path, json.dumps(content, indent=1) + "\n", "import", force=True)

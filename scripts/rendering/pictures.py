@@ -1,12 +1,15 @@
 """From the arguments of scripts/render to files: which frames, which colours, PNG and GIF."""
 
+import io
 import os
 import sys
 
 import numpy as np
 from percuss.fields import Fields
+from percuss.files import check_target, make_mark, write_file
+from percuss.terminal import clean, tell
 from percuss.units import format_time
-from PIL import Image
+from PIL import Image, PngImagePlugin
 
 from . import colors
 from .camera import place_camera, sample_positions
@@ -33,6 +36,10 @@ def render(arguments):
     folder = arguments.out or os.path.dirname(os.path.abspath(fields.path))
     os.makedirs(folder, exist_ok=True)
     prefix = f"{arguments.fields}_" if arguments.fields else ""
+    paths = {frame: os.path.join(folder, f"{prefix}frame_{frame:04d}.png") for frame in frames}
+    animation = os.path.join(folder, f"{prefix}animation.gif") if arguments.frame is None and len(frames) > 1 else None
+    for path in [*paths.values(), *[animation] * bool(animation)]:
+        check_target(path, "render", arguments.force)
     images = []
     live = sys.stdout.isatty()
     alive = kept
@@ -46,16 +53,22 @@ def render(arguments):
         surface.color(*coloring.choose_values(frame, surface.skin))
         clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.time_unit))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
-        path = os.path.join(folder, f"{prefix}frame_{frame:04d}.png")
-        image.save(path)
+        write_file(paths[frame], encode_picture(image), "render", arguments.force)
         images.append(shrink(image))
         if live or frame == frames[-1]:
-            print(f"{chr(13) if live else ''}render: {path}", end="", flush=True)
+            print(f"{chr(13) if live else ''}render: {clean(paths[frame])}", end="", flush=True)
     print()
-    if arguments.frame is None and len(images) > 1:
-        path = os.path.join(folder, f"{prefix}animation.gif")
-        write_animation(path, images, arguments.fps)
-        print(f"render: {path}")
+    if animation:
+        write_file(animation, encode_animation(images, arguments.fps), "render", arguments.force)
+        tell(f"render: {animation}")
+
+
+def encode_picture(image):
+    """A PNG with the mark of percuss render."""
+    about, stream = PngImagePlugin.PngInfo(), io.BytesIO()
+    about.add_text("Software", make_mark("render"))
+    image.save(stream, "PNG", pnginfo=about)
+    return stream.getvalue()
 
 
 def choose_frames(fields, wanted):
@@ -118,7 +131,7 @@ def shrink(image):
     return image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
 
 
-def write_animation(path, images, fps):
+def encode_animation(images, fps):
     """A GIF with one palette for all frames, so that still areas do not flicker and compress well."""
     width, height = images[0].size
     strip = Image.new("RGB", (width, height * 3))
@@ -127,4 +140,7 @@ def write_animation(path, images, fps):
     palette = strip.quantize(256, method=Image.Quantize.MEDIANCUT)
     frames = [im.quantize(palette=palette, dither=Image.Dither.NONE) for im in images]
     durations = [round(1000 / fps)] * (len(frames) - 1) + [1200]  # rest on the last one
-    frames[0].save(path, save_all=True, append_images=frames[1:], duration=durations, loop=0, optimize=False)
+    stream = io.BytesIO()
+    frames[0].save(stream, "GIF", save_all=True, append_images=frames[1:], duration=durations, loop=0, optimize=False,
+                   comment=make_mark("render").encode())
+    return stream.getvalue()

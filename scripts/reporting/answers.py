@@ -1,5 +1,6 @@
 """In short: what happened, how large the largest force was and when, whether the run can be trusted, and what to change."""
 
+import math
 import re
 
 import numpy as np
@@ -44,14 +45,14 @@ def show_time(run, value):
 def tell_events(run):
     """Where the energy went, in sentences."""
     energy = run.summary.get("energy")
-    if not energy or energy.get("kinetic") is None or run.status in ("running", "starting", "killed"):
+    if not energy or math.isnan(energy["kinetic"]) or run.status in ("running", "starting", "killed"):
         return []
     start = float(run.history["kinetic"][0]) if run.has_history and len(run.history) else energy["initial"]
     text = (f"In {show_time(run, run.summary['time'])} the kinetic energy went from {show(run, start, 'energy')} to "
             f"{show(run, energy['kinetic'], 'energy')}. ")
     shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]), ("bulk viscosity", energy["viscous"]),
               ("eroded elements", run.summary["eroded"]["energy"]), ("friction", -energy["friction"]), ("damping", -energy["damping"])]
-    largest = max(abs(value or 0) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
+    largest = max(abs(value) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
     told = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
     text += f"At the end: {', '.join(told)}." if told else ""
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
@@ -65,7 +66,7 @@ def tell_relaxation(run):
     relaxation = run.summary.get("relaxation") or {}
     if not relaxation.get("state"):
         return []
-    preloads = run.deck.get("start.preload") or {}
+    preloads = run.deck.get_map("start.preload")
     reached = f"; preloads are reached to {relaxation['preload_error']:.2g} of their forces" if preloads else ""
     return [f"Before time 0 the relaxation {'settled' if relaxation['state'] == 'settled' else 'did not settle'} in "
             f"{relaxation['damped_steps']:,} steps, with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
@@ -175,15 +176,15 @@ def list_changes_for_forces(run):
 def suggest_forces(run):
     """Lines of a deck: contact of the parts that move at the start, walls with names, supports."""
     deck, rows = run.deck, []
-    moving = [entry.get("part") or entry.get("nodes") for entry in deck.get("initial") or [] if isinstance(entry, dict)]
-    parts = list(deck.get("parts") or {})
+    moving = [entry.get("part") or entry.get("nodes") for entry in deck.get_list("initial") if isinstance(entry, dict)]
+    parts = list(deck.get_map("parts"))
     for together in _group_by_motion(deck, [name for name in moving if name in parts]) or [parts[:1]]:
         rows.append(f"{{name: force_on_{'_and_'.join(together)}, contact: "
                     f"[{together[0] if len(together) == 1 else '[' + ', '.join(together) + ']'}, all]}}")
-    for wall in deck.get("walls") or []:
+    for wall in deck.get_list("walls"):
         if isinstance(wall, dict) and wall.get("name"):
             rows.append(f"{{name: on_{wall['name']}, wall: {wall['name']}}}")
-    for number, entry in enumerate(deck.get("conditions") or []):
+    for number, entry in enumerate(deck.get_list("conditions")):
         if isinstance(entry, dict) and isinstance(entry.get("nodes"), str) and "fixed" in entry:
             rows.append(f"{{name: support_{number}, support: {entry['nodes']}}}")
     rows = list(dict.fromkeys(rows))[:4]
@@ -195,7 +196,7 @@ def suggest_forces(run):
 def _group_by_motion(deck, parts):
     """Parts with the same entry of initial but for their names: pieces of one body, most likely."""
     groups = {}
-    for entry in deck.get("initial") or []:
+    for entry in deck.get_list("initial"):
         name = (entry.get("part") or entry.get("nodes")) if isinstance(entry, dict) else None
         if name in parts:
             groups.setdefault(repr({key: value for key, value in entry.items() if key not in ("part", "nodes")}), []).append(name)
@@ -208,7 +209,7 @@ def judge_trust(run, findings):
     if count[BAD]:
         return f"No: {_first(findings, BAD)}"
     energy = run.summary.get("energy", {})
-    sums = f"energy is balanced to {abs(energy['error']):.2g}" if energy.get("error") is not None else "there are no balances yet"
+    sums = f"energy is balanced to {abs(energy['error']):.2g}" if not math.isnan(energy.get("error", math.nan)) else "there are no balances yet"
     if count["look"]:
         points = "1 point" if count["look"] == 1 else f"{count['look']} points"
         return f"With care: {sums}, but {points} below need{'s' if count['look'] == 1 else ''} a look first."

@@ -5,6 +5,7 @@ import os
 import re
 
 import numpy as np
+from percuss.files import read_text
 
 from .markup import Markup, escape, fold, format_number, make_table
 from .scene import flatten
@@ -12,6 +13,8 @@ from .scene import flatten
 FIRST = ("status", "time", "steps", "elements", "nodes", "dt", "energy", "momentum", "eroded", "mass")  # groups shown unfolded
 MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "peak_bytes", "ranks", "threads", "messages", "balance", "decomposition",
            "skipped")
+FIRST_DIMENSIONS = ("force", "energy")
+ROUND_OFF = 1e-6  # of the largest column of a dimension: what stays below it is noise
 EQUAL_ABOVE = 1e-14  # relative differences below are written as 0
 
 
@@ -21,7 +24,7 @@ def compare_numbers(values, is_name=False):
     first = values[0]
     texts = []
     for value in values[1:]:
-        if value == first:
+        if value == first or (value != value and first != first):  # NaN
             texts.append("")
         elif is_name or any(isinstance(x, bool) or not isinstance(x, (int, float)) for x in (first, value)):
             texts.append("differs")
@@ -68,8 +71,7 @@ def make_first_difference(runs):
 
 
 def _read_lines(run):
-    with open(os.path.join(run.folder, "history.csv"), encoding="utf-8", errors="replace") as file:
-        return file.read().splitlines()
+    return read_text(os.path.join(run.folder, "history.csv")).splitlines()
 
 
 def _name_differences(first, other, row, most=6):
@@ -111,8 +113,9 @@ def _split_lists(rows):
 
 
 def find_history_differences(first, other):
-    """[(column, largest difference over the largest magnitude, its time, the same at the end)] at the times of the first, the
-    largest difference first; both in one system of units."""
+    """[(column, largest difference over the largest magnitude, its time, the same at the end)] at the times of the first; both in
+    one system of units. Forces and energies come first, then what else has a dimension, then counts, errors and the time step;
+    last what is round-off beside others of its dimension. Among these the largest difference is first."""
     end = min(first["time"][-1], other["time"][-1])
     time = first["time"][first["time"] <= end * (1 + 1e-12)]
     rows = []
@@ -126,7 +129,21 @@ def find_history_differences(first, other):
         share = np.abs(a - b) / size
         worst = int(np.nanargmax(share))
         rows.append((name, float(share[worst]), float(time[worst]), float(share[-1])))
-    return sorted(rows, key=lambda row: -row[1])
+    largest = {}
+    for name, *_ in rows:
+        dimension = first.dimension(name)
+        largest[dimension] = max(largest.get(dimension, 0.0), *(_find_size(history, name) for history in (first, other)))
+    return sorted(rows, key=lambda row: (_rank(first, other, row[0], largest), -row[1]))
+
+
+def _rank(first, other, name, largest):
+    """Place of a column's group in the table: the less, the more it matters."""
+    dimension = first.dimension(name)
+    if dimension in FIRST_DIMENSIONS or dimension not in (None, "-", "time"):
+        if max(_find_size(history, name) for history in (first, other)) < ROUND_OFF * largest[dimension]:
+            return 3
+        return 0 if dimension in FIRST_DIMENSIONS else 1
+    return 2
 
 
 def _find_size(history, name):
@@ -156,16 +173,14 @@ def make_history_table(runs, histories, labels):
 
 
 def make_deck_difference(runs, labels):
-    texts = [run.deck.text.splitlines() or [f"{key}: {format_number(value)}" for key, value in flatten(run.deck.values)]
-             for run in runs]
+    texts = [run.deck.text.splitlines() for run in runs]
     if not all(texts):
         return ""
     text = ""
     for label, other in zip(labels[1:], texts[1:]):
         lines = list(difflib.unified_diff(texts[0], other, labels[0], label, lineterm="", n=1))
         if not lines:
-            text += (f"<p>The deck of {escape(label)} is that of {escape(labels[0])}. "
-                     "Changes by --set are not in it.</p>")
+            text += f"<p>{escape(label)} ran the deck of {escape(labels[0])}, --set included.</p>"
             continue
         kinds = {"-": "gone", "+": "new"}
         shown = "\n".join(f"<span class={kinds.get(line[0], 'mono')}>{escape(line)}</span>" for line in lines)

@@ -1,5 +1,6 @@
 """What to look at first: a judgement of a run from its summary and its history. Limits are those of docs/checks.md."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -76,9 +77,9 @@ def _find_remedy(message, warning=None):
 def _judge_energies(summary):
     energy = summary["energy"]
     error = energy["error"]
-    largest = max(abs(energy[name] or 0) for name in ("initial", "kinetic", "internal", "external"))
-    if error is None or summary["status"] == "running":
+    if math.isnan(error) or summary["status"] == "running":
         return []
+    largest = max(abs(energy[name]) for name in ("initial", "kinetic", "internal", "external"))
     level = GOOD if abs(error) < ENERGY_ERROR else LOOK if abs(error) < 10 * ENERGY_ERROR else BAD
     found = [Finding(level, f"Energy is balanced to {abs(error):.2g} of the largest energy (limit {ENERGY_ERROR:g}).",
                      "find the time at which energy_error of the history grows; lower time.step_scale")]
@@ -106,7 +107,7 @@ def _judge_momentum(summary):
     found = []
     for name in ("linear", "angular"):
         error = summary["momentum"][f"{name}_error"]
-        if error is not None and summary["status"] != "running":
+        if not math.isnan(error) and summary["status"] != "running":
             level = GOOD if error < MOMENTUM_ERROR else LOOK
             found.append(Finding(level, f"{name.capitalize()} momentum is balanced to {error:.2g}.",
                                  "look for the step at which momentum changes, and report it: only round-off should be left"))

@@ -26,7 +26,7 @@ def find_impulse(history, name):
 
 def describe_kind(run, name):
     """'contact of a with b', as the deck has it; empty where it is not known."""
-    for force in run.deck.get("output.history.forces") or []:
+    for force in run.deck.get_list("output.history.forces"):
         if isinstance(force, dict) and force.get("name") == name:
             for kind in ("contact", "wall", "support", "section"):
                 if kind in force:
@@ -160,7 +160,7 @@ def _find_change_of_momentum(history, part):
 
 
 def _list_parts_acted_on(run, name):
-    for force in run.deck.get("output.history.forces") or []:
+    for force in run.deck.get_list("output.history.forces"):
         if isinstance(force, dict) and force.get("name") == name and "contact" in force:
             pair = force["contact"]
             if isinstance(pair, list) and len(pair) == 2 and pair[1] == "all":

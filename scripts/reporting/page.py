@@ -5,6 +5,8 @@ import os
 import sys
 import time
 
+from percuss.files import make_mark
+from percuss.terminal import tell
 from percuss.units import choose_time_unit, choose_unit, format_time
 from plotting.drawing import Plot, write_svg
 from plotting.panels import choose_panels, list_panels
@@ -27,7 +29,7 @@ MORE_PANELS = ("contact_pairs", "kinetic_by_part", "internal_by_part", "erosion"
 
 
 def note(text):
-    print(f"report: {text}", file=sys.stderr)
+    tell(f"report: {text}", sys.stderr)
 
 
 def make_page(runs, options):
@@ -54,12 +56,12 @@ def make_page(runs, options):
     return wrap_page(title, "".join(parts))
 
 
-def wrap_page(title, body):
+def wrap_page(title, body, tool="report"):
     with open(os.path.join(HERE, "style.css"), encoding="utf-8") as file:
         style = file.read()
     return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
             "<meta name=viewport content='width=device-width, initial-scale=1'><link rel=icon href='data:,'>"
-            f"<title>{escape(title)}</title><style>{style}</style></head><body>{body}</body></html>\n")
+            f"<meta name=generator content='{make_mark(tool)}'><title>{escape(title)}</title><style>{style}</style></head><body>{body}</body></html>\n")
 
 
 def _make_subtitle(runs):
@@ -191,7 +193,7 @@ def _make_plots(runs, labels):
     marks = plot.list_marks()
     text = ""
     if marks:
-        rows = [(number, f"{moment * plot.time_factor:.4g} {plot.time_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
+        rows = [(number, f"{moment * plot.x_factor:.4g} {plot.x_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
         text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
     if len(runs) == 1:
         text += make_forces_table(runs[0]) + make_accelerometers_table(runs[0]) + make_welds_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 import numpy as np
-from percuss.deck import read_deck
+from percuss.deck import Deck
 from percuss.units import find_units
 from rendering.colors import PART_COLORS
 
@@ -35,8 +35,7 @@ class Preview:
     def __init__(self, trial, options):
         self.trial, self.scene, self.options = trial, trial.scene, options
         self.units = find_units(self.scene["units"])
-        settings = [word.split("=", 1) for word in _list_settings(trial.options)]
-        self.deck = read_deck(trial.deck, settings)
+        self.deck = Deck(self.scene["values"], trial.deck)
         self.fields = trial.run.fields if trial.run is not None and trial.run.has_fields else None
         self.layers = make_layers(self.scene, self.fields, self._span_walls()) if self.fields else []
 
@@ -64,7 +63,7 @@ class Preview:
         body = f"<h1>{escape(title)}</h1><p class=soft>{escape(self.trial.deck)}.{escape(units)}</p><nav>{links}</nav>"
         body += self._make_facts()
         body += "".join(f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>" for name, heading, text in sections if text)
-        return wrap_page(title, body)
+        return wrap_page(title, body, "check")
 
     # --- numbers ------------------------------------------------------------------------------------------------------
 
@@ -229,11 +228,6 @@ def _describe_layer(layer):
     places = np.asarray(layer.places, dtype=float)
     return {"name": layer.name, "color": layer.color, "kind": layer.kind, "shown": layer.shown, "top": layer.on_top,
             "places": [float(f"{x:.6g}") for x in places.reshape(-1)]}
-
-
-def _list_settings(options):
-    found = [word for option, word in zip(options, options[1:]) if option in ("--set", "-s")]
-    return found + [word[6:] for word in options if word.startswith("--set=")]
 
 
 def _describe(warning):

@@ -68,8 +68,8 @@ def find_kind(corners):
 
 
 def make_materials_table(deck):
-    materials = deck.get("materials", {})
-    if not isinstance(materials, dict) or not materials:
+    materials = deck.get_map("materials")
+    if not materials:
         return ""
     rows = [(name, values.get("model", ""), format_number({key: value for key, value in values.items() if key != "model"}))
             for name, values in materials.items() if isinstance(values, dict)]
@@ -99,8 +99,8 @@ def make_relaxation_table(run):
             ("scale of the energy", with_unit(float(f"{relaxation['scale']:.4g}"), energy)),
             ("lowest frequency", with_unit(float(f"{relaxation['frequency']:.4g}"), frequency)),
             ("energy held at time 0", with_unit(float(f"{relaxation['energy']:.4g}"), energy))]
-    preloads = run.deck.get("start.preload") or {}
-    for name, preload in preloads.items() if isinstance(preloads, dict) else ():
+    preloads = run.deck.get_map("start.preload")
+    for name, preload in preloads.items():
         if isinstance(preload, dict):
             rows.append((f"preload {name} of {preload.get('part', '')}", with_unit(preload.get("force", ""), unit_of(run, "force"))))
     if preloads:
@@ -109,12 +109,11 @@ def make_relaxation_table(run):
 
 
 def make_deck_section(deck):
-    if deck.text:
-        return fold(f"Deck: {deck.source}", show_deck(deck.text))
-    if deck.values:
-        lines = "\n".join(f"{key}: {format_number(value)}" for key, value in flatten(deck.values))
-        return fold(f"Deck: {deck.source}", show_deck(lines))
-    return "<p class=soft>The folder does not lead to the deck: name it with --deck to show it here.</p>"
+    """The values that were run; comments of the file are not among them."""
+    if not deck:
+        return "<p class=soft>The deck is not known: neither summary.json nor a checkpoint has it (runs of older versions do not keep it).</p>"
+    settings = f", with {', '.join(f'--set {setting}' for setting in deck.settings)}" if deck.settings else ""
+    return fold(f"Deck as it was run: {deck.file or 'values of the checkpoint'}{settings}", show_deck(deck.text))
 
 
 def flatten(tree, prefix=""):

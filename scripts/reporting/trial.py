@@ -8,7 +8,7 @@ import shutil
 import subprocess
 
 import percuss
-from percuss.deck import find_deck
+from percuss.deck import Deck
 
 FIRST_STEPS = 10
 LONGER_RUN = 2.0      # seconds that the second run shall take
@@ -110,13 +110,7 @@ class Trial:
     @property
     def wanted_output(self):
         """The deck's `output`, with what --set changes."""
-        values = find_deck(self.folder, self.deck)
-        settings = [word for option, word in zip(self.options, self.options[1:]) if option in ("--set", "-s")]
-        settings += [word[6:] for word in self.options if word.startswith("--set=")]
-        from percuss.deck import read_deck
-
-        found = read_deck(values.source, [setting.split("=", 1) for setting in settings]).get("output", {})
-        return found if isinstance(found, dict) else {}
+        return Deck(self.scene["values"]).get_map("output")
 
     # --- what follows ---------------------------------------------------------------------------------------------------
 
@@ -161,8 +155,10 @@ class Trial:
             size = _find_row_size(os.path.join(self.run.folder, "history.csv"))
             sizes.append(("history", (rows + 1) * size, f"{rows + 1:,.0f} rows of {size:.0f} bytes"))
         path = os.path.join(self.run.folder, "checkpoint.h5") if self.run is not None else ""
-        if "checkpoint" in output and os.path.exists(path):
-            sizes.append(("checkpoints", 2 * os.path.getsize(path), "the last two"))
+        wanted = output.get("checkpoint") or {}
+        several = "every" in wanted or "wall" in wanted
+        if os.path.exists(path) and (several or wanted.get("at_end", True)):
+            sizes.append(("checkpoints", (1 + several) * os.path.getsize(path), "the last two" if several else "that of the end"))
         return sizes
 
     def _find_sizes_of_fields(self, output, end):

@@ -1,7 +1,8 @@
 """Rows of history.csv as they come."""
 
-import csv
 import os
+
+from percuss.table import parse_row, read_heading
 
 
 class Rows:
@@ -38,17 +39,12 @@ class Rows:
 
     def _take(self, lines):
         if lines and not self.names:
-            self.names = next(csv.reader(lines[:1]))
+            self.names = read_heading(self.path, lines[0])
             self.columns = {name: [] for name in self.names}
             lines = lines[1:]
         taken = False
         for line in lines:
-            words = line.split(",")
-            try:
-                values = [float(word) for word in words]
-            except ValueError:
-                continue
-            if len(values) == len(self.names):
+            if (values := parse_row(line, len(self.names))) is not None:
                 taken = True
                 for name, value in zip(self.names, values):
                     self.columns[name].append(value)

@@ -1,7 +1,8 @@
 """The text of the view: progress, numbers, sparklines."""
 
 import math
-import re
+
+from percuss.terminal import clean
 
 BARS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588"
 PLAIN_BARS = "_.-~=+*#"  # of terminals without UTF-8
@@ -24,18 +25,6 @@ def make_sparkline(values, width, bars=BARS):
     low, high = min(v for v in chosen if v is not None), max(v for v in chosen if v is not None)
     scale = (len(bars) - 1) / (high - low) if high > low else 0
     return "".join("x" if v is None else bars[round((v - low) * scale)] for v in chosen)
-
-
-def find_end(deck):
-    """time.end of the deck; None if it is not known. Without Python's yaml from its text."""
-    end = deck.get("time.end")
-    if end is None:
-        match = re.search(r"^time:[^#]*?\bend:\s*([-+.\deE]+)", deck.text, re.M)
-        end = match[1] if match else None
-    try:
-        return float(end)
-    except (TypeError, ValueError):
-        return None
 
 
 def make_progress(time, end, width, plain):
@@ -76,7 +65,7 @@ def name_limit(run, rows):
     if 0 < spring <= len(names):
         return f"spring '{names[spring - 1]}' limits the step"
     if spring < 0:  # one of an entry with too many for columns of their own
-        entries = list(run.deck.get("springs") or {})
+        entries = list(run.deck.get_map("springs"))
         return f"a spring of '{entries[-1 - spring]}' limits the step" if -spring <= len(entries) else "a spring limits the step"
     element = rows.last("dt_element")
     if element == 0:
@@ -103,6 +92,7 @@ def make_screen(run, rows, end, left, size):
     lines += _list_warnings(run)
     if run.summary.get("error"):
         lines.append("error: " + run.summary["error"])
+    lines = [clean(line) for line in lines]
     return [line if len(line) <= width else line[: width - 1] + ("~" if plain else "\u2026") for line in lines]
 
 
@@ -110,7 +100,7 @@ def list_curves(rows):
     """[(name, label, values)]: those of SHOWN, then the magnitude of the first forces."""
     curves = [(name, label, rows.columns.get(name, [])) for name, label in SHOWN]
     for name in [name[len("fx:") :] for name in rows.names if name.startswith("fx:")][:MOST_FORCES]:
-        parts = zip(*(rows.columns[f"f{axis}:{name}"] for axis in "xyz"))
+        parts = zip(*(rows.columns.get(f"f{axis}:{name}", []) for axis in "xyz"))
         curves.append((f"fx:{name}", f"|f| {name}"[:LABEL], [math.sqrt(sum(x * x for x in part)) for part in parts]))
     return curves
 

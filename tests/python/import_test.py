@@ -376,6 +376,16 @@ class Files(InFolder):
         self.fails("*KEYWORD\n*INCLUDE\n/etc/hostname\n", "outside")
         self.fails("*KEYWORD\n*INCLUDE\ndeck.k\n", "included twice")
 
+    def test_files_outside_are_opened_only_where_that_is_allowed_by_name(self):
+        outside = self.write(decks.SMALL, "outside.k")
+        inside = self.write(f"*KEYWORD\n*INCLUDE\n{outside}\n*END\n", "folder/deck.k")
+        for patterns in ("all", "ALL", "*", "INCLUDE*", "INCLUDE.*", "INCLUDE.OUTSID?"):
+            result = self.percuss("import", inside, "--out", "out", "--allow", patterns)
+            self.assertEqual(result.returncode, 2, patterns)
+            self.assertIn("lies outside of the folder", result.stderr)
+        result = self.percuss("import", inside, "--out", "out", "--units", "m, kg, s", "--allow", "include.outside", "--no-check")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_files_are_moved_and_turned(self):
         nodes = decks.BLOCK_NODES
         self.write("*KEYWORD\n" + nodes, "nodes.k")

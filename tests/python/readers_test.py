@@ -19,7 +19,7 @@ PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 sys.path.insert(0, os.path.join(ROOT, "python"))
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from percuss.deck import read_deck  # noqa: E402
+from percuss.deck import Deck  # noqa: E402
 from percuss.history import History  # noqa: E402
 from percuss.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
 
@@ -196,10 +196,11 @@ class OfARun(unittest.TestCase):
     def test_the_deck_is_kept_with_what_was_set(self):
         out = sample_run.run(PERCUSS, self.folder.name, "--set", "time.end=3e-5", "-s", "contact.friction=0.25", name="set")
         deck = percuss.read(out).deck
-        self.assertIn("# --set time.end=3e-5\n", deck.text)
-        if deck.values:  # without Python's yaml there are none
-            self.assertEqual(deck.get("time.end"), 3e-5)
-            self.assertEqual(deck.get("contact.friction"), 0.25)
+        self.assertEqual((deck.get("time.end"), deck.get("contact.friction")), (3e-5, 0.25))
+        self.assertEqual(deck.settings, ["time.end=3e-5", "contact.friction=0.25"])
+        self.assertEqual(os.path.basename(deck.file), "deck.yaml")
+        os.remove(os.path.join(out, "summary.json"))
+        self.assertEqual(percuss.read(out).deck.values, deck.values)  # of the checkpoint
 
     def test_a_restart_in_another_folder_follows_the_first_run(self):
         other = sample_run.run(PERCUSS, self.folder.name, "--restart", os.path.join(self.out, "checkpoint_previous.h5"), name="later")
@@ -233,7 +234,7 @@ class OfARun(unittest.TestCase):
             percuss.read(empty).fields
         with open(os.path.join(empty, "history.csv"), "w", encoding="utf-8") as file:
             file.write("time,step\n0,zero\n")
-        with self.assertRaisesRegex(percuss.NotResults, "this is no history"):
+        with self.assertRaisesRegex(percuss.NotResults, "this is no row of 2 numbers: .0,zero"):
             percuss.read(empty).history
 
 
@@ -260,19 +261,19 @@ class OfUnits(unittest.TestCase):
 
 
 class OfADeck(unittest.TestCase):
-    def test_numbers_are_those_of_percuss(self):
-        folder = make_folder(self)
-        path = os.path.join(folder, "deck.yaml")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write("time: {end: 1e-3, step_scale: .5}\nname: on\nparts: {a: {size: [1, -2e3, 3.5]}}\n")
+    def test_values_are_written_as_yaml_that_percuss_reads_back(self):
+        values = {"title": "yes", "name": "a: b # c", "time": {"end": 1e-3, "max_steps": 12}, "flag": True, "none": None, "tiny": 5e-324,
+                  "parts": {f"part {i}": {"size": [1, -2e3, 3.5], "material": "null"} for i in range(9)}, "list": [{"a": "1e5"}, "x y"] * 20}
         try:
-            import yaml  # noqa: F401
+            import yaml
         except ImportError as error:
             self.skipTest(error)
-        deck = read_deck(path, [("time.end", "2e-3"), ("parts.a.size.1", "7")])
-        self.assertEqual(deck.get("time"), {"end": 2e-3, "step_scale": 0.5})
-        self.assertEqual(deck.get("parts.a.size"), [1, 7, 3.5])
-        self.assertEqual((deck.get("name"), deck.get("time.start", 5)), ("on", 5))
+        self.assertEqual(yaml.safe_load(Deck(values).text.replace("5e-324", "5.0e-324")), values)
+
+    def test_a_value_is_found_by_its_path(self):
+        deck = Deck({"time": {"end": 2e-3}, "initial": [{"part": "a"}], "parts": 3})
+        self.assertEqual((deck.get("time.end"), deck.get("initial.0.part"), deck.get("time.start", 5)), (2e-3, "a", 5))
+        self.assertEqual((deck.get_map("parts"), deck.get_list("time"), deck.get_list("initial")), ({}, [], [{"part": "a"}]))
 
 
 if __name__ == "__main__":

@@ -126,10 +126,10 @@ class Report(OfARun):
             self.assertTrue(word in text, word)
 
     def test_is_one_page_about_the_run(self):
-        text = self.make(self.out, "--deck", self.deck, "--no-pictures")
+        text = self.make(self.out, "--no-pictures")
         self.check(text)
         self.expect(text, "A block falls on a plate &amp; &lt;wall&gt;", percuss.read(self.out).summary["state_hash"],
-                    "16 quadrilaterals", "8 hexahedra", "j2_plasticity", "[hourglass_energy]", "# A block falls on a plate.",
+                    "16 quadrilaterals", "8 hexahedra", "j2_plasticity", "[hourglass_energy]", "yield_stress: 400000000.0",
                     "controlled by block", "force of the rigid walls in z", "Largest von Mises stress", "Largest and least values")
         self.assertNotIn("<wall>", text)
         if read_library():
@@ -163,16 +163,17 @@ class Report(OfARun):
 
     def test_says_what_is_missing_and_goes_on(self):
         old = self.copy("old")
-        os.remove(os.path.join(old, "run_deck.yaml"))
+        change_summary(old, lambda summary: summary.pop("deck"))
         text = self.make(old, "--no-pictures", PERCUSS_THREE="/nowhere")
         self.check(text)
-        self.expect(text, "needs three.js", "values only")
+        self.expect(text, "needs three.js", "values of the checkpoint")
         bare = self.copy("bare")
         for name in ("fields.vtkhdf", "history.csv", "checkpoint.h5", "checkpoint_previous.h5", "run_deck.yaml"):
             os.remove(os.path.join(bare, name))
+        change_summary(bare, lambda summary: summary.pop("deck"))
         text = self.make(bare)
         self.check(text)
-        self.expect(text, "There are no fields", "There is no history", "name it with --deck")
+        self.expect(text, "There are no fields", "There is no history", "The deck is not known")
         done = self.report(self.out, "--field", "colour", "--no-view")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no field 'colour'", done.stderr)
@@ -188,7 +189,7 @@ class Report(OfARun):
         text = self.make(self.out, other, "--no-pictures", "--no-view")
         self.check(text)
         self.expect(text, "Other bits", "energy.internal", "History: softer against out",
-                    "+# --set materials.steel.yield_stress=200e6")
+                    "yield_stress: 200000000.0")
 
     def test_tells_forces_and_balances(self):
         out = os.path.join(self.folder.name, "forces")
@@ -231,7 +232,7 @@ class Report(OfARun):
     def test_reads_in_chromium_without_an_error(self):
         if not CHROMIUM or not read_library():
             self.skipTest("no Chromium or no three.js")
-        self.make(self.out, "--deck", self.deck, "--no-pictures")
+        self.make(self.out, "--no-pictures")
         page = os.path.join(self.folder.name, "page.html")
         text, console = read_in_chromium(page, self.folder.name)
         self.assertEqual(console, [])
@@ -305,9 +306,8 @@ class Findings(OfARun):
         run = percuss.read(self.out)
         start, end = (run.history["kinetic"][row] for row in (0, -1))
         self.assertIn(f"In 200 \u00b5s the kinetic energy went from {start:.4g} J to {end:.4g} J.", tell_events(run)[0])
-        if run.deck.values:  # without Python's yaml there are none
-            self.assertIn("every: 1e-06\n    forces:\n      - {name: force_on_block, contact: [block, all]}\n      - {name: support_0, support: plate/x_min}\n",
-                          suggest_forces(run))
+        self.assertIn("every: 1e-06\n    forces:\n      - {name: force_on_block, contact: [block, all]}\n      - {name: support_0, support: plate/x_min}\n",
+                      suggest_forces(run))
         self.assertEqual([(peak[0], peak[-1]) for peak in find_peaks_of_forces(run)], [("wall_force", False)])
 
     def test_tell_how_each_part_moved(self):
@@ -335,10 +335,10 @@ class Findings(OfARun):
 
     def test_balance_a_rigid_body_with_the_mass_that_the_deck_gives(self):
         deck = {"parts": {"ram": {"rigid": {"mass": 300, "body": "sled"}}, "tube": {}, "base": {"rigid": True}},
-                "rigid_sets": {"rim": {"nodes": "tube/x_min"}}, "output.history.forces": [{"name": "hit", "contact": ["ram", "all"]}]}
+                "rigid_sets": {"rim": {"nodes": "tube/x_min"}}, "output": {"history": {"forces": [{"name": "hit", "contact": ["ram", "all"]}]}}}
         names = ["time", "fx:hit", "fy:hit", "fz:hit", "momentum_x:ram", "momentum_y:ram", "momentum_z:ram", "kinetic", "kinetic:ram", "kinetic:tube"]
         table = np.array([[0, 0, 0, 0, 0, 0, -3000, 15000, 15000, 0], [2, 0, 0, 150, 0, 0, -2700, 12650, 12150, 500]], dtype=float)
-        run = SimpleNamespace(history=History(names, table), deck=deck)
+        run = SimpleNamespace(history=History(names, table), deck=Deck(deck))
         self.assertEqual(find_momentum_balances(run), [("hit", 300, 300, 0, "in balance")])
         self.assertRegex(make_balance_table(run), "kinetic of all parts.*in balance")
         # Masses of sets are in no part.
@@ -444,7 +444,7 @@ def make_history(columns, units="m, kg, s"):
 
 
 def make_run(history, deck=None, summary=None):
-    return SimpleNamespace(history=history, has_history=True, deck=Deck("", deck or {}), units=history.units, summary=summary or {"time": 1.0})
+    return SimpleNamespace(history=history, has_history=True, deck=Deck(deck or {}), units=history.units, summary=summary or {"time": 1.0})
 
 
 class Signals(unittest.TestCase):
@@ -565,6 +565,16 @@ class Pieces(unittest.TestCase):
         first = History(["time", "kinetic"], [[0, 4], [1, 2], [2, 0]])
         other = History(["time", "kinetic"], [[0, 4], [2, 2]])
         self.assertEqual(find_history_differences(first, other), [("kinetic", 0.5, 2.0, 0.5)])
+
+    def test_forces_and_energies_come_before_counts_and_noise(self):
+        from percuss.history import History
+
+        dimensions = {"residual": "1", "folding": "energy", "kinetic": "energy", "core_x": "length", "fx:hit": "force", "momentum_x": "momentum"}
+        names = ["time", *dimensions]
+        first = History(names, [[0, 1, 1e-20, 4, 1, 8, 2]], sidecar={name: {"dimension": value} for name, value in dimensions.items()})
+        other = History(names, [[0, 3, 9e-20, 5, 2, 9, 3]])
+        self.assertEqual([name for name, *_ in find_history_differences(first, other)],
+                         ["kinetic", "fx:hit", "core_x", "momentum_x", "residual", "folding"])
 
     def test_a_component_that_is_round_off_is_measured_by_the_whole_vector(self):
         from percuss.history import History

@@ -14,7 +14,7 @@ sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import sample_run  # noqa: E402
 from percuss.deck import Deck  # noqa: E402
 from watching.rows import Rows  # noqa: E402
-from watching.screen import find_end, format_duration, list_curves, make_progress, make_sparkline, name_limit  # noqa: E402
+from watching.screen import format_duration, list_curves, make_progress, make_sparkline, name_limit  # noqa: E402
 
 
 class Watch(unittest.TestCase):
@@ -39,7 +39,7 @@ class Watch(unittest.TestCase):
         return folder
 
     def test_shows_a_run_that_has_ended_with_python_alone(self):
-        done = self.watch(self.out, "--deck", os.path.join(self.folder.name, "deck.yaml"))
+        done = self.watch(self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
         for words in ("[completed]", "100.0 %", "of 0.0002", "kinetic", "energy error", "\u2588", "limits the step",
                       "[hourglass_energy]"):
@@ -119,7 +119,7 @@ class Screen(unittest.TestCase):
     def test_names_what_limits_the_step(self):
         rows = Rows("")
         rows.names = ["dt_element", "dt_spring", "spring_force:a_1", "spring_elongation:a_1", "spring_force:b"]
-        run = SimpleNamespace(deck=Deck("", {"springs": {"a": {}, "b": {}, "many": {}}}))
+        run = SimpleNamespace(deck=Deck({"springs": {"a": {}, "b": {}, "many": {}}}))
         for number, text in ((0, "element 7"), (1, "spring 'a_1'"), (2, "spring 'b'"), (-3, "a spring of 'many'"), (-4, "a spring")):
             rows.columns = {"dt_element": [7], "dt_spring": [number]}
             self.assertEqual(name_limit(run, rows), text + " limits the step")
@@ -129,11 +129,6 @@ class Screen(unittest.TestCase):
         self.assertEqual(name_limit(run, rows), "the approach of bodies limits the step")
         rows.columns = {}
         self.assertEqual(name_limit(run, rows), "")
-
-    def test_the_end_is_found_in_the_text_without_yaml(self):
-        self.assertEqual(find_end(Deck("title: a\ntime: {step_scale: 0.5, end: 2.5e-3}\n")), 2.5e-3)
-        self.assertEqual(find_end(Deck("", {"time": {"end": 3}})), 3)
-        self.assertIsNone(find_end(Deck("parts: {end: 3}\n")))
 
 
 class Stop(unittest.TestCase):
