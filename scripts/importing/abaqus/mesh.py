@@ -78,7 +78,6 @@ class Profile:
     origin: Vector = (0.0, 0.0, 0.0)
     first: Vector = (1.0, 0.0, 0.0)
     axis: Vector = (0.0, 1.0, 0.0)
-    is_sided: bool = True  # bodies are on the left of the line
 
 
 @dataclass

@@ -7,7 +7,7 @@ from ..shapes import shell_area
 from .deck import AbaqusDeck
 from .mesh import RIGID
 
-THIN = 1e-3  # thickness of rigid elements over their edge
+THIN = 1e-3  # thickness of rigid elements over their mean edge
 
 
 def build_rigid_parts(deck: AbaqusDeck) -> None:
@@ -19,11 +19,11 @@ def build_rigid_parts(deck: AbaqusDeck) -> None:
             add_rigid_shells(deck, card.elements, card.place, [(id, deck.mesh.elements[id][1]) for id in ids])
 
 
-def add_rigid_shells(deck: AbaqusDeck, name: str, place: Place, shells: list[tuple[int, tuple[int, ...]]]) -> Part:
-    """A part of shells so thin that they touch where their mesh is; its mass is that of *MASS."""
+def add_rigid_shells(deck: AbaqusDeck, name: str, place: Place, shells: list[tuple[int, tuple[int, ...]]], taken: str = "") -> Part:
+    """A part of shells so thin that they touch where their mesh is; its mass is that of *MASS. taken: its name, if it has one."""
     number = 1 + max((part.id for part in deck.model.blocks), default=0)
     wish = name.rpartition(".")[0] or name
-    part = Part(number, number, deck.model.names.take(wish, "part"), place, shells=shells, keys={"material": name_rigid_material(deck)})
+    part = Part(number, number, taken or deck.model.names.take(wish, "part"), place, shells=shells, keys={"material": name_rigid_material(deck)})
     for id, corners in shells:
         if len(corners) not in (3, 4) or not deck.mesh.nodes.keys() >= set(corners):
             raise BadInput(place, missing(f"a node of rigid element {id}"))
@@ -31,7 +31,7 @@ def add_rigid_shells(deck: AbaqusDeck, name: str, place: Place, shells: list[tup
     sizes = [shell_area([deck.mesh.nodes[node] for node in corners]) ** 0.5 for _, corners in shells]
     if min(sizes) <= 0:
         raise BadInput(place, f"a rigid element of '{clip(name)}' has no area: correct its nodes")
-    part.thickness = float(f"{THIN * min(sizes):.6g}")
+    part.thickness = float(f"{THIN * sum(sizes) / len(sizes):.6g}")
     part.density = deck.model.materials[part.keys["material"]]["density"]
     part.keys["points"] = 1
     deck.model.blocks.append(part)

@@ -41,20 +41,17 @@ def read_profile(scope: Scope, block: Block) -> None:
 
 
 def set_axes(profile: Profile, values: list[float]) -> None:
-    """Origin and a point of the axis of revolution; or origin, a point of x, and one of the generator."""
-    if len(values) != (6 if profile.kind == "REVOLUTION" else 9):
-        raise BadInput(profile.place, f"the axes of this *SURFACE have {len(values)} numbers: correct them")
+    """Origin and a point of the axis of revolution."""
+    if profile.kind != "REVOLUTION":
+        raise BadInput(profile.place, "a surface swept along a generator outside of a part (the sense of its axes is not known): define it in a part, by x and y")
+    if len(values) != 6:
+        raise BadInput(profile.place, f"the axis of this *SURFACE has {len(values)} numbers (6 are expected): correct it")
     profile.origin = (values[0], values[1], values[2])
     far = normalise(subtract((values[3], values[4], values[5]), profile.origin))
-    if profile.kind == "REVOLUTION":
-        other = min(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), key=lambda e: abs(dot(e, far)))
-        profile.axis, profile.first = far, normalise(cross(far, other))
-    else:
-        generator = normalise(subtract((values[6], values[7], values[8]), profile.origin))
-        profile.first, profile.axis = far, cross(generator, far)
-        profile.is_sided = False
-    if not any(far) or not any(profile.axis):
-        raise BadInput(profile.place, "the axes of this *SURFACE have no direction: correct them")
+    if not any(far):
+        raise BadInput(profile.place, "the axis of this *SURFACE has no direction: correct it")
+    other = min(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), key=lambda e: abs(dot(e, far)))
+    profile.axis, profile.first = far, normalise(cross(far, other))
 
 
 @dataclass
@@ -67,8 +64,6 @@ class Shape:
 
 def find_shape(deck: AbaqusDeck, profile: Profile) -> Shape | None:
     """Bodies are outside: on the left from piece to piece. None where the profile is no wall of percuss."""
-    if not profile.is_sided:
-        return None
     axis, first = normalise(profile.axis), normalise(profile.first)
 
     def put(r: float, z: float) -> list[float]:
@@ -237,7 +232,7 @@ def add_shells(deck: AbaqusDeck, group: RigidGroup, profile: Profile, friction: 
     first = max([*deck.mesh.elements, 0]) + 1
     shells = [(first + i, corners) for i, corners in enumerate(mesh.shells)]
     others = (group.wall or {}).get("nodes", [])
-    part = add_rigid_shells(deck, group.profile, group.place, shells)
+    part = add_rigid_shells(deck, group.profile, group.place, shells, (group.wall or {}).get("name", ""))
     deck.forget_used()
     part.keys["rigid"] = True
     group.name, group.nodes, group.wall = part.name, deck.model.nodes_of_blocks([part.id]), None

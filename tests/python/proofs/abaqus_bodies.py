@@ -1,0 +1,136 @@
+"""Rigid bodies, couplings, equations, ties and contact."""
+
+from . import ALL, FIRST, LAST, Proof
+from .pieces import CORNERS, CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
+
+T = 1e-4  # velocities are those of half a step before: 0.4 % of it
+STEEL = f"*MATERIAL, NAME=steel\n*DENSITY\n{DENSITY!r}\n*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
+REF = "*NODE\n9, 5., 5., 15.\n"
+RIGID = f"{REF}*RIGID BODY, REF NODE=9, ELSET=cube\n"
+PLATE = ("*NODE\n1, 0., 0., 0.\n2, 10., 0., 0.\n3, 10., 10., 0.\n4, 0., 10., 0.\n9, 5., 5., 0.\n*ELEMENT, TYPE=R3D4, ELSET=plate\n1, 1, 2, 3, 4\n*RIGID BODY, REF NODE=9, ELSET=plate\n"
+         "*ELEMENT, TYPE=MASS, ELSET=m\n2, 9\n*MASS, ELSET=m\n2e-6,\n")
+ROTARY = "*ELEMENT, TYPE=ROTARYI, ELSET=r\n3, 9\n*ROTARY INERTIA, ELSET=r\n1e-5, 2e-5, 3e-5\n"
+DRIVEN = "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n9, 2, 6, 0.\n"
+SKIN = "*SURFACE, NAME=skin, TYPE=NODE\nall,\n"
+
+
+def pushed(bodies: str, step: str = "*CLOAD\n9, 1, 2.\n", end: float = T, **more) -> str:
+    return abaqus(abaqus_cube(), bodies, end=end, step=step, **more)
+
+
+def two(gap: float, second: str = "all", more: str = "") -> str:
+    """Two cubes, a and b above it, of steel; sets na and nb, surfaces sa (top of a) and sb (bottom of b)."""
+    rows = ["".join(f"{first + i}, {10.0 * x}, {10.0 * y}, {10.0 * z + height}\n" for i, (x, y, z) in enumerate(CORNERS)) for first, height in ((1, 0.0), (11, 10.0 + gap))]
+    return (f"*NODE, NSET=na\n{rows[0]}*NODE, NSET=nb\n{rows[1]}*ELEMENT, TYPE=C3D8R, ELSET=a\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"
+            f"*ELEMENT, TYPE=C3D8R, ELSET=b\n2, 11, 12, 13, 14, 15, 16, 17, 18\n*SOLID SECTION, ELSET=a, MATERIAL=steel\n*SOLID SECTION, ELSET=b, MATERIAL=steel\n{STEEL}"
+            f"*SURFACE, NAME=sa\na, S2\n*SURFACE, NAME=sb\nb, S1\n*SURFACE INTERACTION, NAME=i\n*FRICTION\n0.3,\n*SURFACE INTERACTION, NAME=j\n*FRICTION\n0.1,\n{more}")  # fmt: skip
+
+
+def sliding(contact: str, more: str = "", before: str = "") -> str:
+    """b falls on a, which is held, and slides along x."""
+    history = "*OUTPUT, HISTORY, TIME INTERVAL=1e-6\n*ENERGY OUTPUT, ELSET=b\nALLKE\n"
+    return abaqus(two(0.01), more, before, "*INITIAL CONDITIONS, TYPE=VELOCITY\nnb, 1, 3000.\nnb, 3, -2000.\n*BOUNDARY\nna, 1, 3\n", end=2e-5, step=contact + history)
+
+
+def ratio(history):
+    """Change of momentum along the slide over that along the normal, of b."""
+    return (history["momentum_x:B"][-1] - history["momentum_x:B"][0]) / (history["momentum_z:B"][-1] - history["momentum_z:B"][0])
+
+
+def slides(friction: float) -> list:
+    return [(ratio, LAST, -friction, 3e-2)]
+
+
+MISSED = [("momentum_z:B", LAST, -2000.0 * CUBE_MASS, 1e-9)]
+GENERAL = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"
+PAIR = "*CONTACT PAIR, INTERACTION=i\nsb, sa\n"
+TOGETHER = "*OUTPUT, HISTORY, TIME INTERVAL=1e-6\n*ENERGY OUTPUT, ELSET=b\nALLKE\n*CLOAD\nna, {}, 50.\n"
+
+
+def together(*constraints: str, gap: float = 0.0, direction: int = 3) -> str:
+    """Eight loads on a, toward b; b is without load."""
+    return abaqus(two(gap), *constraints, end=2e-4, step=TOGETHER.format(direction))
+
+
+def shares(tolerance: float, column: str = "momentum_z") -> list:
+    """Half of the impulse is the momentum of b."""
+    return [(column, LAST, 400.0 * 2e-4, 1e-2), (lambda h: h[f"{column}:B"][-1] / h[column][-1], LAST, 0.5, tolerance)]
+
+
+def walled(profile: str, kind: str = "CYLINDER", step: str = "", held: str = "9, 1, 6\n", speed: float = -2000.0, where: str = "5., 5., -1.") -> str:
+    """A cube falls on an analytical surface."""
+    surface = f"*NODE\n9, {where}\n*SURFACE, TYPE={kind}, NAME=wall\n{profile}*RIGID BODY, REF NODE=9, ANALYTICAL SURFACE=wall\n"
+    return abaqus(abaqus_cube(), surface, f"*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 3, {speed!r}\n*BOUNDARY\n{held}", GENERAL.replace(", , i", ", , i"), "", end=2e-5, step=step).replace(
+        "*CONTACT\n", "*SURFACE INTERACTION, NAME=i\n*FRICTION\n0.,\n*CONTACT\n"
+    )
+
+
+def swept(profile: str, step: str = "", speed: float = -2000.0) -> str:
+    """A cube, and a surface swept along y: y of its part is z of space."""
+    cube = abaqus_cube().split("*MATERIAL")
+    held = "*BOUNDARY\nw.ref, 1, 6\n" if not step else "*BOUNDARY\nw.ref, 1, 2\nw.ref, 4, 6\n"
+    assembly = ("*ASSEMBLY, NAME=a\n*INSTANCE, NAME=c, PART=p\n*END INSTANCE\n*INSTANCE, NAME=w, PART=q\n0., 0., 0.\n0., 0., 0., 1., 0., 0., 90.\n*NODE\n1, 5., -1., 0.\n*NSET, NSET=ref\n1,\n"
+                f"*SURFACE, TYPE=CYLINDER, NAME=wall\n{profile}*RIGID BODY, REF NODE=ref, ANALYTICAL SURFACE=wall\n*END INSTANCE\n*END ASSEMBLY\n")  # fmt: skip
+    return abaqus(f"*PART, NAME=p\n{cube[0]}*END PART\n*PART, NAME=q\n*END PART\n{assembly}*MATERIAL{cube[1]}", "*SURFACE INTERACTION, NAME=i\n*FRICTION\n0.,\n",
+                  f"*INITIAL CONDITIONS, TYPE=VELOCITY\nc.all, 3, {speed!r}\n{held}", end=2e-5, step=GENERAL + step)  # fmt: skip
+
+
+BOUNCED = [(lambda h: float(h["momentum_z"][-1] > 0.3 * 2000 * CUBE_MASS), LAST, 1.0, 1e-9)]
+
+PROOFS = [
+    Proof("RIGID BODY: REF_NODE; BOUNDARY: TYPE", pushed(RIGID, "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n9, 2, 6, 0.\n"), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6)], "the body moves at 40 mm/s"),
+    Proof("RIGID BODY: REF_NODE", pushed(RIGID, "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n"), refused="away from the centre"),
+    Proof("RIGID BODY: TIE_NSET", pushed(f"{REF}*RIGID BODY, REF NODE=9, TIE NSET=all\n", DRIVEN), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("internal", ALL, 0.0, 1e-12)], "all nodes are one body"),
+    Proof("RIGID BODY: PIN_NSET", pushed(f"{REF}*RIGID BODY, REF NODE=9, PIN NSET=all\n", DRIVEN), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("internal", ALL, 0.0, 1e-12)], "nodes without rotations"),
+    Proof("RIGID BODY: ISOTHERMAL", pushed(RIGID.replace("ELSET=cube", "ELSET=cube, ISOTHERMAL=YES")), refused="ISOTHERMAL"),
+    Proof("INITIAL CONDITIONS: TYPE; MASS: ELSET; ROTARY INERTIA: ELSET; RIGID BODY: ELSET POSITION", abaqus(PLATE + ROTARY, STEEL, "*INITIAL CONDITIONS, TYPE=VELOCITY\n9, 1, 30.\n9, 6, 5.\n"), [("momentum_x", FIRST, 30.0 * 2e-6, 1e-3), ("body_wz:PLATE", FIRST, 5.0, 1e-6), ("body_kinetic:PLATE", FIRST, 0.5 * (900 * 2e-6 + 25 * 3e-5), 1e-2)],
+          "of the reference node: translation and spin"),
+    Proof("COUPLING: REF_NODE SURFACE; KINEMATIC", pushed(f"{REF}{SKIN}*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=skin\n*KINEMATIC\n", DRIVEN),
+          [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("internal", ALL, 0.0, 1e-12)], "all nodes are coupled"),
+    Proof("KINEMATIC", pushed(f"{REF}{SKIN}*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=skin\n*KINEMATIC\n1, 3\n", DRIVEN), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("internal", ALL, 0.0, 1e-12)],
+          "nodes of solids have no other directions"),
+    Proof("KINEMATIC", pushed(f"{REF}{SKIN}*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=skin\n*KINEMATIC\n1, 2\n"), refused="leaves directions free"),
+    Proof("DISTRIBUTING", pushed(f"{REF}{SKIN}*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=skin\n*DISTRIBUTING\n"), refused="*DISTRIBUTING"),
+    Proof("MPC", together("".join(f"*MPC\nBEAM, {n}, {n + 10}\n" for n in range(1, 9))), shares(4e-2), "pairs of nodes are one body, pushed along their line"),
+    Proof("MPC", together("*MPC\n" + "".join(f"PIN, {n}, {n + 10}\n" for n in range(1, 9))), shares(4e-2), "pairs of nodes move equally"),
+    Proof("MPC", together("*MPC\nLINK, 1, 11\n"), refused="MPC.LINK"),
+    Proof("EQUATION", together("*EQUATION\n" + "".join(f"2\n{n}, 1, 1.\n{n + 10}, 1, -1.\n" for n in range(1, 9)), direction=1), shares(4e-2, "momentum_x"), "equal along x"),
+    Proof("EQUATION", together("*EQUATION\n2\n1, 1, 1., 11, 1, -2.\n"), refused="other than that of two equal displacements"),
+    Proof("TIE: NAME; SURFACE: NAME TYPE", together("*TIE, NAME=t\nsb, sa\n"), shares(0.1), "both swing about half of the impulse each"),
+    Proof("TIE: POSITION_TOLERANCE", together("*TIE, NAME=t, POSITION TOLERANCE=2.\nsb, sa\n", gap=1.0), shares(0.1), "a gap of 1 mm is within 2 mm"),
+    Proof("TIE: POSITION_TOLERANCE", together("*TIE, NAME=t, POSITION TOLERANCE=0.5\nsb, sa\n", gap=1.0), refused="ties nothing"),
+    Proof("CONTACT PAIR: INTERACTION; FRICTION; SURFACE INTERACTION: NAME", sliding(PAIR), slides(0.3), "Coulomb's friction of the pair"),
+    Proof("CONTACT PAIR: INTERACTION", sliding(PAIR.replace("=i", "=j")), slides(0.1), "Coulomb's friction of the other interaction"),
+    Proof("CONTACT PAIR: INTERACTION", sliding(PAIR.replace("=i", "=none")), refused="there is no *SURFACE INTERACTION"),
+    Proof("CONTACT PAIR: INTERACTION", sliding("*CONTACT PAIR\nsb, sa\n"), refused="has no INTERACTION"),
+    Proof("CONTACT PAIR: OP", sliding(PAIR + PAIR.replace("=i", "=i, OP=DELETE")), refused="contact that ends"),
+    Proof("CONTACT; CONTACT INCLUSIONS: ALL_EXTERIOR; CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL), slides(0.3), "Coulomb's friction of all"),
+    Proof("CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL + "sb, sa, j\n"), slides(0.1), "that of the two surfaces"),
+    Proof("CONTACT INCLUSIONS", sliding("*CONTACT, OP=NEW\n*CONTACT INCLUSIONS\nsb, sa\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"), slides(0.3), "one pair, with the friction of all"),
+    Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nwa, wb\n", "*SURFACE, NAME=wa\na,\n*SURFACE, NAME=wb\nb,\n"), MISSED, "both bodies pass through each other"),
+    Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nsa, sb\n"), refused="not whole parts"),
+    Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 0.5\n"), refused="in contact"),
+    Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 1.\n"), slides(0.3), "the thickness as it is"),
+    Proof("FRICTION: TAUMAX", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, TAUMAX=3.\n0.1,\n"), refused="TAUMAX"),
+    Proof("FRICTION: EXPONENTIAL_DECAY", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 1.\n"), refused="EXPONENTIAL DECAY"),
+    Proof("FRICTION", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION\n0.3, 0.\n0.1, 5.\n"), refused="depends on speed"),
+    Proof("SURFACE BEHAVIOR: PRESSURE-OVERCLOSURE", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4,\n"), refused="PRESSURE-OVERCLOSURE"),
+    Proof("SURFACE BEHAVIOR: PRESSURE-OVERCLOSURE PENALTY", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD, PENALTY\n"), slides(0.3), "hard contact"),
+    Proof("CONTACT CLEARANCE", sliding(PAIR, before="*CONTACT CLEARANCE, NAME=c\n"), refused="*CONTACT CLEARANCE"),
+    Proof("SURFACE: TYPE; RIGID BODY: ANALYTICAL_SURFACE", walled("0., 0., 0., 1., 0., 0.\n0., 1., 0.\nSTART, -20., -0.01\nLINE, 30., -0.01\n"), refused="define it in a part"),
+    Proof("SURFACE: TYPE; RIGID BODY: ANALYTICAL_SURFACE", swept("START, -20., -0.01\nLINE, 30., -0.01\n"), BOUNCED, "the cube comes back from a strip"),
+    Proof("SURFACE: TYPE; RIGID BODY: ANALYTICAL_SURFACE", swept("START, -20., -0.01\nLINE, 5., -0.01\nLINE, 30., -0.01\n"), BOUNCED, "the cube comes back from rigid shells"),
+    Proof("SURFACE: TYPE; BOUNDARY: TYPE", swept("START, -20., -0.01\nLINE, 30., -0.01\n", "*BOUNDARY, TYPE=VELOCITY\nw.ref, 3, 3, 3000.\n", 0.0),
+          [(lambda h: float(h["momentum_z"][-1] > 3000 * CUBE_MASS), LAST, 1.0, 1e-9)], "a strip that rises at 3000 mm/s throws the cube"),
+    Proof("SURFACE: TYPE; RIGID BODY: ANALYTICAL_SURFACE", walled("0., 0., 0., 0., 0., 1.\nSTART, 0., -0.01\nLINE, 20., -0.01\n", "REVOLUTION"), BOUNCED, "the cube comes back from a disk of rigid shells"),
+    Proof("SURFACE: TYPE", walled("START, 0., 0.\nBEND, 1., 1.\n"), refused="is expected"),
+]  # fmt: skip
+
+NOT_PHYSICS = {
+    "COUPLING.CONSTRAINT NAME": "a name", "TIE.ADJUST": "the report says that gaps stay", "TIE.TYPE": "how a gap is measured: percuss has one way",
+    "TIE.NO ROTATION": "of shells alone: the ties of the tests of contact prove rotations", "CONTACT PAIR.CPSET": "a name", "CONTACT PAIR.TYPE": "contact works both ways",
+    "CONTACT PAIR.MECHANICAL CONSTRAINT": "how contact is enforced", "CONTACT PAIR.WEIGHT": "contact works both ways", "CONTACT.OP": "the first step has nothing before it",
+    "FRICTION.SLIP TOLERANCE": "numerics of friction", "FRICTION.ROUGH": "the report says which coefficient stands for it",
+    "CONTACT INITIALIZATION DATA": "the report says that overlaps stay", "CONTACT INITIALIZATION DATA.NAME": "a name",
+    "CONTACT INITIALIZATION DATA.SEARCH ABOVE": "the report says that overlaps stay", "CONTACT INITIALIZATION DATA.SEARCH BELOW": "the report says that overlaps stay",
+}  # fmt: skip

@@ -1,0 +1,137 @@
+"""Materials: the energy of an element whose nodes are all driven is the integral of stress over strain."""
+
+import math
+
+from . import ALL, LAST, Proof
+from .pieces import CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
+
+END = 1e-3
+SHEAR, BULK = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON))
+ELASTIC = f"*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
+SIDES = "*NSET, NSET=xp\n2, 3, 6, 7\n*NSET, NSET=yp\n3, 4, 7, 8\n*NSET, NSET=zp\n5, 6, 7, 8\n*NSET, NSET=xm\n1, 4, 5, 8\n*NSET, NSET=ym\n1, 2, 5, 6\n*NSET, NSET=zm\n1, 2, 3, 4\n"
+FIXED = "*BOUNDARY\nxm, 1\nym, 2\nzm, 3\n"
+NO_VISCOSITY = "*BULK VISCOSITY\n0., 0.\n"
+
+
+def driven(law: str, x: float, y: float, z: float, end: float = END, before: str = "", dynamic: str = "", amplitude: str = "") -> str:
+    """A cube of a material whose three faces move by x, y, z until the end."""
+    speeds = [10.0 * u / end for u in (x, y, z)]
+    option = ", AMPLITUDE=a" if amplitude else ""
+    conditions = f"*BOUNDARY, TYPE=VELOCITY{option}\nxp, 1, 1, {speeds[0]!r}\nyp, 2, 2, {speeds[1]!r}\nzp, 3, 3, {speeds[2]!r}\n"
+    material = f"*SOLID SECTION, ELSET=cube, MATERIAL=m\n*MATERIAL, NAME=m\n*DENSITY\n{DENSITY!r}\n{law}"
+    text = abaqus(abaqus_cube(False), SIDES, FIXED, amplitude, before, material, end=end, step=NO_VISCOSITY + conditions)
+    return text.replace("*DYNAMIC, EXPLICIT", f"*DYNAMIC, EXPLICIT{dynamic}")
+
+
+def stretched(law: str, stretch: float = 0.02, **more) -> str:
+    """Volume stays but for the square of the strain."""
+    other = (1 + stretch) ** -0.5 - 1
+    return driven(law, stretch, other, other, **more)
+
+
+def strain(stretch: float = 0.02) -> float:
+    return math.log(1 + stretch)
+
+
+def plastic_work(stress: float, slope: float = 0.0, stretch: float = 0.02) -> float:
+    """Energy of 1000 mm3 that yield at a stress with a slope over plastic strain."""
+    start = stress / (3 * SHEAR)
+    rest = strain(stretch) - start
+    tangent = slope * 3 * SHEAR / (slope + 3 * SHEAR)
+    return 1000 * (0.5 * stress * start + stress * rest + 0.5 * tangent * rest * rest)
+
+
+PLASTIC = "*PLASTIC\n300., 0.\n"
+RATE = strain() / END
+DUCTILE = ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.05, 0., 0.\n"
+EVOLUTION = "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT\n0.1,\n"
+
+
+def time_of(plastic: float, stretch: float = 0.1, end: float = END) -> float:
+    """When a plastic strain is reached, of a linear motion."""
+    return end * (math.exp(plastic + 300 / (3 * SHEAR)) - 1) / stretch
+
+
+def erodes(law: str, plastic: float, before: str = "", **more) -> list:
+    t = time_of(plastic)
+    return [stretched(law, 0.1, before=before, **more), [("eroded_elements", 0.95 * t, 0.0, 1e-9), ("eroded_elements", 1.05 * t, 1.0, 1e-9)]]
+
+
+def fails(proves: str, law: str, plastic: float, why: str) -> Proof:
+    deck, rights = erodes(law, plastic)
+    return Proof(proves, deck, rights, why)
+
+
+def rubber(option: str, line: str) -> str:
+    return f"*HYPERELASTIC, {option}\n{line}\n"
+
+
+LARGE = 1.2
+I1, I2 = LARGE**2 + 2 / LARGE - 3, 2 * LARGE + LARGE**-2 - 3
+PRONY = "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n"
+
+PROOFS = [
+    Proof("ELASTIC: TYPE", driven(ELASTIC, 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "half of (lambda + 2 mu) e^2"),
+    Proof("ELASTIC: TYPE", driven("*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1e5, 1e5, 1e5, 0.3, 0.3, 0.3, 4e4, 4e4\n4e4\n", 1e-4, 0.0, 0.0), refused="ENGINEERING CONSTANTS"),
+    Proof("ELASTIC", driven(ELASTIC + ELASTIC, 1e-4, 0.0, 0.0), refused="stands twice"),
+    Proof("ELASTIC", driven(ELASTIC + "1e5, 0.3, 100.\n", 1e-4, 0.0, 0.0), refused="temperature"),
+    Proof("PLASTIC: HARDENING", stretched(ELASTIC + PLASTIC), [("internal", LAST, plastic_work(300.0), 1e-2)], "elastic to 300 MPa, then constant"),
+    Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC\n300., 0.\n500., 0.1\n"), [("internal", LAST, plastic_work(300.0, 2000.0), 1e-2)], "a slope of 2000 MPa"),
+    Proof("PLASTIC: HARDENING",
+          stretched(ELASTIC + "*PLASTIC, HARDENING=KINEMATIC\n300., 0.\n1300., 0.1\n", 0.02, amplitude="*AMPLITUDE, NAME=a\n0., 1., 5e-4, 1., 5e-4, -1., 1., -1.\n"),
+          [("internal", LAST, 2 * plastic_work(300.0, 1e4, 0.01) - 1000 * 1e4 * strain(0.01) ** 2, 0.15)], "what moves the surface comes back"),
+    Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=COMBINED\n300., 0.\n"), refused="COMBINED"),
+    Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 800., 0.5, 1., 1e5, 0.\n"),
+          [("internal", LAST, plastic_work(300.0) + 1000 * 800 * (strain() - 300 / (3 * SHEAR)) ** 1.5 / 1.5, 2e-2)], "300 + 800 p^0.5"),
+    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.01\n500., 0.1\n"), refused="the first plastic strain is 0.01"),
+    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n500., 0.1\n550., 0.05\n"), refused="do not ascend"),
+    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n200., 0., 400.\n"), refused="several temperatures"),
+    Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + f"*RATE DEPENDENT, TYPE=POWER LAW\n{RATE / 0.25!r}, 2.\n"), [("internal", LAST, plastic_work(450.0), 2e-2)],
+          "1 + (rate / D)^(1 / n) = 1.5"),
+    Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 1e5, 0.\n" + f"*RATE DEPENDENT, TYPE=JOHNSON COOK\n0.1, {RATE / math.exp(2)!r}\n"),
+          [("internal", LAST, plastic_work(360.0), 2e-2)], "1 + 0.1 ln(e^2)"),
+    Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + "*RATE DEPENDENT, TYPE=YIELD RATIO\n1., 0.\n"), refused="YIELD RATIO"),
+    Proof("DYNAMIC: ADIABATIC; DYNAMIC TEMPERATURE-DISPLACEMENT",
+          stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n", dynamic=", ADIABATIC"),
+          [("internal", LAST, 1000 * (100 * DENSITY * 1e7) * (1 - math.exp(-300 * (strain() - 150 / (3 * SHEAR)) / (100 * DENSITY * 1e7))), 3e-2)],
+          "sigma = 300 (1 - T / 100) and rho c dT = sigma dp"),
+    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT", stretched(ELASTIC + PLASTIC).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), refused="conduction of heat"),
+    Proof("HYPERELASTIC: NEO_HOOKE", stretched(rubber("NEO HOOKE", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "C10 (I1 - 3) of a motion that keeps the volume"),
+    Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "C10 (I1 - 3) + C01 (I2 - 3)"),
+    Proof("HYPERELASTIC: POLYNOMIAL N", stretched(rubber("POLYNOMIAL, N=1", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "as MOONEY-RIVLIN"),
+    Proof("HYPERELASTIC: REDUCED_POLYNOMIAL", stretched(rubber("REDUCED POLYNOMIAL, N=1", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "as NEO HOOKE"),
+    Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D1 = 100"),
+    Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0."), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 20 * (1.01**3 - 1) ** 2, 3e-2)], "without D1 K is 20 shear moduli"),
+    Proof("HYPERELASTIC: N", stretched(rubber("POLYNOMIAL, N=2", "0.5, 0.2, 0.1, 0.1, 0.1, 0.02, 0.02"), LARGE - 1), refused="N=2"),
+    Proof("HYPERELASTIC: TEST_DATA_INPUT", stretched(rubber("MOONEY-RIVLIN, TEST DATA INPUT", ","), LARGE - 1), refused="HYPERELASTIC"),
+    Proof("HYPERELASTIC", stretched(rubber("OGDEN", "0.5, 2., 0.02"), LARGE - 1), refused="OGDEN"),
+    Proof("VISCOELASTIC: TIME; ELASTIC: MODULI", stretched(ELASTIC + PRONY, 1e-3), [("internal", LAST, 1000 * 1.5 * SHEAR * strain(1e-3) ** 2, 3e-2)],
+          "slow against 1e-7 s: the long-term modulus, which *ELASTIC gives"),
+    Proof("VISCOELASTIC: TIME; ELASTIC: MODULI", stretched(ELASTIC.replace("*ELASTIC", "*ELASTIC, MODULI=INSTANTANEOUS") + PRONY, 1e-3),
+          [("internal", LAST, 1000 * 1.5 * 0.6 * SHEAR * strain(1e-3) ** 2, 3e-2)], "0.6 of the instantaneous modulus"),
+    Proof("VISCOELASTIC", stretched(ELASTIC + "*VISCOELASTIC, TIME=CREEP TEST DATA\n1., 1.\n"), refused="viscoelasticity"),
+    Proof("EOS: TYPE", driven("*EOS, TYPE=USUP\n4e6, 0., 0.\n", -0.01, -0.01, -0.01), [("internal", LAST, 1000 * 0.5 * DENSITY * 1.6e13 * (1 - 0.99**3) ** 2, 2e-2)],
+          "p = rho0 c0^2 (1 - V / V0)"),
+    Proof("EOS: TYPE; ELASTIC: TYPE", stretched("*EOS, TYPE=USUP\n4e6, 0., 0.\n*ELASTIC, TYPE=SHEAR\n8e4,\n", 1e-3), [("internal", LAST, 1000 * 1.5 * 8e4 * strain(1e-3) ** 2, 2e-2)], "3 G e^2 / 2"),
+    Proof("EOS: TYPE", driven("*EOS, TYPE=IDEALGAS\n287., 0.\n", -0.01, 0.0, 0.0), refused="IDEALGAS"),
+    Proof("DAMPING: ALPHA", abaqus(abaqus_cube().replace("*DENSITY", "*DAMPING, ALPHA=50.\n*DENSITY"), "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 100.\n", end=1e-2),
+          [("momentum_x", LAST, 100 * math.exp(-0.5) * CUBE_MASS, 1e-3)], "v' = -alpha v"),
+    Proof("DAMPING: BETA", stretched("*DAMPING, BETA=1e-7\n" + ELASTIC, 1e-3), [("viscous", LAST, 1000 * 3 * SHEAR * 1e-7 * strain(1e-3) ** 2 / END, 2e-2)], "beta 3 G rate^2 over time"),
+    fails("DAMAGE INITIATION: CRITERION; DAMAGE EVOLUTION: TYPE SOFTENING", DUCTILE + EVOLUTION, 0.06, "0.05 and 0.1 mm over 10 mm"),
+    fails("DAMAGE EVOLUTION: TYPE", DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.06, "0.05, and 2 G / stress over 10 mm"),
+    fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n0.05, 0., 1., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 + 0.1 mm over 10 mm"),
+    Proof("DAMAGE INITIATION", stretched(DUCTILE, 0.1), [("internal", LAST, plastic_work(300.0, 0.0, 0.1), 2e-2)], "without evolution nothing fails"),
+    Proof("DAMAGE INITIATION: CRITERION", stretched(ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=FLD\n0.1, 0.\n" + EVOLUTION), refused="criterion FLD"),
+    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT, SOFTENING=TABULAR\n0., 0.\n1., 0.1\n"), refused="by a table"),
+    fails("SHEAR FAILURE: TYPE", ELASTIC + PLASTIC + "*SHEAR FAILURE\n0.04, 0., 0.\n", 0.04, "a plastic strain of 0.04"),
+    fails("SHEAR FAILURE: TYPE", ELASTIC + PLASTIC + "*SHEAR FAILURE, TYPE=JOHNSON COOK\n0.04, 0., 1., 0., 0.\n", 0.04, "d1"),
+    Proof("SHEAR FAILURE: ELEMENT_DELETION", stretched(ELASTIC + PLASTIC + "*SHEAR FAILURE, ELEMENT DELETION=NO\n0.04, 0., 0.\n"), refused="ELEMENT DELETION"),
+    Proof("TENSILE FAILURE", driven(ELASTIC + PLASTIC + "*TENSILE FAILURE\n300.,\n", 1e-3, 1e-3, 1e-3), [("eroded_elements", 0.53e-3, 0.0, 1e-9), ("eroded_elements", 0.62e-3, 1.0, 1e-9)],
+          "3 K e = 300 MPa at e = 5.7e-4"),
+    Proof("TENSILE FAILURE: ELEMENT_DELETION", stretched(ELASTIC + PLASTIC + "*TENSILE FAILURE, ELEMENT DELETION=NO\n875.,\n"), refused="ELEMENT DELETION"),
+    Proof("USER MATERIAL", stretched("*USER MATERIAL, CONSTANTS=1\n1.,\n*DEPVAR\n3,\n"), refused="user code"),
+]  # fmt: skip
+
+NOT_PHYSICS = {
+    "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "DAMAGE EVOLUTION.DEGRADATION": "one criterion of damage in a material: nothing to combine",
+}  # fmt: skip
