@@ -202,7 +202,7 @@ struct AdvanceChunk {
     Real* record = &state(chunks.first_state(c));
     const std::uint16_t* next_corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
-    constexpr int fetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
+    constexpr int fetched = is_called<Material> ? HexRecord::history<Kind, Material> * width : largest_size;
     ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
     double work[work_kinds] = {0, 0, 0, 0};
     FoldingPacks folding(*this, c);

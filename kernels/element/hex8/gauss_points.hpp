@@ -64,9 +64,9 @@ template <class T>
 struct PointMetrics {
   T xx[8], yy[8], zz[8], xy[8], yz[8], zx[8];
 
-  /// 8 times it, from the geometry of point p.
-  PERCUSS_FORCE_INLINE void set(int p, const PointGeometry<T>& g) {
-    const T scale = T(1) / g.volume;
+  /// 8 times it, from the geometry of point p. scale: 1 / g.volume, or the ratio of the volume that counts to its
+  /// square.
+  PERCUSS_FORCE_INLINE void set(int p, const PointGeometry<T>& g, const T& scale) {
     xx[p] = scale * dot(g.c[0], g.c[0]);
     yy[p] = scale * dot(g.c[1], g.c[1]);
     zz[p] = scale * dot(g.c[2], g.c[2]);

@@ -2,20 +2,59 @@
 // The hexahedron with 2x2x2 points and mean dilatation (B-bar; Hughes, Int. J. Num. Meth. Eng. 15, 1980) over one step.
 //
 // The volume change is that of the mean gradient everywhere, so that nothing locks as the material becomes
-// incompressible. One rotation serves the element: that of the mean gradient. Stress and history belong to points.
+// incompressible. Stress and history belong to points, in one frame, which turns with the mean gradient; elastic stress
+// and stretch turn apart from it as their points do. The stress of a point counts for the volume that it had at the
+// start times the mean change of volume: then forces are the gradient of an energy, and a body that is stretched far
+// keeps its shape (docs/theory.md).
 
 #include "kernels/element/hex8/gauss_points.hpp"
 #include "kernels/element/hex8/hex8.hpp"
+#include "kernels/material/point/stretch.hpp"
 
 namespace percuss {
 
+/// Whether an element has room for the volumes of its points at the start.
+template <class Material, HexKind Kind>
+inline constexpr bool keeps_point_volumes = (Kind == HexKind::full) && has_own_moduli<Material>;
+
+/// Whether they count: where stress is elastic, or follows from an energy, so that the material may be stretched far.
+template <class Material>
+PERCUSS_FORCE_INLINE bool counts_point_volumes([[maybe_unused]] const Material& material) {
+  if constexpr (is_called<Material>)
+    return material.stores_energy;
+  else
+    return is_elastic<Material>;
+}
+
+/// The volumes of the points at the start, each over an eighth of the element's, less 1.
+template <class T, bool Keeps>
+struct PointVolumes {
+  T excess[8];
+  /// 512 times the part of a volume that belongs to point p; counts: by the start, else as it is now.
+  PERCUSS_FORCE_INLINE T share(int p, const T& volume, const T& now, bool counts) const {
+    return counts ? number<T>(64.0) * volume * (T(1) + excess[p]) : now;
+  }
+};
+template <class T>
+struct PointVolumes<T, false> {
+  PERCUSS_FORCE_INLINE const T& share(int, const T&, const T& now, bool) const { return now; }
+};
+
+/// PointVolumes::excess of an element with corners at `a` at the start.
+template <class T>
+KOKKOS_INLINE_FUNCTION void find_point_volumes(const VectorModes<T>& a, T (&excess)[8]) {
+  const T eighth = T(64) * find_volume_gradient(a).volume;
+  for (int p = 0; p < 8; ++p) excess[p] = find_point_geometry(a, find_gauss_point(p)).volume / eighth - T(1);
+}
+
 template <class T, class Material>
 struct HexState<T, Material, HexKind::full> {
-  T mass;                                                 // constant
-  T viscous_pressure;                                     // q at n, for the trapezoid of its work
-  Polar<T> polar;                                         // R and V of the mean gradient, at n
-  Symmetric3<T> stress[8];                                // Cauchy, unrotated, at n, by point
-  [[no_unique_address]] StressRestsOf<T, 8> stress_rest;  // in float
+  T mass;                                                                 // constant
+  T viscous_pressure;                                                     // q at n, for the trapezoid of its work
+  Polar<T> polar;                                                         // R and V of the mean gradient, at n
+  Symmetric3<T> stress[8];                                                // Cauchy, unrotated, at n, by point
+  [[no_unique_address]] StressRestsOf<T, 8> stress_rest;                  // in float
+  [[no_unique_address]] PointVolumes<T, has_own_moduli<Material>> start;  // constant
   [[no_unique_address]] MaterialHistory<T, Material, 8> history;
 };
 
@@ -61,12 +100,48 @@ PERCUSS_FORCE_INLINE Symmetric3<T> turn_half(const Vector3<T>& w, const Symmetri
   return de + symmetric_part(antisymmetric(w) * full(de));
 }
 
-/// Tells a material how its point turns beyond the mean of the element; the stress of an elastic one goes along.
+/// How a point turns apart from the element's frame, which turns with the mean gradient.
+template <class T>
+struct FrameTurn {
+  Vector3<T> mean_twist;  // twice the spin of the mean gradient
+  T half_dt;
+  Symmetric3<T> stretch;   // of the mean, half way
+  Matrix3<T> flexibility;  // of find_turn_resistance()
+  Vector3<T> by_strain;    // of the mean, dt; beside its spin
+
+  /// By strain alone, beside the spin.
+  PERCUSS_FORCE_INLINE Vector3<T> find_turn(const Symmetric3<T>& de) const {
+    return flexibility * find_turn_drive(de, stretch);
+  }
+  /// The spin of a point dt, beyond that of the mean gradient.
+  PERCUSS_FORCE_INLINE Vector3<T> find_spin(const Matrix3<T>& gradient) const {
+    return half_dt * (find_twist(gradient) - mean_twist);
+  }
+};
+
+/// turn: what takes the unrotated frame half way to space.
+template <class T>
+PERCUSS_FORCE_INLINE FrameTurn<T> find_frame_turn(const StepMotion<T>& step, const Matrix3<T>& turn, const T& dt) {
+  FrameTurn<T> frame;
+  frame.mean_twist = find_twist(transpose(turn) * (step.l * turn));
+  frame.half_dt = number<T>(0.5) * dt;
+  frame.stretch = number<T>(0.25) * pull_back(step.rotations, step.stretch);
+  frame.flexibility = inverse(full(find_turn_resistance(frame.stretch)));
+  frame.by_strain = frame.find_turn(step.de);
+  return frame;
+}
+
+/// Tells a material how its point turns apart from the frame; the stress of an elastic one goes along.
 template <class Material, class T, class Rest>
-PERCUSS_FORCE_INLINE void turn_point(const Vector3<T>& turn, PointMotion<T>& motion, Symmetric3<T>& stress,
-                                     [[maybe_unused]] Rest& rest) {
-  if constexpr (has_own_moduli<Material>) motion.turn = turn;
+PERCUSS_FORCE_INLINE void turn_point(const FrameTurn<T>& frame, const Matrix3<T>& gradient, PointMotion<T>& motion,
+                                     Symmetric3<T>& stress, [[maybe_unused]] Rest& rest) {
+  const Vector3<T> spin = frame.find_spin(gradient) - frame.by_strain;
+  if constexpr (is_called<Material>) {
+    motion.is_apart = true;
+    motion.spin = spin;
+  }
   if constexpr (is_elastic<Material>) {
+    const Vector3<T> turn = spin + frame.find_turn(motion.de);
     turn_stress(turn, stress, rest);
     motion.de = turn_half(turn, motion.de);
   }
@@ -99,6 +174,25 @@ struct PointSums {
   Moduli<S> moduli;  // the largest of a point
 };
 
+/// Adds a point with its stress, which counts for a volume (512 times). Keeps: it may differ from that of `point`.
+template <bool Keeps, class T, class S>
+PERCUSS_FORCE_INLINE void add_point(int p, const Symmetric3<T>& stress, const PointGeometry<T>& point, const T& volume,
+                                    PointSums<T, S>& sums) {
+  const T mean_stress = number<T>(1.0 / 3.0) * trace(stress);
+  const Symmetric3<T> deviator{
+      stress.xx - mean_stress, stress.yy - mean_stress, stress.zz - mean_stress, stress.xy, stress.yz, stress.zx};
+  if constexpr (Keeps) {
+    const T ratio = volume / point.volume;
+    add_point_force(ratio * deviator, point, find_gauss_point(p), sums.force);
+    sums.metrics.set(p, point, ratio / point.volume);
+  } else {
+    add_point_force(deviator, point, find_gauss_point(p), sums.force);
+    sums.metrics.set(p, point, T(1) / point.volume);
+  }
+  sums.tension = sums.tension + volume * mean_stress;
+  sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
+}
+
 template <class T>
 PERCUSS_FORCE_INLINE void take_larger(Moduli<T>& largest, const Moduli<T>& moduli) {
   largest = {larger(largest.lambda, moduli.lambda), larger(largest.mu, moduli.mu)};
@@ -110,11 +204,11 @@ template <class T, class Material>
 PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
                                          const VectorModes<T>& v, const StepMotion<T>& step, const PointMotion<T>& mean,
                                          HexState<T, Material, HexKind::full>& state) {
-  const T third = number<T>(1.0 / 3.0);
   const Matrix3<T> turn = number<T>(0.5) * step.rotations;
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
-  const T trace_de = trace(mean.de), half_dt = number<T>(0.5) * mean.dt;
-  const Vector3<T> mean_twist = find_twist(transpose(turn) * (step.l * turn));
+  const T trace_de = trace(mean.de), end_volume = find_volume_gradient(a).volume;
+  const FrameTurn<T> frame = find_frame_turn(step, turn, mean.dt);
+  const bool by_start = counts_point_volumes(par.material);
   PointSums<T, std::conditional_t<has_own_moduli<Material>, T, double>> sums;
   sums.moduli = {{}, {}};
   for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
@@ -125,26 +219,22 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
     const PointGeometry<T> mid_point = find_point_geometry(step.middle, at);
     const Matrix3<T> gradient = find_point_gradient(mid_point, at, rates, turn);
     Symmetric3<T> de = mean.dt * symmetric_part(gradient);
-    const T dilatation = third * (trace_de - trace(de));
+    const T dilatation = number<T>(1.0 / 3.0) * (trace_de - trace(de));
     de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
     const Symmetric3<T> old_stress = state.stress[p];
     Symmetric3<T> stress = old_stress;
     PointMotion<T> motion = mean;
     motion.de = de;
-    turn_point<Material>(half_dt * (find_twist(gradient) - mean_twist), motion, stress, state.stress_rest[p]);
+    turn_point<Material>(frame, gradient, motion, stress, state.stress_rest[p]);
     const auto response = update_stress(par.material, stress, state.stress_rest[p], state.history, p, motion);
     take_larger(sums.moduli, find_moduli(par, response));
     state.stress[p] = stress;
-    sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
+    sums.work =
+        sums.work + state.start.share(p, step.b.volume, mid_point.volume, by_start) * contract(old_stress + stress, de);
 
     const PointGeometry<T> point = find_point_geometry(end, at);
-    const T mean_stress = third * trace(stress);
-    const Symmetric3<T> deviator{
-        stress.xx - mean_stress, stress.yy - mean_stress, stress.zz - mean_stress, stress.xy, stress.yz, stress.zx};
-    add_point_force(deviator, point, at, sums.force);
-    sums.tension = sums.tension + point.volume * mean_stress;
-    sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
-    sums.metrics.set(p, point);
+    const T volume = state.start.share(p, end_volume, point.volume, by_start);
+    add_point<keeps_point_volumes<Material, HexKind::full>>(p, stress, point, volume, sums);
   }
   sums.tension = number<T>(1.0 / 512.0) * sums.tension;
   sums.work = number<T>(0.5 / 512.0) * sums.work;

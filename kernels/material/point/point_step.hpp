@@ -27,7 +27,8 @@ struct PointMotion {
   T viscosity;      // (q(n) + q(n+1)) / 2, which heats
   double time = 0;  // at n+1
   VolumeChange<T> change{T(0), T(1)};
-  Vector3<T> turn{T(0), T(0), T(0)};  // of the point beyond that of the frame: axial vector
+  bool is_apart = false;              // the point turns on its own, apart from the frame
+  Vector3<T> spin{T(0), T(0), T(0)};  // then: its spin dt beyond the turn of the frame, axial vector
 };
 
 /// The state of the point, in at n and out at n+1, and what the element has to know of it.

@@ -74,26 +74,27 @@ KOKKOS_INLINE_FUNCTION PrincipalAxes<T> find_principal_axes(const Symmetric3<T>&
   return out;
 }
 
-/// Spin of the material axes: axial vector of Omega = R_dot transpose(R), from V_dot = L V - V Omega symmetric.
+/// What turns a material that strains: V_dot = L V - V Omega is symmetric for Omega, the spin of L and A^-1 z (axial
+/// vectors), with A = tr(V) I - V and z, twice the axial vector of D V - V D.
 template <class T>
-PERCUSS_FORCE_INLINE Vector3<T> find_material_spin(const Symmetric3<T>& d, const Vector3<T>& w,
-                                                   const Symmetric3<T>& s) {
-  // twice the axial vector of D V - V D
-  const Vector3<T> z{s.xy * d.zx - s.zx * d.xy + (s.yy - s.zz) * d.yz + s.yz * (d.zz - d.yy),
-                     s.yz * d.xy - s.xy * d.yz + (s.zz - s.xx) * d.zx + s.zx * (d.xx - d.zz),
-                     s.zx * d.yz - s.yz * d.zx + (s.xx - s.yy) * d.xy + s.xy * (d.yy - d.xx)};
-  const T tr = trace(s);
-  const Symmetric3<T> a{tr - s.xx, tr - s.yy, tr - s.zz, -s.xy, -s.yz, -s.zx};
-  return w + solve(a, z);
+PERCUSS_FORCE_INLINE Symmetric3<T> find_turn_resistance(const Symmetric3<T>& v) {
+  const T tr = trace(v);
+  return {tr - v.xx, tr - v.yy, tr - v.zz, -v.xy, -v.yz, -v.zx};
+}
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> find_turn_drive(const Symmetric3<T>& d, const Symmetric3<T>& v) {
+  return {v.xy * d.zx - v.zx * d.xy + (v.yy - v.zz) * d.yz + v.yz * (d.zz - d.yy),
+          v.yz * d.xy - v.xy * d.yz + (v.zz - v.xx) * d.zx + v.zx * (d.xx - d.zz),
+          v.zx * d.yz - v.yz * d.zx + (v.xx - v.yy) * d.xy + v.xy * (d.yy - d.xx)};
 }
 
-/// Advances U by the increment de of the unrotated rate of deformation. In the unrotated frame the axes turn only by
-/// what the point turns beyond it, so that the rest of the spin is the one that keeps U symmetric. Its determinant is
-/// set to that of the element's volume.
+/// Advances U by the increment de of the unrotated rate of deformation. A point that turns with the frame spins beyond
+/// it only by what keeps U symmetric; the spin of one that turns apart is told, and U is its V as the frame sees it.
+/// The determinant of U is set to that of the element's volume.
 template <class T>
 KOKKOS_INLINE_FUNCTION Symmetric3<T> advance_stretch(const Symmetric3<T>& u, const PointMotion<T>& motion) {
-  const Vector3<T> zero{T(0), T(0), T(0)};
-  const Vector3<T> spin = motion.turn + T(-1) * find_material_spin(motion.de, zero, u);
+  Vector3<T> spin = motion.spin;
+  if (!motion.is_apart) spin = spin + T(-1) * solve(find_turn_resistance(u), find_turn_drive(motion.de, u));
   Polar<T> polar{identity_matrix<T>(), u};
   Matrix3<T> turn;
   advance_polar(full(motion.de) + antisymmetric(spin), T(1), polar, turn);

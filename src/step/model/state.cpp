@@ -1,5 +1,7 @@
 #include "src/step/model/state.hpp"
 
+#include <tuple>
+
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
@@ -80,6 +82,45 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
           }
         }
       });
+}
+
+/// Modes of the corners of an element at the start.
+KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const HexChunks& chunks, int c, int element,
+                                                            const Rows3<double>& x) {
+  const auto pack = static_cast<std::size_t>(chunks.first_pack(c) + element / pack_width);
+  double corners[3][8];
+  for (int i = 0; i < 8; ++i) {
+    const auto place =
+        (pack * 8 + static_cast<std::size_t>(i)) * pack_lanes + static_cast<std::size_t>(element % pack_width);
+    const int node = chunks.slots_to_nodes(chunks.first_slot(c) + chunks.corner_slots(place));
+    for (int k = 0; k < 3; ++k) corners[k][i] = x(node, k);
+  }
+  for (auto& direction : corners) to_modes(direction);
+  VectorModes<double> a;
+  for (int m = 1; m <= 7; ++m) a[m] = {corners[0][m], corners[1][m], corners[2][m]};
+  return a;
+}
+
+/// The volumes of points at the start into the records of chunks whose elements keep them.
+void set_point_volumes(const Model& model, const Array<int>& ids, const Array<Real>& elements) {
+  constexpr int place = HexRecord::point_volumes<HexKind::full>;
+  const HexChunks chunks = model.chunks;
+  const Rows3<double> x = model.start;
+  Kokkos::parallel_for(
+      "percuss::set_point_volumes", Range(ExecSpace(), 0, static_cast<int>(ids.extent(0))), KOKKOS_LAMBDA(const int i) {
+        const int c = ids(i), size = chunks.record_size(c);
+        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width; ++e) {
+          double excess[8];
+          find_point_volumes(find_start_modes(chunks, c, e, x), excess);
+          Real* const record = &elements(chunks.first_state(c)) + e / pack_width * size * pack_width + e % pack_width;
+          for (int p = 0; p < 8; ++p) record[(place + p) * pack_width] = static_cast<Real>(excess[p]);
+        }
+      });
+}
+
+template <class Material, HexKind Kind>
+void set_point_volumes(const Model& model, const HexBlock<Material, Kind>& block, const Array<Real>& elements) {
+  if constexpr (keeps_point_volumes<Material, Kind>) set_point_volumes(model, block.chunks, elements);
 }
 
 /// Thickness and rotary inertia of shells into the records.
@@ -284,6 +325,7 @@ State make_initial_state(const Model& model) {
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
+  std::apply([&](const auto&... block) { (set_point_volumes(model, block, s.elements), ...); }, model.blocks);
   start_shells(model, s.elements);
   start_beams(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));

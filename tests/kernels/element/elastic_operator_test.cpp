@@ -36,7 +36,7 @@ struct Probed {
   }
   /// What the element itself answers, after a step dt at the velocity u from rest.
   Corners advance(const Corners& u, double dt) const {
-    auto state = make_state<Material, Kind>(mass);
+    auto state = make_state<Material, Kind>(mass, find_modes(corners));
     Corners f{};
     advance_hex8(par, find_modes(corners), find_modes(u), dt, state, {f.x, f.y, f.z});
     return f;

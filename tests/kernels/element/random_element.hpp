@@ -83,6 +83,14 @@ HexState<T, Material, Kind> make_state(const T& mass) {
   return s;
 }
 
+/// The same of an element with corners at `a`, which need not be a brick.
+template <class Material, HexKind Kind>
+HexState<double, Material, Kind> make_state(double mass, const VectorModes<double>& a) {
+  auto s = make_state<Material, Kind>(mass);
+  if constexpr (keeps_point_volumes<Material, Kind>) find_point_volumes(a, s.start.excess);
+  return s;
+}
+
 /// Stresses of the points of an element.
 template <class State>
 std::vector<Symmetric3<double>> list_stresses(const State& state) {

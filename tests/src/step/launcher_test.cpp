@@ -37,7 +37,7 @@ class OneByOne {
     const auto mass = to_host(scene.model.element_mass);
     for (std::size_t e = 0; e < scene.chunked.mesh.elements.size(); ++e) {
       plastic_.push_back(make_state<J2Plasticity, Kind>(mass(e)));
-      elastic_.push_back(make_state<Elastic, Kind>(mass(e)));
+      elastic_.push_back(make_state<Elastic, Kind>(mass(e), find_modes(gather(scene.model.start, e))));
     }
   }
 

@@ -115,7 +115,7 @@ class LinearModel {
       if (held[column]) continue;
       Corners v{}, f{};
       get_component(v, j / 8)[j % 8] = 1;
-      auto state = make_state<Elastic, Kind>(1.0);
+      auto state = make_state<Elastic, Kind>(1.0, a);
       advance_hex8(par, a, find_modes(v), dt, state, {f.x, f.y, f.z});
       for (std::size_t i = 0; i < 24; ++i) {
         const std::size_t row = 3 * element[i % 8] + i / 8;

@@ -64,7 +64,7 @@ struct BlockBuilder {
       return find_family(chunk) == ElementFamily::hexahedra && find_kind(find_elements(chunk)) == Kind;
     };
     add_chunks<Material>(is_ours, block, [&](std::size_t c, const auto& material, const auto& named) {
-      describe_records(c, material, named, HexRecord::history<Kind>, hex_points<Kind>);
+      describe_records(c, material, named, (HexRecord::history<Kind, Material>), hex_points<Kind>);
     });
   }
 

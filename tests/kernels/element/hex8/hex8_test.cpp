@@ -55,7 +55,8 @@ TYPED_TEST(Hex8Force, HundredImposedTurnsLeaveNoStressAndNoHourglassForce) {
   Random random(11);
   const HexParameters<Elastic> par = make_parameters();
   const Corners start = make_element(random, 1, 1, 1, 0.2);
-  auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume);
+  auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume,
+                                                     find_modes(start));
   const Vector3<double> axis{0.6, 0.0, 0.8};
   const int per_turn = 500;
   const double dt = 1e-5;
@@ -83,7 +84,8 @@ TYPED_TEST(Hex8Force, PreStressTurnsWithTheElement) {
   Random random(12);
   const HexParameters<Elastic> par = make_parameters();
   const Corners start = make_element(random, 1, 1, 1, 0.1);
-  auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume);
+  auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume,
+                                                     find_modes(start));
   const Symmetric3<double> stress0{1e8, -2e8, 3e7, 5e7, -4e7, 6e7};
   if constexpr (TypeParam::value == HexKind::full) {
     for (auto& stress : state.stress) stress = stress0;
@@ -146,7 +148,7 @@ TYPED_TEST(Hex8Force, UniaxialStrainGivesTheExactStress) {
   Random random(14);
   const HexParameters<Elastic> par = make_parameters();
   Corners x = make_element(random, 1, 1, 1, 0.15);
-  auto state = make_state<Elastic, TypeParam::value>(density);
+  auto state = make_state<Elastic, TypeParam::value>(density, find_modes(x));
   const int steps = 100;
   const double end = 1.1;
   double length = 1;

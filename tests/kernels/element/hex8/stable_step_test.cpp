@@ -22,7 +22,7 @@ constexpr double density = 1000;
 /// what is left of the second order is 1e-8 of the first.
 template <HexKind Kind, class Material>
 Corners apply_stiffness(const HexParameters<Material>& par, const Corners& c, double mass, const Corners& v) {
-  auto state = make_state<Material, Kind>(mass);
+  auto state = make_state<Material, Kind>(mass, find_modes(c));
   Corners f{};
   const double dt = 1e-8;
   advance_hex8(par, find_modes(c), find_modes(v), dt, state, {f.x, f.y, f.z});
@@ -73,7 +73,7 @@ void compare_bounds(double largest_distortion, int count) {
                                       0.05 + 0.05 * random(),
                                       {0, 0}};
     const double mass = density * b.volume;
-    auto state = make_state<Material, Kind>(mass);
+    auto state = make_state<Material, Kind>(mass, find_modes(c));
     Corners rest{};
     double fx[8], fy[8], fz[8];
     const HexResult<double> result = advance_hex8(par, find_modes(c), find_modes(rest), 0.0, state, {fx, fy, fz});

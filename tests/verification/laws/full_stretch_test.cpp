@@ -1,0 +1,164 @@
+// Fully integrated cells that are stretched, drawn in two directions or sheared far stay uniform, whatever disturbs
+// them.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests/kernels/element/random_element.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// What a neo-Hookean body has: E = 3, nu = 0.3.
+constexpr double mu = 3 / 2.6, lambda = 3 * 0.3 / (1.3 * 0.4);
+constexpr double bulk_c10 = 0.3, bulk_c01 = 0.2, bulk = 20;
+
+/// Principal Cauchy stress along direction i of the stretches.
+using Stress = std::function<double(const double (&)[3], int)>;
+
+double neo_hookean(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2];
+  return (mu * (l[i] * l[i] - 1) + lambda * std::log(j)) / j;
+}
+
+double mooney_rivlin(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2], scale = std::pow(j, -2.0 / 3.0);
+  const double b[3] = {scale * l[0] * l[0], scale * l[1] * l[1], scale * l[2] * l[2]};
+  const double first = b[0] + b[1] + b[2];
+  const auto whole = [&](double bi) { return 2 / j * ((bulk_c10 + first * bulk_c01) * bi - bulk_c01 * bi * bi); };
+  return whole(b[i]) - (whole(b[0]) + whole(b[1]) + whole(b[2])) / 3 + bulk * (j - 1);
+}
+
+/// J sigma of rates in the unrotated frame, along axes that do not turn: logarithmic strains.
+double hypoelastic(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2];
+  return (lambda * std::log(j) + 2 * mu * std::log(l[i])) / j;
+}
+
+struct Law {
+  const char* text;
+  Stress stress;
+  double most;  // stretch up to which the force grows
+};
+
+const Law laws[] = {
+    {"{model: neo_hookean, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", neo_hookean, 3},
+    {"{model: mooney_rivlin, density: 1e-2, c10: 0.3, c01: 0.2, bulk_modulus: 20}", mooney_rivlin, 3},
+    {"{model: elastic, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", hypoelastic, 2},
+};
+
+/// The stretch of the free directions from the second on.
+double find_free_stretch(const Stress& stress, double stretch, int driven) {
+  double low = 0.05, high = 1.5;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double l[3] = {stretch, driven == 2 ? stretch : middle, middle};
+    (stress(l, 2) > 0 ? high : low) = middle;
+  }
+  return low;
+}
+
+std::string at(const Vec3& p) {
+  return fmt::format("{{inside: [[{0}, {1}, {2}], [{0}, {1}, {2}]]}}", p[0], p[1], p[2]);
+}
+
+/// Calls f with the place of each node of a unit cube.
+template <class F>
+void for_each_node(int cells, const F& f) {
+  for (int k = 0; k <= cells; ++k)
+    for (int j = 0; j <= cells; ++j)
+      for (int i = 0; i <= cells; ++i) f(Vec3{1.0 * i / cells, 1.0 * j / cells, 1.0 * k / cells});
+}
+
+/// A random velocity of every node at the start.
+std::string make_noise(int cells) {
+  Random random(7);
+  std::string text = "initial:\n";
+  for_each_node(cells, [&](const Vec3& p) {
+    text += fmt::format("  - {{nodes: {}, velocity: [{:.6f}, {:.6f}, {:.6f}]}}\n", at(p), 1e-3 * random(),
+                        1e-3 * random(), 1e-3 * random());
+  });
+  return text;
+}
+
+/// What is driven grows to `change` in 20 and then rests.
+std::string grow(double change) {
+  return fmt::format("{{expression: \"{:.17g} * sin(pi * min(t, 20) / 40)^2\"}}", change);
+}
+
+HistoryTable run(const Law& law, int cells, const std::string& conditions) {
+  return run_deck(fmt::format(R"(
+title: cells drawn far
+time: {{end: 25}}
+parts: {{b: {{box: {{size: [1, 1, 1], cells: [{0}, {0}, {0}]}}, integration: full, material: m}}}}
+materials: {{m: {1}}}
+damping: [{{coefficient: 2}}]
+{2}conditions:
+{3}output:
+  history: {{every: 0.5, nodes: [{{name: c, near: [1, 1, 1]}}, {{name: e, near: [1, 1, 0]}}, {{name: i, near: [{4}, {4}, {4}]}}], forces: [{{name: f, support: {5}}}]}}
+)",
+                              cells, law.text, make_noise(cells), conditions, cells > 1 ? 0.5 : 1,
+                              conditions.find("x_max") == std::string::npos ? "b/y_max" : "b/x_max"))
+      .history;
+}
+
+HistoryTable draw(const Law& law, int cells, double stretch, int driven) {
+  std::string conditions =
+      "  - {nodes: b/x_min, symmetry: x}\n  - {nodes: b/y_min, symmetry: y}\n  - {nodes: b/z_min, symmetry: z}\n";
+  conditions += fmt::format("  - {{nodes: b/x_max, displacement: {{x: {}}}}}\n", grow(stretch - 1));
+  if (driven == 2) conditions += fmt::format("  - {{nodes: b/y_max, displacement: {{y: {}}}}}\n", grow(stretch - 1));
+  return run(law, cells, conditions);
+}
+
+/// u_x = shear y at all nodes of the surface.
+HistoryTable shear(const Law& law, int cells, double shear) {
+  std::string conditions;
+  for_each_node(cells, [&](const Vec3& p) {
+    const auto is_end = [](double x) { return x == 0 || x == 1; };
+    if (!is_end(p[0]) && !is_end(p[1]) && !is_end(p[2])) return;
+    conditions += fmt::format("  - {{nodes: {}, displacement: {{x: {}, y: 0, z: 0}}}}\n", at(p), grow(shear * p[1]));
+  });
+  return run(law, cells, conditions);
+}
+
+TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
+  for (const Law& law : laws) {
+    for (const int driven : {1, 2}) {
+      for (const int cells : {1, 2, 4}) {
+        const double stretch = law.most, free = find_free_stretch(law.stress, stretch, driven);
+        const HistoryTable h = draw(law, cells, stretch, driven);
+        const double l[3] = {stretch, driven == 2 ? stretch : free, free};
+        const double force = law.stress(l, 0) * l[1] * l[2];
+        fmt::print("{} cells, {} driven: force {:.5f} ({:.5f}), free stretch {:.5f} ({:.5f})\n", cells, driven,
+                   h.last("f_x"), force, h.last("c_z"), free);
+        EXPECT_NEAR(h.last("f_x"), force, 1e-3 * force);
+        EXPECT_NEAR(h.last("c_z"), free, 1e-4);
+        EXPECT_NEAR(h.last("c_y"), l[1], 1e-4);
+        EXPECT_NEAR(h.last("e_y"), l[1], 1e-4);
+        EXPECT_NEAR(h.last("i_z"), (cells > 1 ? 0.5 : 1) * free, 1e-4);
+      }
+    }
+  }
+}
+
+TEST(FullStretch, StaysUniformInShear) {
+  // of mu, by gamma = 2: the shear stress of rates in the unrotated frame is 2 ln 2 (Dienes, Acta Mechanica 32, 1979)
+  const double rights[] = {2 * mu, 4 * (bulk_c10 + bulk_c01), 2 * mu * std::log(2.0)};
+  for (std::size_t k = 0; k < std::size(laws); ++k) {
+    for (const int cells : {2, 4}) {
+      const HistoryTable h = shear(laws[k], cells, 2);
+      fmt::print("{} cells: shear force {:.5f} ({:.5f})\n", cells, h.last("f_x"), rights[k]);
+      EXPECT_NEAR(h.last("f_x"), rights[k], 2e-3 * rights[k]);
+      EXPECT_NEAR(h.last("i_x"), 1.5, 1e-3);
+      EXPECT_NEAR(h.last("i_y"), 0.5, 1e-3);
+      EXPECT_NEAR(h.last("i_z"), 0.5, 1e-3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace percuss::test
