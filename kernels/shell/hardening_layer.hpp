@@ -5,6 +5,7 @@
 #include "kernels/material/laws/combined_hardening.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "kernels/material/laws/power_law_plasticity.hpp"
+#include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
 #include "kernels/material/point/type_list.hpp"
@@ -14,7 +15,7 @@ namespace percuss {
 
 /// The multiplier l with s_e(l) = flow(l s_e(l)); 0 where the trial is not above flow.at_rest. Where the flow stress
 /// does not fall with dp, l is at most where s_e has fallen to flow.at_rest, for which the slower of its two parts
-/// gives a bound; a table that falls is seen one step later.
+/// gives a bound; a table that falls is seen one step later. A flow that may fall names its lowest value.
 template <class T, class Flow>
 PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneReturnRates& rates, const PlaneTrial<T>& trial,
                                              const Flow& flow) {
@@ -23,9 +24,9 @@ PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneReturnRates& rates, cons
   const T start = square_root(trial.normal + trial.shear);
   const auto yields = start > flow.at_rest;
   if (!any(yields)) return T(0);
-  const T floor = select(yields, larger(flow.at_rest, T(next_to_molten) * start), T(1));
+  const T floor = select(yields, larger(find_floor(flow), T(next_to_molten) * start), T(1));
   const T high = select(yields, (start - floor) / (T(smaller(k_normal, k_shear)) * floor), T(1));
-  return find_falling_root(yields, high, start, [&, kn = k_normal, ks = k_shear](const T& l) {
+  return find_falling_root<may_fall<Flow>>(yields, high, start, [&, kn = k_normal, ks = k_shear](const T& l) {
     const T a = T(1) / (T(1) + T(kn) * l), b = T(1) / (T(1) + T(ks) * l);
     const T normal = trial.normal * a * a, shear = trial.shear * b * b;
     const T equivalent = larger(square_root(normal + shear), T(1e-300));
@@ -49,7 +50,8 @@ constexpr int count_plane_history() {
 /// solid's a, by xx, yy, xy. It moves by db = K l (s - b), which adds K, the kinematic modulus, to both rates at which
 /// the trial about b falls (Simo and Hughes 1998, section 3.4).
 struct HardeningLayer {
-  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, CombinedHardening, JohnsonCook>;
+  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity, CombinedHardening,
+                        JohnsonCook>;
   static constexpr int most_history = 4;
   static constexpr bool can_yield = true;
   PlaneElasticity elasticity;

@@ -36,9 +36,9 @@ def choose_reader(path: str):
     raise BadInput(clean(path), "not a keyword deck and not an Abaqus deck (by its ending and its first lines): name it .k, .key, .dyn or .inp")
 
 
-def make_ledger(patterns: list[str]) -> Ledger:
+def make_ledger(patterns: list[str], fits_rates: bool) -> Ledger:
     words = [word.strip().lstrip("*").upper() if word.strip() != "*" else "ALL" for text in patterns for word in text.split(",")]
-    return Ledger(allowed=[word for word in words if word])
+    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates)
 
 
 def import_model(arguments: argparse.Namespace) -> int:
@@ -46,7 +46,7 @@ def import_model(arguments: argparse.Namespace) -> int:
     if not os.path.isfile(arguments.model):
         raise BadInput(clean(arguments.model), "is not a file: check the name")
     earlier.refuse_to_overwrite(arguments, [DECK, MESH], set())
-    ledger = make_ledger(arguments.allow)
+    ledger = make_ledger(arguments.allow, arguments.fit_rates)
     try:
         model = choose_reader(arguments.model)(ledger)
     except BadInput as error:

@@ -65,6 +65,7 @@ class Ledger:
     """Gathers entries. What a user allows by a pattern is left out or approximated instead of refused."""
 
     allowed: list[str] = field(default_factory=list)
+    fits_rates: bool = False  # whether tables of strain rates become a fitted law
     entries: dict[tuple[str, Status, str], Entry] = field(default_factory=dict)
     used_patterns: set[str] = field(default_factory=set)
     files: set[str] = field(default_factory=set)  # that the model is read from

@@ -43,7 +43,8 @@ class Block:
 
 NOT_DAMPED = "stiffness damping of elements other than hexahedra and shells, or of a law whose elastic constants change"
 DAMPED_LAWS = {
-    "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "combined_hardening", "johnson_cook",
+    "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "rate_table_plasticity",
+    "combined_hardening", "johnson_cook",
 }  # fmt: skip
 
 

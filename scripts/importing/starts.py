@@ -4,7 +4,8 @@ from .model import Block, Model
 
 # Laws whose stress grows in increments, unless they have an equation of state.
 GROWING = {
-    "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "combined_hardening", "johnson_cook",
+    "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "rate_table_plasticity",
+    "combined_hardening", "johnson_cook",
 }  # fmt: skip
 YIELDING = (GROWING - {"elastic"}) | {"soil_and_foam", "honeycomb"}  # laws with an equivalent plastic strain
 

@@ -27,8 +27,13 @@ LameConstants find_moduli(const MaterialDeck& material) {
 }
 
 bool grows_in_increments(const MaterialDeck& material) {
-  static const std::set<std::string> laws = {"elastic",         "j2_plasticity",        "power_law_plasticity",
-                                             "voce_plasticity", "tabulated_plasticity", "combined_hardening",
+  static const std::set<std::string> laws = {"elastic",
+                                             "j2_plasticity",
+                                             "power_law_plasticity",
+                                             "voce_plasticity",
+                                             "tabulated_plasticity",
+                                             "combined_hardening",
+                                             "rate_table_plasticity",
                                              "johnson_cook"};
   return laws.contains(material.law.model) && !material.equation_of_state;
 }

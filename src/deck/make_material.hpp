@@ -21,6 +21,21 @@ inline MaterialTable make_table(const std::vector<std::array<double, 2>>& rows) 
   return table;
 }
 
+/// The name by which a LawDeck has curve k of a key, among its tables, and its rate, among its numbers.
+inline std::string name_curve(const std::string& key, int k) { return key + "." + std::to_string(k); }
+
+/// The curves of a key as kernels hold them.
+inline RateCurves make_curves(const LawDeck& law, const std::string& key) {
+  RateCurves made;
+  for (int k = 0; law.tables.count(name_curve(key, k)) == 1; ++k) {
+    const auto& rows = law.tables.at(name_curve(key, k));
+    if (made.rates == RateCurves::most_rates || made.first[made.rates] + rows.size() > RateCurves::most_rows)
+      throw std::logic_error("curves of a material are too long");
+    made.add_curve(law.numbers.at(name_curve(key, k)), rows);
+  }
+  return made;
+}
+
 /// Whether the table of keys of M has one with this kind of member.
 template <class M, class Member>
 constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
@@ -36,9 +51,16 @@ typename M::Constants find_constants(const LawDeck& law) {
   using Key = MaterialKey<typename M::Constants>;
   typename M::Constants constants{};
   for (const Key& key : M::keys()) {
-    if (law.numbers.count(key.name) == 1) constants.*key.number = law.numbers.at(key.name);
+    if (key.number != nullptr && law.numbers.count(key.name) == 1) constants.*key.number = law.numbers.at(key.name);
     if constexpr (has_key<M>(&Key::table)) {
       if (law.tables.count(key.name) == 1) constants.*key.table = make_table(law.tables.at(key.name));
+    }
+    if constexpr (has_key<M>(&Key::curves)) {
+      if (key.curves != nullptr) constants.*key.curves = make_curves(law, key.name);
+    }
+    if constexpr (has_key<M>(&Key::choice)) {
+      if (key.choice != nullptr && law.numbers.count(key.name) == 1)
+        constants.*key.choice = law.numbers.at(key.name) != 0;
     }
     if constexpr (has_key<M>(&Key::vector)) {
       if (law.vectors.count(key.name) == 0) continue;

@@ -5,8 +5,9 @@ import unittest
 import import_decks as decks
 import import_test
 from importing.curves import differentiate
-from importing.ledger import Status
-from importing.rates import compare_curves, fit_cowper_symonds, scale_stress
+from importing.dyna.read import read_keyword_deck
+from importing.ledger import Ledger, Status
+from importing.rates import fit_cowper_symonds, scale_stress, thin_curves
 
 InFolder = import_test.InFolder
 TABLE = "*MAT_024\n1,7850.0,2.0e11,0.3,1.0,1.0,1e21\n0,0,50\n0\n0\n"
@@ -26,32 +27,79 @@ class Rates(InFolder):
         self.assertEqual(scale_stress(law, 40.0), 2.0)
         self.assertIsNone(fit_cowper_symonds([(1.0, 1.0), (2.0, 0.9)]))
 
-    def test_curves_are_compared_where_all_of_them_are(self):
-        ratios = compare_curves([(0.0, [(0.0, 1.0), (1.0, 1.0)]), (5.0, [(0.0, 2.0), (0.5, 2.0)])])
-        self.assertEqual(ratios, [(5.0, [2.0] * 9)])
-
-    def test_a_table_of_rates_is_fitted(self):
-        # factors 2 and 3 at the rates 10 and 20: (rate / C)^(1/P) is 1 and 2, so C = 10 and P = 1
-        for table in ("*DEFINE_TABLE_2D\n50\n0,51\n10,52\n20,53\n" + CURVES, "*DEFINE_TABLE\n50\n0\n10\n20\n" + CURVES):
-            model, ledger = self.read(decks.make_block(TABLE + table, "", True))
-            self.assertEqual(ledger.list_refused(), [])
-            law = next(iter(model.materials.values()))
-            self.assertEqual(law["hardening"][0], [0.0, 2e8])
-            self.assertAlmostEqual(law["cowper_symonds_rate"], 10.0)
-            self.assertAlmostEqual(law["cowper_symonds_exponent"], 1.0)
-
-    def test_a_table_that_does_not_fit_is_refused(self):
-        table = "*DEFINE_TABLE_2D\n50\n0,51\n10,52\n11,53\n300,53\n" + CURVES
-        text = decks.make_block(TABLE + table, "", True)
-        self.assertIn("Cowper and Symonds", self.refusals(text)["MAT_PIECEWISE_LINEAR_PLASTICITY.table"])
-        self.assertEqual(self.refusals(text, "MAT_*"), {})
-
-    def test_tables_of_abaqus_are_fitted(self):
-        text = decks.ABAQUS_RATES
-        model, ledger = self.read_abaqus(text)
+    def read_law(self, text, read=None):
+        model, ledger = (read or self.read)(text)
         self.assertEqual(ledger.list_refused(), [])
+        return next(iter(model.materials.values()))
+
+    def test_a_table_of_rates_stays_a_table(self):
+        for table in ("*DEFINE_TABLE_2D\n50\n0,51\n10,52\n20,53\n" + CURVES, "*DEFINE_TABLE\n50\n0\n10\n20\n" + CURVES):
+            law = self.read_law(decks.make_block(TABLE + table, "", True))
+            self.assertEqual(law["model"], "rate_table_plasticity")
+            self.assertNotIn("rate_interpolation", law)
+            self.assertEqual([rate for rate, _ in law["hardening_at_rates"]], [0.0, 10.0, 20.0])
+            # rows, then the last slope on to a plastic strain of 1.5
+            self.assertEqual(law["hardening_at_rates"][1][1], [[0.0, 4e8], [0.5, 6e8], [1.5, 1e9]])
+
+    def test_rates_whose_first_is_negative_are_logarithms(self):
+        law = self.read_law(decks.make_block(TABLE + "*DEFINE_TABLE_2D\n50\n-2.302585093,51\n0,52\n2.302585093,53\n" + CURVES, "", True))
+        self.assertEqual(law["rate_interpolation"], "logarithmic")
+        for (rate, _), expected in zip(law["hardening_at_rates"], (0.1, 1.0, 10.0)):
+            self.assertAlmostEqual(rate, expected, 8)
+
+    def test_log_interpolation_needs_rates_above_0(self):
+        table = TABLE.replace("*MAT_024", "*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION")
+        law = self.read_law(decks.make_block(table + "*DEFINE_TABLE_2D\n50\n1,51\n10,52\n" + CURVES, "", True))
+        self.assertEqual(law["rate_interpolation"], "logarithmic")
+        self.assertIn("a rate of 0", str(self.refusals(decks.make_block(table + "*DEFINE_TABLE_2D\n50\n0,51\n10,52\n" + CURVES, "", True))))
+
+    def test_factors_over_the_rate_scale_the_curve(self):
+        for card in ("*MAT_024\n1,7850.0,2.0e11,0.3,2e8,2e10\n0,0,0,54\n0\n0\n", "*MAT_123\n1,7850.0,2.0e11,0.3,2e8,2e10\n0,0,0,54\n0\n0\n"):
+            law = self.read_law(decks.make_block(card + "*DEFINE_CURVE\n54\n0,1\n100,1.5\n", "", True))
+            (low, first), (high, second) = law["hardening_at_rates"]
+            self.assertEqual((low, high), (0.0, 100.0))
+            slope = 2e11 * 2e10 / (2e11 - 2e10)
+            self.assertEqual(first, [[0.0, 2e8], [1.0, 2e8 + slope]])
+            self.assertEqual(second, [[0.0, 3e8], [1.0, 1.5 * (2e8 + slope)]])
+
+    def test_two_curves_for_a_rate_are_wrong(self):
+        with self.assertRaisesRegex(Exception, "two curves are for the rate 10"):
+            self.read(decks.make_block(TABLE + "*DEFINE_TABLE_2D\n50\n10,51\n10,52\n" + CURVES, "", True))
+
+    def test_long_tables_are_thinned_and_their_error_is_told(self):
+        curves = [(float(rate), [(i / 99, 1 + rate / 40 + (i / 99) ** 0.5) for i in range(100)]) for rate in range(20)]
+        kept, error = thin_curves(curves, False)
+        self.assertEqual(len(kept), 12)
+        self.assertLessEqual(sum(len(points) for _, points in kept), 240)
+        self.assertEqual((kept[0][0], kept[-1][0]), (0.0, 19.0))
+        self.assertGreater(error, 1e-6)
+        self.assertLess(error, 0.01)  # straight in the rate, a root in the strain
+        short = [(0.0, [(0.0, 1.0)]), (1.0, curves[3][1])]
+        self.assertEqual(thin_curves(short, False), (short, 0.0))  # 101 rows have room
+
+    def test_tables_of_abaqus_stay_tables(self):
+        law = self.read_law(decks.ABAQUS_RATES, self.read_abaqus)
+        self.assertEqual(law["hardening_at_rates"], [[0.0, [[0.0, 2e8], [0.5, 3e8]]], [10.0, [[0.0, 4e8], [0.5, 6e8]]], [20.0, [[0.0, 6e8], [0.5, 9e8]]]])
+
+    def test_yield_ratios_of_abaqus_scale_the_table(self):
+        start = decks.ABAQUS_RATES.index("*PLASTIC, RATE=10.")
+        end = decks.ABAQUS_RATES.index("*STEP")
+        text = decks.ABAQUS_RATES[:start] + "*RATE DEPENDENT, TYPE=YIELD RATIO\n1., 0.\n1.5, 10.\n" + decks.ABAQUS_RATES[end:]
+        law = self.read_law(text, self.read_abaqus)
+        self.assertEqual(law["hardening_at_rates"], [[0.0, [[0.0, 2e8], [0.5, 3e8]]], [10.0, [[0.0, 3e8], [0.5, 4.5e8]]]])
+
+    def test_a_fit_on_request_tells_its_error_between_and_beyond_the_rates(self):
+        # factors 2 and 3 at the rates 10 and 20 fit C = 10, P = 1; at 200 the law gives 21 and the table 3
+        text = decks.make_block(TABLE + "*DEFINE_TABLE_2D\n50\n0,51\n10,52\n20,53\n" + CURVES, "", True)
+        with open(self.write(text)) as file:
+            ledger = Ledger(fits_rates=True)
+            model = read_keyword_deck(file.name, ledger)
         law = next(iter(model.materials.values()))
         self.assertAlmostEqual(law["cowper_symonds_rate"], 10.0)
+        self.assertAlmostEqual(law["cowper_symonds_exponent"], 1.0)
+        self.assertEqual(law["hardening"][0], [0.0, 2e8])
+        told = next(entry.text for entry in ledger.list_rows() if entry.card.endswith(".table"))
+        self.assertIn("6e+02 % off the table at 200", told)
 
 
 class Cards(InFolder):

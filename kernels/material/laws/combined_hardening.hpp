@@ -58,7 +58,7 @@ struct CombinedHardening {
     // the trial about the back stress, which is a deviator
     const ElasticTrial<T> trial = find_trial(c, step.stress + T(-1) * back, step.motion.de);
     const auto flow = start_flow(h, step.motion.dt);
-    const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
+    const T dp = find_plastic_increment(trial.von_mises, resistance, flow);
     h[0] = h[0] + dp;
     // da = (2/3) k H (3/2) dp n, n = trial deviator / von Mises stress
     const T over_von_mises = T(1) / larger(trial.von_mises, T(1e-300));

@@ -10,6 +10,7 @@
 #include "kernels/material/laws/mooney_rivlin.hpp"
 #include "kernels/material/laws/neo_hookean.hpp"
 #include "kernels/material/laws/power_law_plasticity.hpp"
+#include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/soil_and_foam.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
@@ -19,8 +20,8 @@
 
 namespace percuss {
 
-using Materials =
-    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, CombinedHardening,
-             JohnsonCook, NeoHookean, MooneyRivlin, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
+using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
+                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Viscoelastic,
+                           SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
 
 }  // namespace percuss

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "kernels/material/point/material_table.hpp"
+#include "kernels/material/point/rate_curves.hpp"
 
 namespace percuss {
 
@@ -16,13 +16,16 @@ enum class KeyRange { any, positive, not_negative, not_positive, above_one, shar
 template <class C>
 struct MaterialKey {
   const char* name = "";
-  double C::*number = nullptr;  // exactly one of these
+  double C::*number = nullptr;  // exactly one of these, curves and choice
   MaterialTable C::*table = nullptr;
   double (C::*vector)[3] = nullptr;
   KeyRange range = KeyRange::any;
   bool required = true;  // otherwise the initial value of the member is the default
   const char* unit = "-";
   const char* meaning = "";
+  RateCurves C::*curves = nullptr;
+  bool C::*choice = nullptr;
+  const char* words[2] = {"", ""};  // of a choice
 };
 
 template <class C>
@@ -45,6 +48,24 @@ template <class C>
 constexpr MaterialKey<C> may(const char* name, MaterialTable C::*table, KeyRange range, const char* unit,
                              const char* meaning) {
   return {name, nullptr, table, nullptr, range, false, unit, meaning};
+}
+/// Curves [[rate, [[x, y], ...]], ...]; `range` is that of y.
+template <class C>
+constexpr MaterialKey<C> need(const char* name, RateCurves C::*curves, KeyRange range, const char* unit,
+                              const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, range, true, unit, meaning};
+  key.curves = curves;
+  return key;
+}
+/// One of two words; the member is true by the second, and false at first.
+template <class C>
+constexpr MaterialKey<C> may(const char* name, bool C::*choice, const char* first, const char* second,
+                             const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  key.choice = choice;
+  key.words[0] = first;
+  key.words[1] = second;
+  return key;
 }
 /// Three numbers.
 template <class C>

@@ -20,19 +20,30 @@ struct MaterialTable {
 
   /// y and its slope at each lane's x.
   template <class T>
-  KOKKOS_INLINE_FUNCTION Value<T> operator()(const T& at) const {
-    Value<T> value{T(y[0]), T(0)};
-    for (int i = 0; i + 1 < rows; ++i) {
-      const double slope = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-      const auto past = at >= T(x[i]);
-      value.y = select(past, T(y[i]) + T(slope) * (at - T(x[i])), value.y);
-      value.slope = select(past, T(slope), value.slope);
-    }
-    const auto past = at >= T(x[rows - 1]);
-    value.y = select(past, T(y[rows - 1]), value.y);
-    value.slope = select(past, T(0), value.slope);
-    return value;
-  }
+  KOKKOS_INLINE_FUNCTION Value<T> operator()(const T& at) const;
 };
+
+/// y and its slope at each lane's x, of rows as those of a MaterialTable.
+template <class T>
+KOKKOS_INLINE_FUNCTION MaterialTable::Value<T> interpolate_rows(const double* x, const double* y, int rows,
+                                                                const T& at) {
+  MaterialTable::Value<T> value{T(y[0]), T(0)};
+  for (int i = 0; i + 1 < rows; ++i) {
+    const auto past = at >= T(x[i]);
+    if (!any(past)) return value;
+    const double slope = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    value.y = select(past, T(y[i]) + T(slope) * (at - T(x[i])), value.y);
+    value.slope = select(past, T(slope), value.slope);
+  }
+  const auto past = at >= T(x[rows - 1]);
+  value.y = select(past, T(y[rows - 1]), value.y);
+  value.slope = select(past, T(0), value.slope);
+  return value;
+}
+
+template <class T>
+KOKKOS_INLINE_FUNCTION MaterialTable::Value<T> MaterialTable::operator()(const T& at) const {
+  return interpolate_rows(x, y, rows, at);
+}
 
 }  // namespace percuss

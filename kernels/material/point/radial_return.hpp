@@ -44,10 +44,11 @@ KOKKOS_INLINE_FUNCTION ElasticTrial<T> find_trial(const LameConstants& c, const 
 /// Where f falls through 0 between 0 and `high`, of the lanes that are open; 0 of others. f(x): ValueAndSlope, not
 /// positive at `high`; scale: what its value is small against. Newton's method from above, kept between bounds: where f
 /// is convex, it comes down once and then rises to the root from one side. A lane stays as it is once it has converged,
-/// so that its bits do not depend on its neighbours.
-template <class T, class Mask, class F>
+/// so that its bits do not depend on its neighbours. Where f may rise in between (Bends), each third step halves the
+/// bounds, which are then at round-off in any case.
+template <bool Bends = false, class T, class Mask, class F>
 KOKKOS_INLINE_FUNCTION T find_falling_root(const Mask& lanes, T high, const T& scale, const F& f) {
-  constexpr int most_steps = 60;
+  constexpr int most_steps = Bends ? 160 : 60;
   constexpr double tolerance = 1e-13;
   T low = T(0), x = high;
   auto open = lanes;
@@ -56,22 +57,37 @@ KOKKOS_INLINE_FUNCTION T find_falling_root(const Mask& lanes, T high, const T& s
     low = select(open && now.value > T(0), x, low);
     high = select(open && now.value <= T(0), x, high);
     const T newton = x - now.value / now.slope;
-    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
+    T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
+    if (Bends && i % 3 == 2) next = T(0.5) * (low + high);
     open = open && larger(now.value, -now.value) > T(tolerance) * scale && high - low > T(1e-15) * high;
     x = select(open, next, x);
   }
   return select(lanes, x, T(0));
 }
 
+/// Whether the flow stress may fall with dp; it then names its lowest value.
+template <class Flow>
+inline constexpr bool may_fall = requires(const Flow& flow) {
+  flow.lowest;
+};
+
+/// What the flow stress does not fall below, whatever dp.
+template <class Flow>
+KOKKOS_INLINE_FUNCTION const auto& find_floor(const Flow& flow) {
+  if constexpr (may_fall<Flow>)
+    return flow.lowest;
+  else
+    return flow.at_rest;
+}
+
 /// The plastic increment dp >= 0 with von_mises - resistance dp = flow(dp).value, where von_mises > flow(0).value; 0
 /// elsewhere. resistance: 3 mu.
 template <class T, class Flow>
-KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resistance, const T& flow_at_rest,
-                                                const Flow& flow) {
-  const auto yields = von_mises > flow_at_rest;
+KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resistance, const Flow& flow) {
+  const auto yields = von_mises > flow.at_rest;
   if (!any(yields)) return T(0);
-  const T high = select(yields, (von_mises - flow_at_rest) * T(1 / resistance), T(1));
-  return find_falling_root(yields, high, von_mises, [&](const T& dp) {
+  const T high = select(yields, (von_mises - find_floor(flow)) * T(1 / resistance), T(1));
+  return find_falling_root<may_fall<Flow>>(yields, high, von_mises, [&](const T& dp) {
     const FlowStress<T> now = flow(dp);
     return ValueAndSlope<T>{von_mises - T(resistance) * dp - now.value, -(T(resistance) + now.slope)};
   });
@@ -95,7 +111,7 @@ KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, Poi
   const double resistance = 3 * c.mu;
   const ElasticTrial<T> trial = find_trial(c, step.stress, step.motion.de);
   const auto flow = m.start_flow(step.history, step.motion.dt);
-  const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
+  const T dp = find_plastic_increment(trial.von_mises, resistance, flow);
   const T flow_stress = larger(trial.von_mises - T(resistance) * dp, flow.at_rest);
   step.history[0] = step.history[0] + dp;
   if constexpr (requires { m.heat(step.history, dp, dp, 1.0); }) {

@@ -6,7 +6,7 @@ from ..curves import order_points, thin_rows
 from ..fields import clip
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
-from ..rates import choose_rate, compare_curves
+from ..rates import add_rates, order_curves, scale_curve
 from .deck import AbaqusDeck, MaterialBlocks
 from .damage import take_failure
 from .heat import take_heat
@@ -211,6 +211,10 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
         if law["model"] == "j2_plasticity":
             law |= {"model": "combined_hardening", "kinematic_share": 0.0}
         law |= {"cowper_symonds_rate": block.number(line, 0), "cowper_symonds_exponent": block.number(line, 1) or 1.0}
+    elif kind == "YIELD RATIO" and law["model"] in ("j2_plasticity", "tabulated_plasticity"):
+        base = [tuple(row) for row in law["hardening"]] if "hardening" in law else [(0.0, law["yield_stress"])]
+        factors = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
+        add_rates(deck.ledger, block.place, law, order_curves(block.place, scale_curve(base, factors)), "RATE DEPENDENT")
     else:
         deck.ledger.refuse("RATE DEPENDENT", block.place, f"a dependence on the rate of the kind {kind}", "there is none")
 
@@ -221,16 +225,16 @@ def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
         deck.ledger.refuse("PLASTIC.RATE", blocks[0].place, "a table for one rate alone", "it is used at all rates")
     if len(blocks) < 2 or law["model"] == "johnson_cook":
         return
+    if law["model"] == "combined_hardening":
+        deck.ledger.refuse("PLASTIC.RATE", blocks[1].place, "kinematic hardening for several rates", "that of the first rate is used")
+        return
     tables = []
     for block in blocks:
         rate = block.number((block.place.line, [block.options.get("RATE", "")]), 0)
         tables.append((rate, order_points([(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)])))
     if any(not points for _, points in tables):
         raise BadInput(blocks[0].place, "*PLASTIC has no data line: add it")
-    keys = choose_rate(deck.ledger, blocks[1].place, compare_curves(tables), "PLASTIC.RATE", "tables for several rates")
-    if keys and law["model"] == "j2_plasticity":
-        law |= {"model": "combined_hardening", "kinematic_share": 0.0}
-    law |= keys or {}
+    add_rates(deck.ledger, blocks[1].place, law, order_curves(blocks[1].place, tables), "PLASTIC.RATE")
 
 
 def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:

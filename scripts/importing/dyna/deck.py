@@ -162,6 +162,7 @@ class KeywordDeck:
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
         self.material_titles: dict[int, str] = {}
+        self.logarithmic_materials: set[int] = set()  # with the option _LOG_INTERPOLATION
         self.states: dict[int, Card] = {}
         self.hourglass: dict[int, Row] = {}
         self.transformations: dict[int, Any] = {}  # *DEFINE_TRANSFORMATION

@@ -4,12 +4,16 @@
 #include <optional>
 
 #include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/unit_systems.hpp"
+#include "src/deck/make_material.hpp"
 
 namespace percuss {
 namespace {
+
+constexpr const char* rate_curves = "hardening_at_rates";
 
 struct NamedValue {
   std::string key;
@@ -19,6 +23,8 @@ struct NamedValue {
 /// The stress at first yield of a material that yields.
 std::optional<NamedValue> find_yield_stress(const LawDeck& law) {
   if (law.model == TabulatedPlasticity::name) return NamedValue{"hardening", law.tables.at("hardening").front()[1]};
+  if (law.model == RateTablePlasticity::name)
+    return NamedValue{rate_curves, law.tables.at(name_curve(rate_curves, 0)).front()[1]};
   const std::string key = law.model == JohnsonCook::name ? "a" : "yield_stress";
   const auto found = law.numbers.find(key);
   if (found == law.numbers.end()) return std::nullopt;
@@ -111,11 +117,16 @@ std::vector<Warning> check_hardening_strain(const CheckedScene& scene) {
   constexpr double most = 10;  // 20 is meant as 20 %
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
-    const auto found = material.law.tables.find("hardening");
-    if (found == material.law.tables.end() || found->second.back()[0] <= most) continue;
-    const double strain = found->second.back()[0];
+    double strain = 0;
+    std::string key = "hardening";
+    for (const auto& [name, rows] : material.law.tables) {
+      if (name != key && !name.starts_with(rate_curves)) continue;
+      strain = std::max(strain, rows.back()[0]);
+      if (name != key) key = rate_curves;
+    }
+    if (strain <= most) continue;
     warnings.push_back(
-        warn_at(scene.deck, "hardening_strain", find_key_path(material, found->first),
+        warn_at(scene.deck, "hardening_strain", find_key_path(material, key),
                 fmt::format("the hardening of material '{}' goes on to a plastic strain of {:g} (that is "
                             "{:.0f} %; strains are no percentages): give 0.2 for 20 %",
                             material.name, strain, 100 * strain)));

@@ -36,15 +36,21 @@ const Range& find_range(KeyRange range) {
 
 /// Rows [x, y], x ascending.
 struct TableValue {
-  Range range;
+  using Rows = std::vector<std::array<double, 2>>;
+  Range range;  // of y
 
-  bool read(const Reader& reader, const std::string& name, const Node& node,
-            std::vector<std::array<double, 2>>& out) const {
-    std::vector<std::array<double, 2>> rows;
+  bool read(const Reader& reader, const std::string& name, const Node& node, Rows& out) const {
+    Rows rows;
+    if (!read_rows(reader, name, node, MaterialTable::most_rows, rows)) return false;
+    out = std::move(rows);
+    return true;
+  }
+  /// most: rows.
+  bool read_rows(const Reader& reader, const std::string& name, const Node& node, int most, Rows& rows) const {
     if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
-    if (rows.empty() || rows.size() > MaterialTable::most_rows) {
-      reader.error(node.spot, fmt::format("{} has {} rows{} (must have 1 to {})", name, rows.size(), reader.in(),
-                                          MaterialTable::most_rows));
+    if (rows.empty() || rows.size() > static_cast<std::size_t>(most)) {
+      reader.error(node.spot,
+                   fmt::format("{} has {} rows{} (must have 1 to {})", name, rows.size(), reader.in(), most));
       return false;
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -60,13 +66,72 @@ struct TableValue {
         return false;
       }
     }
-    out = std::move(rows);
     return true;
   }
   std::string takes() const {
     return "a table [[x, y], ...]" + (range.text.empty() ? std::string() : ", y " + range.text);
   }
   Form form() const { return list_form(tuple_form({number_form(), number_form(range)}), 1); }
+};
+
+/// A curve for a rate.
+struct RateCurve {
+  double rate = 0;
+  TableValue::Rows rows;
+};
+
+/// One curve [rate, [[x, y], ...]].
+struct RateCurveValue {
+  TableValue table;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, RateCurve& out) const {
+    if (node.kind != Node::Kind::list || node.items.size() != 2) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    RateCurve curve;
+    if (!NumberValue{not_negative}.read(reader, name + ".0", node.items[0], curve.rate)) return false;
+    if (!table.read_rows(reader, name + ".1", node.items[1], RateCurves::most_rows, curve.rows)) return false;
+    out = std::move(curve);
+    return true;
+  }
+  std::string takes() const { return "[rate, [[x, y], ...]], rate zero or positive, y " + table.range.text; }
+  Form form() const { return tuple_form({number_form(not_negative), table.form()}); }
+};
+
+/// Curves for several rates, the rates ascending.
+struct RateCurvesValue {
+  RateCurveValue curve;
+
+  /// Into the tables and numbers of the law (name_curve()).
+  bool read(const Reader& reader, const std::string& name, const Node& node, const std::string& key,
+            LawDeck& law) const {
+    std::vector<RateCurve> curves;
+    if (!ListValue<RateCurveValue>{curve}.read(reader, name, node, curves)) return false;
+    std::size_t rows = 0;
+    for (const RateCurve& one : curves) rows += one.rows.size();
+    if (curves.empty() || curves.size() > RateCurves::most_rates || rows > RateCurves::most_rows) {
+      reader.error(node.spot,
+                   fmt::format("{} has {} rates and {} rows{} (must have 1 to {} rates, and at most {} rows "
+                               "in all)",
+                               name, curves.size(), rows, reader.in(), RateCurves::most_rates, RateCurves::most_rows));
+      return false;
+    }
+    for (std::size_t i = 1; i < curves.size(); ++i) {
+      if (curves[i].rate > curves[i - 1].rate) continue;
+      reader.error(node.items[i].spot, fmt::format("{}.{} begins with the rate {} after {}{} (rates must ascend)", name,
+                                                   i, curves[i].rate, curves[i - 1].rate, reader.in()));
+      return false;
+    }
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const std::string own = name_curve(key, static_cast<int>(k));
+      law.numbers[own] = curves[k].rate;
+      law.tables[own] = std::move(curves[k].rows);
+    }
+    return true;
+  }
+  std::string takes() const { return "a list, each " + curve.takes(); }
+  Form form() const { return list_form(curve.form(), 1); }
 };
 
 /// A row of the deck's table from one of a law's.
@@ -78,6 +143,16 @@ Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
   };
   const Range& range = find_range(key.range);
   if (key.table != nullptr) return make_key<LawDeck>(key.name, key.required, TableValue{range}, into(&LawDeck::tables));
+  if (key.curves != nullptr)
+    return make_key<LawDeck>(key.name, key.required, RateCurvesValue{{{range}}},
+                             [name = std::string(key.name)](const RateCurvesValue& value, const Reader& reader,
+                                                            const std::string& full, const Node& node, LawDeck& law) {
+                               return value.read(reader, full, node, name, law);
+                             });
+  if (key.choice != nullptr) {
+    const ChoiceValue<double> words{{{key.words[0], 0}, {key.words[1], 1}}};
+    return make_key<LawDeck>(key.name, key.required, words, into(&LawDeck::numbers));
+  }
   if (key.vector != nullptr) return make_key<LawDeck>(key.name, key.required, vector3(range), into(&LawDeck::vectors));
   return make_key<LawDeck>(key.name, key.required, NumberValue{range}, into(&LawDeck::numbers));
 }

@@ -2,7 +2,9 @@
 // Constants of every material and equation of state of the lists, for tests that go through all of them. A new one has
 // no sample until it gets its overload here, and those tests do not compile.
 
+#include <array>
 #include <type_traits>
+#include <vector>
 
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
@@ -21,6 +23,13 @@ inline PowerLawPlasticity make_sample(Of<PowerLawPlasticity>) { return {20e9, 0.
 inline VocePlasticity make_sample(Of<VocePlasticity>) { return {20e9, 0.25, 150e6, 100e6, 30, 0.5e9, 2, 3}; }
 inline TabulatedPlasticity make_sample(Of<TabulatedPlasticity>) {
   return {20e9, 0.3, {3, {0, 0.02, 0.06}, {150e6, 220e6, 250e6}}, 2, 4};
+}
+inline RateTablePlasticity make_sample(Of<RateTablePlasticity>) {
+  using Rows = std::vector<std::array<double, 2>>;
+  RateTablePlasticity law{20e9, 0.3, {}, true};
+  law.hardening.add_curve(0.1, Rows{{0, 150e6}, {0.02, 220e6}, {0.06, 250e6}});
+  law.hardening.add_curve(2, Rows{{0, 200e6}, {0.05, 300e6}});
+  return law;
 }
 inline CombinedHardening make_sample(Of<CombinedHardening>) { return {20e9, 0.3, 150e6, 2e9, 0.6, 2, 3}; }
 inline JohnsonCook make_sample(Of<JohnsonCook>) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "tests/kernels/element/random_element.hpp"
 
@@ -28,6 +30,15 @@ TabulatedPlasticity make_table() {
     law.hardening.x[i] = rows[i][0];
     law.hardening.y[i] = rows[i][1];
   }
+  return law;
+}
+
+RateTablePlasticity make_rate_table() {
+  using Rows = std::vector<std::array<double, 2>>;
+  RateTablePlasticity law{young, poisson, {}, true};
+  law.hardening.add_curve(0.1, Rows{{0, 200e6}, {0.01, 260e6}, {0.05, 300e6}});
+  law.hardening.add_curve(100, Rows{{0, 250e6}, {0.2, 380e6}});
+  law.hardening.add_curve(1e4, Rows{{0, 450e6}, {0.2, 400e6}});
   return law;
 }
 
@@ -56,6 +67,7 @@ void for_each_law(const F& f) {
   f(make_fast_power_law(), "power law with rate");
   f(make_voce(), "Voce with rate");
   f(make_table(), "table");
+  f(make_rate_table(), "table of rates");
   f(make_combined(), "combined");
   f(make_fast_combined(), "combined with rate");
   f(make_johnson_cook(), "Johnson-Cook");

@@ -10,6 +10,18 @@ std::string material(const std::string& keys) {
   return change("model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3", keys);
 }
 
+/// A material with tables for several rates.
+std::string rate_table(const std::string& keys) {
+  return material("model: rate_table_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, " + keys);
+}
+
+/// Curves of one row at the rates 0, 1, 2, ...
+std::string repeat_curves(int count) {
+  std::string text;
+  for (int k = 0; k < count; ++k) text += (k > 0 ? ", [" : "[") + std::to_string(k) + ", [[0, 1e8]]]";
+  return text;
+}
+
 }  // namespace
 
 std::vector<WrongDeck> wrong_material_decks() {
@@ -30,6 +42,22 @@ std::vector<WrongDeck> wrong_material_decks() {
        material(
            "model: tabulated_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: 4e8"),
        "5:110", "hardening is 4e8 in material 'steel' (must be a list"},
+      {"RatesThatGoBack", rate_table("hardening_at_rates: [[1, [[0, 1e8]]], [1, [[0, 2e8]]]]"), "5:138",
+       "hardening_at_rates.1 begins with the rate 1 after 1 in material 'steel' (rates must ascend)"},
+      {"NegativeRateOfACurve", rate_table("hardening_at_rates: [[-1, [[0, 1e8]]]]"), "5:122",
+       "hardening_at_rates.0.0 is -1 in material 'steel' (must be zero or positive)"},
+      {"CurveOfARateThatGoesBack", rate_table("hardening_at_rates: [[1, [[0, 1e8], [0, 2e8]]]]"), "5:136",
+       "hardening_at_rates.0.1.1 begins with 0 after 0 in material 'steel' (rows must ascend)"},
+      {"CurveWithoutRate", rate_table("hardening_at_rates: [[[0, 1e8], [1, 2e8]]]"), "5:122",
+       "hardening_at_rates.0.0 is a list in material 'steel' (must be a number, zero or positive)"},
+      {"ThirteenRates", rate_table("hardening_at_rates: [" + repeat_curves(13) + "]"), "5:120",
+       "hardening_at_rates has 13 rates and 13 rows in material 'steel' (must have 1 to 12 rates, and at most 240 rows "
+       "in "
+       "all)"},
+      {"LogarithmOfNoRate", rate_table("rate_interpolation: logarithmic, hardening_at_rates: [[0, [[0, 1e8]]]]"), "5:3",
+       "material 'steel' has logarithmic rate_interpolation beside a rate of 0"},
+      {"UnknownInterpolation", rate_table("rate_interpolation: log, hardening_at_rates: [[1, [[0, 1e8]]]]"), "5:120",
+       "rate_interpolation is log in material 'steel' (must be linear | logarithmic"},
       {"PowerLawWithoutExponent",
        material("model: power_law_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
                 "1e8, hardening_coefficient: 1e8"),

@@ -22,6 +22,7 @@ NUMBERS = {
     81: "PLASTICITY_WITH_DAMAGE", 82: "PLASTICITY_WITH_DAMAGE_ORTHO", 98: "SIMPLIFIED_JOHNSON_COOK", 100: "SPOTWELD", 126: "MODIFIED_HONEYCOMB", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
 }  # fmt: skip
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
+LOG_OPTION = "_LOG_INTERPOLATION"
 SPRINGS = {"S01": "SPRING_ELASTIC", "S02": "DAMPER_VISCOUS", "S04": "SPRING_NONLINEAR_ELASTIC"}
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
 LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
@@ -54,6 +55,8 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
             reader.take()
         deck.erosions[card.row(reader.take(), "MID").integer("MID")] = card
         return
+    is_logarithmic = card.keyword == f"MAT_PIECEWISE_LINEAR_PLASTICITY{LOG_OPTION}"
+    card.keyword = card.keyword.removesuffix(LOG_OPTION) if is_logarithmic else card.keyword
     reader, count = card.reader(), LINES.get(name_law(card.keyword), 0)
     while reader.skip_blank():
         title = reader.text() if card.has_title else ""
@@ -64,6 +67,8 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         if id in deck.materials:
             raise BadInput(card.at(lines[0][0]), f"there are two materials {id} (ids must be unique): renumber one")
         deck.material_titles[id] = title
+        if is_logarithmic:
+            deck.logarithmic_materials.add(id)
         deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
 
 

@@ -2,17 +2,21 @@
 
 import math
 
-from ...curves import Points, interpolate, thin_rows
+from ...curves import MOST_MATERIAL_ROWS, Points, interpolate, thin_rows
 from ...fields import Row
+from ...ledger import BadInput
 from ...model import Deck
-from ...rates import choose_rate, compare_curves
+from ...rates import MOST_ROWS, Curves, add_rates, order_curves, scale_curve
 from ..cards import Card
 from ..deck import KeywordDeck
 from .shared import (
+    FAR,
     NEVER,
     Use,
     add_rate,
+    clean_curve,
     elastic_from_shear_and_bulk,
+    extend_curve,
     find_bulk_modulus,
     finish_lines,
     limit_tension,
@@ -21,10 +25,10 @@ from .shared import (
     read_points,
     set_failure,
     tangent_to_hardening,
+    tell_rate,
 )
 from .states import initial_bulk_modulus, translate_state
 
-RATES = "curves for several rates"
 EIGHT = " ".join("ABCDEFGH")
 COLD = 70.0  # Kelvin, below which a temperature is that of another scale
 SOFTENING = 8  # rows of a table that falls
@@ -66,42 +70,60 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     return law
 
 
-def list_curves(deck: KeywordDeck, more: Row, id: int) -> list[tuple[float, Points]]:
-    """Rate and curve of a table, the lowest rate first; rates are logarithms where the first is negative."""
+def list_curves(deck: KeywordDeck, more: Row, id: int) -> tuple[Curves, bool]:
+    """The curves of a table, which go on with their last slope. Rates are logarithms where the first is negative: then, and
+    with _LOG_INTERPOLATION, stresses are straight over the logarithm of the rate.
+    """
     rows = deck.tables[id]
     is_log = rows[0][0] < 0
-    curves = [(math.exp(min(rate, 700.0)) if is_log else rate, deck.material_curve(curve, more.place)) for rate, curve in rows]
-    return sorted(curves, key=lambda row: row[0])
+    curves = []
+    for value, curve in rows:
+        points = clean_curve(deck.material_curve(curve, more.place))
+        if not points:
+            raise BadInput(more.place, f"curve {curve} has no stress above 0 at a plastic strain: give it rows")
+        curves.append((math.exp(min(value, 700.0)) if is_log else value, extend_curve(points)))
+    return order_curves(more.place, curves), is_log
 
 
-def find_hardening(deck: KeywordDeck, card: Card, more: Row, points: Points) -> tuple[list[list[float]], Deck] | None:
-    """The table of *MAT_024 and 123, LCSS before EPS and ES, and how it depends on the rate. None where it is refused."""
-    id, scale = more.integer("LCSS"), more.integer("LCSR")
-    rate: Deck | None = {}
+def add_table(deck: KeywordDeck, card: Card, more: Row, law: Deck, id: int) -> None:
+    """LCSS is a table of curves; C, P, LCSR, EPS and ES then count no more."""
+    curves, is_log = list_curves(deck, more, id)
+    if any(more.number(name) for name in ("C", "P", "LCSR")):
+        deck.ledger.ignored(f"{card.keyword}.C", more.place, "C, P and LCSR beside a table of rates: the table counts alone")
+    if card.row(card.lines[0], "MID").integer("MID") in deck.logarithmic_materials:
+        if curves[0][0] > 0:
+            is_log = True
+        elif not deck.ledger.refuse(f"{card.keyword}.table", more.place, "a rate of 0 (it has no logarithm)", "stresses are straight over the rate"):
+            return
+    if len(curves) == 1:
+        law |= {"model": "tabulated_plasticity", "hardening": make_hardening(deck, curves[0][1], card.keyword, more.place)}
+        return
+    add_rates(deck.ledger, more.place, law, curves, f"{card.keyword}.table", is_log)
+    tell_rate(deck, more)
+
+
+def add_scaled(deck: KeywordDeck, card: Card, more: Row, law: Deck, points: Points) -> None:
+    """LCSR: a factor of the yield stress over the rate."""
+    factors = [(rate, factor) for rate, factor in deck.material_curve(abs(more.integer("LCSR")), more.place) if rate >= 0]
+    base = extend_curve(clean_curve(points))
+    if not base:
+        stress, slope = law["yield_stress"], law["hardening_modulus"]
+        base = [(0.0, stress), (FAR, stress + slope * FAR)] if slope else [(0.0, stress)]
+    if not factors:
+        raise BadInput(more.place, "the curve LCSR has no rate of 0 or more: give it rows")
+    add_rates(deck.ledger, more.place, law, order_curves(more.place, scale_curve(base, factors)), f"{card.keyword}.LCSR")
+    tell_rate(deck, more)
+
+
+def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck, points: Points) -> None:
+    """The hardening of *MAT_024 and 123, LCSS before EPS and ES before ETAN, and how it depends on the rate."""
+    id = more.integer("LCSS")
     if id and id in deck.tables:
-        curves = list_curves(deck, more, id)
-        rate, points = choose_rate(deck.ledger, more.place, compare_curves(curves), f"{card.keyword}.table", RATES), curves[0][1]
-    elif id:
+        add_table(deck, card, more, law, id)
+        return
+    if id:
         points = deck.material_curve(id, more.place)
-    if scale and rate is not None:
-        factors = [(value, [factor]) for value, factor in deck.material_curve(scale, more.place) if value > 0]
-        rate = choose_rate(deck.ledger, more.place, factors, f"{card.keyword}.LCSR", "a factor over the rate")
-    return None if rate is None else (make_hardening(deck, points, card.keyword, more.place), rate)
-
-
-def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
-    """*MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form."""
-    reader = card.reader()
-    row = reader.row("MID RO E PR SIGY ETAN FAIL TDEL")
-    is_modified = card.keyword.startswith("MAT_MODIFIED")
-    more = reader.row("C P LCSS LCSR VP " + ("EPSTHIN EPSMAJ NUMINT" if is_modified else "UNUSED~unused RFILTF~unused"))
-    points = read_points(reader, EIGHT, EIGHT)
-    law = start_law(row, "tabulated_plasticity")
-    found = find_hardening(deck, card, more, points)
-    if found is None:
-        return None
-    table, rate = found
-    row.skip("SIGY", "ETAN")
+    table = make_hardening(deck, points, card.keyword, more.place)
     if table:
         law["hardening"] = table
     else:
@@ -112,13 +134,26 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
             "hardening_modulus": hardening,
             "kinematic_share": 0.0,
         }
-    law |= rate
-    if not rate:
-        add_rate(law, deck, card, more.number("C"), more.number("P"), more)
-    more.skip("VP", "C", "P")
+    if more.integer("LCSR"):
+        add_scaled(deck, card, more, law, points)
+        return
+    add_rate(law, deck, card, more.number("C"), more.number("P"), more)
     if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
         law["model"] = "j2_plasticity"
         del law["kinematic_share"]
+
+
+def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form."""
+    reader = card.reader()
+    row = reader.row("MID RO E PR SIGY ETAN FAIL TDEL")
+    is_modified = card.keyword.startswith("MAT_MODIFIED")
+    more = reader.row("C P LCSS LCSR VP " + ("EPSTHIN EPSMAJ NUMINT" if is_modified else "UNUSED~unused RFILTF~unused"))
+    points = read_points(reader, EIGHT, EIGHT)
+    law = start_law(row, "tabulated_plasticity")
+    row.skip("SIGY", "ETAN")
+    more.skip("VP", "C", "P", "LCSR")
+    add_hardening(deck, card, row, more, law, points)
     set_failure(law, plastic_strain=row.number("FAIL"), step=row.number("TDEL"))
     if row.number("FAIL") < 0:
         deck.ledger.refuse(f"{card.keyword}.FAIL", row.place, "failure by a subroutine or a curve", "nothing fails")
@@ -148,22 +183,14 @@ def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     more = reader.row("C P LCSS LCSR EPPFR=1e14 VP LCDM NUMINT")
     points = read_points(reader, EIGHT, EIGHT)
     law = start_law(row, "tabulated_plasticity")
-    found = find_hardening(deck, card, more, points)
-    if found is None:
-        return None
-    table, rate = found
     row.skip("SIGY", "ETAN")
-    if not table:
-        hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
-        table = [[0.0, row.positive("SIGY")], [2.0, row.positive("SIGY") + 2.0 * hardening]]
+    more.skip("VP", "C", "P", "LCSR")
+    add_hardening(deck, card, row, more, law, points)
     start, end = row.number("EPPF"), more.number("EPPFR")
-    law["hardening"] = soften(table, start, end) if 0 < end < NEVER else table
+    if 0 < end < NEVER:
+        soften_law(law, start, end)
     if 0 < start < end < NEVER:
         deck.ledger.approximated(f"{card.keyword}.EPPF", row.place, "the table falls from EPPF to EPPFR, as the damage has it; unloading keeps Young's modulus")
-    law |= rate
-    if not rate:
-        add_rate(law, deck, card, more.number("C"), more.number("P"), more)
-    more.skip("VP", "C", "P")
     set_failure(law, plastic_strain=end, step=row.number("TDEL"))
     read_layers(deck, card, law, more, use)
     row.finish(deck.ledger)
@@ -172,7 +199,20 @@ def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
-def soften(table: list[list[float]], start: float, end: float) -> list[list[float]]:
+def soften_law(law: Deck, start: float, end: float) -> None:
+    """The curve of the law, or those of all rates, and a bilinear one as a table."""
+    if law["model"] == "rate_table_plasticity":
+        most = MOST_ROWS // len(law["hardening_at_rates"])
+        law["hardening_at_rates"] = [[rate, soften(rows, start, end, most)] for rate, rows in law["hardening_at_rates"]]
+        return
+    if "yield_stress" in law:
+        stress, slope = law.pop("yield_stress"), law.pop("hardening_modulus")
+        law.pop("kinematic_share", None)
+        law |= {"model": "tabulated_plasticity", "hardening": [[0.0, stress], [2.0, stress + 2.0 * slope]]}
+    law["hardening"] = soften(law["hardening"], start, end)
+
+
+def soften(table: list[list[float]], start: float, end: float, most: int = MOST_MATERIAL_ROWS) -> list[list[float]]:
     """A hardening table whose stress falls to nothing between two plastic strains."""
     start = min(start, end)
     rows = [row for row in table if row[0] < start]
@@ -180,7 +220,7 @@ def soften(table: list[list[float]], start: float, end: float) -> list[list[floa
     undamaged = [(x, y) for x, y in table]
     rows += [[p, interpolate(undamaged, p) * max(1 - (p - start) / (end - start), 0.01)] for p in strains]
     rows.append([end, 0.01 * interpolate(undamaged, end)])
-    return [list(row) for row in thin_rows([(x, y) for x, y in rows])[0]]
+    return [list(row) for row in thin_rows([(x, y) for x, y in rows], most)[0]]
 
 
 def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
@@ -292,12 +332,6 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         found.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
-
-
-def tell_rate(deck: KeywordDeck, row: Row) -> None:
-    """VP of Johnson and Cook's laws."""
-    if row.number("VP") != 1:
-        deck.ledger.approximated(f"{row.card}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1")
 
 
 def johnson_cook_moduli(row: Row, state: Deck, density: float) -> Deck:

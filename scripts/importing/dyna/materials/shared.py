@@ -40,25 +40,37 @@ def elastic_from_shear_and_bulk(shear: float, bulk: float) -> Deck:
     }
 
 
+def clean_curve(points: Points) -> Points:
+    """A yield stress over plastic strain, from 0 on."""
+    points = [(x, y) for x, y in order_points(points) if x >= 0 and y > 0]
+    if points and points[0][0] > 0:
+        points[0] = (0.0, points[0][1])
+    return points
+
+
+def extend_curve(rows: Points) -> Points:
+    """It goes on with its last slope, as far as its stress is positive."""
+    if len(rows) < 2:
+        return rows
+    (x0, y0), (x1, y1) = rows[-2:]
+    slope = (y1 - y0) / (x1 - x0)
+    far = y1 + FAR * slope
+    if slope == 0:
+        return rows
+    return [*rows, (x1 + FAR, far) if far > 0 else (x1 + 0.99 * y1 / -slope, 0.01 * y1)]
+
+
 def make_hardening(deck: KeywordDeck, points: Points, card: str, place: Place) -> list[list[float]]:
     """A table of yield stress over plastic strain, which goes on with its last slope."""
-    points = [(x, y) for x, y in order_points(points) if x >= 0 and y > 0]
+    points = clean_curve(points)
     if not points:
         return []
-    if points[0][0] > 0:
-        points[0] = (0.0, points[0][1])
     rows, error = thin_rows(points, 31)
     if error > 1e-12:
         deck.ledger.approximated(
             f"{card}.curve", place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
         )
-    if len(rows) > 1:
-        (x0, y0), (x1, y1) = rows[-2:]
-        slope = (y1 - y0) / (x1 - x0)
-        far = y1 + FAR * slope
-        if slope != 0:
-            rows.append((x1 + FAR, far) if far > 0 else (x1 + 0.99 * y1 / -slope, 0.01 * y1))
-    return [list(row) for row in rows]
+    return [list(row) for row in extend_curve(rows)]
 
 
 def read_points(reader: Lines, layout_x: str, layout_y: str, lines: int = 1) -> Points:
@@ -84,10 +96,13 @@ def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: fl
     if rate <= 0 or exponent <= 0:
         return
     law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
+    tell_rate(deck, row)
+
+
+def tell_rate(deck: KeywordDeck, row: Row) -> None:
+    """Which rate counts."""
     if row.number("VP") != 1:
-        deck.ledger.approximated(
-            f"{card.keyword}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1"
-        )
+        deck.ledger.approximated(f"{row.card}.VP", row.place, "the rate of plastic strain counts, as with VP=1")
 
 
 def read_layers(deck: KeywordDeck, card: Card, law: Deck, row: Row, use: Use, name: str = "NUMINT") -> None:

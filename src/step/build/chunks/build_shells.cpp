@@ -57,8 +57,8 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
     if (visit_layer(material, [](const auto&, const auto&) {})) continue;
     throw InputError(
         fmt::format("{}: error: part '{}' has shells of material '{}' (shells support elastic, j2_plasticity, "
-                    "power_law_plasticity, voce_plasticity, tabulated_plasticity, combined_hardening and johnson_cook, "
-                    "without an equation of state)",
+                    "power_law_plasticity, voce_plasticity, tabulated_plasticity, rate_table_plasticity, "
+                    "combined_hardening and johnson_cook, without an equation of state)",
                     deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
   }
 }
