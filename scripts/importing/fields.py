@@ -45,6 +45,7 @@ REASONS = {
     "relaxation": "of dynamic relaxation alone",
     "unused": "not used by LS-DYNA with these options",
     "sampling": "how LS-DYNA samples curves again: percuss keeps their rows",
+    "damping": "how dynamic relaxation is steered: percuss finds its damping and its end by itself",
     "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities instead",
     "shells": "numerics of shells: percuss has one shell",
     "solids": "numerics of solids: percuss has its own",

@@ -165,9 +165,8 @@ def apply_viscosity(deck: KeywordDeck, card: Card) -> None:
 
 def apply_relaxation(deck: KeywordDeck, card: Card) -> None:
     """Explicit dynamic relaxation. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
-    row = card.reader().row("NRCYCK=250 DRTOL=0.001 DRFCTR=0.995 DRTERM TSSFDR IRELAL EDTTL=0.04 IDRFLG")
+    row = card.reader().row("NRCYCK~damping=250 DRTOL=0.001 DRFCTR~damping=0.995 DRTERM~damping TSSFDR~damping IRELAL~damping EDTTL~damping=0.04 IDRFLG")
     flag, tolerance = row.integer("IDRFLG"), row.number("DRTOL") or 0.001
-    row.skip("NRCYCK", "DRFCTR", "DRTERM", "TSSFDR", "IRELAL", "EDTTL")
     row.finish(deck.ledger)
     if flag <= 0:
         deck.ledger.ignored(card.keyword, card.place, "IDRFLG does not switch it on")

@@ -73,7 +73,7 @@ def read_frames(deck: KeywordDeck, card: Card) -> None:
 def read_section(deck: KeywordDeck, card: Card) -> None:
     """A section by sets: the force of elements on nodes."""
     reader = card.reader()
-    wish = reader.row("CSID TITLE", (10, 70)).text("TITLE") if card.has_id else ""
+    wish = reader.row("CSID~label TITLE~label", (10, 70)).text("TITLE") if card.has_id else ""
     row = reader.row("NSID HSID BSID SSID TSID DSID ID ITYPE")
     if row.integer("BSID") or row.integer("TSID") or row.integer("DSID"):
         deck.ledger.ignored(card.keyword, card.place, "a section through beams, thick shells or discrete elements, which percuss has by planes alone")

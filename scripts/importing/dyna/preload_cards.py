@@ -93,7 +93,7 @@ def holds(points: Points, value: float) -> bool:
 def read_plane(deck: KeywordDeck, card: Card) -> None:
     """*DATABASE_CROSS_SECTION_PLANE: a section of the output, to which a preload may refer."""
     reader = card.reader()
-    head_row = reader.row("CSID TITLE", (10, 70)) if card.has_id else None
+    head_row = reader.row("CSID TITLE~label", (10, 70)) if card.has_id else None
     id = head_row.integer("CSID") if head_row else len(deck.planes) + 1
     title = (head_row.text("TITLE") if head_row else "") or f"section_{id}"
     row, more = reader.row("PSID XCT YCT ZCT XCH YCH ZCH RADIUS"), reader.row("XHEV YHEV ZHEV LENL LENM ID ITYPE")

@@ -133,6 +133,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
     use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1), bool(block.beams))
+    use.density = card.row(card.lines[0], "MID RO").number("RO")
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
         law = translate_rigid(deck, card)

@@ -23,6 +23,7 @@ class Use:
     points: int
     is_beam: bool = False
     has_used_state: bool = False
+    density: float = 0.0
 
 
 def tangent_to_hardening(row: Row, youngs: float, tangent: float) -> float:

@@ -44,6 +44,21 @@ def grueneisen(deck: KeywordDeck, use: Use) -> Deck:
     return state
 
 
+def ideal_gas(deck: KeywordDeck, use: Use) -> Deck:
+    """Constant specific heats; the energy at the start is that of T0."""
+    reader = use.state.reader()  # type: ignore[union-attr]
+    row, more = reader.row("EOSID CV CP CL CQ T0 V0 VC0"), reader.row("ADIAB")
+    row.skip("EOSID")
+    heat, pressure_heat = row.positive("CV"), row.positive("CP")
+    if pressure_heat <= heat:
+        row.fail("CP", "must be above CV")
+    check_volume(deck, row, "V0")
+    state: Deck = {"kind": "ideal_gas", "gamma": pressure_heat / heat, "start_energy": use.density * heat * row.positive("T0")}
+    row.finish(deck.ledger, "specific heats are constant")
+    more.finish(deck.ledger, "the gas heats by the work of compression, as with ADIAB=0")
+    return state
+
+
 def jwl(deck: KeywordDeck, use: Use) -> Deck:
     row = use.state.reader().row("EOSID A B R1 R2 OMEG E0 V0")  # type: ignore[union-attr]
     check_volume(deck, row, "V0")
@@ -53,7 +68,7 @@ def jwl(deck: KeywordDeck, use: Use) -> Deck:
 
 STATES = {"EOS_LINEAR_POLYNOMIAL": linear_polynomial, "EOS_001": linear_polynomial, "EOS_1": linear_polynomial,
           "EOS_GRUNEISEN": grueneisen, "EOS_004": grueneisen, "EOS_4": grueneisen,
-          "EOS_JWL": jwl, "EOS_002": jwl, "EOS_2": jwl}  # fmt: skip
+          "EOS_IDEAL_GAS": ideal_gas, "EOS_012": ideal_gas, "EOS_12": ideal_gas, "EOS_JWL": jwl, "EOS_002": jwl, "EOS_2": jwl}  # fmt: skip
 
 
 def translate_state(deck: KeywordDeck, use: Use) -> Deck | None:
