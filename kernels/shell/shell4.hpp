@@ -18,7 +18,8 @@ template <class Material>
 struct ShellParameters {
   Material material;
   ThicknessPoints points;
-  double offset = 0;  // of the middle of the section from the corners along the normal [length]
+  double offset = 0;         // of the middle of the section from the corners along the normal [length]
+  double stabilization = 1;  // share of the stiffness of the stored forces (shell_hourglass.hpp)
 };
 
 /// Energy that one step put into the element [energy].
@@ -187,7 +188,8 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
     state.shear[k] = state.shear[k] + change;
   }
   const StoredForces<Material::can_yield, Lives::can_fail, T> forces{layers.flow, layers.left};
-  const T hourglass_work = advance_hourglass(elastic, ShellStep<T>{middle, rate, dt}, forces, shapes, state);
+  const ShellStep<T> step{middle, rate, dt, T(par.stabilization) * dt};
+  const T hourglass_work = advance_hourglass(elastic, step, forces, shapes, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));

@@ -140,6 +140,7 @@ struct ShellStep {
   const ShellGeometry<T>& middle;  // at n+1/2
   const ShellRates<T>& rate;       // on it
   T dt;
+  T stiffening_dt;  // dt times the share of the stiffness that the part has
 };
 
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
@@ -151,7 +152,7 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellSt
                                          ShellState<T>& state) {
   const ShellGeometry<T>& g = step.middle;
   const ShellRates<T>& rate = step.rate;
-  const T& dt = step.dt;
+  const T& dt = step.stiffening_dt;
   const T t = state.thickness, volume_dt = t * g.area * dt;
   const ModeChanges<T> membrane = find_membrane_changes(e, g, rate, t, dt, shapes);
   const ModeChanges<T> bending = find_bending_changes(e, g, rate, t, dt);
@@ -165,7 +166,7 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellSt
   stored.advance_elastic(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
   const T drilling = T(shell_drilling * e.shear_modulus) * volume_dt;
   stored.advance_in_plane(state.drilling, drilling * rate.drilling, rate.drilling);
-  return dt * stored.work;
+  return step.dt * stored.work;
 }
 
 }  // namespace percuss

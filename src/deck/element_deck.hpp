@@ -19,13 +19,15 @@ struct ElementDeck {
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
   double stiffness_damping = 0;  // stress per elastic modulus and rate of strain [time]
+  double shell_hourglass = 1;    // share of the stiffness of shells against hourglass modes and drilling
 };
 
 /// What a part has instead of the members of ElementDeck with the same names.
 struct PartElementDeck {
   std::optional<ElementDeck::Integration> integration;
   std::optional<ElementDeck::Hourglass> hourglass;
-  std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity, stiffness_damping;
+  std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity, stiffness_damping,
+      shell_hourglass;
 };
 
 /// The settings of a part.
@@ -37,6 +39,7 @@ inline ElementDeck find_settings(const ElementDeck& scene, const PartElementDeck
   settings.linear_viscosity = part.linear_viscosity.value_or(scene.linear_viscosity);
   settings.quadratic_viscosity = part.quadratic_viscosity.value_or(scene.quadratic_viscosity);
   settings.stiffness_damping = part.stiffness_damping.value_or(scene.stiffness_damping);
+  settings.shell_hourglass = part.shell_hourglass.value_or(scene.shell_hourglass);
   return settings;
 }
 

@@ -892,10 +892,11 @@ class Scene(InFolder):
         self.assertNotIn("hourglass", self.read(full)[0].blocks[1].keys)
         self.accept(full)
 
-    def test_hourglass_control_of_shells_is_told(self):
+    def test_hourglass_control_of_shells_is_a_share_of_their_stiffness(self):
         text = decks.FORMS.replace("*PART\nplate\n         8         8         8\n", "*PART\nplate\n8,8,8,0,19\n")
-        ledger = self.read(text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END"))[1]
-        told = [row for row in ledger.list_rows() if row.card == "HOURGLASS" and "shells" in row.text]
+        model, ledger = self.read(text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END"))
+        self.assertEqual([block.keys["shell_hourglass"] for block in model.blocks if block.shells], [0.02])
+        told = [row for row in ledger.list_rows() if row.card == "HOURGLASS.QM"]
         self.assertEqual([row.status for row in told], [Status.APPROXIMATED])
 
     def test_friction_of_parts_becomes_rows(self):

@@ -18,6 +18,7 @@ SHELL_LINE = "SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent"
 MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
+FULL_SHELLS = {6, 7, 11, 16, -16, 18, 20, 21, 26}  # integrated at several points in the plane
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
 TETRAHEDRA_FORMS = {10, 13, 16, 17}  # the last two of ten nodes
 WEDGE_FORMS = {15, 115}
@@ -364,15 +365,25 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
             block.keys["hourglass"] = key[0] if key[0] == "assumed_strain" else {"kind": key[0], "coefficient": key[1]}
 
 
-def note_shell_hourglass(deck: KeywordDeck, general: Row | None) -> None:
-    """What becomes of hourglass control of shells."""
-    text = "shells have physical stabilisation without a coefficient, which is stiffer than small coefficients"
+def translate_shell_hourglass(deck: KeywordDeck, general: Row | None) -> None:
+    """The coefficient of *HOURGLASS as the share of the stiffness of shells against hourglass modes and drilling."""
     for block in deck.model.blocks:
         if not block.shells or block.part in deck.rigid:
             continue
         row = deck.hourglass.get(deck.parts[block.part].hourglass, general)
-        if row:
-            deck.ledger.approximated(row.card, row.place, text)
+        section = deck.sections.get(deck.parts[block.part].section)
+        if not row or not section:
+            continue
+        name = "QM" if row.card == "HOURGLASS" else "QH"
+        form = section.reader().row("SECID ELFORM=2").integer("ELFORM") or deck.shell_form
+        if form in FULL_SHELLS or row.integer("IHQ") == 8:
+            text = "shells without hourglass modes, or with all of their stiffness: so have those of percuss"
+            deck.ledger.ignored(f"{row.card}.{name}", row.place, text)
+            continue
+        block.keys["shell_hourglass"] = min(abs(row.number(name)) or 0.1, 1.0)
+        text = f"shell_hourglass of the part: {name} is the share of the stiffness of the material"
+        viscous = "; viscous forces (IHQ 1 to 3) become elastic ones" if (row.integer("IHQ") or 1) < 4 else ""
+        deck.ledger.approximated(f"{row.card}.{name}", row.place, text + viscous)
 
 
 def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row | None:

@@ -28,7 +28,7 @@ from .mass_cards import add_masses_of_sets, read_masses
 from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
-from .part_cards import build_blocks, note_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
+from .part_cards import build_blocks, translate_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .stress_cards import read_stresses
@@ -167,7 +167,7 @@ def build(deck: KeywordDeck) -> None:
     rigid.mark_rigid_parts(deck)
     translate_integration(deck)
     translate_hourglass(deck, deck.general_hourglass)
-    note_shell_hourglass(deck, deck.general_hourglass)
+    translate_shell_hourglass(deck, deck.general_hourglass)
     for block in deck.model.blocks:
         deck.model.origins.cards["parts", block.name] = ("PART", block.place)
         deck.model.origins.cards["materials", block.keys["material"]] = material_card(deck, block)

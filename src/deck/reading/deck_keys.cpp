@@ -98,6 +98,7 @@ Keys<T> settings_keys() {
       group<T>("hourglass", HourglassValue<T>{}),
       group<T>("bulk_viscosity", MapValue<T>{viscosity_keys<T>}),
       may("stiffness_damping", &T::stiffness_damping, NumberValue{not_negative}),
+      may("shell_hourglass", &T::shell_hourglass, NumberValue{{"above 0 and at most 1", 0, 1, true, false}}),
   };
 }
 
@@ -151,6 +152,10 @@ void check_one_point(const Reader& reader, const Node& node, const PartDeck& par
 void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
   if (std::holds_alternative<FileMesh>(part.shape)) return;
   const bool is_shell = is_shell_shape(part.shape);
+  const Node* of_shells = node.find("shell_hourglass");
+  if (of_shells != nullptr && !is_shell)
+    reader.error(of_shells->key, fmt::format("{} has no effect{} (it applies to shells): remove it",
+                                             reader.name_of("shell_hourglass"), reader.in()));
   const bool is_line = std::holds_alternative<LineShape>(part.shape), is_solid = !is_shell && !is_line;
   if (is_solid && part.elements == PartDeck::Elements::hexahedra) return;
   if (is_solid && part.elements != PartDeck::Elements::tetrahedra) return check_one_point(reader, node, part);

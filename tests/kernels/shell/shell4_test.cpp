@@ -76,6 +76,32 @@ TEST(Shell4, WorkIsThatOfTheForces) {
   }
 }
 
+TEST(Shell4, ItsShareScalesTheForcesAgainstHourglassModesAndDrilling) {
+  // A square of edge a: bending in its plane stores E t (4 / 3) X^2 / 2 at u_x = X h, h = 1, -1, 1, -1.
+  Random random(15);
+  const double a = 0.1, t = 0.002, size = 1e-9;
+  for (const double share : {1.0, 0.02}) {
+    const ShellCorners x = make_quad(random, a, a, 0, 0);
+    TestShell<ElasticLayer> shell(make_elastic(), 3, x, t, density);
+    shell.par.stabilization = share;
+    ShellCorners v, turning;
+    for (std::size_t i = 0; i < 4; ++i) {
+      v[i] = {i % 2 == 0 ? size : -size, 0, 0};
+      turning[i] = {0, 0, size};
+    }
+    shell.advance(move(x, v, 1), v, {}, 1);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(shell.force[i].x, share * young * t * v[i].x / 3, 1e-6 * share * young * t * size);
+    TestShell<ElasticLayer> turned(make_elastic(), 3, x, t, density);
+    turned.par.stabilization = share;
+    turned.advance(x, {}, turning, 1);
+    const double shear = young / (2 * (1 + poisson));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(turned.moment[i].z, share * shell_drilling * shear * t * a * a * size / 4,
+                  1e-9 * shear * t * a * a * size);
+  }
+}
+
 TEST(Shell4, FullyPlasticMomentIsThatOfTheRule) {
   // Bending far beyond yield: every layer at the yield stress in plane strain, as the sides do not bend.
   const double yield = 300e6, t = 0.1;

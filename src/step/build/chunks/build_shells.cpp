@@ -114,8 +114,11 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
         const int points = of_chunk.section.points > 0 ? of_chunk.section.points : usual;
         const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
-        const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
-        if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
+        const auto part = static_cast<std::size_t>(part_index);
+        if (is_new) {
+          rows.push_back({layer, find_thickness_points(points), deck.parts[part].offset,
+                          deck.find_elements(part).shell_hourglass});
+        }
         block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
         if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
         records.parameters[c] = row->second;
