@@ -23,7 +23,7 @@ ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
 TETRAHEDRA_FORMS = {10, 13, 16, 17}  # the last two of ten nodes
 WEDGE_FORMS = {15, 115}
 HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: "stiffness", 8: "assumed_strain"}
-PART_LINES = {"INERTIA": 3, "REPOSITION": 1, "CONTACT": 1, "PRINT": 1, "ATTACHMENT_NODES": 1}
+PART_LINES = {"INERTIA": "", "REPOSITION": "CMSN MDEP MOVOPT", "CONTACT": "", "PRINT": "PRBF~output", "ATTACHMENT_NODES": "ANSID~implicit"}
 
 
 def read_parts(deck: KeywordDeck, card: Card) -> None:
@@ -61,10 +61,8 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
         if option == "INERTIA":
             read_inertia(deck, reader, part)
             continue
-        for _ in range(PART_LINES[option]):
-            line = reader.row("A B C D E F G H")
-        if option == "REPOSITION" and line.has("B"):
-            deck.ledger.refuse("PART_REPOSITION", part.place, "a part that is moved", "it stays")
+        line = reader.row(PART_LINES[option])
+        line.finish(deck.ledger, "the part stays where it is")
 
 
 def read_section(deck: KeywordDeck, card: Card) -> None:

@@ -62,6 +62,7 @@ PROOFS = [
     Proof("ELEMENT_SHELL_THICKNESS: T1 T2 T3 T4 BETA", thick("_THICKNESS", "1.0,2.0,3.0,6.0,30.0\n"), mass(3.0 * SHELL_MASS), "the mean of the corners is 3 mm"),
     Proof("ELEMENT_SHELL_BETA: T1 T2 T3 T4 BETA", thick("_BETA", "2.0,2.0,2.0,2.0,45.0\n"), mass(2.0 * SHELL_MASS), "2 mm; the angle is of laws with axes"),
     Proof("ELEMENT_SHELL_MCID: T1 T2 T3 T4 BETA", thick("_MCID", "2.0,2.0,2.0,2.0,7\n"), mass(2.0 * SHELL_MASS), "2 mm; the system is of laws with axes"),
+    Proof("PART_REPOSITION: CMSN MDEP MOVOPT", deck(cube().replace("*PART\npart_1\n1,1,1\n", "*PART_REPOSITION\npart_1\n1,1,1\n3,4,5\n")), refused="PART_REPOSITION.MDEP"),
     Proof("PART_PRINT", deck(cube().replace("*PART\npart_1\n1,1,1\n", "*PART_PRINT\npart_1\n1,1,1\n2\n"), velocity(2.0)), mass(CUBE_MASS), "its line is output"),
     Proof("PART_ATTACHMENT_NODES", deck(cube().replace("*PART\npart_1\n1,1,1\n", "*PART_ATTACHMENT_NODES\npart_1\n1,1,1\n5\n"), velocity(2.0)), mass(CUBE_MASS),
           "nodes of modes, which an explicit run does not need"),

@@ -13,5 +13,6 @@ PROOFS = [
     Proof("MAT_ELASTIC", deck(shell().replace("MAT_ELASTIC", "MAT_ELASTICS"), *LEANING), refused="did you mean *MAT_ELASTIC?", messages=1),
     Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
           refused="ELEMENT_SHELL_DOF", messages=1),
+    Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
     Proof("STEP", abaqus(abaqus_cube()) + "*STEP\n*DLOAD\n, GRAV, 9810., 0., 0., -1.\n*END STEP\n", refused="a step without a procedure"),
 ]  # fmt: skip
