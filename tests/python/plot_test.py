@@ -122,7 +122,7 @@ class Plot(unittest.TestCase):
         self.assertRegex(done.stdout, rf"kinetic +{history['kinetic'][0]:.5g} +{history['kinetic'][-1]:.5g} ")
         self.assertRegex(done.stdout, r"kinetic:block +\S")
         size = np.linalg.norm([history[f"wall_force_{axis}"] for axis in "xyz"], axis=0)
-        self.assertRegex(done.stdout, rf"wall_force +all walls +{size.max():.5g} +{history['time'][size.argmax()]:.5g} +~")
+        self.assertRegex(done.stdout, "wall_force +all walls +" + re.escape(f"{size.max():.5g}") + " +" + re.escape(f"{history['time'][size.argmax()]:.5g}") + " +~")
 
     def test_lists_columns_with_units(self):
         done = self.plot(self.out, "--list")
