@@ -1,5 +1,7 @@
 """history.csv as arrays, one a column, with their units and meanings."""
 
+import re
+
 import numpy as np
 
 from .accelerations import describe, find_acceleration, list_accelerations
@@ -130,9 +132,19 @@ class History:
         return History(names, np.column_stack(table), self.units, self._sidecar)
 
 
+def _list_partners(names):
+    """Columns that stand beside others in every history: the other components of a vector, the other force of a weld."""
+    for name in names:
+        if part := re.fullmatch(r"((?:wall_force|momentum|angular|equal|body)_|joint_[fm]|local_a|local_dv|body_[vw]|[fm])x(:.*)?|([^:]*_v?)x", name):
+            head, tail = part[1] or part[3], part[2] or ""
+            yield from (f"{head}{axis}{tail}" for axis in "yz")
+        if name.startswith("weld_normal:"):
+            yield name.replace("normal", "shear", 1)
+
+
 def read_history(path, units=None, folder=None):
     """A history.csv, complete or of a run that goes on."""
     names, rows = read_rows(path)
-    if missing := [name for name in ALWAYS if name not in names]:
+    if missing := [name for name in [*ALWAYS, *_list_partners(names)] if name not in names]:
         raise NotResults(f"{path}: there is no column {', '.join(missing)} (every run writes it; the file is damaged, or of another program)")
     return History(names, np.array(rows, dtype=float).reshape(len(rows), len(names)), units, read_sidecar(folder) if folder else None)

@@ -8,8 +8,11 @@ SILENT_AFTER = 60  # seconds without a touch (one is due every ten) after which 
 
 def read_lock(folder):
     """The entries of run.lock; empty if there is none."""
+    path = os.path.join(folder, "run.lock")
+    if not os.path.isfile(path):  # a pipe would be waited for
+        return {}
     try:
-        with open(os.path.join(folder, "run.lock"), encoding="utf-8", errors="replace") as file:
+        with open(path, encoding="utf-8", errors="replace") as file:
             pairs = (line.rstrip("\n").partition(": ") for line in file)
             return {key: value for key, _, value in pairs}
     except OSError:

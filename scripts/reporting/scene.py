@@ -49,7 +49,7 @@ def make_parts_table(run):
         counts = ", ".join(f"{int((kinds[mine] == kind).sum()):,} {KINDS[kind]}" for kind in np.unique(kinds[mine]))
         size = " x ".join(f"{x:.4g}" for x in np.ptp(points, axis=0))
         mass = ""
-        if run.has_history and f"mass:{name}" in run.history:
+        if run.has_history and len(run.history) and f"mass:{name}" in run.history:
             mass = with_unit(float(run.history[f"mass:{name}"][0]), unit_of(run, "mass"))
         swatch = f"<i class=swatch style='background:{PART_COLORS[number % len(PART_COLORS)]}'></i>"
         rows.append((Markup(swatch + escape(name)), counts, f"{len(points):,}", with_unit(size, length), mass,

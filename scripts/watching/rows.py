@@ -24,6 +24,8 @@ class Rows:
 
     def read(self):
         """Whether there are new rows. A file that was replaced or cut, as by a restart, is read from its start."""
+        if not os.path.isfile(self.path):  # a pipe would be waited for
+            return False
         try:
             with open(self.path, encoding="utf-8", errors="replace", newline="") as file:
                 now = os.fstat(file.fileno())
