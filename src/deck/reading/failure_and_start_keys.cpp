@@ -8,7 +8,7 @@ namespace {
 
 const Keys<JohnsonCookDamageDeck>& damage_keys() {
   static const Keys<JohnsonCookDamageDeck> keys = {
-      need("d1", &JohnsonCookDamageDeck::d1, NumberValue{not_negative}),
+      need("d1", &JohnsonCookDamageDeck::d1, NumberValue{}),
       may("d2", &JohnsonCookDamageDeck::d2, NumberValue{not_negative}),
       may("d3", &JohnsonCookDamageDeck::d3, NumberValue{}),
       may("d4", &JohnsonCookDamageDeck::d4, NumberValue{}),
@@ -20,9 +20,10 @@ const Keys<JohnsonCookDamageDeck>& damage_keys() {
 
 bool check_damage(const Reader& reader, const Node& node, JohnsonCookDamageDeck& damage) {
   if (damage.d1 > 0 || damage.d2 > 0) return true;
-  reader.error(node.find("d1")->spot,
-               fmt::format("{} and d2 are both 0 (the material would fail at zero strain): make one of them positive",
-                           reader.name_of("d1")));
+  reader.error(
+      node.find("d1")->spot,
+      fmt::format("neither {} nor d2 is positive (the material would fail at zero strain): make one of them positive",
+                  reader.name_of("d1")));
   return false;
 }
 

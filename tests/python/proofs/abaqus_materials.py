@@ -119,6 +119,7 @@ PROOFS = [
     Proof("DAMPING: BETA", stretched("*DAMPING, BETA=1e-7\n" + ELASTIC, 1e-3), [("viscous", LAST, 1000 * 3 * SHEAR * 1e-7 * strain(1e-3) ** 2 / END, 2e-2)], "beta 3 G rate^2 over time"),
     fails("DAMAGE INITIATION: CRITERION; DAMAGE EVOLUTION: TYPE SOFTENING", DUCTILE + EVOLUTION, 0.06, "0.05 and 0.1 mm over 10 mm"),
     fails("DAMAGE EVOLUTION: TYPE", DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.06, "0.05, and 2 G / stress over 10 mm"),
+    fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n-0.1, 0.15, 0., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 below 0: d1 + d2, and 0.1 mm over 10 mm"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n0.05, 0., 1., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 + 0.1 mm over 10 mm"),
     Proof("DAMAGE INITIATION", stretched(DUCTILE, 0.1), [("internal", LAST, plastic_work(300.0, 0.0, 0.1), 2e-2)], "without evolution nothing fails"),
     Proof("DAMAGE INITIATION: CRITERION", stretched(ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=FLD\n0.1, 0.\n" + EVOLUTION), refused="criterion FLD"),

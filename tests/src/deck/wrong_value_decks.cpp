@@ -130,7 +130,7 @@ std::vector<WrongDeck> wrong_ranges() {
       {"UnknownCriterion", change("0.3}", "0.3, failure: {plastic_strian: 1}}"), "5:96",
        "did you mean 'plastic_strain'?"},
       {"DamageOfNothing", change("0.3}", "0.3, failure: {johnson_cook: {d1: 0, d3: 1}}}"), "5:115",
-       "failure.johnson_cook.d1 and d2 are both 0"},
+       "neither failure.johnson_cook.d1 nor d2 is positive"},
       {"LoadWithoutForce", append("loads: {nodal: [{nodes: all}]}"), "6:17",
        "does nothing (must have a force, a moment or both)"},
       {"LoadAlongNothing", append("loads: {nodal: [{nodes: all, force: {w: 1}}]}"), "6:38", "unknown key 'w'"},
