@@ -125,14 +125,13 @@ def read_inclusions(deck: AbaqusDeck, block: Block) -> None:
         deck.ledger.translated("CONTACT INCLUSIONS", block.place, "contact.surfaces: all")
         return
     for line in block.lines:
-        if not block.text(line, 0) and not block.text(line, 1):
-            deck.is_whole = True
-        elif not block.text(line, 0) or block.text(line, 1).upper() == block.text(line, 0).upper():
-            add_pair(deck, block, (line[0], [block.text(line, 1)]), None)
-        elif block.text(line, 1):
-            add_pair(deck, block, line, None)
-        else:
+        first, second = block.text(line, 0), block.text(line, 1)
+        if first:  # alone it touches itself
+            add_pair(deck, block, (line[0], [first, "" if second.upper() == first.upper() else second]), None)
+        elif second:
             deck.ledger.refuse("CONTACT INCLUSIONS.exterior", block.at(line[0]), "contact of one surface with everything", "everything touches everything")
+            deck.is_whole = True
+        else:
             deck.is_whole = True
 
 
@@ -170,8 +169,8 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
 
 def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
     """That of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
-    if not names[1]:
-        names = ("", names[0])
+    if not names[1]:  # of the first one with itself
+        names = (names[0], names[0])
     if any(is_profile(deck, name) for name in names if name):
         deck.ledger.refuse(block.keyword, place, "a friction of one pair with an analytical surface", "that of all is used")
         return

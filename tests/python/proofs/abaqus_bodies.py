@@ -108,6 +108,7 @@ PROOFS = [
     Proof("CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL + "sb, sa, j\n"), slides(0.1), "that of the two surfaces"),
     Proof("CONTACT INCLUSIONS", sliding("*CONTACT, OP=NEW\n*CONTACT INCLUSIONS\nsb, sa\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"), slides(0.3), "one pair, with the friction of all"),
     Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nwa, wb\n", "*SURFACE, NAME=wa\na,\n*SURFACE, NAME=wb\nb,\n"), MISSED, "both bodies pass through each other"),
+    Proof("CONTACT INCLUSIONS", sliding("*CONTACT\n*CONTACT INCLUSIONS\nsb,\n"), MISSED, "a surface alone touches itself"),
     Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nsa, sb\n"), refused="not whole parts"),
     Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 0.5\n"), refused="in contact"),
     Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 1.\n"), slides(0.3), "the thickness as it is"),
