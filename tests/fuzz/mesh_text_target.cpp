@@ -10,6 +10,7 @@
 #include "src/error.hpp"
 #include "src/mesh/reading/results_reader.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/src/mesh/files/legacy_samples.hpp"
 #include "tests/src/mesh/files/nastran_samples.hpp"
 #include "tests/src/mesh/files/sample_files.hpp"
 #include "tests/src/mesh/files/vtu_samples.hpp"
@@ -62,7 +63,7 @@ void try_bytes(const std::string& bytes) {
   } catch (const InputError&) {
   }
   try {
-    if (bytes.find("<VTKFile") < 4096)
+    if (bytes.find("<VTKFile") < 4096 || bytes.starts_with("# vtk"))
       read_file_results(file.write(bytes), {{"stress_xx", "temp"}, {"velocity_z"}, {}});
   } catch (const InputError&) {
   }
@@ -87,7 +88,11 @@ std::vector<std::string> make_seeds() {
           make_vtu({VtuForm::base64, true, false}),
           make_vtu({VtuForm::appended_base64, false, true}),
           make_vtu({VtuForm::appended_raw, true, true}),
-          add_results(make_vtu({}))};
+          add_results(make_vtu({})),
+          make_legacy_vtk({}),
+          make_legacy_vtk({true, false}),
+          make_legacy_vtk({false, true}),
+          make_legacy_vtk({true, true})};
 }
 
 std::vector<std::string> make_words() {
@@ -135,6 +140,11 @@ std::vector<std::string> make_words() {
           "offset=\"9\" ",
           "<AppendedData encoding=\"raw\">_",
           "<!--",
+          "\nCELL_DATA ",
+          "\nOFFSETS ",
+          "\nMETADATA\n",
+          "\nFIELD f 1\n",
+          "vtktypeint64",
           "&quot;"};
 }
 

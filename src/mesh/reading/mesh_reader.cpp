@@ -16,6 +16,7 @@
 #include "src/mesh/formats/gmsh_file.hpp"
 #include "src/mesh/formats/keyword_file.hpp"
 #include "src/mesh/formats/nastran/nastran_file.hpp"
+#include "src/mesh/formats/vtu/legacy_vtk.hpp"
 #include "src/mesh/formats/vtu/vtu_file.hpp"
 #include "src/regular_file.hpp"
 
@@ -66,6 +67,7 @@ std::span<const MeshReader> mesh_readers() {
       {"Abaqus", {".inp"}, false, is_abaqus_file, open_abaqus_file},
       {"Nastran", {".bdf", ".nas", ".dat", ".fem"}, false, is_nastran_file, open_nastran_file},
       {"VTK", {".vtu"}, false, is_vtu_file, open_vtu_file},
+      {"legacy VTK", {".vtk"}, false, is_legacy_vtk_file, open_legacy_vtk_file},
   };
   return readers;
 }
