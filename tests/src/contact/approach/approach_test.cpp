@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "src/step/audit/audit.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/step/scene.hpp"
 
@@ -80,19 +81,29 @@ TEST(Approach, BodiesThatCannotMeetDoNotBoundTheStep) {
 }
 
 TEST(Approach, BodiesMeetInStepsOfHalfAFaceAndTheBalanceHolds) {
+  constexpr double speed = 4e5, gap = 2, half_face = 0.25;
   Scene scene(pieces, Communicator(MPI_COMM_SELF));
   scene.stepper.start(scene.state);
+  Audit audit(scene.model);
+  audit(scene.state);
   // From 5 to 7 nothing is in the way of the first piece. (The step is shorter, so that the end is hit.)
-  EXPECT_NEAR(scene.contact.approach().step, 2.25 / 4e5, 1e-12 * 2.25 / 4e5);
+  EXPECT_NEAR(scene.contact.approach().step, (gap + half_face) / speed, 1e-12 * (gap + half_face) / speed);
   EXPECT_LE(scene.state.next_dt, scene.contact.approach().step);
   int limited = 0;
+  double met = 0;  // where the first piece would be without contact as it first meets the block, from 5 on
   while (scene.state.time < 2e-5 * (1 - 1e-12)) {
     const bool was_limited = scene.stepper.find_limiting_approach(scene.state) != nullptr;
     scene.stepper.advance(scene.state);
     limited += was_limited ? 1 : 0;
     EXPECT_LT(scene.state.bound.failed_element, 0);
+    const AuditResult balance = audit(scene.state);
+    EXPECT_LT(std::abs(balance.energy.error), 1e-2) << "step " << scene.state.step;
+    EXPECT_LT(balance.momentum.linear_error, 1e-13) << "step " << scene.state.step;
+    if (met == 0 && scene.stepper.contact_report().interactions > 0) met = speed * scene.state.time;
   }
   EXPECT_GE(limited, 2);  // then the viscosity of the shock bounds the step of elements
+  EXPECT_GE(met, gap);
+  EXPECT_LE(met, (gap + half_face) * (1 + 1e-12));
 }
 
 TEST(Approach, ARunAtSeventyWaveSpeedsEndsWithItsEnergy) {

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
-#include <vector>
 
+#include "comm/all_reduce.hpp"
 #include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
 #include "tests/src/step/two_scenes.hpp"
 
 namespace percuss::test {
@@ -49,33 +49,46 @@ TEST(OnePointOnRanks, BesideHexahedraHaveTheBitsOfOneRank) {
   EXPECT_GT(scenes.alone.stepper.contact_report().interactions, 0);
 }
 
-TEST(OnePointOnRanks, HaveTheMassOfTheirVolumeAndShareItAsTheirCornersDo) {
-  const std::string text = R"yaml(
-time: {end: 1}
-parts: {box: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, elements: KIND, material: steel}}
-)yaml" + steel_text;
-  const auto masses = [&](const std::string& kind) {
-    std::string of = text;
-    of.replace(of.find("KIND"), 4, kind);
-    const Scene scene(of, Communicator(MPI_COMM_SELF));
+/// A brick of wedges or pyramids, of density 7800.
+std::string make_brick(const std::string& kind, const std::string& cells) {
+  return "time: {end: 1}\nparts: {box: {box: {size: [1, 2, 3], cells: " + cells + "}, elements: " + kind +
+         ", material: m}}\nmaterials: {m: {model: elastic, density: 7800, youngs_modulus: 2e11, poissons_ratio: "
+         "0.3}}\n";
+}
+
+/// Masses of the nodes that the scene's ranks own, of all of them together.
+double sum_masses(const Scene& scene) {
+  const auto mass = to_host(scene.model.mass);
+  double sum = 0;
+  for (std::size_t n = 0; n < mass.extent(0); ++n)
+    if (owns_node(scene.chunked, static_cast<int>(n))) sum += mass(n);
+  all_reduce(scene.model.ranks, Reduce::sum, sum);
+  return sum;
+}
+
+TEST(OnePointOnRanks, HaveTheMassOfTheirVolume) {
+  constexpr double expected = 7800 * 6;
+  for (const char* kind : {"wedges", "pyramids"}) {
+    const Scene scene(make_brick(kind, "[7, 6, 5]"));
+    EXPECT_NEAR(sum_masses(scene), expected, 1e-12 * expected) << kind;
+    EXPECT_NEAR(scene.model.total_mass, expected, 1e-12 * expected) << kind;
+  }
+}
+
+TEST(OnePointOnRanks, ShareTheirMassAsTheirCornersDo) {
+  constexpr double whole = 7800 * 6;
+  const auto count = [&](const std::string& kind, double share) {
+    const Scene scene(make_brick(kind, "[1, 1, 1]"), Communicator(MPI_COMM_SELF));
     const auto mass = to_host(scene.model.mass);
-    return std::vector<double>(mass.data(), mass.data() + mass.extent(0));
+    return std::count_if(mass.data(), mass.data() + mass.extent(0),
+                         [&](double m) { return std::abs(m / whole - share) < 1e-12; });
   };
-  const std::vector<double> of_pyramids = masses("pyramids"), of_wedges = masses("wedges");
-  const double whole = std::accumulate(of_pyramids.begin(), of_pyramids.end(), 0.0);
-  ASSERT_EQ(of_pyramids.size(), 9U);
   // the middle has a quarter of all; each corner 3/16 of three of the six pyramids
-  EXPECT_EQ(std::count_if(of_pyramids.begin(), of_pyramids.end(),
-                          [&](double m) { return std::abs(m / whole - 0.25) < 1e-12; }),
-            1);
-  EXPECT_EQ(std::count_if(of_pyramids.begin(), of_pyramids.end(),
-                          [&](double m) { return std::abs(m / whole - 0.09375) < 1e-12; }),
-            8);
+  EXPECT_EQ(count("pyramids", 0.25), 1);
+  EXPECT_EQ(count("pyramids", 0.09375), 8);
   // two wedges: corners on the cut have a sixth, the others a twelfth
-  ASSERT_EQ(of_wedges.size(), 8U);
-  EXPECT_EQ(std::count_if(of_wedges.begin(), of_wedges.end(),
-                          [&](double m) { return std::abs(m / whole - 1.0 / 6) < 1e-12; }),
-            4);
+  EXPECT_EQ(count("wedges", 1.0 / 6), 4);
+  EXPECT_EQ(count("wedges", 1.0 / 12), 4);
 }
 
 TEST(OnePointOnRanks, GetMassWhereTheDeckScalesIt) {
