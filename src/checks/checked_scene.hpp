@@ -22,6 +22,7 @@ struct CheckedScene {
   const StartOverlap* overlap = nullptr;    // of a scene with contact or walls, at time 0
   double stable_step = 0;                   // smallest bound of an element, without step_scale [time]
   const std::vector<TieHinge>* hinges = nullptr;
+  const std::vector<double>* part_steps = nullptr;  // find_part_steps()
 };
 
 /// Parts beyond which rules that compare each with each other are left out: they would take seconds.

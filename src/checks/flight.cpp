@@ -65,13 +65,21 @@ Flight::Flight(const CheckedScene& scene, std::size_t part) {
     is_held_ = true;
     gravity_[k] = velocity_low_[k] = velocity_high_[k] = 0;
   }
-  const Vec3 range = subtract(velocity_high_, velocity_low_);
-  is_uniform_ = dot(range, range) <= 1e-12 * measures.speed * measures.speed;
+  speed_ = measures.speed;
 }
 
-void Flight::add(const ConditionDeck& condition, double end) {
+bool Flight::is_uniform() const {
+  const Vec3 range = subtract(velocity_high_, velocity_low_);
+  return dot(range, range) <= 1e-12 * speed_ * speed_;
+}
+
+void Flight::add(const ConditionDeck& condition, double end, bool of_all_nodes) {
   is_held_ = true;
-  gravity_ = {};
+  is_held_in_part_ = is_held_in_part_ || !of_all_nodes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!of_all_nodes || condition.active[k]) gravity_[k] = 0;
+    if (of_all_nodes && condition.active[k]) velocity_low_[k] = velocity_high_[k] = 0;
+  }
   if (condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry) return;
   const bool is_velocity = condition.kind == ConditionDeck::Kind::velocity;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -84,7 +92,7 @@ bool Flight::moves() const {
 }
 
 bool Flight::moves_with(const Flight& other) const {
-  return is_uniform_ && other.is_uniform_ && velocity_low_ == other.velocity_low_ && gravity_ == other.gravity_ &&
+  return is_uniform() && other.is_uniform() && velocity_low_ == other.velocity_low_ && gravity_ == other.gravity_ &&
          driven_.low == other.driven_.low && driven_.high == other.driven_.high;
 }
 
@@ -102,10 +110,19 @@ std::vector<Flight> find_flights(const CheckedScene& scene) {
   std::vector<Flight> flights;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) flights.emplace_back(scene, p);
   for (const ConditionDeck& condition : scene.deck.conditions) {
-    for (const std::size_t p : find_named_parts(scene.deck, condition.where))
-      flights[p].add(condition, scene.deck.time.end);
+    for (const std::size_t p : find_named_parts(scene.deck, condition.where)) {
+      const bool of_all_nodes =
+          condition.where.name == scene.deck.parts[p].name && !condition.where.inside && !condition.when.any();
+      flights[p].add(condition, scene.deck.time.end, of_all_nodes);
+    }
   }
   return flights;
+}
+
+double find_gap(const Flight::Box& a, const Flight::Box& b) {
+  Vec3 apart{};
+  for (std::size_t k = 0; k < 3; ++k) apart[k] = std::max({a.low[k] - b.high[k], b.low[k] - a.high[k], 0.0});
+  return std::sqrt(dot(apart, apart));
 }
 
 bool do_overlap(const Flight::Box& a, const Flight::Box& b) {
@@ -181,6 +198,43 @@ double find_meeting(const Flight& part, const WallDeck& wall, double end, double
     const double bend = std::abs(dot(part.gravity(), wall.normal)) * (to - from) * (to - from) / 8;
     return std::min(find_height(part.find_box(from), wall), find_height(part.find_box(to), wall)) <= gap + bend;
   });
+}
+
+double find_gap(const Flight& part, const WallDeck& wall, double time) {
+  const Flight::Box box = part.find_box(time);
+  return wall.is_round() ? find_height_over_round(box, wall) : find_height(box, wall);
+}
+
+double find_wall_way(const WallDeck& wall, double time) {
+  if (!wall.speed) return wall.start_speed * time;
+  double way = 0;
+  for (int i = 0; i < pieces; ++i) way += time / pieces * (*wall.speed)((i + 0.5) * time / pieces);
+  return way;
+}
+
+Vec3 find_wall_direction(const WallDeck& wall) { return wall.is_round() ? wall.direction : wall.normal; }
+
+// Between two times a wall and a part come nearer than at either by at most half of their ways.
+bool does_wall_reach(const WallDeck& wall, const Flight& part, double end) {
+  const Vec3 direction = find_wall_direction(wall);
+  const double margin = touching_share * find_size(part.find_box(0));
+  WallDeck moved = wall;
+  double way = 0, last = 0, last_gap = 0;
+  for (int i = 0; i <= pieces; ++i) {
+    const double time = end * i / pieces;
+    way += i == 0       ? 0
+           : wall.speed ? end / pieces * (*wall.speed)(end * (i - 0.5) / pieces)
+                        : wall.start_speed * end / pieces;
+    for (std::size_t k = 0; k < 3; ++k) moved.point[k] = wall.point[k] + way * direction[k];
+    const double gap = find_gap(part, moved, time);
+    double travel = std::abs(way - last);
+    const Flight::Box box = part.find_box(time), before = part.find_box(i == 0 ? 0 : end * (i - 1) / pieces);
+    for (std::size_t k = 0; k < 3; ++k) travel += std::abs(box.low[k] - before.low[k]);
+    if (std::min(gap, i == 0 ? gap : last_gap) - 0.5 * travel <= margin) return true;
+    last = way;
+    last_gap = gap;
+  }
+  return false;
 }
 
 bool do_separate(const Flight& a, const Flight& b, double end) {

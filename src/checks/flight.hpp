@@ -17,8 +17,8 @@ class Flight {
   /// A part without conditions.
   Flight(const CheckedScene& scene, std::size_t part);
 
-  /// A condition that names the part.
-  void add(const ConditionDeck& condition, double end);
+  /// A condition that names the part, or some of its nodes.
+  void add(const ConditionDeck& condition, double end, bool of_all_nodes);
 
   /// Where the part is, half its thickness included.
   Box find_box(double time) const;
@@ -26,7 +26,13 @@ class Flight {
   const Vec3& gravity() const { return gravity_; }
 
   /// Whether no condition holds the part and all its nodes have one velocity.
-  bool is_free() const { return !is_held_ && is_uniform_; }
+  bool is_free() const { return !is_held_ && is_uniform(); }
+
+  /// Whether the deck says where all its nodes go: they fly with one velocity, or conditions move them all alike.
+  bool is_known() const { return !is_held_in_part_ && is_uniform(); }
+
+  /// Velocity at the start of a part that is free.
+  const Vec3& velocity() const { return velocity_low_; }
 
   /// Whether it moves at all.
   bool moves() const;
@@ -37,12 +43,15 @@ class Flight {
  private:
   Box start_;
   Vec3 velocity_low_, velocity_high_, gravity_;
-  Box driven_{};  // range of the displacement that conditions prescribe
-  bool is_held_ = false, is_uniform_ = false;
+  Box driven_{};      // range of the displacement that conditions prescribe
+  double speed_ = 0;  // of its fastest node
+  bool is_held_ = false, is_held_in_part_ = false;
+
+  bool is_uniform() const;
 };
 
-/// Of a size: bodies that are closer may touch, since a box is larger than what is in it.
-inline constexpr double touching_share = 0.05;
+/// Of a size: bodies that are closer touch.
+inline constexpr double touching_share = 1e-6;
 
 /// The same where boxes that only touch may part.
 inline constexpr double overlapping_share = -1e-6;
@@ -53,6 +62,12 @@ std::vector<Flight> find_flights(const CheckedScene& scene);
 /// Whether two boxes overlap.
 bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 
+/// The distance between two boxes; 0: they overlap.
+double find_gap(const Flight::Box& a, const Flight::Box& b);
+
+/// That of a part from a wall at time 0 as if it had no ends, at least; of a round one by the ball around the box.
+double find_gap(const Flight& part, const WallDeck& wall, double time);
+
 /// The first time up to `end` at which the boxes of two parts can come closer than a share of their smaller size; below
 /// 0: never.
 double find_meeting(const Flight& a, const Flight& b, double end, double share);
@@ -60,6 +75,14 @@ double find_meeting(const Flight& a, const Flight& b, double end, double share);
 /// The same of a part and a wall at time 0 as if it had no ends; of a cylinder or a sphere and the ball around the box.
 /// share: of the part's size.
 double find_meeting(const Flight& part, const WallDeck& wall, double end, double share);
+
+/// Displacement at a time of a wall that moves, if nothing pushes it, along the direction that find_wall_direction()
+/// gives.
+double find_wall_way(const WallDeck& wall, double time);
+Vec3 find_wall_direction(const WallDeck& wall);
+
+/// Whether a wall that moves comes to a part before `end`.
+bool does_wall_reach(const WallDeck& wall, const Flight& part, double end);
 
 /// Whether the boxes of two parts are apart at the start and only move farther apart until `end`, along one axis.
 bool do_separate(const Flight& a, const Flight& b, double end);

@@ -29,6 +29,18 @@ std::vector<Warning> check_input(const CheckedScene& scene);
 /// What the rules on the state at the start find, of which check_input() knows nothing. All of the scene is known.
 std::vector<Warning> check_start(const CheckedScene& scene);
 
+/// How parts move when a run ends.
+struct EndMotion {
+  double time = 0;              // of the velocities
+  std::vector<Vec3> low, high;  // [parts] range of each component of the velocity over the nodes [length / time]
+};
+
+/// Bodies that have met nothing in a run that has come to time.end: what the scene was at its start is in `scene`.
+std::vector<Warning> check_flown_bodies(const CheckedScene& scene, const EndMotion& end);
+
+/// Forces of the history that were 0 in every row of such a run. has_acted: [Deck::output.forces].
+std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<char>& has_acted);
+
 // Units (unit_rules.cpp)
 std::vector<Warning> check_unit_system(const CheckedScene& scene);
 std::vector<Warning> check_density(const CheckedScene& scene);
@@ -43,6 +55,8 @@ std::vector<Warning> check_hardening(const CheckedScene& scene);
 std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
+std::vector<Warning> check_cowper_symonds(const CheckedScene& scene);
+std::vector<Warning> check_damage_sign(const CheckedScene& scene);
 std::vector<Warning> check_poissons_ratio(const CheckedScene& scene);
 std::vector<Warning> check_hardening_strain(const CheckedScene& scene);
 std::vector<Warning> check_specific_heat(const CheckedScene& scene);
@@ -52,15 +66,22 @@ std::vector<Warning> check_start_temperature(const CheckedScene& scene);
 std::vector<Warning> check_part_size(const CheckedScene& scene);
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);
+std::vector<Warning> check_shear_locking(const CheckedScene& scene);
 std::vector<Warning> check_duplicate_parts(const CheckedScene& scene);
 std::vector<Warning> check_enclosed_parts(const CheckedScene& scene);
 std::vector<Warning> check_angles(const CheckedScene& scene);
 
 // Masses, rigid bodies and cross sections (body_rules.cpp)
 std::vector<Warning> check_added_mass(const CheckedScene& scene);
+std::vector<Warning> check_rigid_mass(const CheckedScene& scene);
 std::vector<Warning> check_rigid_inertia(const CheckedScene& scene);
 std::vector<Warning> check_beam_section(const CheckedScene& scene);
 std::vector<Warning> check_shell_reference(const CheckedScene& scene);
+
+// Parts that are held or joined as a whole, elements of a material that fails (mesh_rules.cpp)
+std::vector<Warning> check_held_parts(const CheckedScene& scene);
+std::vector<Warning> check_join_glue(const CheckedScene& scene);
+std::vector<Warning> check_failure_size(const CheckedScene& scene);
 
 // Velocities, conditions and loads (condition_rules.cpp)
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene);
@@ -88,6 +109,7 @@ std::vector<Warning> check_spring_length(const CheckedScene& scene);
 std::vector<Warning> check_still_scene(const CheckedScene& scene);
 std::vector<Warning> check_idle_parts(const CheckedScene& scene);
 std::vector<Warning> check_unreached_bodies(const CheckedScene& scene);
+std::vector<Warning> check_wall_motion(const CheckedScene& scene);
 std::vector<Warning> check_missing_contact(const CheckedScene& scene);
 std::vector<Warning> check_beam_contact(const CheckedScene& scene);
 
@@ -100,6 +122,10 @@ std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
 std::vector<Warning> check_tie_hinges(const CheckedScene& scene);
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
+
+// The steps of parts (step_rules.cpp)
+std::vector<Warning> check_slow_parts(const CheckedScene& scene);
+std::vector<Warning> check_idle_mass_scaling(const CheckedScene& scene);
 
 // Time and output (output_rules.cpp)
 std::vector<Warning> check_end_time(const CheckedScene& scene);

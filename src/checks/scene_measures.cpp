@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
@@ -21,7 +23,7 @@ PartMeasures make_empty() {
   PartMeasures empty;
   empty.low = empty.velocity_low = {infinity, infinity, infinity};
   empty.high = empty.velocity_high = {-infinity, -infinity, -infinity};
-  empty.shortest_edge = infinity;
+  empty.shortest_edge = empty.smallest_element = infinity;
   return empty;
 }
 
@@ -79,12 +81,23 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
   }
 }
 
-/// Exact sums, which have no order.
+/// Edge of a cube of this volume, of a square of a shell's area, or the length of a beam.
+double find_element_size(const Mesh& mesh, std::size_t element, double volume) {
+  const Topology& topology = mesh.topology_of(element);
+  if (topology.is_surface()) return std::sqrt(volume / mesh.thickness_of(element));
+  return topology.is_line() ? volume / mesh.block_of(element).section.area : std::cbrt(volume);
+}
+
+/// Masses by exact sums, which have no order, and sizes of elements.
 void measure_masses(const Deck& deck, const Mesh& mesh, std::vector<PartMeasures>& parts) {
   std::vector<ExactSum> masses(parts.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const ElementBlock& block = mesh.block_of(e);
-    masses[at(block.part)].add(deck.materials[at(block.material)].density * find_element_volume(mesh, e));
+    const double volume = find_element_volume(mesh, e), size = find_element_size(mesh, e, volume);
+    PartMeasures& part = parts[at(block.part)];
+    part.smallest_element = std::min(part.smallest_element, size);
+    part.largest_element = std::max(part.largest_element, size);
+    masses[at(block.part)].add(deck.materials[at(block.material)].density * volume);
   }
   if (mesh.ranks && mesh.ranks->size() > 1) sum_over_ranks(*mesh.ranks, masses);
   for (std::size_t p = 0; p < parts.size(); ++p) parts[p].mass = masses[p].round();
@@ -140,6 +153,44 @@ std::vector<int> find_assemblies(const Mesh& mesh) {
     }
   }
   return assemblies;
+}
+
+/// Joints of each shared node of this rank.
+std::unordered_map<int, std::vector<std::size_t>> find_joints_of_nodes(const Mesh& mesh) {
+  std::unordered_map<int, std::vector<std::size_t>> joints;
+  std::vector<int> shared;
+  for (std::size_t j = 0; j < mesh.joints.size(); ++j) {
+    const std::vector<int>&a = mesh.node_sets.at(mesh.parts[at(mesh.joints[j].part)].name),
+          &b = mesh.node_sets.at(mesh.parts[at(mesh.joints[j].other)].name);
+    shared.clear();
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+    for (const int node : shared) joints[node].push_back(j);
+  }
+  return joints;
+}
+
+/// Faces that joined parts share, those of this rank's elements; nothing where the deck joins none.
+std::vector<JointMeasures> measure_joints(const Deck& deck, const Mesh& mesh) {
+  std::vector<JointMeasures> measures;
+  if (deck.joins.empty()) return measures;
+  for (const PartJoint& joint : mesh.joints) measures.push_back({joint.part, joint.other, joint.nodes, 0});
+  const auto joints = find_joints_of_nodes(mesh);
+  for (std::size_t e = 0; e < mesh.elements.size() && !joints.empty(); ++e) {
+    const int faces = mesh.topology_of(e).face_count;
+    for (int f = 0; f < faces; ++f) {
+      const std::array<int, 4> nodes = mesh.elements.face_nodes({static_cast<int>(e), f});
+      const auto first = joints.find(nodes[0]);
+      if (first == joints.end()) continue;
+      for (const std::size_t j : first->second) {
+        const auto has = [&](int node) {
+          const auto of_node = joints.find(node);
+          return of_node != joints.end() && std::binary_search(of_node->second.begin(), of_node->second.end(), j);
+        };
+        measures[j].faces += measures[j].part == mesh.part_of(e) && std::all_of(nodes.begin() + 1, nodes.end(), has);
+      }
+    }
+  }
+  return measures;
 }
 
 /// Which nodes of this rank's share it counts in sums over all nodes.
@@ -223,6 +274,8 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
       value(part.longest_edge, 1);
+      value(part.smallest_element, -1);
+      value(part.largest_element, 1);
       value(part.layer_thickness, 1);
       value(part.speed, 1);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -235,6 +288,7 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
     for (InitialMeasures& entry : scene.initial) {
       for (std::int64_t* c : {&entry.selected, &entry.governed, &entry.moving, &entry.stopped}) count(*c);
     }
+    for (JointMeasures& joint : scene.joints) count(joint.faces);
   };
   list([&](std::int64_t c) { counts.push_back(c); }, [&](double x, double sign) { largest.push_back(sign * x); });
   all_reduce(ranks, Reduce::sum, counts);
@@ -263,8 +317,12 @@ std::vector<bool> SceneMeasures::mark_beams() const {
 SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity) {
   const Mesh& mesh = chunked.mesh;
   const auto velocities = to_host(start_velocity);
-  SceneMeasures scene{
-      std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high, find_assemblies(mesh)};
+  SceneMeasures scene{std::vector<PartMeasures>(mesh.parts.size(), make_empty()),
+                      {},
+                      mesh.low,
+                      mesh.high,
+                      find_assemblies(mesh),
+                      measure_joints(deck, mesh)};
   measure_elements(mesh, scene.parts);
   for (const ElementBlock& block : mesh.elements.blocks) {  // the same on all ranks
     double& thickest = scene.parts[at(block.part)].shell_thickness;
@@ -278,6 +336,38 @@ SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const 
   scene.initial = InitialCounts(deck, mesh, velocities, owned)();
   if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, scene);
   return scene;
+}
+
+void find_velocity_ranges(const Mesh& mesh, const Rows3<double>& velocity, std::vector<Vec3>& low,
+                          std::vector<Vec3>& high) {
+  const auto velocities = to_host(velocity);
+  std::vector<double> bounds;  // -low, high of each part
+  for (const MeshPart& part : mesh.parts) {
+    Vec3 least{infinity, infinity, infinity}, most{-infinity, -infinity, -infinity};
+    for (const int node : mesh.node_sets.at(part.name)) widen(find_velocity(velocities, node), least, most);
+    for (std::size_t k = 0; k < 3; ++k) bounds.insert(bounds.end(), {-least[k], most[k]});
+  }
+  if (mesh.ranks && mesh.ranks->size() > 1) all_reduce(*mesh.ranks, Reduce::largest, bounds);
+  low.resize(mesh.parts.size());
+  high.resize(mesh.parts.size());
+  for (std::size_t p = 0; p < low.size(); ++p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[p][k] = -bounds[6 * p + 2 * k];
+      high[p][k] = bounds[6 * p + 2 * k + 1];
+    }
+  }
+}
+
+std::vector<double> find_part_steps(const ChunkedMesh& chunked, const ChunkResults& results) {
+  const Mesh& mesh = chunked.mesh;
+  std::vector<double> steps(mesh.parts.size(), infinity);
+  const auto bounds = to_host(results.stable_step);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    double& step = steps[at(chunked.chunks[c].part)];
+    step = std::min(step, bounds(c));
+  }
+  if (mesh.ranks && mesh.ranks->size() > 1) all_reduce(*mesh.ranks, Reduce::least, steps);
+  return steps;
 }
 
 }  // namespace percuss

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/core/views.hpp"
+#include "kernels/element/hex_chunks.hpp"
 #include "src/checks/selection_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
@@ -22,7 +23,9 @@ struct PartMeasures {
   double shortest_edge = 0;              // of its elements [length]
   double longest_edge = 0;               // of its elements [length]
   double mass = 0;                       // of its elements, by their density [mass]
-  std::int64_t nodes = 0;                // nodes
+  // Of its smallest and largest element: edge of a cube or a square as large, or the length of a beam [length].
+  double smallest_element = 0, largest_element = 0;
+  std::int64_t nodes = 0;  // nodes
   // Sums over its nodes of x, y and z, then of their squares, as shares of the box of the scene in units of 2^-30:
   // whole numbers, whose sum has no order.
   std::array<std::int64_t, 6> moments{};
@@ -48,11 +51,20 @@ struct InitialMeasures {
   friend bool operator==(const InitialMeasures&, const InitialMeasures&) = default;
 };
 
+/// Two parts that are joined.
+struct JointMeasures {
+  int part = 0, other = 0;  // part < other
+  std::int64_t nodes = 0;   // that both have
+  std::int64_t faces = 0;   // faces of `part` all of whose nodes both have
+  friend bool operator==(const JointMeasures&, const JointMeasures&) = default;
+};
+
 struct SceneMeasures {
   std::vector<PartMeasures> parts;       // as Deck::parts
   std::vector<InitialMeasures> initial;  // as Deck::initial
   Vec3 low{}, high{};                    // box of all nodes [length]
   std::vector<int> assemblies;           // [parts] the lowest part that each is joined to, directly or not, or itself
+  std::vector<JointMeasures> joints;     // as Mesh::joints; empty where the deck joins no parts
   SelectionMeasures selections{};        // of loads and conditions
 
   /// Of parts that share nodes, directly or not.
@@ -67,5 +79,14 @@ struct SceneMeasures {
 /// Measures a mesh; each rank its share. start_velocity: [nodes of the share] at time 0 [length / time]. The same on
 /// all ranks. Collective over the mesh's ranks. Throws InputError as select_nodes(), MpiError.
 SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity);
+
+/// [parts] the range of each component of the velocity over the nodes of a part. velocity: [nodes of the share]. The
+/// same on all ranks. Collective over the mesh's ranks. Throws MpiError.
+void find_velocity_ranges(const Mesh& mesh, const Rows3<double>& velocity, std::vector<Vec3>& low,
+                          std::vector<Vec3>& high);
+
+/// [parts] the least step bound of each part's elements at time 0, without step_scale [time]; infinity: nothing bounds
+/// it. results: of the elements at time 0. The same on all ranks. Collective over the mesh's ranks. Throws MpiError.
+std::vector<double> find_part_steps(const ChunkedMesh& chunked, const ChunkResults& results);
 
 }  // namespace percuss

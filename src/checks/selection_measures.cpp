@@ -73,6 +73,53 @@ void measure_conditions(const Deck& deck, const Mesh& mesh, std::vector<Conditio
   }
 }
 
+/// Of each part, nodes that `fixed` conditions without switches hold in all three directions.
+std::vector<std::int64_t> count_held(const Deck& deck, const Mesh& mesh, const std::vector<bool>& owned) {
+  std::vector<std::int64_t> counts(mesh.parts.size(), 0);
+  std::vector<std::uint8_t> held;
+  for (const ConditionDeck& condition : deck.conditions) {
+    if (condition.kind != ConditionDeck::Kind::fixed || condition.when.any()) continue;
+    held.resize(mesh.nodes.size(), 0);
+    for (const int node : select_nodes(mesh, deck, condition.where)) {
+      for (int k = 0; k < 3; ++k)
+        if (condition.active[at(k)]) held[at(node)] |= static_cast<std::uint8_t>(1 << k);
+    }
+  }
+  if (held.empty()) return counts;
+  for (std::size_t p = 0; p < counts.size(); ++p) {
+    for (const int node : mesh.node_sets.at(mesh.parts[p].name)) counts[p] += owned[at(node)] && held[at(node)] == 7;
+  }
+  return counts;
+}
+
+/// Within 1e-9 of the size of the box both of its faces are met, as by selectors.
+void count_between(const Deck& deck, const Mesh& mesh, const std::vector<bool>& owned,
+                   std::vector<ConditionMeasures>& conditions) {
+  constexpr double round_off = 1e-9;
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    ConditionMeasures& of = conditions[c];
+    if (deck.conditions[c].kind != ConditionDeck::Kind::symmetry) continue;
+    for (const int node : select_nodes(mesh, deck, deck.conditions[c].where)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = mesh.nodes[at(node)][k], margin = round_off * (of.high[k] - of.low[k]);
+        of.between[k] += owned[at(node)] && x > of.low[k] + margin && x < of.high[k] - margin;
+      }
+    }
+  }
+}
+
+/// Counts that come after the boxes of all ranks are known.
+void reduce_counts(const Communicator& ranks, SelectionMeasures& selections) {
+  std::vector<std::int64_t> counts = selections.held;
+  for (const ConditionMeasures& condition : selections.conditions)
+    counts.insert(counts.end(), condition.between.begin(), condition.between.end());
+  all_reduce(ranks, Reduce::sum, counts);
+  auto count = counts.begin();
+  for (std::int64_t& held : selections.held) held = *count++;
+  for (ConditionMeasures& condition : selections.conditions)
+    for (std::int64_t& between : condition.between) between = *count++;
+}
+
 /// The counts of all ranks, and the box around those of all.
 void reduce(const Communicator& ranks, SelectionMeasures& selections) {
   std::vector<std::int64_t> counts;
@@ -99,10 +146,13 @@ void reduce(const Communicator& ranks, SelectionMeasures& selections) {
 SelectionMeasures measure_selections(const Deck& deck, const ChunkedMesh& chunked, const std::vector<bool>& owned) {
   const Mesh& mesh = chunked.mesh;
   SelectionMeasures selections{std::vector<LoadMeasures>(deck.nodal_loads.size()),
-                               std::vector<ConditionMeasures>(deck.conditions.size())};
+                               std::vector<ConditionMeasures>(deck.conditions.size()), count_held(deck, mesh, owned)};
+  const bool is_shared = mesh.ranks && mesh.ranks->size() > 1;
   measure_loads(deck, mesh, owned, selections.loads);
   measure_conditions(deck, mesh, selections.conditions);
-  if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, selections);
+  if (is_shared) reduce(*mesh.ranks, selections);
+  count_between(deck, mesh, owned, selections.conditions);
+  if (is_shared) reduce_counts(*mesh.ranks, selections);
   return selections;
 }
 

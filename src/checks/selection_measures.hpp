@@ -1,6 +1,7 @@
 #pragma once
 // What the rules need to know of the nodes that loads and conditions name, of all ranks together.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,15 +18,17 @@ struct LoadMeasures {
   friend bool operator==(const LoadMeasures&, const LoadMeasures&) = default;
 };
 
-/// The box of the nodes of an entry of `conditions` [length].
+/// The nodes of an entry of `conditions`.
 struct ConditionMeasures {
-  Vec3 low{}, high{};
+  Vec3 low{}, high{};                     // their box [length]
+  std::array<std::int64_t, 3> between{};  // of symmetry: nodes that lie on neither face of the box across x, y, z
   friend bool operator==(const ConditionMeasures&, const ConditionMeasures&) = default;
 };
 
 struct SelectionMeasures {
   std::vector<LoadMeasures> loads;            // as Deck::nodal_loads
   std::vector<ConditionMeasures> conditions;  // as Deck::conditions
+  std::vector<std::int64_t> held;             // [parts] nodes that conditions hold at their place all the run
   friend bool operator==(const SelectionMeasures&, const SelectionMeasures&) = default;
 };
 

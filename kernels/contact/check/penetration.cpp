@@ -76,7 +76,8 @@ struct BodyDepth {
 };
 
 /// Where sides of two bodies are flush, those that the node lies in say nothing of how deep it is: then by the faces
-/// that it looks against, if it projects on one.
+/// that it looks against, if it projects on one. A node of a solid that looks against none of the faces that it is
+/// behind lies on the body, where that ends at a surface which is not looked at: one that is tied.
 template <class Faces>
 KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const MovingSurface& moving, int node, const Faces& candidates, int c,
                                                  int last) {
@@ -89,6 +90,8 @@ KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const MovingSurface& moving, in
     all.add(depth, candidates(i));
     if (depth.opposed) opposed.add(depth, candidates(i));
   }
+  const bool is_of_shell = find_offset(surface.offsets, node, candidates(c)) > 0;
+  if (!is_of_shell && !opposed.least.known) all.face = -1;
   BodyDepth& found = all.least.flush && opposed.least.known ? opposed : all;
   all.limit();
   found.limit();

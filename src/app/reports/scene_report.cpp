@@ -96,11 +96,19 @@ std::string format_units(const Units& units) {
                                  units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
 }
 
-/// "friction 0.1, 1 pair with its own"
+/// "friction 0.1, 0.3 of 1 pair", or "friction 0.1 to 0.3 of 2 pairs" where all pairs have theirs.
 std::string format_friction(const ContactDeck& contact) {
-  const std::string text = fmt::format("friction {:g}", contact.friction);
-  if (contact.frictions.empty()) return text;
-  return text + ", " + format_count(contact.frictions.size(), "pair with its own", "pairs with their own");
+  std::vector<double> own;
+  for (const PairFrictionDeck& pair : contact.frictions) own.push_back(pair.friction);
+  for (const SurfacePairDeck& pair : contact.pairs)
+    if (pair.friction) own.push_back(*pair.friction);
+  const std::string all = fmt::format("friction {:g}", contact.friction);
+  if (own.empty()) return all;
+  const auto [least, most] = std::minmax_element(own.begin(), own.end());
+  const std::string range = *least < *most ? fmt::format("{:g} to {:g}", *least, *most) : fmt::format("{:g}", *least);
+  const std::string of = range + " of " + format_count(own.size(), "pair", "pairs");
+  const bool is_of_all = contact.frictions.empty() && own.size() == contact.pairs.size();
+  return is_of_all ? "friction " + of : all + ", " + of;
 }
 
 std::string format_contact(const SceneReport& scene) {

@@ -67,6 +67,23 @@ std::vector<Warning> check_added_mass(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_rigid_mass(const CheckedScene& scene) {
+  // A body may stand for one that is far larger than its mesh: a car, a drop tower. It is hardly ever lighter.
+  constexpr double most = 1000 * (1 - 1e-9), least = 0.01;
+  std::vector<Warning> warnings;
+  for (const PartDeck& part : scene.deck.parts) {
+    if (!part.rigid || !part.rigid->mass) continue;
+    const double mass = *part.rigid->mass, own = measure_body(scene, name_body(part)).mass;
+    if (mass < most * own && mass > least * own) continue;
+    warnings.push_back(warn_at(scene.deck, "rigid_mass", "parts." + part.name + ".rigid.mass",
+                               fmt::format("rigid.mass of part '{}' is {:g}, but its elements have a mass of {:.3g} by "
+                                           "their density ({:.2g} times as much; kilograms and tonnes differ by 1000): "
+                                           "check its unit, or leave it out",
+                                           part.name, mass, own, mass / own)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_rigid_inertia(const CheckedScene& scene) {
   constexpr double most_away = 10;           // sizes of the body: what it stands for may be larger than its mesh
   constexpr double least = 0.02, most = 10;  // radius of gyration over the size; a ball has 0.18

@@ -93,6 +93,16 @@ double find_distance(const WallDeck& wall, const Vec3& low, const Vec3& high) {
   return distance;
 }
 
+/// Of a symmetry that holds whole bodies along an axis.
+Warning warn_of_thick_plane(const Deck& deck, std::size_t condition, std::size_t axis, const ConditionMeasures& nodes) {
+  const char* const name = direction_names[axis];
+  return warn_at(deck, "symmetry_plane", join_path("conditions", condition) + ".symmetry",
+                 fmt::format("these nodes lie in no plane across {0}, but from {1:.4g} to {2:.4g} ({3} of them between "
+                             "both; symmetry: {0} holds them all along {0}): name the side that lies in the plane, "
+                             "such as part/{0}_min, or write fixed: [{0}]",
+                             name, nodes.low[axis], nodes.high[axis], nodes.between[axis]));
+}
+
 }  // namespace
 
 std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
@@ -125,7 +135,11 @@ std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
     const double size = find_diagonal(box.low, box.high);
     const auto is_flat = [&](std::size_t k) { return box.high[k] - box.low[k] <= flat * size; };
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!condition.active[k] || is_flat(k) || is_flat((k + 1) % 3) == is_flat((k + 2) % 3)) continue;
+      if (!condition.active[k] || is_flat(k)) continue;
+      const bool is_thick = !is_flat((k + 1) % 3) && !is_flat((k + 2) % 3);
+      // Two planes, with nothing between them, may be meant.
+      if (is_thick && box.between[k] > 0) warnings.push_back(warn_of_thick_plane(deck, c, k, box));
+      if (is_flat((k + 1) % 3) == is_flat((k + 2) % 3)) continue;
       const std::size_t across = is_flat((k + 1) % 3) ? (k + 1) % 3 : (k + 2) % 3;
       warnings.push_back(warn_at(
           deck, "symmetry_plane", join_path("conditions", c) + ".symmetry",
@@ -173,6 +187,25 @@ std::vector<Warning> check_idle_forces(const CheckedScene& scene) {
                         fmt::format("force '{}' stays 0 (no contact, pair or tie of the deck acts between its parts): "
                                     "add a pair to contact.surfaces, or name other parts",
                                     force.name),
+                        deck.where(force.place), 0, 1});
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<char>& has_acted) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t f = 0; f < deck.output.forces.size(); ++f) {
+    const ForceDeck& force = deck.output.forces[f];
+    if (has_acted[f] != 0) continue;
+    const char* const why = force.kind == ForceDeck::Kind::contact   ? "its surfaces never touched"
+                            : force.kind == ForceDeck::Kind::wall    ? "nothing ever touched this wall"
+                            : force.kind == ForceDeck::Kind::support ? "nothing ever pulled at these nodes"
+                                                                     : "nothing ever went through this section";
+    warnings.push_back({"idle_force",
+                        fmt::format("force '{}' stayed 0 in the whole run ({}): check places, velocities and time.end, "
+                                    "or name others",
+                                    force.name, why),
                         deck.where(force.place), 0, 1});
   }
   return warnings;

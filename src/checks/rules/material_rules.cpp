@@ -94,6 +94,47 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_cowper_symonds(const CheckedScene& scene) {
+  constexpr double least = 1, most = 20;  // of the exponent: published are 2 to 10
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const auto rate = material.law.numbers.find("cowper_symonds_rate"),
+               exponent = material.law.numbers.find("cowper_symonds_exponent");
+    if (exponent == material.law.numbers.end()) continue;
+    const bool has_rate = rate != material.law.numbers.end() && rate->second > 0;
+    if (has_rate && exponent->second >= least && exponent->second <= most) continue;
+    const std::string path = find_key_path(material, exponent->first);
+    if (!has_rate) {
+      warnings.push_back(warn_at(scene.deck, "cowper_symonds", path,
+                                 fmt::format("material '{}' has a cowper_symonds_exponent and no cowper_symonds_rate "
+                                             "(its flow stress does not depend on the rate): give the rate too",
+                                             material.name)));
+      continue;
+    }
+    warnings.push_back(warn_at(scene.deck, "cowper_symonds", path,
+                               fmt::format("material '{}' has the cowper_symonds_exponent {:g} beside the rate {:g} "
+                                           "(published exponents are 2 to 10, steel has 40.4 / s and 5): check "
+                                           "whether rate and exponent are swapped",
+                                           material.name, exponent->second, rate->second)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_damage_sign(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    if (!material.failure || !material.failure->johnson_cook) continue;
+    const JohnsonCookDamageDeck& damage = *material.failure->johnson_cook;
+    if (!(damage.d3 > 0) || damage.d2 == 0) continue;
+    warnings.push_back(warn_at(scene.deck, "damage_sign", find_key_path(material, "failure.johnson_cook.d3"),
+                               fmt::format("d3 of material '{}' is {:g}, so that tension raises the failure strain "
+                                           "(metals fail earlier in tension: exp(d3 s) with the mean stress s falls "
+                                           "with d3 below 0; Abaqus writes exp(-d3 s)): write {:g}",
+                                           material.name, damage.d3, -damage.d3)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_poissons_ratio(const CheckedScene& scene) {
   constexpr double most = 0.4999;  // rubber has 0.499; the bulk modulus is 1700 times Young's then
   std::vector<Warning> warnings;

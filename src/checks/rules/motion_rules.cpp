@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/checks/flight.hpp"
 #include "src/checks/rules.hpp"
+#include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -63,6 +65,9 @@ bool is_driving(const ConditionDeck& condition) {
 /// Whether a wall moves though nothing pushes it.
 bool is_driven(const WallDeck& wall) { return wall.speed ? is_moving(*wall.speed) : wall.start_speed != 0; }
 
+/// Times of the run, in which a body is followed to say when it would arrive.
+constexpr double longer = 1024;
+
 /// By which one part may move another.
 bool has_connections(const Deck& deck) {
   return !deck.springs.empty() || !deck.welds.empty() || !deck.constraints.empty();
@@ -110,6 +115,17 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
   return meetings;
 }
 
+/// When two bodies first touch; below 0: never.
+struct FirstMeeting {
+  double time = -1, gap = 0;  // gap: at the start
+
+  void take(double when, double how_far) {
+    if (when < 0 || (time >= 0 && time <= when)) return;
+    time = when;
+    gap = how_far;
+  }
+};
+
 /// When bodies can first touch each other or walls.
 class FirstMeetings {
  public:
@@ -124,37 +140,69 @@ class FirstMeetings {
 
   /// Of a part, up to a time; below 0: never. Those that move apart during the run have to come back; those that move
   /// together do nothing to each other.
-  double find(std::size_t part, double end) const {
-    double first = -1;
-    const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
-    for (std::size_t other = 0; other < flights_.size() && first != 0; ++other) {
-      if (other == part || flights_[part].moves_with(flights_[other])) continue;
-      const bool separate = are_free_to_part_ && do_separate(flights_[part], flights_[other], deck_.time.end);
-      take(find_meeting(flights_[part], flights_[other], end, separate ? overlapping_share : touching_share));
+  FirstMeeting find(std::size_t part, double end) const {
+    FirstMeeting first;
+    const Flight& own = flights_[part];
+    for (std::size_t other = 0; other < flights_.size() && first.time != 0; ++other) {
+      if (other == part || own.moves_with(flights_[other])) continue;
+      const bool separate = are_free_to_part_ && do_separate(own, flights_[other], deck_.time.end);
+      first.take(find_meeting(own, flights_[other], end, separate ? overlapping_share : touching_share),
+                 find_gap(own.find_box(0), flights_[other].find_box(0)));
     }
     for (std::size_t w = 0; w < deck_.walls.size(); ++w) {
-      const bool separate = do_separate(flights_[part], deck_.walls[w], deck_.time.end);
+      const bool separate = do_separate(own, deck_.walls[w], deck_.time.end);
       if (stopped_[w][part])
-        take(find_meeting(flights_[part], deck_.walls[w], end, separate ? overlapping_share : touching_share));
+        first.take(find_meeting(own, deck_.walls[w], end, separate ? overlapping_share : touching_share),
+                   find_gap(own, deck_.walls[w], 0));
     }
     return first;
   }
 
+  /// The same in a run that is longer, by up to `longer` times.
+  FirstMeeting find_later(std::size_t part) const {
+    FirstMeeting later;
+    for (double times = 2; later.time < 0 && times <= longer; times *= 2) later = find(part, times * deck_.time.end);
+    return later;
+  }
+
+  /// Whether a wall that moves comes to a part before the end.
+  bool does_reach(std::size_t wall) const {
+    for (std::size_t p = 0; p < flights_.size(); ++p)
+      if (stopped_[wall][p] && does_wall_reach(deck_.walls[wall], flights_[p], deck_.time.end)) return true;
+    return false;
+  }
+
+  /// The smallest distance of a wall from a part at the start.
+  double find_gap_of_wall(std::size_t wall) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < flights_.size(); ++p)
+      if (stopped_[wall][p]) least = std::min(least, find_gap(flights_[p], deck_.walls[wall], 0));
+    return least;
+  }
+
   /// Whether any part can leave its free flight before the end: it meets something, also a wall that comes to it, is
-  /// under a load, or may expand.
-  /// Where it goes then, and whom it sends where, is not known.
+  /// under a load, is tied to something, or may expand. Where it goes then, and whom it sends where, is not known.
   bool may_change(const CheckedScene& scene) const {
     const Deck& deck = scene.deck;
     if (!deck.pressures.empty() || !deck.nodal_loads.empty() || has_connections(deck)) return true;
-    if (has_moving_wall(deck) || !deck.gravity.is_constant() || !deck.dampings.empty()) return true;
+    if (!deck.gravity.is_constant() || !deck.dampings.empty()) return true;
+    for (std::size_t w = 0; w < deck.walls.size(); ++w)
+      if (deck.walls[w].moves() && does_reach(w)) return true;
+    for (const TieDeck& tie : deck.contact.ties)
+      if (does_any_move(tie.a) || does_any_move(tie.b)) return true;
     for (std::size_t p = 0; p < flights_.size(); ++p) {
       if (is_energetic(find_material(deck, deck.parts[p]))) return true;
-      if (flights_[p].moves() && find(p, deck.time.end) >= 0) return true;
+      if (flights_[p].moves() && find(p, deck.time.end).time >= 0) return true;
     }
     return false;
   }
 
  private:
+  bool does_any_move(const Selector& where) const {
+    const std::vector<std::size_t> parts = find_named_parts(deck_, where);
+    return std::any_of(parts.begin(), parts.end(), [&](std::size_t p) { return flights_[p].moves(); });
+  }
+
   const Deck& deck_;
   bool are_free_to_part_;  // nothing holds bodies together that move apart
   std::vector<Flight> flights_;
@@ -177,17 +225,25 @@ std::string describe_meeting(const CheckedScene& scene, const std::vector<Flight
   return "";
 }
 
-/// later: when the part would touch something; below 0: never.
-std::string describe_flight(const std::string& part, double end, double later) {
-  if (later < 0)
+/// later: when the part would touch something, in a run `longer` times as long.
+std::string describe_flight(const std::string& part, const Flight& flight, double end, const FirstMeeting& later) {
+  const double speed = std::sqrt(dot(flight.velocity(), flight.velocity()));
+  if (!flight.is_free())
     return fmt::format(
-        "part '{}' flies clear of all other bodies and walls (even a run 100 times as long would not bring them "
+        "part '{}' is moved by conditions, but comes to nothing before time.end = {:g} (all other bodies and walls "
+        "stay "
+        "out of the box of its way): check its motion and its place, or run longer",
+        part, end);
+  if (later.time < 0)
+    return fmt::format(
+        "part '{}' flies clear of all other bodies and walls (even a run {:g} times as long would not bring them "
         "together): check its velocity and its place",
-        part);
+        part, longer);
   return fmt::format(
-      "part '{}' touches nothing before time.end = {:g} (first contact would be at about {:.2g}): run longer, or start "
-      "closer",
-      part, end, later);
+      "part '{}' touches nothing before time.end = {:g} (it starts {:.3g} away at a speed of {:.3g}, and would arrive "
+      "at "
+      "about {:.2g}): check the unit of its velocity, run longer, or start closer",
+      part, end, later.gap, speed, later.time);
 }
 
 }  // namespace
@@ -219,7 +275,6 @@ std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
-  constexpr double longer = 100;  // times of the run, in which a body is followed to say when it would arrive
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   if ((deck.parts.size() < 2 && deck.walls.empty()) || deck.parts.size() > most_compared_parts) return warnings;
@@ -227,13 +282,67 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
   const Marks touching = mark_touching(deck);
   if (meetings.may_change(scene)) return warnings;
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    const bool is_known = meetings.flight(p).is_free() && meetings.flight(p).moves();
+    const Flight& flight = meetings.flight(p);
     if (scene.measures->is_joined(p)) continue;  // what it is joined to may stop it
-    if (!is_known || (!touching[p] && deck.walls.empty())) continue;
-    const double later = meetings.find(p, longer * deck.time.end);
+    if (!flight.is_known() || !flight.moves() || (!touching[p] && deck.walls.empty())) continue;
+    const FirstMeeting later = meetings.find_later(p);
     const std::string& name = deck.parts[p].name;
-    const std::string text = describe_flight(name, deck.time.end, later);
+    const std::string text = describe_flight(name, flight, deck.time.end, later);
     warnings.push_back(warn_at(deck, "unreached_body", "parts." + name, text));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_wall_motion(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if (!has_moving_wall(deck) || deck.parts.size() > most_compared_parts) return warnings;
+  const FirstMeetings meetings(scene);
+  if (meetings.may_change(scene)) return warnings;
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    const WallDeck& wall = deck.walls[w];
+    if (!is_driven(wall)) continue;
+    const double way = find_wall_way(wall, deck.time.end);
+    const std::string why = way < 0 && !wall.is_round()
+                                ? fmt::format("it moves {:.3g} away from them, as its speed is negative", -way)
+                                : fmt::format("it moves {:.3g} and starts {:.3g} away", std::abs(way),
+                                              std::max(meetings.find_gap_of_wall(w), 0.0));
+    warnings.push_back(warn_at(deck, "wall_motion", join_path("walls", w) + (wall.speed ? ".speed" : ".start_speed"),
+                               fmt::format("this wall reaches no body before time.end = {:g} ({}; a speed is positive "
+                                           "along the normal): check the sign and the unit of its speed",
+                                           deck.time.end, why)));
+  }
+  return warnings;
+}
+
+/// Whether all nodes of a part move as they would had nothing touched it.
+bool has_flown(const Flight& flight, double speed, const EndMotion& end, std::size_t part) {
+  constexpr double round_off = 1e-6;  // of the speed
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double free = flight.velocity()[k] + flight.gravity()[k] * end.time;
+    const double margin = round_off * (speed + std::abs(flight.gravity()[k]) * end.time);
+    if (std::abs(end.low[part][k] - free) > margin || std::abs(end.high[part][k] - free) > margin) return false;
+  }
+  return true;
+}
+
+std::vector<Warning> check_flown_bodies(const CheckedScene& scene, const EndMotion& end) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if ((deck.parts.size() < 2 && deck.walls.empty()) || !deck.gravity.is_constant() || !deck.dampings.empty())
+    return warnings;
+  const Marks touching = mark_touching(deck);
+  const std::vector<Flight> flights = find_flights(scene);
+  for (std::size_t p = 0; p < flights.size(); ++p) {
+    const double speed = scene.measures->parts[p].speed;
+    if (!flights[p].is_free() || speed == 0 || (!touching[p] && deck.walls.empty())) continue;
+    if (!has_flown(flights[p], speed, end, p)) continue;
+    warnings.push_back(
+        warn_at(deck, "unreached_body", "parts." + deck.parts[p].name,
+                fmt::format("part '{}' has flown through the whole run without touching anything (all its "
+                            "nodes end with the velocity that they began with): check its velocity, its "
+                            "place and time.end = {:g}",
+                            deck.parts[p].name, deck.time.end)));
   }
   return warnings;
 }

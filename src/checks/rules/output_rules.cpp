@@ -18,10 +18,17 @@ double find_distance(const Vec3& point, const Vec3& low, const Vec3& high) {
   return std::sqrt(square);
 }
 
+/// "40 minutes", "3 hours", "2 days".
+std::string describe_wait(double seconds) {
+  if (seconds < 7200) return fmt::format("{:.0f} minutes", std::max(seconds / 60, 1.0));
+  return seconds < 172800 ? fmt::format("{:.0f} hours", seconds / 3600) : fmt::format("{:.0f} days", seconds / 86400);
+}
+
 }  // namespace
 
 std::vector<Warning> check_end_time(const CheckedScene& scene) {
-  constexpr double least = 5, most = 1e8;  // steps
+  constexpr double least = 5, most = 1e6;  // steps
+  constexpr double element_time = 60e-9;   // seconds on one core: docs/performance.md
   const TimeDeck& time = scene.deck.time;
   double step = time.step_scale * scene.stable_step;
   if (time.max_step) step = std::min(step, *time.max_step);
@@ -29,12 +36,17 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
   if (time.max_steps) steps = std::min(steps, static_cast<double>(*time.max_steps));
   const bool is_short = steps < least && !time.max_steps;
   if (!is_short && steps <= most) return {};
+  double elements = 0;
+  for (const PartMeasures& part : scene.measures->parts) elements += static_cast<double>(part.elements());
+  const std::string why =
+      is_short ? std::string("waves cross fewer than five elements")
+               : fmt::format("they take some {} on one core", describe_wait(steps * elements * element_time));
   return {
       warn_at(scene.deck, "end_time", "time.end",
               fmt::format("time.end = {:g} takes about {:.2g} step{} of {:.2g} ({}): check its unit and those of the "
-                          "materials",
-                          time.end, std::ceil(steps), steps <= 1 ? "" : "s", step,
-                          is_short ? "waves cross fewer than five elements" : "they take weeks"))};
+                          "materials{}",
+                          time.end, std::ceil(steps), steps <= 1 ? "" : "s", step, why,
+                          is_short ? "" : ", or use larger elements, mass scaling or a faster process"))};
 }
 
 std::vector<Warning> check_step_scale(const CheckedScene& scene) {
@@ -95,7 +107,7 @@ std::vector<Warning> check_output_interval(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_output_count(const CheckedScene& scene) {
-  constexpr double most_frames = 1e4, most_rows = 1e7, most_checkpoints = 1e4;
+  constexpr double most_frames = 2000, most_rows = 1e7, most_checkpoints = 1e4;
   const OutputDeck& output = scene.deck.output;
   std::vector<Warning> warnings;
   const auto check = [&](const std::optional<double>& every, const std::string& section, double most, const char* why) {

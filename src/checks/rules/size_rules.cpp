@@ -96,6 +96,16 @@ std::size_t count_listed_turns(const Deck& deck, const PartDeck& part) {
   return std::min(listed, part.rotate.size());
 }
 
+/// Whether a part is a sheet of solid elements, one element thick.
+bool is_single_layer(const PartMeasures& part) {
+  constexpr double least_share = 0.9;   // of the elements: those of ribs and rims have other sides
+  constexpr double least_slender = 10;  // width over thickness: a thicker block hardly bends
+  constexpr std::int64_t least_elements = 9;
+  const double share = static_cast<double>(part.single_layer) / static_cast<double>(part.elements());
+  return part.single_layer >= least_elements && share >= least_share &&
+         sort_edges(part)[1] > least_slender * part.layer_thickness;
+}
+
 }  // namespace
 
 std::vector<Warning> check_part_size(const CheckedScene& scene) {
@@ -140,23 +150,40 @@ std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_single_layer(const CheckedScene& scene) {
-  constexpr double least_share = 0.9;   // of the elements: those of ribs and rims have other sides
-  constexpr double least_slender = 10;  // width over thickness: a thicker block hardly bends
-  constexpr std::int64_t least_elements = 9;
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     if (scene.deck.find_elements(p).integration == ElementDeck::Integration::full) continue;
     const PartDeck& part = scene.deck.parts[p];
     const PartMeasures& measures = scene.measures->parts[p];
-    const double share = static_cast<double>(measures.single_layer) / static_cast<double>(measures.elements());
-    const bool is_sheet = measures.single_layer >= least_elements && share >= least_share &&
-                          sort_edges(measures)[1] > least_slender * measures.layer_thickness;
-    if (!is_sheet || is_driven(scene.deck, part)) continue;
+    if (!is_single_layer(measures) || is_driven(scene.deck, part)) continue;
     warnings.push_back(
         warn_at(scene.deck, "single_layer", find_shape_path(part),
                 fmt::format("part '{}' has one solid element through its thickness {:.3g} (one point has "
                             "neither bending stress nor yield in bending): take 3 or more, or shells",
                             part.name, measures.layer_thickness)));
+  }
+  return warnings;
+}
+
+// A brick of 2x2x2 points that bends also shears: an end moment meets 1 + (1 - nu) / 2 (length / thickness)^2 times the
+// stiffness of a beam: Cook, Concepts and Applications of Finite Element Analysis, the bilinear rectangle in bending.
+std::vector<Warning> check_shear_locking(const CheckedScene& scene) {
+  constexpr double most = 2;  // length over thickness of an element
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    if (scene.deck.find_elements(p).integration != ElementDeck::Integration::full || part.rigid) continue;
+    if (!is_single_layer(measures) || is_driven(scene.deck, part)) continue;
+    const double ratio = measures.longest_edge / measures.layer_thickness;
+    if (ratio <= most) continue;
+    const std::string path = "parts." + part.name + ".integration";
+    warnings.push_back(warn_at(
+        scene.deck, "shear_locking", scene.deck.places.has(path) ? path : "elements.integration",
+        fmt::format("elements of part '{}' are {:.2g} times as long as its one layer is thick (with 2x2x2 points "
+                    "they bend some {:.2g} times too stiffly): use one_point, which bends as the material does, "
+                    "shells, or shorter elements",
+                    part.name, ratio, 1 + 0.35 * ratio * ratio)));
   }
   return warnings;
 }

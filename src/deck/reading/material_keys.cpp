@@ -318,6 +318,18 @@ bool check_state(const Model& model, const Reader& reader, const Node& node) {
   return false;
 }
 
+/// A rate alone would count with the default exponent 1, which no material has.
+bool check_rate(const Reader& reader, const Node& node, const LawDeck& law) {
+  const auto rate = law.numbers.find("cowper_symonds_rate");
+  if (rate == law.numbers.end() || rate->second == 0 || law.numbers.contains("cowper_symonds_exponent")) return true;
+  reader.error(
+      node.find(rate->first)->key,
+      fmt::format("cowper_symonds_rate has no cowper_symonds_exponent{} (1 + (rate / {:g})^(1/q) needs q: steel "
+                  "has 40.4 / s and 5): give both",
+                  reader.in(), rate->second));
+  return false;
+}
+
 }  // namespace
 
 bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
@@ -334,7 +346,7 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   }
   const OtherKeys others{{"model"},
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
-  const bool good = read_keys(reader, node, keys, out, others);
+  const bool good = read_keys(reader, node, keys, out, others) && check_rate(reader, node, out.law);
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
 }
 

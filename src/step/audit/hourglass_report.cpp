@@ -7,108 +7,159 @@
 #include <cmath>
 
 #include "comm/agreement.hpp"
+#include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/step/audit/hourglass/hourglass_pattern.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
 
-/// The chunk with most hourglass energy.
-struct WorstChunk {
-  double energy;
-  int number;  // in the whole mesh
-};
-
-/// [parts] of all ranks; of equals the lowest number. Collective.
-std::vector<WorstChunk> find_worst_chunks(const ChunkedMesh& chunked, const Model& model, const State& state) {
-  std::vector<WorstChunk> worst(chunked.mesh.parts.size(), {-1, 0});
-  const auto work = to_host(state.results.work);
-  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    WorstChunk& part = worst[static_cast<std::size_t>(chunked.chunks[c].part)];
-    if (work(c, 1) > part.energy) part = {work(c, 1), chunked.chunks[c].number};
-  }
-  wait_mpi(
-      [&] {
-        return MPI_Allreduce(MPI_IN_PLACE, worst.data(), static_cast<int>(worst.size()), MPI_DOUBLE_INT, MPI_MAXLOC,
-                             model.ranks.handle());
-      },
-      "MPI_Allreduce");
-  return worst;
-}
-
-/// Displacements of the corners of an element as kernels see it, and where they are.
-struct MovedCorners {
-  std::array<Vec3, 8> by;
-  Vec3 center{};
+/// Positions of the corners of an element at the start and now.
+struct CornerPlaces {
+  std::array<Vec3, most_corners> start{}, now{};
+  std::size_t count = 0;
 };
 
 template <class Places>
-MovedCorners find_corners(const ChunkedMesh& chunked, const Places& x, int element) {
-  MovedCorners corners;
-  const auto nodes = chunked.mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
-  for (std::size_t i = 0; i < 8; ++i) {
-    const auto n = static_cast<std::size_t>(nodes[i]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners.by[i][k] = x(n, k) - chunked.mesh.nodes[n][k];
-      corners.center[k] += x(n, k) / 8;
-    }
+CornerPlaces find_corners(const ChunkedMesh& chunked, const Places& x, int element) {
+  CornerPlaces corners;
+  for (const int node : chunked.mesh.corners(static_cast<std::size_t>(element))) {
+    const auto n = static_cast<std::size_t>(node);
+    corners.start[corners.count] = chunked.mesh.nodes[n];
+    corners.now[corners.count++] = {x(n, 0), x(n, 1), x(n, 2)};
   }
   return corners;
 }
 
-/// Square of the displacement in the modes that a mean gradient does not see; of a shell, whose corners are named
-/// twice, that of its one mode counts in all.
-double find_hourglass_square(const std::array<Vec3, 8>& by) {
-  static constexpr int modes[4][8] = {{1, -1, 1, -1, 1, -1, 1, -1},  // xi eta
-                                      {1, 1, -1, -1, -1, -1, 1, 1},  // eta zeta
-                                      {1, -1, -1, 1, -1, 1, 1, -1},  // zeta xi
-                                      {-1, 1, -1, 1, 1, -1, 1, -1}};
-  double square = 0;
-  for (const auto& mode : modes) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 8; ++i) sum += mode[i] * by[i][k];
-      square += sum * sum;
-    }
-  }
-  return square;
+/// Whether the hourglass control of a chunk is the stiffness of the material itself, so that its energy is also that of
+/// bending.
+bool bends_by_control(const Deck& deck, const ChunkedMesh& chunked, const Chunk& chunk) {
+  const ElementFamily family = chunked.mesh.topology_of(static_cast<std::size_t>(chunk.first_element)).family;
+  if (family == ElementFamily::shells) return true;
+  return family == ElementFamily::hexahedra &&
+         deck.find_elements(static_cast<std::size_t>(chunk.part)).hourglass == ElementDeck::Hourglass::assumed_strain;
 }
 
-/// In the words of the rank that has the chunk. Collective.
-std::string describe_worst_element(const ChunkedMesh& chunked, const Model& model, const State& state, int chunk) {
-  const auto own =
-      std::find_if(chunked.chunks.begin(), chunked.chunks.end(), [&](const Chunk& c) { return c.number == chunk; });
-  std::string text;
-  if (own != chunked.chunks.end()) {
-    const auto x = to_host(state.x);
-    double largest = -1;
-    int worst = own->first_element;
-    for (int e = own->first_element; e < own->first_element + own->element_count; ++e) {
-      const auto i = static_cast<std::size_t>(e);
-      if (i < chunked.mesh.eroded.dead.size() && chunked.mesh.eroded.dead[i] != 0) continue;
-      const double square = find_hourglass_square(find_corners(chunked, x, e).by);
-      if (square > largest) worst = e;
-      largest = std::max(largest, square);
-    }
-    const Vec3 at = find_corners(chunked, x, worst).center;
-    text = fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(chunked.mesh, worst), at[0], at[1], at[2]);
+/// What there is to tell of a chunk.
+struct ChunkPattern {
+  double share = 1;       // of its hourglass energy that alternates
+  int worst_element = 0;  // with the largest hourglass displacement, as far as it counts
+};
+
+template <class Places>
+ChunkPattern find_pattern(const Deck& deck, const ChunkedMesh& chunked, const Places& x, const Chunk& chunk) {
+  std::vector<HourglassDisplacement> motions(static_cast<std::size_t>(chunk.element_count));
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto e = static_cast<std::size_t>(chunk.first_element) + i;
+    if (e < chunked.mesh.eroded.dead.size() && chunked.mesh.eroded.dead[e] != 0) continue;
+    const CornerPlaces corners = find_corners(chunked, x, static_cast<int>(e));
+    motions[i] = find_hourglass_displacement(chunked.mesh.topology_of(e), {corners.start.data(), corners.count},
+                                             {corners.now.data(), corners.count});
   }
-  return broadcast_text(model.ranks, text, chunked.numbering.ranks[static_cast<std::size_t>(chunk)]);
+  std::vector<double> shares(motions.size(), 1);
+  if (bends_by_control(deck, chunked, chunk))
+    shares = find_alternating_shares(chunked.mesh, chunk.first_element, motions);
+  ChunkPattern pattern{1, chunk.first_element};
+  double all = 0, alternating = 0, largest = -1;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double own = shares[i] * motions[i].square;
+    all += motions[i].square;
+    alternating += own;
+    if (own > largest) pattern.worst_element = chunk.first_element + static_cast<int>(i);
+    largest = std::max(largest, own);
+  }
+  if (all > 0) pattern.share = alternating / all;
+  return pattern;
 }
+
+/// The chunk with most hourglass energy that counts.
+struct WorstChunk {
+  double energy = -1;
+  int number = 0;  // in the whole mesh
+};
+
+/// The hourglass energy that counts, of the parts for which it is to be found.
+class AlternatingEnergy {
+ public:
+  /// is_wanted: [parts]. Collective.
+  AlternatingEnergy(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const State& state,
+                    const std::vector<char>& is_wanted)
+      : chunked_(chunked), ranks_(model.ranks), worst_(is_wanted.size()), own_elements_(is_wanted.size(), 0) {
+    const auto work = to_host(state.results.work);
+    x_ = to_host(state.x);
+    std::vector<ExactSum> sums(is_wanted.size());
+    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+      const Chunk& chunk = chunked.chunks[c];
+      const auto part = static_cast<std::size_t>(chunk.part);
+      if (is_wanted[part] == 0 || chunk.element_count == 0) continue;
+      const ChunkPattern pattern = find_pattern(deck, chunked, x_, chunk);
+      const double energy = pattern.share * work(c, 1);
+      sums[part].add(energy);
+      if (energy <= worst_[part].energy) continue;
+      worst_[part] = {energy, chunk.number};
+      own_elements_[part] = pattern.worst_element;
+    }
+    sum_over_ranks(ranks_, sums);
+    for (const ExactSum& sum : sums) energies_.push_back(sum.round());
+    wait_mpi(
+        [&] {
+          return MPI_Allreduce(MPI_IN_PLACE, worst_.data(), static_cast<int>(worst_.size()), MPI_DOUBLE_INT, MPI_MAXLOC,
+                               ranks_.handle());
+        },
+        "MPI_Allreduce");
+  }
+
+  double of(std::size_t part) const { return energies_[part]; }
+
+  /// "element 7 of part 'bar' at (1, 2, 3)", in the words of the rank that has it. Collective.
+  std::string describe_worst(std::size_t part) const {
+    const int chunk = worst_[part].number;
+    const auto is_own = [&](const Chunk& c) { return c.number == chunk; };
+    std::string text;
+    if (std::any_of(chunked_.chunks.begin(), chunked_.chunks.end(), is_own)) {
+      const CornerPlaces corners = find_corners(chunked_, x_, own_elements_[part]);
+      Vec3 at{};
+      for (std::size_t i = 0; i < corners.count; ++i)
+        for (std::size_t k = 0; k < 3; ++k) at[k] += corners.now[i][k] / static_cast<double>(corners.count);
+      text = fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(chunked_.mesh, own_elements_[part]), at[0],
+                         at[1], at[2]);
+    }
+    return broadcast_text(ranks_, text, chunked_.numbering.ranks[static_cast<std::size_t>(chunk)]);
+  }
+
+ private:
+  const ChunkedMesh& chunked_;
+  Communicator ranks_;
+  decltype(to_host(Rows3<double>())) x_;
+  std::vector<double> energies_;
+  std::vector<WorstChunk> worst_;
+  std::vector<int> own_elements_;  // [parts] of this rank's worst chunk
+};
 
 }  // namespace
 
-std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
-                                                  double share, double least) {
+std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                                                  const State& state, const HourglassLimits& limits) {
   const std::vector<PartEnergy> energies = sum_part_energies(chunked, model, state);
-  const std::vector<WorstChunk> worst = find_worst_chunks(chunked, model, state);
+  // What is stored besides: stress, and bending where the control resists it as the material does.
+  const auto find_stored = [&](std::size_t p, double alternating) {
+    return energies[p].internal + energies[p].hourglass - alternating;
+  };
+  const auto is_much = [&](double alternating, double stored) {
+    return stored > 0 && alternating > limits.share * stored && alternating > limits.least;
+  };
+  std::vector<char> is_wanted;
+  for (const PartEnergy& energy : energies)
+    is_wanted.push_back(static_cast<char>(is_much(energy.hourglass, energy.internal)));
   std::vector<PartHourglass> found;
+  if (std::none_of(is_wanted.begin(), is_wanted.end(), [](char wanted) { return wanted != 0; })) return found;
+  const AlternatingEnergy alternating(deck, chunked, model, state, is_wanted);
   for (std::size_t p = 0; p < energies.size(); ++p) {
-    const auto& [internal, hourglass] = energies[p];
-    if (!(internal > 0 && hourglass > share * internal && hourglass > least)) continue;
-    found.push_back({chunked.mesh.parts[p].name, internal, hourglass,
-                     describe_worst_element(chunked, model, state, worst[p].number)});
+    const double stored = find_stored(p, alternating.of(p));
+    if (is_wanted[p] == 0 || !is_much(alternating.of(p), stored)) continue;
+    found.push_back({chunked.mesh.parts[p].name, stored, alternating.of(p), alternating.describe_worst(p)});
   }
   return found;
 }

@@ -13,14 +13,22 @@ namespace percuss {
 /// A part with its energies [energy]; those of dead elements are not in them.
 struct PartHourglass {
   std::string part;
-  double internal = 0, hourglass = 0;
+  double stored = 0;  // of stresses, and of bending where the control resists it as the material does
+  // That of motion which alternates from element to element. Where the control is the stiffness of the material itself
+  // the rest is that of bending and twist; of other controls, wedges and pyramids all counts.
+  double hourglass = 0;
   std::string element;  // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
 };
 
-/// The parts whose hourglass energy is more than `share` of their internal energy and more than `least`, in the order
+/// From where on hourglass energy is told: a share of what a part stores besides, and an energy.
+struct HourglassLimits {
+  double share = 0, least = 0;
+};
+
+/// The parts whose hourglass energy is more than `share` of what they store besides and more than `least`, in the order
 /// of the deck; the same on every rank. The element is the one whose hourglass displacement is largest in the chunk
 /// that has most of the part's hourglass energy: the energy itself is summed by chunks only. Collective.
-std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
-                                                  double share, double least);
+std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                                                  const State& state, const HourglassLimits& limits);
 
 }  // namespace percuss

@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/followed_points.hpp"
 
 namespace percuss {
@@ -14,8 +15,6 @@ namespace {
 
 constexpr Dimension acceleration{1, 0, -2};
 constexpr double least_sine = 1e-9;  // between two axes; below it round-off would turn them
-
-Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 Vec3 find_normal(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

@@ -83,6 +83,7 @@ ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model
   }
   sums_.resize(supports_.size() + sections_.size());
   since_.resize(deck.output.forces.size());
+  has_acted_.resize(since_.size(), 0);
 }
 
 void ForceBooks::renew_supports(const State& state) {
@@ -110,6 +111,16 @@ std::array<ExactSum, 6>& ForceBooks::find_sums(std::size_t force) {
   return sums_[place];
 }
 
+/// Of all ranks; they begin anew.
+ContactImpulse ForceBooks::take_sums(std::size_t force) {
+  std::array<ExactSum, 6>& sums = find_sums(force);
+  sum_over_ranks(ranks_, sums);
+  const ContactImpulse since{{sums[0].round(), sums[1].round(), sums[2].round()},
+                             {sums[3].round(), sums[4].round(), sums[5].round()}};
+  sums = {};
+  return since;
+}
+
 void ForceBooks::archive(CheckpointArchive& archive) {
   for (std::size_t f = 0; f < since_.size(); ++f) {
     const ForceDeck& force = deck_.output.forces[f];
@@ -119,6 +130,7 @@ void ForceBooks::archive(CheckpointArchive& archive) {
       continue;
     }
     archive.number(name + "/since", since_[f]);
+    archive.integer(name + "/has_acted", has_acted_[f]);
     if (!force.is_of_contact()) archive.sums(name, find_sums(f));
   }
 }
@@ -133,17 +145,14 @@ std::vector<double> ForceBooks::take(const State& state) {
   auto contact = of_contact.begin();
   for (std::size_t f = 0; f < since_.size(); ++f) {
     const double per_time = time > since_[f] ? 1 / (time - since_[f]) : 0;
+    const auto first = static_cast<std::ptrdiff_t>(row.size());
     since_[f] = time;
-    if (deck_.output.forces[f].is_of_contact()) {
+    if (deck_.output.forces[f].is_of_contact())
       append_mean(*contact++, per_time, true, row);
-      continue;
-    }
-    std::array<ExactSum, 6>& sums = find_sums(f);
-    sum_over_ranks(ranks_, sums);
-    append_mean(
-        {{sums[0].round(), sums[1].round(), sums[2].round()}, {sums[3].round(), sums[4].round(), sums[5].round()}},
-        per_time, false, row);
-    sums = {};
+    else
+      append_mean(take_sums(f), per_time, false, row);
+    const bool acts = std::any_of(row.begin() + first, row.end(), [](double value) { return value != 0; });
+    has_acted_[f] = static_cast<char>(has_acted_[f] != 0 || acts);
   }
   return row;
 }

@@ -101,7 +101,8 @@ void Run::begin() {
   begin_books();
   const std::vector<TieHinge> hinges = contact_.find_hinges();
   const double bound = model_.rigid.is_all ? state_.next_dt : state_.bound.step;
-  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &hinges}));
+  const std::vector<double> part_steps = find_part_steps(chunked_, state_.results);
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &hinges, &part_steps}));
   erode();
   // What collapses is the step of elements.
   const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;
@@ -265,20 +266,26 @@ void Run::note_contact() {
   if (!contact_.is_active()) return;
   warnings_.add(contact_.take_warnings());
   warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(seen()); });
-  if (!warnings_.has_noted_gain()) note_contact_gain();
+  if (!warnings_.has_told_gain()) note_contact_gain(false);
 }
 
-/// Contact that gives energy is booked as work, so that the balance does not show it.
-void Run::note_contact_gain() {
+/// Contact that gives energy is booked as work, so that the balance does not show it. It is told where it is still too
+/// much a while later, or in the last state: loads that rise from 0 begin with energies of round-off.
+void Run::note_contact_gain(bool is_last) {
+  constexpr double wait = 0.01;  // of the run
+  const GainPlace* const found = warnings_.found_gain();
+  if (found != nullptr && !is_last && state_.time < found->time + wait * deck_.time.end) return;
   const double share = find_tolerated_gain(deck_.audit), work = state_.books.contact_work;
-  if (!is_gain(find_given(work, find_scales()), share, find_scales())) return;
+  if (!is_gain(find_given(work, find_scales()), share, find_scales())) return warnings_.forget_gain();
   audit();  // the largest energy may be larger by now
   const EnergyScales scales = find_scales();
   const double given = find_given(work, scales);
-  if (!is_gain(given, share, scales)) return;
-  const GainPlace where = find_gain_place(seen());
-  warnings_.note_gain(given, scales, where, deck_.units);
-  if (deck_.audit.max_contact_gain) refuse_gain(seen(), describe_gain(given, scales, where, deck_.units));
+  if (!is_gain(given, share, scales)) return warnings_.forget_gain();
+  if (found == nullptr) warnings_.find_gain(find_gain_place(seen()));
+  if (found == nullptr && !is_last) return;
+  warnings_.tell_gain(given, scales, deck_.units);
+  if (!deck_.audit.max_contact_gain) return;
+  refuse_gain(seen(), describe_gain(given, scales, *warnings_.found_gain(), deck_.units));
 }
 
 void Run::audit() {
@@ -329,6 +336,7 @@ void Run::save_interrupted() {
 /// The same of the last state, due or not.
 void Run::observe_last() {
   audit();
+  if (contact_.is_active() && !warnings_.has_told_gain()) note_contact_gain(true);
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.write_row(state_, audited_, stepper_);
   look_at_corners();

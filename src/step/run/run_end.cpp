@@ -69,14 +69,32 @@ std::vector<Warning> Run::find_element_warnings() const {
                           deck_.units);
 }
 
+/// Forces that stayed 0 and bodies that met nothing, where the run has come to its end by time. Collective.
+std::vector<Warning> Run::find_idle_warnings() {
+  if (deck_.time.end - state_.time > 1e-12 * deck_.time.end) return {};
+  EndMotion end{state_.time - 0.5 * state_.dt, {}, {}};
+  find_velocity_ranges(chunked_.mesh, state_.v, end.low, end.high);
+  const CheckedScene scene{deck_, &measures_};
+  std::vector<Warning> warnings = check_flown_bodies(scene, end);
+  if (!output_.has_rows()) return warnings;
+  for (const Warning& warning : check_idle_columns(scene, stepper_.forces().has_acted())) warnings.push_back(warning);
+  return warnings;
+}
+
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
   result_ = make_summary(status, error);
   progress_->finish(find_progress());
   const EnergyScales scales = find_scales();
-  warnings_.renew_gain(find_given(state_.books.contact_work, scales), scales, deck_.units);
-  warnings_.add(find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales)));
+  const double given = find_given(state_.books.contact_work, scales);
+  if (warnings_.has_told_gain())
+    warnings_.renew_gain(given, scales, deck_.units);
+  else if (warnings_.found_gain() != nullptr && is_gain(given, find_tolerated_gain(deck_.audit), scales))
+    warnings_.tell_gain(given, scales, deck_.units);  // the run has failed meanwhile
+  if (status == "completed") warnings_.add(find_idle_warnings());
+  warnings_.add(find_end_warnings(
+      result_, scales, find_hourglassed_parts(deck_, chunked_, model_, state_, find_hourglass_limits(scales))));
   result_.warnings = warnings_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;

@@ -18,7 +18,7 @@ namespace {
 /// Of the largest energy: more that elements give is told.
 constexpr double noted_element_share = 0.01;
 
-/// Of the internal energy of a part: more in its hourglass modes is told ...
+/// Of what a part stores besides: more in its hourglass modes is told ...
 constexpr double noted_hourglass_share = 0.1;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
 constexpr double noted_energy_share = 1e-3;
@@ -37,10 +37,10 @@ constexpr double motions_in_play = 10;
 
 Warning describe_hourglass(const PartHourglass& part, double time) {
   return {"hourglass_energy",
-          fmt::format("the hourglass energy is {:.0f} % of the internal energy, most of it near {} (the mesh is too "
-                      "coarse for the bending there, or single nodes carry the load): refine the mesh there, spread "
-                      "the load, or with hexahedra use elements: {{integration: full}}",
-                      100 * part.hourglass / part.internal, part.element),
+          fmt::format("hourglass modes hold {:.0f} % of the strain energy, most of it near {} (not that of smooth "
+                      "bending: single nodes carry the load, or the mesh is too coarse there): refine the mesh there, "
+                      "spread the load, or with hexahedra use elements: {{integration: full}}",
+                      100 * part.hourglass / part.stored, part.element),
           "part '" + part.part + "'", time, 1};
 }
 
@@ -91,10 +91,8 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
   return 0.5 * model.total_mass * speed * speed;
 }
 
-std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
-                                                  const EnergyScales& scales) {
-  return find_hourglassed_parts(chunked, model, state, noted_hourglass_share,
-                                std::max(scales.resolved, noted_energy_share * scales.largest));
+HourglassLimits find_hourglass_limits(const EnergyScales& scales) {
+  return {noted_hourglass_share, std::max(scales.resolved, noted_energy_share * scales.largest)};
 }
 
 double find_given(double work, const EnergyScales& scales) { return work + scales.stored - scales.granted; }

@@ -43,10 +43,8 @@ struct EnergyScales {
 /// Energy of a velocity that moves the scene in a step by no more than what contact takes for round-off.
 double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt);
 
-/// Parts in which hourglass modes hold more than a tenth of the internal energy, and energy that is not round-off.
-/// Collective.
-std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
-                                                  const EnergyScales& scales);
+/// From where on hourglass modes are told: a tenth of what a part stores besides, and energy that is not round-off.
+HourglassLimits find_hourglass_limits(const EnergyScales& scales);
 
 /// Energy that contact has given by its own books, of which `work` is the work of its pushes so far.
 double find_given(double work, const EnergyScales& scales);

@@ -66,7 +66,7 @@ class Run {
   void tell_events(const std::vector<char>& happened);
   void audit();
   void note_contact();
-  void note_contact_gain();
+  void note_contact_gain(bool is_last);
   void check_step_made() const;
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes();
@@ -78,6 +78,7 @@ class Run {
   Summary make_summary(const std::string& status, const std::string& error) const;
   EnergyScales find_scales() const;
   std::vector<Warning> find_element_warnings() const;
+  std::vector<Warning> find_idle_warnings();
   void finish(const std::string& status, const std::string& error);
   SummedRun summed() const {
     return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};

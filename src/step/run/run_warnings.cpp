@@ -41,15 +41,13 @@ void RunWarnings::note_depth(double time, const std::function<std::string()>& na
   log_.add(warning);
 }
 
-void RunWarnings::note_gain(double given, const EnergyScales& scales, const GainPlace& where,
-                            const std::string& units) {
-  if (has_noted_gain()) return;
-  gain_ = where;
+void RunWarnings::tell_gain(double given, const EnergyScales& scales, const std::string& units) {
+  has_told_gain_ = true;
   log_.add(warn_of_gain(given, scales, gain_, units));
 }
 
 void RunWarnings::renew_gain(double given, const EnergyScales& scales, const std::string& units) {
-  if (!has_noted_gain()) return;
+  if (!has_told_gain_) return;
   Warning warning = warn_of_gain(given, scales, gain_, units);
   warning.count = 0;
   log_.renew(warning);
@@ -62,6 +60,7 @@ void RunWarnings::archive(CheckpointArchive& archive) {
   archive.number("warnings/gain_node", gain_.node);
   archive.numbers("warnings/gain_place", gain_.place);
   archive.number("warnings/gain_time", gain_.time);
+  archive.integer("warnings/has_told_gain", has_told_gain_);
 }
 
 std::string RunWarnings::write() const {

@@ -114,7 +114,7 @@ TEST(PercussCheck, TellsOfSpringsWeldsAndPairsWithFrictionOfTheirOwn) {
       "deck.yaml", std::string(cube) + "springs: {s: {between: [{near: [1, 1, 1]}, cube/z_min], stiffness: 1}}\n" +
                        "welds: {w: {between: [cube/z_max, {near: [0, 0, 0]}]}}\n" +
                        "contact: {friction: {default: 0.1, pairs: [{a: cube/x_min, friction: 0.3}]}}\n");
-  EXPECT_THAT(run_percuss({"check", file}).out, HasSubstr("all surfaces, friction 0.1, 1 pair with its own; "));
+  EXPECT_THAT(run_percuss({"check", file}).out, HasSubstr("all surfaces, friction 0.1, 0.3 of 1 pair; "));
   const auto json = nlohmann::json::parse(run_percuss({"check", file, "--json"}).out);
   std::map<std::string, int> counts;
   for (const auto& selection : json["selections"]) counts[selection["key"]] = selection["count"];

@@ -33,7 +33,8 @@ std::vector<Warning> check(const std::string& text) {
   stepper.start(state);
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   const std::vector<TieHinge> hinges = contact.find_hinges();
-  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step, &hinges};
+  const std::vector<double> part_steps = find_part_steps(chunked, state.results);
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step, &hinges, &part_steps};
   std::vector<Warning> warnings = deck.warnings;
   for (const auto& found : {chunked.mesh.warnings, check_input(scene), check_start(scene)})
     warnings.insert(warnings.end(), found.begin(), found.end());

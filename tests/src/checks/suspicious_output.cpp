@@ -3,6 +3,16 @@
 #include "tests/src/checks/suspicious_decks.hpp"
 
 namespace percuss {
+namespace {
+
+const std::pair<std::string, std::string> no_sheet{
+    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
+    "aluminium}\n",
+    ""};
+const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
+                                                             ""};
+
+}  // namespace
 
 std::vector<SuspiciousDeck> suspicious_output() {
   const std::string end = "2.0e-4}";
@@ -12,7 +22,40 @@ std::vector<SuspiciousDeck> suspicious_output() {
        "end_time",
        "end: 200",
        {{"2.0e-4", "200"}, {"fields: {every: 1e-5}", "fields: {every: 1}"}},
-       {{"2.0e-4", "2"}}},
+       {{"2.0e-4", "0.2"}}},
+      {"MillionSteps", "end_time", "end: 1.0", {{"2.0e-4", "1.0"}}, {{"2.0e-4", "0.2"}}},
+      {"FineBlockBesideACoarsePlate",
+       "slow_part",
+       "block: {",
+       {{"cells: [2, 2, 2]", "cells: [2, 2, 60]"},
+        {"cells: [6, 6, 3]", "cells: [12, 12, 3]"},
+        no_sheet,
+        no_sheet_condition},
+       {{"cells: [2, 2, 2]", "cells: [2, 2, 10]"},
+        {"cells: [6, 6, 3]", "cells: [12, 12, 3]"},
+        no_sheet,
+        no_sheet_condition}},
+      {"FineBlockThatIsTheMesh",
+       "slow_part",
+       "block: {",
+       {{"cells: [2, 2, 2]", "cells: [2, 2, 60]"},
+        {"cells: [6, 6, 3]", "cells: [12, 12, 3]"},
+        no_sheet,
+        no_sheet_condition},
+       {{"cells: [2, 2, 2]", "cells: [4, 4, 60]"},
+        {"cells: [6, 6, 3]", "cells: [12, 12, 3]"},
+        no_sheet,
+        no_sheet_condition}},
+      {"MassScalingBelowTheStep",
+       "idle_mass_scaling",
+       "step: 1e-9",
+       {{end, "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}, no_sheet, no_sheet_condition},
+       {{end, "2.0e-4, mass_scaling: {step: 5.2e-7, max_added: 0.2}}"}, no_sheet, no_sheet_condition}},
+      {"MassScalingBelowTheStepAndDuringTheRun",
+       "idle_mass_scaling",
+       "step: 1e-9",
+       {{end, "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}, no_sheet, no_sheet_condition},
+       {{end, "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1, every: 10}}"}, no_sheet, no_sheet_condition}},
       {"StepScaleOfAHundredth",
        "step_scale",
        "step_scale: 0.01",
@@ -53,11 +96,11 @@ std::vector<SuspiciousDeck> suspicious_output() {
        "every: 600",
        {{"every: 1e-4", "every: 600"}},
        {{"every: 1e-4", "every: 2e-4"}}},
-      {"TenThousandFrames",
+      {"TwoThousandFrames",
        "output_count",
-       "every: 1e-9}",
-       {{"fields: {every: 1e-5}", "fields: {every: 1e-9}"}},
-       {{"fields: {every: 1e-5}", "fields: {every: 2e-8}"}}},
+       "every: 9e-8}",
+       {{"fields: {every: 1e-5}", "fields: {every: 9e-8}"}},
+       {{"fields: {every: 1e-5}", "fields: {every: 1e-7}"}}},
       {"MoreRowsThanAnyoneReads",
        "output_count",
        "every: 1e-12",

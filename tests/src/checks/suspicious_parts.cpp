@@ -47,6 +47,13 @@ std::vector<SuspiciousDeck> size_decks() {
        "box: {size: [0.1, 0.1, 0.004]",
        {{"0.01], cells: [6, 6, 3]", "0.004], cells: [6, 6, 1]"}},
        {{"0.01], cells: [6, 6, 3]", "0.004], cells: [6, 6, 2]"}}},
+      {"LongElementsOfEightPoints",
+       "shear_locking",
+       "integration: full",
+       {{"0.01], cells: [6, 6, 3]", "0.004], cells: [6, 6, 1]"},
+        {"material: aluminium}", "integration: full, material: aluminium}"}},
+       {{"0.01], cells: [6, 6, 3]", "0.004], cells: [13, 13, 1]"},
+        {"material: aluminium}", "integration: full, material: aluminium}"}}},
       {"TubeOfOneLayer",
        "single_layer",
        "tube: {inner_radius",
@@ -119,6 +126,16 @@ std::vector<SuspiciousDeck> size_decks() {
        "mass: 100}",
        {{"conditions:", "added_mass: [{nodes: block, mass: 100}]\nconditions:"}},
        {{"conditions:", "added_mass: [{nodes: block, mass: 50}]\nconditions:"}}},
+      {"RigidBlockInTonnes",
+       "rigid_mass",
+       "mass: 6.28e-5",
+       {{"material: steel}", "material: steel, rigid: {mass: 6.28e-5}}"}},
+       {{"material: steel}", "material: steel, rigid: {mass: 0.02}}"}}},
+      {"RigidBlockInGrams",
+       "rigid_mass",
+       "mass: 62.8",
+       {{"material: steel}", "material: steel, rigid: {mass: 62.8}}"}},
+       {{"material: steel}", "material: steel, rigid: {mass: 40}}"}}},
       {"MassCentreInMillimetres",
        "rigid_inertia",
        "center: [50",
@@ -158,6 +175,14 @@ std::vector<SuspiciousDeck> size_decks() {
                  "[0.3, 0, 0], material: steel}")}},
   };
 }
+
+/// A second plate on the first, and a bolt of beams through both.
+const std::string lid =
+    "lid: {box: {size: [0.1, 0.1, 0.01], cells: [6, 6, 3]}, at: [0, 0, -0.01], material: aluminium}";
+const std::string bolts =
+    "bolts: {line: {from: [0.05, 0.05, -0.01], to: [0.05, 0.05, 0.01], cells: 2}, section: {round: {radius: 0.004}}, "
+    "material: steel}";
+const std::pair<std::string, std::string> away{"at: [0, 0, -0.004]", "at: [0, 0, -0.014]"};  // the sheet
 
 std::vector<SuspiciousDeck> contact_decks() {
   const std::string surfaces = "contact: {surfaces: all, friction: 0.2}";
@@ -275,6 +300,21 @@ std::vector<SuspiciousDeck> contact_decks() {
                  "0.0002}}, material: steel}")},
        {add_part("bar: {line: {from: [0, 0.05, 0.05], to: [0.1, 0.05, 0.06], cells: 4}, section: {round: {radius: "
                  "0.0002}}, material: steel}")}},
+      {"FlangesThatABoltGlues",
+       "join_glue",
+       "{parts: [bolts, plate, lid]}",
+       {add_part(lid + "\n  " + bolts), away, {surfaces, surfaces + "\njoin: [{parts: [bolts, plate, lid]}]"}},
+       {add_part(lid + "\n  " + bolts),
+        away,
+        {surfaces, surfaces + "\njoin: [{parts: [bolts, plate]}, {parts: [bolts, lid]}]"}}},
+      {"FlangesThatAreGluedAndTouch",
+       "join_glue",
+       "{parts: [plate, lid]}",
+       {add_part(lid),
+        away,
+        {surfaces, surfaces + "\njoin: [{parts: [plate, lid]}]"},
+        {"part: block}]}", "part: block}], forces: [{name: f, contact: [plate, lid]}]}"}},
+       {add_part(lid), away, {surfaces, surfaces + "\njoin: [{parts: [plate, lid]}]"}}},
       {"NoContactSection",
        "no_contact",
        "parts:",

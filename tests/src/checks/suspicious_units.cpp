@@ -110,6 +110,16 @@ std::vector<SuspiciousDeck> unit_decks() {
   };
 }
 
+/// Aluminium whose hardening depends on the rate.
+Changes::value_type with_rate(const std::string& keys) {
+  return {
+      "j2_plasticity, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 120e6, "
+      "hardening_modulus: 400e6",
+      "voce_plasticity, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 120e6, "
+      "saturation_stress: 50e6, saturation_rate: 10, " +
+          keys};
+}
+
 std::vector<SuspiciousDeck> material_decks() {
   const std::string start = "elements: {";
   return {
@@ -202,6 +212,36 @@ std::vector<SuspiciousDeck> material_decks() {
        "steel: {",
        {{"m, kg, s", "m, kg, s, C"}, johnson_cook("specific_heat: 460")},
        {{"m, kg, s", "m, kg, s, C"}, johnson_cook("specific_heat: 460, start_temperature: 20, room_temperature: 20")}},
+      {"RateAndExponentSwapped",
+       "cowper_symonds",
+       "cowper_symonds_exponent: 40.4",
+       {with_rate("cowper_symonds_rate: 5, cowper_symonds_exponent: 40.4")},
+       {with_rate("cowper_symonds_rate: 40.4, cowper_symonds_exponent: 5")}},
+      {"RateInMicrosecondsAndExponentSwapped",
+       "cowper_symonds",
+       "cowper_symonds_exponent: 4.04e-5",
+       {with_rate("cowper_symonds_rate: 5, cowper_symonds_exponent: 4.04e-5")},
+       {with_rate("cowper_symonds_rate: 4.04e-5, cowper_symonds_exponent: 5")}},
+      {"ExponentWithoutRate",
+       "cowper_symonds",
+       "cowper_symonds_exponent: 5",
+       {with_rate("cowper_symonds_exponent: 5")},
+       {with_rate("cowper_symonds_rate: 6500, cowper_symonds_exponent: 4")}},
+      {"DamageOfAnotherSign",
+       "damage_sign",
+       "d3: 2.12",
+       {{"400e6}", "400e6, failure: {johnson_cook: {d1: 0.05, d2: 3.44, d3: 2.12}}}"}},
+       {{"400e6}", "400e6, failure: {johnson_cook: {d1: 0.05, d2: 3.44, d3: -2.12}}}"}}},
+      {"FailureStrainOfTwoMeshes",
+       "failure_size",
+       "failure: {plastic_strain: 0.3}",
+       {{"400e6}", "400e6, failure: {plastic_strain: 0.3}}"}, {"cells: [5, 5]", "cells: [40, 40]"}},
+       {{"400e6}", "400e6, failure: {plastic_strain: 0.3}}"}, {"cells: [5, 5]", "cells: [12, 12]"}}},
+      {"FailureStressOfTwoMeshes",
+       "failure_size",
+       "failure: {plastic_strain: 0.3}",
+       {{"400e6}", "400e6, failure: {plastic_strain: 0.3}}"}, {"cells: [5, 5]", "cells: [40, 40]"}},
+       {{"400e6}", "400e6, failure: {principal_stress: 300e6}}"}, {"cells: [5, 5]", "cells: [40, 40]"}}},
       {"MaterialOfNoPart", "unused_material", "steel: {", {{"material: steel", "material: aluminium"}}, {}},
       {"FluidHeldByItsHourglassControl",
        "fluid_hourglass",

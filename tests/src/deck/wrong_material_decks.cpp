@@ -70,6 +70,11 @@ std::vector<WrongDeck> wrong_material_decks() {
        material("model: voce_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
                 "saturation_stress: 1e8, saturation_rate: 3, cowper_symonds_rate: -1"),
        "5:178", "cowper_symonds_rate is -1 in material 'steel' (must be zero or positive)"},
+      {"RateWithoutExponent",
+       material("model: voce_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
+                "saturation_stress: 1e8, saturation_rate: 3, cowper_symonds_rate: 40.4"),
+       "5:157",
+       "cowper_symonds_rate has no cowper_symonds_exponent in material 'steel' (1 + (rate / 40.4)^(1/q) needs q"},
       {"MeltsBelowRoomTemperature",
        material("model: johnson_cook, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 1e8, b: 1e8, n: "
                 "0.2, specific_heat: 460, melt_temperature: 200"),

@@ -108,5 +108,26 @@ TEST(FalseWarnings, AreNotGivenOfOverlapThatIsPushedOutAsAsked) {
   }
 }
 
+TEST(FalseWarnings, AreNotGivenOfEnergiesOfTheFirstStepsOfARamp) {
+  // A belt on a drum, whose load rises from 0: contact is most of the first 1e-12 of what becomes 1e-2.
+  const std::string belt =
+      "time: {end: 1.0e-3}\n"
+      "parts:\n"
+      "  drum: {tube: {inner_radius: 0.09, outer_radius: 0.1, length: 0.01, cells: [1, 24, 1], arc: 90}, material: s}\n"
+      "  belt: {shell_tube: {radius: 0.10025, length: 0.01, cells: [24, 1], arc: 90}, thickness: 0.0005, material: m}\n"
+      "materials:\n"
+      "  m: {model: elastic, density: 1000, youngs_modulus: 2e9, poissons_ratio: 0}\n"
+      "  s: {model: elastic, density: 8000, youngs_modulus: 20e9, poissons_ratio: 0.3}\n"
+      "conditions:\n"
+      "  - {nodes: drum, fixed: [x, y, z]}\n"
+      "  - {nodes: belt, fixed: [z]}\n"
+      "  - {nodes: belt/last, velocity: {x: {table: [[0, 0], [2e-3, -0.4], [8e-3, -0.4]]}}}\n"
+      "loads: {nodal: [{nodes: belt/first, force: {y: {table: [[0, 0], [1e-3, -10], [8e-3, -10]]}}}]}\n"
+      "contact: {surfaces: [[drum, belt]], friction: 0.3}\n";
+  const Outcome outcome = run_deck(belt);
+  EXPECT_GT(outcome.summary.energy.internal, 1e-6);
+  EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy")));
+}
+
 }  // namespace
 }  // namespace percuss::test

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "src/error.hpp"
 #include "src/mesh/reading/results_reader.hpp"
 #include "tests/src/mesh/files/legacy_samples.hpp"
@@ -79,7 +81,10 @@ TEST(LegacyVtk, IsRefusedAtThePlaceOfTheFault) {
   std::string beyond = text;
   beyond.replace(text.rfind("11", text.find("CELL_TYPES")), 2, "12");
   refuses(beyond, "a cell has point 12 (there are the points 0 to 11)");
-  refuses(change(text, "CELLS 4 26\n8", "CELLS 4 26\nx"), "a.vtk:16: 'x' stands where a whole number is expected");
+  const std::string no_number = change(text, "CELLS 4 26\n8", "CELLS 4 26\nx");
+  const auto line =
+      1 + std::count(no_number.begin(), no_number.begin() + static_cast<int>(no_number.find("\nx")) + 1, '\n');
+  refuses(no_number, "a.vtk:" + std::to_string(line) + ": 'x' stands where a whole number is expected");
   refuses(binary.substr(0, binary.find("CELL_TYPES") + 20), "the file ends within CELL_TYPES");
   refuses(text.substr(0, text.find("CELLS")), "no element");
 }

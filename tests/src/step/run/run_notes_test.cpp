@@ -96,7 +96,7 @@ TEST(EndWarnings, TellABalanceThatIsOff) {
 TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
   EXPECT_THAT(
       format_all(find_end_warnings({}, {.largest = 100}, {{"bar", 10, 2.5, "element 7 of part 'bar' at (1, 2, 3)"}})),
-      ElementsAre(AllOf(StartsWith("part 'bar': warning: the hourglass energy is 25 % of the internal energy, most of "
+      ElementsAre(AllOf(StartsWith("part 'bar': warning: hourglass modes hold 25 % of the strain energy, most of "
                                    "it near element 7 of part 'bar' at (1, 2, 3) ("),
                         HasSubstr("[hourglass_energy]"))));
 }

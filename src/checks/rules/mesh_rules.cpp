@@ -1,0 +1,193 @@
+// Parts that conditions or joints take out of the motion, elements by which a failure strain counts.
+
+#include <algorithm>
+#include <limits>
+
+#include "src/checks/rules.hpp"
+
+namespace percuss {
+namespace {
+
+/// The condition that names a part as a whole, or else the part.
+std::string find_holding_path(const Deck& deck, const std::string& part) {
+  for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
+    const ConditionDeck& condition = deck.conditions[c];
+    if (condition.kind == ConditionDeck::Kind::fixed && condition.where.name == part) return join_path("conditions", c);
+  }
+  return "parts." + part;
+}
+
+bool names(const Selector& where, const std::string& part) {
+  return where.name.substr(0, where.name.find('/')) == part;
+}
+
+bool names(const std::vector<Selector>& where, const std::string& part) {
+  return std::any_of(where.begin(), where.end(), [&](const Selector& one) { return names(one, part); });
+}
+
+/// Where the deck takes two parts for bodies that touch each other; empty: it does not.
+std::string find_contact_between(const Deck& deck, const std::string& a, const std::string& b) {
+  const auto is_between = [&](const auto& one, const auto& other) {
+    return (names(one, a) && names(other, b)) || (names(one, b) && names(other, a));
+  };
+  for (std::size_t i = 0; i < deck.contact.pairs.size(); ++i)
+    if (is_between(deck.contact.pairs[i].a, deck.contact.pairs[i].b)) return join_path("contact.surfaces", i);
+  for (std::size_t i = 0; i < deck.contact.frictions.size(); ++i)
+    if (deck.contact.frictions[i].b && is_between(deck.contact.frictions[i].a, *deck.contact.frictions[i].b))
+      return join_path("contact.friction.pairs", i);
+  for (const ForceDeck& force : deck.output.forces)
+    if (force.kind == ForceDeck::Kind::contact && is_between(force.on, force.from))
+      return fmt::format("force '{}'", force.name);
+  return "";
+}
+
+bool joins(const JoinDeck& join, const std::string& part) {
+  return join.parts.empty() || std::find(join.parts.begin(), join.parts.end(), part) != join.parts.end();
+}
+
+/// The entry of `join` that names both.
+std::string find_join_path(const Deck& deck, const std::string& a, const std::string& b) {
+  for (std::size_t i = 0; i < deck.joins.size(); ++i)
+    if (joins(deck.joins[i], a) && joins(deck.joins[i], b)) return join_path("join", i);
+  return "";
+}
+
+/// What holds two parts together: beams or a preloaded part that both share nodes with.
+class Fasteners {
+ public:
+  explicit Fasteners(const CheckedScene& scene) : scene_(scene) {}
+
+  struct Found {
+    std::string part;                     // empty: there is none
+    std::int64_t with_a = 0, with_b = 0;  // nodes that it shares with them
+  };
+
+  Found find(int a, int b) const {
+    for (std::size_t p = 0; p < scene_.deck.parts.size(); ++p) {
+      const std::int64_t with_a = count_shared(static_cast<int>(p), a), with_b = count_shared(static_cast<int>(p), b);
+      if (with_a > 0 && with_b > 0 && is_fastener(p)) return {scene_.deck.parts[p].name, with_a, with_b};
+    }
+    return {};
+  }
+
+ private:
+  bool is_fastener(std::size_t part) const {
+    const PartMeasures& measures = scene_.measures->parts[part];
+    const auto& preloads = scene_.deck.start.preloads;
+    return measures.beams == measures.elements() ||
+           std::any_of(preloads.begin(), preloads.end(),
+                       [&](const PreloadDeck& preload) { return preload.part == scene_.deck.parts[part].name; });
+  }
+
+  std::int64_t count_shared(int part, int other) const {
+    for (const JointMeasures& joint : scene_.measures->joints)
+      if (joint.part == std::min(part, other) && joint.other == std::max(part, other)) return joint.nodes;
+    return 0;
+  }
+
+  const CheckedScene& scene_;
+};
+
+/// Whether a part that is held may be meant to be hit, and not to deform: an elastic one that others can touch.
+bool is_obstacle(const Deck& deck, const PartDeck& part) {
+  const ContactDeck& contact = deck.contact;
+  const bool touches = contact.surfaces == ContactDeck::Surfaces::all ||
+                       std::any_of(contact.pairs.begin(), contact.pairs.end(), [&](const SurfacePairDeck& pair) {
+                         return names(pair.a, part.name) || names(pair.b, part.name);
+                       });
+  const MaterialDeck& material = find_material(deck, part);
+  return touches && material.law.model == "elastic" && !material.failure;
+}
+
+/// Whether a material fails by a strain, which is that of a whole element.
+bool fails_by_strain(const MaterialDeck& material) {
+  return material.failure &&
+         (material.failure->plastic_strain || material.failure->principal_strain || material.failure->johnson_cook);
+}
+
+/// The smallest and the largest element of a material, and their parts.
+struct ElementRange {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  std::string fine, coarse;
+};
+
+ElementRange find_elements(const CheckedScene& scene, const MaterialDeck& material) {
+  ElementRange range;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    if (part.material != material.name || part.rigid || measures.elements() == 0) continue;
+    if (measures.smallest_element < range.smallest) range.fine = part.name;
+    if (measures.largest_element > range.largest) range.coarse = part.name;
+    range.smallest = std::min(range.smallest, measures.smallest_element);
+    range.largest = std::max(range.largest, measures.largest_element);
+  }
+  return range;
+}
+
+}  // namespace
+
+std::vector<Warning> check_held_parts(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const std::string& name = scene.deck.parts[p].name;
+    const PartMeasures& part = scene.measures->parts[p];
+    if (scene.deck.parts[p].rigid || part.nodes == 0 || scene.measures->selections.held[p] < part.nodes) continue;
+    if (is_obstacle(scene.deck, scene.deck.parts[p])) continue;
+    warnings.push_back(warn_at(scene.deck, "held_part", find_holding_path(scene.deck, name),
+                               fmt::format("all {} nodes of part '{}' are held (it cannot deform, and its elements are "
+                                           "computed for nothing): hold one of its sides, or make it an obstacle by "
+                                           "rigid: {{fixed: [x, y, z, rx, ry, rz]}}",
+                                           part.nodes, name)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_join_glue(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  const Fasteners fasteners(scene);
+  std::vector<Warning> warnings;
+  for (const JointMeasures& joint : scene.measures->joints) {
+    const std::string &a = deck.parts[static_cast<std::size_t>(joint.part)].name,
+                      &b = deck.parts[static_cast<std::size_t>(joint.other)].name;
+    const std::string path = find_join_path(deck, a, b);
+    if (joint.faces == 0 || path.empty()) continue;
+    const std::string contact = find_contact_between(deck, a, b);
+    const Fasteners::Found fastener = fasteners.find(joint.part, joint.other);
+    if (contact.empty() && fastener.part.empty()) continue;
+    std::string why = contact.empty() ? "" : "; " + contact + " takes them for bodies that touch";
+    std::string remedy = "leave one of them out of the entry, or move them apart by a gap";
+    if (!fastener.part.empty()) {
+      why += fmt::format("; '{}', which shares {} and {} nodes with them, then carries nothing", fastener.part,
+                         fastener.with_a, fastener.with_b);
+      remedy = fmt::format("write two entries, {{parts: [{0}, {1}]}} and {{parts: [{0}, {2}]}}", fastener.part, a, b);
+    }
+    warnings.push_back(warn_at(deck, "join_glue", path,
+                               fmt::format("this entry glues '{}' and '{}' by {} faces with {} nodes (they cannot open "
+                                           "or slide there{}): {}",
+                                           a, b, joint.faces, joint.nodes, why, remedy)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_failure_size(const CheckedScene& scene) {
+  constexpr double most = 3;  // times: so much does the energy of a crack depend on the place where it runs
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    if (!fails_by_strain(material)) continue;
+    const ElementRange range = find_elements(scene, material);
+    if (range.largest <= most * range.smallest) continue;
+    const std::string where = range.fine == range.coarse
+                                  ? "of part '" + range.fine + "'"
+                                  : fmt::format("of parts '{}' and '{}'", range.fine, range.coarse);
+    warnings.push_back(warn_at(
+        scene.deck, "failure_size", "materials." + material.name + ".failure",
+        fmt::format("material '{}' fails at one strain in elements {} that are {:.3g} to {:.3g} large (necks and "
+                    "cracks are one element wide, so that the largest take {:.2g} times the energy of the "
+                    "smallest): fit the strain to one size, or mesh evenly where the material fails",
+                    material.name, where, range.smallest, range.largest, range.largest / range.smallest)));
+  }
+  return warnings;
+}
+
+}  // namespace percuss
