@@ -21,7 +21,7 @@ Handler = Callable[[AbaqusDeck, Block], None]
 ROUGH = 100.0  # coefficient of friction without slip
 OF_PRINTING = "output that is printed or kept for a restart, not physics"
 IGNORED = {
-    **dict.fromkeys(("PREPRINT", "RESTART", "MONITOR", "FILE OUTPUT", "NODE PRINT", "EL PRINT", "ENERGY PRINT", "CONTACT PRINT", "NODE FILE",
+    **dict.fromkeys(("PREPRINT", "MONITOR", "FILE OUTPUT", "NODE PRINT", "EL PRINT", "ENERGY PRINT", "CONTACT PRINT", "NODE FILE",
                      "EL FILE", "ENERGY FILE", "CONTACT FILE", "DIAGNOSTICS", "FILTER", "TIME POINTS", "FILE FORMAT", "PRINT", "CONSTRAINT CONTROLS",
                      "PREFERENCE", "VALIDATE", "INCREMENTATION OUTPUT"), OF_PRINTING),
     "CONTACT CONTROLS": "numerics of contact: percuss has its own", "CONTACT CONTROLS ASSIGNMENT": "numerics of contact: percuss has its own",
@@ -225,6 +225,11 @@ class Reader:
         self.add_time(block, max((block.number(line, 1) for line in block.lines[:1]), default=0.0))
         self.deck.ledger.translated("DYNAMIC", block.place, "time.end")
 
+    def restart(self, block: Block) -> None:
+        if "READ" in block.options:
+            raise BadInput(block.place, "*RESTART, READ goes on from the results of another job, which percuss does not read: add these steps to the deck of that job")
+        self.deck.ledger.ignored("RESTART", block.place, OF_PRINTING)
+
     def static(self, block: Block) -> None:
         self.deck.ledger.refuse(
             block.keyword, block.place, "a step that is not explicit dynamics", "the run is explicit, with its time"
@@ -272,7 +277,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
-    "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
+    "RESTART": Reader.restart, "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,

@@ -92,6 +92,7 @@ PROOFS = [
     Proof("FREQUENCY", abaqus(abaqus_cube(), step="*END STEP\n*STEP\n*FREQUENCY\n10,\n"), refused="not explicit dynamics"),
     Proof("DYNAMIC: SCALE_FACTOR", abaqus(abaqus_cube(), "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 4.\n", end=1e-5).replace("EXPLICIT\n", "EXPLICIT, SCALE FACTOR=0.45\n"),
           [(lambda h: h["step"][-1] / 1e-5 * 10.0 / math.sqrt(2.1e5 * 0.7 / (1.3 * 0.4) / 7.8e-9), LAST, math.sqrt(3) / 0.45, 0.1)], "0.45 of the stable step of a cube, whose volume swings fastest: L / (c sqrt(3))"),
+    Proof("RESTART", abaqus(abaqus_cube()).replace("*HEADING", "*RESTART, READ, STEP=1\n*HEADING"), refused="another job"),
     Proof("TRANSFORM: NSET TYPE", abaqus(abaqus_cube(), "*TRANSFORM, NSET=all\n0., 1., 0., -1., 0., 0.\n*BOUNDARY\nall, 1\n"), refused="TRANSFORM"),
     Proof("TRANSFORM: NSET TYPE", abaqus(abaqus_cube(), "*TRANSFORM, NSET=all, TYPE=C\n0., 0., 0., 0., 0., 1.\n*BOUNDARY\nall, 1\n"), refused="TRANSFORM"),
     Proof("ENDSTEP", abaqus(abaqus_cube(), "*INITIALCONDITIONS, TYPE=VELOCITY\nall, 1, 9.\n").replace("*END STEP", "*ENDSTEP"),
