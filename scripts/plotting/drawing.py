@@ -10,6 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import ScalarFormatter
+from percuss.extremes import find_size
 from percuss.files import make_mark, write_file
 from percuss.units import choose_time_unit, choose_unit
 
@@ -41,7 +42,7 @@ class Plot:
             ends = [h["time"][-1] for _, _, h in runs if len(h)]
             self.x_unit, self.x_factor = choose_time_unit(history.unit("time"), min(max(ends, default=0), options.end))
         else:
-            largest = max((float(np.nanmax(np.abs(h[options.x]), initial=0)) for _, _, h in runs), default=0)
+            largest = max((find_size(h[options.x]) for _, _, h in runs), default=0)
             self.x_unit, self.x_factor = choose_unit(history.unit(options.x), largest)
 
     def draw_all(self, panels, size, title=""):

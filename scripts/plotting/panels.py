@@ -5,6 +5,7 @@ import fnmatch
 from dataclasses import dataclass, field
 
 import numpy as np
+from percuss.extremes import find_size
 
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
@@ -60,7 +61,7 @@ def list_panels(histories):
 def _leave_out_small(names, histories):
     """Without columns far below the largest: they would be lines at zero."""
     def find_largest(name):
-        return max(float(np.nanmax(np.abs(h[name]), initial=0)) for h in histories if name in h)
+        return max(find_size(h[name]) for h in histories if name in h)
 
     largest = {name: find_largest(name) for name in names}
     least = SMALL_FORCE * max(largest.values(), default=0)

@@ -5,6 +5,7 @@ import os
 import re
 
 import numpy as np
+from percuss.extremes import find_size, find_top
 from percuss.files import read_text
 
 from .markup import Markup, escape, fold, format_number, make_table
@@ -127,7 +128,7 @@ def find_history_differences(first, other):
         if size == 0 or not np.isfinite(a - b).any():
             continue
         share = np.abs(a - b) / size
-        worst = int(np.nanargmax(share))
+        worst = find_top(share)
         rows.append((name, float(share[worst]), float(time[worst]), float(share[-1])))
     largest = {}
     for name, *_ in rows:
@@ -150,7 +151,7 @@ def _find_size(history, name):
     """The largest magnitude of a column; of a component that of all three, so that round-off of one that is zero does not count."""
     parts = re.fullmatch(r"(momentum_|angular_|wall_force_|f|m)[xyz](:.*)?", name)
     names = [parts[1] + axis + (parts[2] or "") for axis in "xyz"] if parts else [name]
-    return max(float(np.nanmax(np.abs(history[n]), initial=0)) for n in names if n in history)
+    return max(find_size(history[n]) for n in names if n in history)
 
 
 def make_history_table(runs, histories, labels):

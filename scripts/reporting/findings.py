@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from percuss.extremes import find_size, find_top
 
 GOOD, LOOK, BAD = "good", "look", "bad"
 
@@ -159,13 +160,13 @@ def _judge_losses(run, summary):
 def _judge_history(history):
     found = []
     if "residual" in history:
-        worst = int(np.nanargmax(history["residual"]))
+        worst = find_top(history["residual"])
         value = history["residual"][worst]
         if value > PENETRATION:
             found.append(Finding(LOOK, f"Contact left a penetration of {100 * value:.3g} % of a face's edge at "
                                        f"t = {history['time'][worst]:.4g}.", "lower contact.tolerance or time.step_scale"))
     time, internal = history["time"], history["internal"]
-    largest = max(float(np.nanmax(np.abs(history[name]))) for name in ("kinetic", "internal"))
+    largest = max(find_size(history[name]) for name in ("kinetic", "internal"))
     late = internal[time >= time[-1] - 0.05 * (time[-1] - time[0])]
     if largest > 0 and len(late) > 1 and abs(late[-1] - late[0]) > STILL_CHANGING * largest:
         found.append(Finding(LOOK, "The internal energy still changes at the end by more than 1 % of the largest energy in a "
@@ -176,13 +177,13 @@ def _judge_history(history):
 def find_peaks(history):
     """[(column, largest value, its time, least value, its time)] of what has a dimension of force, of contacts and energies."""
     rows, forces = [], [name for name in history if history.dimension(name) == "force"]
-    largest = max((float(np.nanmax(np.abs(history[name]))) for name in forces if len(history) and np.isfinite(history[name]).any()), default=0.0)
+    largest = max((find_size(history[name]) for name in forces if len(history) and np.isfinite(history[name]).any()), default=0.0)
     for name in history:
         wanted = name in forces or name in ("kinetic", "internal", "contacts", "residual")
-        if name in forces and np.isfinite(history[name]).any() and not np.nanmax(np.abs(history[name])) > ROUND_OFF * largest:
+        if name in forces and np.isfinite(history[name]).any() and not find_size(history[name]) > ROUND_OFF * largest:
             continue
         if not wanted or not len(history) or not np.isfinite(history[name]).any() or not history[name].any():
             continue
-        high, low = int(np.nanargmax(history[name])), int(np.nanargmin(history[name]))
+        high, low = find_top(history[name]), find_top(-history[name])
         rows.append((name, history[name][high], history["time"][high], history[name][low], history["time"][low]))
     return rows

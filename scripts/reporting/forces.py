@@ -1,6 +1,7 @@
 """Forces of a run: their peaks and impulses, and whether impulses and momenta, and pairs and their sum, are in balance."""
 
 import numpy as np
+from percuss.extremes import find_size, find_top
 from percuss.units import choose_time_unit
 
 from .markup import make_table, with_unit
@@ -74,7 +75,7 @@ def _show_peak(history, column):
     """The largest value; nothing where there is no such column, or none in it."""
     if column not in history or not np.any(np.isfinite(history[column])):
         return ""
-    return _show(np.nanmax(history[column]), history.unit(column))
+    return _show(find_size(history[column]), history.unit(column))
 
 
 def _show(value, unit):
@@ -107,13 +108,13 @@ def _add(found, history, whole, what, shares):
     if not shares or whole not in history:
         return
     total = np.sum([np.asarray(history[name]) for name in shares], axis=0)
-    largest = max(float(np.nanmax(np.abs(history[name]))) for name in [whole, *shares])
+    largest = max(find_size(history[name]) for name in [whole, *shares])
     if whole.startswith("momentum"):  # of the vector, so that round-off of a component that is zero does not count
-        largest = max([largest] + [float(np.nanmax(np.abs(history[f"momentum_{axis}"]))) for axis in "xyz"])
+        largest = max([largest] + [find_size(history[f"momentum_{axis}"]) for axis in "xyz"])
     if not largest > 0:
         return
     difference = np.abs(total - history[whole])
-    row = int(np.nanargmax(difference))
+    row = find_top(difference)
     found.append((what, float(total[row]), float(history[whole][row]), float(difference[row]) / largest, whole))
 
 

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from percuss.extremes import find_size
 from percuss.filters import filter_cfc, find_cutoff, resample
 from percuss.units import choose_time_unit
 
@@ -55,7 +56,7 @@ def make_accelerometers_table(run):
                      *(_show(part, unit) for part in parts)]
         except ValueError as error:
             troubles.append(f"{name}: {error}.")
-        rows.append((name, *cells, _show(float(np.nanmax(raw)), unit)))
+        rows.append((name, *cells, _show(find_size(raw), unit)))
     heading = ("accelerometer", f"largest resultant, CFC {CLASS}", "in g", "at", "largest x", "largest y", "largest z", "resultant without filter")
     text = "<h3>Accelerometers</h3>" + make_table(heading, rows, range(1, 8))
     soft = (f"Signals along the moving axes after the filter CFC {CLASS} of SAE J211, then their resultant; x, y and z are magnitudes. Nothing "

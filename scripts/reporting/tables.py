@@ -1,6 +1,7 @@
 """Tables of energies and forces for the terminal: percuss info DIR --energies --forces."""
 
 import numpy as np
+from percuss.extremes import find_top
 
 from .forces import describe_kind, find_force, find_impulse, list_forces
 
@@ -19,11 +20,11 @@ def list_energies(run, history):
         values = history[name]
         if not np.isfinite(values).any():
             continue
-        top = int(np.nanargmax(np.abs(values)))
+        top = find_top(np.abs(values))
         rows.append((name, _show(values[0]), _show(values[-1]), _show(values[top]), _show(history["time"][top]), history.unit(name)))
     if "energy_error" in history and np.isfinite(history["energy_error"]).any():
         error = history["energy_error"]
-        top = int(np.nanargmax(np.abs(error)))
+        top = find_top(np.abs(error))
         rows.append(("energy_error", _show(error[0]), _show(error[-1]), _show(error[top]), _show(history["time"][top]), ""))
     return ("energy", "first", "last", "largest", "at time", "unit"), rows
 
