@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "src/deck/make_material.hpp"
+#include "src/deck/rigid_bodies.hpp"
 
 namespace percuss {
 
@@ -17,7 +18,29 @@ std::string find_shape_path(const PartDeck& part) {
   return fmt::format("parts.{}.{}", part.name, name);
 }
 
+namespace {
+
+/// Those that are of a rigid body, or have nodes of it.
+std::vector<std::size_t> find_parts_of_body(const Deck& deck, const std::string& body) {
+  const RigidNames names = name_rigid_bodies(deck);
+  const int index = names.find(body);
+  std::vector<std::size_t> parts;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p)
+    if (names.body_of_part[p] == index) parts.push_back(p);
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
+    if (names.body_of_set[s] != index) continue;
+    const std::vector<std::size_t> of_set = find_named_parts(deck, deck.rigid_sets[s].where);
+    parts.insert(parts.end(), of_set.begin(), of_set.end());
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
+}  // namespace
+
 std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& selector) {
+  if (const std::string body = find_body(selector); !body.empty()) return find_parts_of_body(deck, body);
   const std::string name = selector.name.substr(0, selector.name.find('/'));
   const auto part =
       std::find_if(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& p) { return p.name == name; });

@@ -167,6 +167,7 @@ struct RigidSetDeck {
   std::optional<Vec3> center;                    // of that; none: the mass centre of the nodes [length]
   std::optional<std::array<double, 6>> inertia;  // in addition, about that centre: xx, yy, zz, xy, yz, zx
   std::array<bool, 6> fixed{};                   // as RigidDeck::fixed
+  bool counts_nodes = true;                      // whether the masses of the nodes are masses of the body
   Place place;
 };
 
@@ -257,7 +258,7 @@ struct InitialDeck {
 };
 
 /// Exactly one of the kinds a list entry. Directions are the axes x, y, z and, of nodes of shells, rotations about
-/// them.
+/// them. Of a body: of its centre, and its turns about axes through it; directions that are not named stay free.
 struct ConditionDeck {
   enum class Kind { fixed, symmetry, velocity, displacement };
   Selector where;
@@ -294,12 +295,13 @@ struct PressureDeck {
   SwitchDeck when;
 };
 
-/// Forces and, of nodes of shells, moments, on each of the nodes.
+/// Forces and, of nodes of shells, moments, on each of the nodes; or on a point of a rigid body.
 struct NodalLoadDeck {
   Selector where;
   std::array<bool, 6> active{};  // which are given: forces along x, y, z, then moments about x, y, z
   std::array<Curve, 6> value;
   SwitchDeck when;
+  std::optional<Vec3> at{};  // of a body, at time 0; none: its centre
 };
 
 /// A force -c m v on nodes, of shells also -c I w.

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "comm/all_reduce.hpp"
+#include "src/deck/rigid_bodies.hpp"
 #include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
 #include "src/mesh/surface_nodes.hpp"
@@ -186,7 +187,31 @@ std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
   return faces;
 }
 
+namespace {
+
+/// Nodes of the parts and of the sets of a rigid body.
+std::vector<int> select_body(const Mesh& mesh, const Deck& deck, const std::string& body) {
+  const RigidNames names = name_rigid_bodies(deck);
+  const int index = names.find(body);
+  std::vector<int> nodes;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (names.body_of_part[static_cast<std::size_t>(mesh.part_of(e))] != index) continue;
+    for (const int n : mesh.corners(e)) nodes.push_back(n);
+  }
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
+    if (names.body_of_set[s] != index) continue;
+    const std::vector<int> of_set = select_nodes(mesh, deck, deck.rigid_sets[s].where);
+    nodes.insert(nodes.end(), of_set.begin(), of_set.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+}  // namespace
+
 std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  if (const std::string body = find_body(selector); !body.empty()) return select_body(mesh, deck, body);
   const InsideBox box(mesh, selector);
   std::vector<int> nodes;
   if (selector.name.empty()) {

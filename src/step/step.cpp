@@ -78,6 +78,7 @@ void Stepper::renew_loads(State& state) {
 void Stepper::set_switches(State& state) {
   if (!model_.switches.switches_conditions) return;
   set_held_directions(model_, state);
+  rigid_.set_switches(state);
   forces_.renew_supports(state);
 }
 
@@ -85,7 +86,7 @@ void Stepper::set_switches(State& state) {
 void Stepper::switch_now(State& state, const std::vector<char>& happened) {
   const auto book = [&](double dt) {
     bookkeeper_.book_new_forces(state, dt, true);
-    rigid_.book_rest(state, dt);
+    rigid_.book_rest(state, dt, state.time, true);
   };
   book(-state.dt);
   state.happened = happened;
@@ -204,7 +205,7 @@ void Stepper::book_motion(State& state, double dt, double dt_mean) {
 void Stepper::book_forces(State& state, double dt) {
   const Phase phase("percuss::book", clocks_.reduce);
   bookkeeper_.book_new_forces(state, dt);
-  rigid_.book_rest(state, dt);
+  rigid_.book_rest(state, dt, state.time + dt);
 }
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {

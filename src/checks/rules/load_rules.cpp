@@ -116,7 +116,7 @@ std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
                                  fmt::format("all {} nodes of this load are held in its direction (conditions carry it "
                                              "at once, and nothing deforms): take other nodes, or free them",
                                              load.selected)));
-    if (!load.turns && (active[3] || active[4] || active[5]))
+    if (!load.turns && find_body(deck.nodal_loads[i].where).empty() && (active[3] || active[4] || active[5]))
       warnings.push_back(warn_at(deck, "idle_load", join_path("loads.nodal", i) + ".moment",
                                  "none of these nodes has rotations (only shells and beams do, and a moment on others "
                                  "has no effect): give pairs of forces"));

@@ -256,6 +256,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_running_masses(deck, root, reading);
   check_rigid(deck, root, reading);
   check_joints(deck, root, reading);
+  check_body_names(deck, reading);
   check_start(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);

@@ -16,10 +16,24 @@ const Keys<RadialVelocityDeck>& radial_velocity_keys() {
   return keys;
 }
 
+/// All nodes of a rigid body.
+struct BodyValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, Selector& out) const {
+    out.place = node.spot.place;
+    std::string body;
+    if (!NameValue{}.read(reader, name, node, body)) return false;
+    out.name = body_prefix + body;
+    return true;
+  }
+  std::string takes() const { return NameValue{}.takes(); }
+  Form form() const { return NameValue{}.form(); }
+};
+
 const Keys<InitialDeck>& initial_keys() {
   static const Keys<InitialDeck> keys = {
       may("part", &InitialDeck::where, SelectorValue{}),
       may("nodes", &InitialDeck::where, SelectorValue{}),
+      may("body", &InitialDeck::where, BodyValue{}),
       may("velocity", &InitialDeck::velocity, vector3()),
       may("angular_velocity", &InitialDeck::angular_velocity, vector3()),
       may("center", &InitialDeck::center, vector3()),
@@ -28,12 +42,25 @@ const Keys<InitialDeck>& initial_keys() {
   return keys;
 }
 
+/// A body has the velocity of its centre and its spin about that.
+bool check_initial_of_body(const Reader& reader, const Node& node) {
+  for (const char* key : {"part", "nodes", "center", "radial_velocity"}) {
+    if (node.find(key) == nullptr) continue;
+    reader.error(node.find(key)->key, fmt::format("{} has body and {} (a body moves with its mass centre, and turns "
+                                                  "about it): leave one of them out",
+                                                  reader.self(), key));
+    return false;
+  }
+  return true;
+}
+
 bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial) {
   initial.where.place = node.spot.place;
   if (const Node* both = node.find("part") != nullptr ? node.find("nodes") : nullptr) {
     reader.error(both->key, fmt::format("{} has both part and nodes (must be one of them)", reader.self()));
     return false;
   }
+  if (node.find("body") != nullptr && !check_initial_of_body(reader, node)) return false;
   const bool spins = node.find("angular_velocity") != nullptr;
   if (!spins && !initial.radial_velocity && node.find("velocity") == nullptr) {
     reader.error(node.spot, fmt::format("{} has no velocity (required: velocity, angular_velocity or radial_velocity)",
@@ -210,16 +237,33 @@ struct NodalValue {
   Form form() const { return directions_form({"x", "y", "z"}); }
 };
 
+/// What acts on nodes or on a body.
+bool check_nodes_or_body(const Reader& reader, const Node& node) {
+  const bool has_nodes = node.find("nodes") != nullptr, has_body = node.find("body") != nullptr;
+  if (has_nodes != has_body) return true;
+  reader.error(node.spot, fmt::format("{} has {} (must have exactly one of nodes, body)", reader.self(),
+                                      has_nodes ? "nodes and body" : "no nodes"));
+  return false;
+}
+
 const Keys<NodalLoadDeck>& nodal_load_keys() {
   static const Keys<NodalLoadDeck> keys = with_switch<NodalLoadDeck>({
-      need("nodes", &NodalLoadDeck::where, SelectorValue{}),
+      may("nodes", &NodalLoadDeck::where, SelectorValue{}),
+      may("body", &NodalLoadDeck::where, BodyValue{}),
+      may("at", &NodalLoadDeck::at, vector3()),
       group<NodalLoadDeck>("force", NodalValue{0}),
       group<NodalLoadDeck>("moment", NodalValue{3}),
   });
   return keys;
 }
 
-bool check_nodal_load(const Reader& reader, const Node& node, NodalLoadDeck&) {
+bool check_nodal_load(const Reader& reader, const Node& node, NodalLoadDeck& load) {
+  if (!check_nodes_or_body(reader, node)) return false;
+  if (load.at && find_body(load.where).empty()) {
+    reader.error(node.find("at")->key,
+                 fmt::format("{} has no effect (only the load on a body has a point)", reader.name_of("at")));
+    return false;
+  }
   if (node.find("force") != nullptr || node.find("moment") != nullptr) return true;
   reader.error(node.spot, fmt::format("{} does nothing (must have a force, a moment or both)", reader.self()));
   return false;
@@ -250,7 +294,8 @@ const Keys<ConditionDeck>& condition_kind_keys() {
 
 const Keys<ConditionDeck>& condition_keys() {
   static const Keys<ConditionDeck> keys = [] {
-    Keys<ConditionDeck> all = {need("nodes", &ConditionDeck::where, SelectorValue{})};
+    Keys<ConditionDeck> all = {may("nodes", &ConditionDeck::where, SelectorValue{}),
+                               may("body", &ConditionDeck::where, BodyValue{})};
     for (const auto& key : condition_kind_keys()) all.push_back(key);
     return with_switch(std::move(all));
   }();
@@ -272,6 +317,13 @@ bool ConditionValue::read(const Reader& reader, const std::string& name, const N
   for (const auto& key : condition_kind_keys()) {
     known.push_back(key.name);
     if (node.find(key.name) != nullptr) given.push_back(key.name);
+  }
+  if (given.size() == 1 && !check_nodes_or_body(inner, node)) return false;
+  if (given.size() == 1 && !find_body(out.where).empty() && out.kind == ConditionDeck::Kind::symmetry) {
+    reader.error(node.find("symmetry")->key, fmt::format("'{}' is a symmetry of a body (its nodes are not all on one "
+                                                         "plane): use fixed",
+                                                         name));
+    return false;
   }
   if (given.size() == 1) return good;
   const std::string what = given.empty() ? "does nothing" : fmt::format("has {}", fmt::join(given, " and "));

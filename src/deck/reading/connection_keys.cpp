@@ -266,6 +266,20 @@ void check_joints(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+void check_body_names(const Deck& deck, Reading& reading) {
+  const RigidNames names = name_rigid_bodies(deck);
+  const auto check = [&](const Selector& where) {
+    const std::string body = find_body(where);
+    if (body.empty() || names.find(body) >= 0) return;
+    reading.errors.add({where.place, -1}, fmt::format("there is no rigid body '{}' (a rigid part, its rigid.body, or a "
+                                                      "rigid set){}",
+                                                      body, name_hint(body, names.bodies)));
+  };
+  for (const InitialDeck& initial : deck.initial) check(initial.where);
+  for (const ConditionDeck& condition : deck.conditions) check(condition.where);
+  for (const NodalLoadDeck& load : deck.nodal_loads) check(load.where);
+}
+
 NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value() { return {"joint", {joint_keys, check_joint}}; }
 
 }  // namespace percuss

@@ -74,6 +74,9 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading);
 /// Joints between bodies that exist.
 void check_joints(const Deck& deck, const Node& root, Reading& reading);
 
+/// Loads and conditions of bodies that exist.
+void check_body_names(const Deck& deck, Reading& reading);
+
 MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();

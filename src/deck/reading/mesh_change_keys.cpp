@@ -123,6 +123,7 @@ const Keys<RigidSetDeck>& rigid_set_keys() {
       may("mass", &RigidSetDeck::mass, NumberValue{positive}),
       may("center", &RigidSetDeck::center, vector3()),
       may("inertia", &RigidSetDeck::inertia, TupleValue<NumberValue, 6>{}),
+      may("node_masses", &RigidSetDeck::counts_nodes, ChoiceValue<bool>{{{"count", true}, {"ignore", false}}}),
       may("fixed", &RigidSetDeck::fixed, FreedomsValue{}),
   };
   return keys;
@@ -147,6 +148,17 @@ void check_rigid_sets(const Deck& deck, const Node& root, Reading& reading) {
                                                 "of its own): choose another name, or join it with body: {}",
                                                 set.name, set.name));
     }
+  }
+}
+
+/// A body whose nodes do not count has its mass from the deck.
+void check_ignored_masses(const Deck& deck, const Node& root, Reading& reading) {
+  for (const RigidSetDeck& set : deck.rigid_sets) {
+    if (set.counts_nodes || !set.body.empty() || (set.mass > 0 && set.center && set.inertia)) continue;
+    reading.errors.add(root.find("rigid_sets")->find(set.name)->find("node_masses")->key,
+                       fmt::format("rigid set '{}' ignores the masses of its nodes (then it is a body without mass): "
+                                   "give mass, center and inertia",
+                                   set.name));
   }
 }
 
@@ -199,6 +211,7 @@ Form RigidValue::form() const {
 void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
   const Node* parts = root.find("parts");
   check_rigid_sets(deck, root, reading);
+  check_ignored_masses(deck, root, reading);
   if (!deck.rigid_sets.empty() && deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     reading.errors.add(
         root.find("time")->find("step_estimate")->spot,

@@ -116,14 +116,14 @@ class HeldDirectionFinder {
 
   /// Throws, on all ranks, if a sensor is to switch what holds a rigid body.
   void require_no_bodies(const ConditionDeck& condition, const std::vector<int>& nodes) const {
-    if (!condition.when.any()) return;
+    if (!condition.when.any() || !find_body(condition.where).empty()) return;
     int some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return rigid_.holds(n); }) ? 1 : 0;
     all_reduce(model_.ranks, Reduce::largest, some);
     if (some == 0) return;
-    throw InputError(
-        fmt::format("{}: error: the condition is of a rigid body and has from or until (sensors switch "
-                    "conditions on nodes that deform only): leave out the switch",
-                    deck_.where(condition.where.place)));
+    throw InputError(fmt::format(
+        "{}: error: the condition is of a rigid body and has from or until (sensors switch "
+        "conditions on nodes that deform, and those that name a body): name it with body: in place of nodes",
+        deck_.where(condition.where.place)));
   }
 
   void note(std::size_t c, int k, int node, const ConditionDeck& other) {

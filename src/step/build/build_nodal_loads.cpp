@@ -14,6 +14,8 @@ void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots&
   std::vector<int> nodes, load;
   for (const NodalLoadDeck& entry : deck.nodal_loads) {
     const auto row = static_cast<int>(model.nodal_values.size());
+    model.nodal_values.push_back(entry.value);
+    if (!find_body(entry.where).empty()) continue;  // add_body_loads()
     for (const int n : select_nodes(chunked.mesh, deck, entry.where)) {
       if (!owns_node(chunked, n)) continue;
       nodes.push_back(n);
@@ -21,7 +23,6 @@ void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots&
       slots.nodes.push_back(n);
       slots.orders.push_back(first_order + row);
     }
-    model.nodal_values.push_back(entry.value);
   }
   loads.count = static_cast<int>(nodes.size());
   loads.node = to_view("percuss::loaded_nodes", nodes);

@@ -34,6 +34,7 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
   std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
   std::vector<Vec3> spin(model.has_rotations ? mesh.nodes.size() : 0, Vec3{});
   for (const InitialDeck& initial : deck.initial) {
+    if (!find_body(initial.where).empty()) continue;  // start_rigid_bodies()
     const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
     const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
     for (const int node : nodes) {

@@ -12,6 +12,12 @@
 
 namespace percuss {
 
+/// A force and a moment on a point of a body; const after set-up.
+struct BodyLoad {
+  std::size_t load = 0;   // row of Model::nodal_values
+  Vector3<double> arm{};  // of the point at time 0, from the centre
+};
+
 /// A body at time 0; const after set-up.
 struct RigidBody {
   static constexpr int free = -1;
@@ -23,11 +29,13 @@ struct RigidBody {
   Vector3<double> velocity{}, spin{};  // of the centre; about it [rad / time]
   // Row of Model::motions that holds each translation, then each rotation about an axis through the centre; free: none.
   std::array<int, 6> motion{free, free, free, free, free, free};
+  std::array<int, 6> switched_by{free, free, free, free, free, free};  // condition that sensors switch; free: none
+  std::vector<BodyLoad> loads{};
   double radius = 0;                                    // largest distance of a node from the centre
   std::int64_t parts = 0, nodes = 0, shared_nodes = 0;  // of all ranks; shared with elements that deform
 
-  /// x, y, z, then rotations about them.
-  bool holds(std::size_t direction) const { return motion[direction] != free; }
+  /// x, y, z, then rotations about them: at all times.
+  bool always_holds(std::size_t direction) const { return motion[direction] != free && switched_by[direction] == free; }
 };
 
 /// Where a joint holds one of its bodies.
@@ -70,7 +78,13 @@ struct RigidState {
   Vector3<double> velocity{};       // of the centre, at n-1/2 (at n = 0: at 0)
   Vector3<double> spin_momentum{};  // angular momentum of the nodes about the centre, likewise
   Vector3<double> spin{};           // w of rigid_motion.hpp, likewise
+  std::array<bool, 6> released{};   // directions that a condition would hold, but for a sensor
 };
+
+/// Whether something holds a direction of a body now.
+inline bool holds(const RigidBody& body, const RigidState& state, std::size_t direction) {
+  return body.motion[direction] != RigidBody::free && !state.released[direction];
+}
 
 /// What a joint did to its first body in the last step, on average; to the second the opposite.
 struct JointState {
@@ -84,7 +98,7 @@ inline Symmetric3<double> find_inertia(const RigidBody& body, const RigidState& 
 
 /// Its inverse in the rotations that nothing holds.
 inline Symmetric3<double> find_free_inverse(const RigidBody& body, const RigidState& state) {
-  const bool held[3] = {body.holds(3), body.holds(4), body.holds(5)};
+  const bool held[3] = {holds(body, state, 3), holds(body, state, 4), holds(body, state, 5)};
   return invert_free(find_inertia(body, state), held);
 }
 

@@ -111,7 +111,10 @@ void Relaxation::make_model(const Deck& deck) {
 /// Nodes that stand still, and whole bodies of which one does.
 void Relaxation::hold_nodes(const Deck& deck) {
   if (rules_.hold.empty()) return;
-  constexpr int at_rest = 0;  // row of the motions
+  const auto hold_at_rest = [](RigidBody& body) {
+    body.motion.fill(0);  // row of the motions
+    body.switched_by.fill(RigidBody::free);
+  };
   std::vector<int> nodes, is_held(model_.rigid.bodies.size(), 0);
   const auto body_of_node = to_host(model_.rigid.body_of_node);
   for (const Selector& where : rules_.hold) {
@@ -122,7 +125,7 @@ void Relaxation::hold_nodes(const Deck& deck) {
   }
   if (!is_held.empty()) all_reduce(model_.ranks, Reduce::largest, is_held);
   for (std::size_t b = 0; b < is_held.size(); ++b)
-    if (is_held[b] != 0) relaxed_.rigid.bodies[b].motion.fill(at_rest);
+    if (is_held[b] != 0) hold_at_rest(relaxed_.rigid.bodies[b]);
   state_.inverse_mass = copy_to_zero(inverse_mass_, nodes);
   if (model_.has_rotations) state_.inverse_inertia = copy_to_zero(inverse_inertia_, nodes);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "comm/agreement.hpp"
@@ -88,7 +89,7 @@ Symmetric3<double> sum_rotary(const RigidMap& map, const SetMasses& of, const Mo
   const auto inertia = to_host(model.inertia);
   std::array<ExactSum, 1> sum{};
   for (const int n : of.owned)
-    if (map.is_in_set[at(n)] != 0) sum[0].add(inertia(n));
+    if (map.is_in_set[at(n)] != 0 && map.counts[at(n)] != 0) sum[0].add(inertia(n));
   sum_over_ranks(model.ranks, sum);
   const double half = 0.5 * sum[0].round();
   return {half, half, half, 0, 0, 0};
@@ -149,7 +150,8 @@ void apply(const GivenMasses& given, MassSum& sum) {
 }
 
 bool adds_rigid_masses(const Deck& deck) {
-  return std::any_of(deck.rigid_sets.begin(), deck.rigid_sets.end(), [](const auto& set) { return set.mass > 0; });
+  return std::any_of(deck.rigid_sets.begin(), deck.rigid_sets.end(),
+                     [](const auto& set) { return set.mass > 0 || !set.counts_nodes; });
 }
 
 /// Whether a body has inertia about every axis, but for round-off.
@@ -192,6 +194,17 @@ RigidLoads list_loads(const ChunkedMesh& chunked, const Deck& deck, const std::v
   }
   loads.node = to_view("percuss::rigid_load_nodes", nodes);
   return loads;
+}
+
+/// Loads of the deck on points of bodies.
+void add_body_loads(const Deck& deck, const RigidNames& names, std::vector<RigidBody>& bodies) {
+  for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) {
+    const NodalLoadDeck& load = deck.nodal_loads[i];
+    const std::string name = find_body(load.where);
+    if (name.empty()) continue;
+    RigidBody& body = bodies[at(names.find(name))];
+    body.loads.push_back({i, load.at ? to_vector(*load.at) - body.center : Vector3<double>{0, 0, 0}});
+  }
 }
 
 double find_least_edge(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
@@ -247,13 +260,19 @@ void find_total(const ChunkedMesh& chunked, const RigidMap& map, const std::vect
   model.mass_center = {total.center.x, total.center.y, total.center.z};
 }
 
-/// Mass of a body with that of others on its nodes, which given values do not include.
+/// Mass of a body with that of others on its nodes, which given values do not include. owned: nodes that count.
 MassSum sum_of_body(const ChunkedMesh& chunked, const Model& model, const GivenMasses& given, const RigidMasses& masses,
                     const std::vector<int>& owned) {
   if (!given.any()) return sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)]; });
   MassSum sum = sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)] - masses.of_others[at(n)]; });
   apply(given, sum);
   return combine(sum, sum_masses(chunked, model, owned, [&](int n) { return masses.of_others[at(n)]; }));
+}
+
+std::vector<int> list_counted(const RigidMap& map, const std::vector<int>& nodes) {
+  std::vector<int> counted;
+  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(counted), [&](int n) { return map.counts[at(n)] != 0; });
+  return counted;
 }
 
 void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
@@ -300,7 +319,8 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   const auto owned = list_owned_nodes(chunked, map, names.bodies.size());
   for (std::size_t b = 0; b < names.bodies.size(); ++b) {
     const int index = static_cast<int>(b);
-    const MassSum sum = combine(sum_of_body(chunked, model, find_given(deck, names, index), masses, owned[b]),
+    const std::vector<int> counted = list_counted(map, owned[b]);
+    const MassSum sum = combine(sum_of_body(chunked, model, find_given(deck, names, index), masses, counted),
                                 sum_of_sets(deck, chunked, map, {index, owned[b], masses.all}, model));
     RigidBody body;
     body.name = names.bodies[b];
@@ -318,6 +338,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   rigid.nodes = list_nodes(chunked, map, rigid.bodies);
   rigid.body_of_node = to_view("percuss::body_of_node", map.body);
   rigid.loads = list_loads(chunked, deck, owned, model);
+  add_body_loads(deck, names, rigid.bodies);
   int some = rigid.loads.first.back() > 0 ? 1 : 0;
   all_reduce(model.ranks, Reduce::largest, some);
   rigid.is_loaded = some != 0;

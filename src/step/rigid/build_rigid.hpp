@@ -14,6 +14,7 @@ struct RigidMap {
   std::vector<int> body;        // [nodes] -1: none; empty without rigid bodies
   std::vector<char> is_shared;  // [nodes] 1: an element that deforms has it too
   std::vector<char> is_in_set;  // [nodes] 1: a set of the deck names it
+  std::vector<char> counts;     // [nodes] 0: its mass is none of its body's
   bool holds(int node) const { return !body.empty() && body[static_cast<std::size_t>(node)] >= 0; }
 };
 

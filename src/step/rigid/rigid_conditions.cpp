@@ -21,15 +21,18 @@
 namespace percuss {
 namespace {
 
-/// Holds a direction of a body. Rest is rest, whoever asks for it.
-void hold(RigidBody& body, int direction, int motion, const std::string& place) {
+/// Holds a direction of a body. Rest is rest, whoever asks for it. switched_by: condition that sensors switch, or free.
+void hold(RigidBody& body, int direction, int motion, const std::string& place, int switched_by = RigidBody::free) {
   int& held = body.motion[at(direction)];
-  if (held == RigidBody::free || (held == 0 && motion == 0)) {
+  const bool is_switched = switched_by != RigidBody::free || body.switched_by[at(direction)] != RigidBody::free;
+  if (held == RigidBody::free || (held == 0 && motion == 0 && !is_switched)) {
     held = motion;
+    body.switched_by[at(direction)] = switched_by;
     return;
   }
   throw InputError(
-      fmt::format("{}: error: rigid body '{}' has two conditions on direction {} (they prescribe different motions): "
+      fmt::format("{}: error: rigid body '{}' has two conditions on direction {} (they prescribe different motions, or "
+                  "a sensor switches one): "
                   "leave it out of one of them",
                   place, body.name, direction_names[at(direction)]));
 }
@@ -86,11 +89,12 @@ void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigid
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (counts[b] == 0) continue;
       refuse_some_nodes(deck, condition, bodies[b], counts[b]);
-      hold(bodies[b], motion.direction, motion.motion, deck.where(condition.where.place));
+      hold(bodies[b], motion.direction, motion.motion, deck.where(condition.where.place),
+           condition.when.any() ? static_cast<int>(motion.condition) : RigidBody::free);
     }
   }
   for (const HeldByCondition& motion : held) {
-    if (motion.direction > 2) continue;
+    if (motion.direction > 2 || !find_body(deck.conditions[motion.condition].where).empty()) continue;
     counts = count_selected(deck, chunked, map, deck.conditions[motion.condition], model);
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (counts[b] > 0) hold_turns_about_others(bodies[b], motion.direction);
@@ -208,26 +212,51 @@ std::array<double, 2> compare(const ChunkedMesh& chunked, const Model& model, co
 
 }  // namespace
 
+namespace {
+
+/// The last entry of the deck that gives the velocity of a body, which counts more than those of its nodes.
+const InitialDeck* find_given_start(const Deck& deck, const RigidBody& body) {
+  const auto found = std::find_if(deck.initial.rbegin(), deck.initial.rend(),
+                                  [&](const InitialDeck& initial) { return find_body(initial.where) == body.name; });
+  return found == deck.initial.rend() ? nullptr : &*found;
+}
+
+/// Sets the velocity and the spin of a body as its nodes move. Collective; throws InputError.
+template <class Velocities>
+void start_by_nodes(const Deck& deck, const ChunkedMesh& chunked, const RigidStart& by, int index, const Velocities& v,
+                    Model& model) {
+  constexpr double round_off = 1e-9;
+  RigidBody& body = model.rigid.bodies[at(index)];
+  const auto& [start, used] = by;
+  const auto [deviation, size] = compare(chunked, model, used, start, v);
+  if (deviation > round_off * size) {
+    const Place place = find_body_place(deck, name_rigid_bodies(deck), index);
+    throw InputError(
+        fmt::format("{}: error: the initial velocities of rigid body '{}' are not a rigid motion (nodes deviate by "
+                    "{:.3g} of {:.3g}): give all its nodes the same entry of initial, or an entry with its body",
+                    deck.where(place), body.name, deviation, size));
+  }
+  if (move_alike(model, used, v, body.velocity)) return;
+  body.spin = start.spin;
+  body.velocity = start.velocity + cross(start.spin, body.center - start.center);
+}
+
+}  // namespace
+
 void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                         const std::vector<double>& mass, Model& model) {
   if (!has_rigid_bodies(deck)) return;
-  constexpr double round_off = 1e-9;
   const auto v = to_host(model.start_velocity);
   const auto w = to_host(model.start_spin);
   for (std::size_t b = 0; b < model.rigid.bodies.size(); ++b) {
     RigidBody& body = model.rigid.bodies[b];
-    const auto [start, used] = find_start(chunked, map, static_cast<int>(b), mass, model, v);
-    const auto [deviation, size] = compare(chunked, model, used, start, v);
-    if (deviation > round_off * size) {
-      const Place place = find_body_place(deck, name_rigid_bodies(deck), static_cast<int>(b));
-      throw InputError(
-          fmt::format("{}: error: the initial velocities of rigid body '{}' are not a rigid motion (nodes deviate by "
-                      "{:.3g} of {:.3g}): give all its nodes the same entry of initial",
-                      deck.where(place), body.name, deviation, size));
+    if (const InitialDeck* given = find_given_start(deck, body)) {
+      body.velocity = to_vector(given->velocity);
+      body.spin = to_vector(given->angular_velocity);
+    } else {
+      const int index = static_cast<int>(b);
+      start_by_nodes(deck, chunked, find_start(chunked, map, index, mass, model, v), index, v, model);
     }
-    if (move_alike(model, used, v, body.velocity)) continue;
-    body.spin = start.spin;
-    body.velocity = start.velocity + cross(start.spin, body.center - start.center);
   }
   for (std::size_t n = 0; n < map.body.size(); ++n) {
     if (map.body[n] < 0) continue;

@@ -4,7 +4,27 @@
 
 namespace percuss {
 
-std::vector<Wrench> RigidForces::operator()(const Model& model, const State& state) {
+PointForce find_point_force(const Model& model, const BodyLoad& load, const State& state, const RigidState& body,
+                            double time) {
+  const Vector3<double> arm = find_rotation(body.orientation) * load.arm;
+  if (!model.switches.nodal_loads[load.load].is_on(state.happened)) return {arm, {0, 0, 0}, {0, 0, 0}};
+  const std::array<Curve, 6>& value = model.nodal_values[load.load];
+  return {arm, {value[0](time), value[1](time), value[2](time)}, {value[3](time), value[4](time), value[5](time)}};
+}
+
+std::vector<Wrench> RigidForces::operator()(const Model& model, const State& state, double time) {
+  std::vector<Wrench> forces = sum_nodes(model, state);
+  for (std::size_t b = 0; b < forces.size(); ++b) {
+    for (const BodyLoad& load : model.rigid.bodies[b].loads) {
+      const PointForce on = find_point_force(model, load, state, state.bodies[b], time);
+      forces[b].impulse = forces[b].impulse + on.force;
+      forces[b].moment = forces[b].moment + on.moment + cross(on.arm, on.force);
+    }
+  }
+  return forces;
+}
+
+std::vector<Wrench> RigidForces::sum_nodes(const Model& model, const State& state) {
   std::vector<Wrench> forces(model.rigid.bodies.size());
   if (!model.rigid.is_loaded) return forces;
   std::vector<Vector3<double>> centers;

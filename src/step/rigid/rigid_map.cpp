@@ -64,6 +64,7 @@ void add_sets(const Deck& deck, const ChunkedMesh& chunked, const Model& model, 
       if (body >= 0 && body != names.body_of_set[s]) torn = std::min(torn, chunked.mesh.node_numbers[at(n)]);
       body = names.body_of_set[s];
       map.is_in_set[at(n)] = 1;
+      if (!deck.rigid_sets[s].counts_nodes) map.counts[at(n)] = 0;
     }
     refuse_two_bodies(deck.where(deck.rigid_sets[s].place), chunked, model, torn);
   }
@@ -90,6 +91,7 @@ RigidMap find_rigid_nodes(const Deck& deck, const ChunkedMesh& chunked, const Mo
   }
   refuse_two_bodies(deck.where(find_body_place(deck, names, 0)), chunked, model, torn);
   map.is_in_set.assign(map.body.size(), 0);
+  map.counts.assign(map.body.size(), 1);
   add_sets(deck, chunked, model, map);
   for (std::size_t n = 0; n < map.body.size(); ++n)
     map.is_shared.push_back(map.body[n] >= 0 && of_others[n][0] > 0 ? 1 : 0);

@@ -33,12 +33,25 @@ namespace {
 
 RigidStage::RigidStage(const Model& model) : model_(model), joints_(model) {
   if (!any()) return;
-  for (const RigidBody& body : model.rigid.bodies)
+  for (const RigidBody& body : model.rigid.bodies) {
     for (const int motion : body.motion) is_moved_ = is_moved_ || motion > 0;  // row 0 is rest
+    for (const int condition : body.switched_by) is_moved_ = is_moved_ || condition != RigidBody::free;
+  }
   const std::size_t count = model.rigid.bodies.size();
   steps_ = Array<BodyStep>("percuss::body_steps", count);
   responses_ = Array<BodyResponse>("percuss::body_responses", count);
   inputs_ = {static_cast<int>(count), model.rigid.body_of_node, responses_};
+}
+
+void RigidStage::set_switches(State& state) const {
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const RigidBody& body = model_.rigid.bodies[b];
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (body.switched_by[k] == RigidBody::free) continue;
+      const Switch& of = model_.switches.conditions[static_cast<std::size_t>(body.switched_by[k])];
+      state.bodies[b].released[k] = !of.is_on(state.happened);
+    }
+  }
 }
 
 void RigidStage::start(State& state) {
@@ -47,7 +60,7 @@ void RigidStage::start(State& state) {
     RigidState& now = state.bodies[b];
     const RigidGoal goal = find_rigid_goal(model_, state, b, 0);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (body.holds(k)) set(now.velocity, static_cast<int>(k), goal.velocity[k]);
+      if (holds(body, now, k)) set(now.velocity, static_cast<int>(k), goal.velocity[k]);
       if (goal.spin.held[k]) set(now.spin, static_cast<int>(k), goal.spin.rate[k]);
     }
     now.spin_momentum = find_inertia(body, now) * now.spin;
@@ -88,8 +101,8 @@ void RigidStage::damp(const State& state, std::size_t index, const std::vector<d
   Wrench lost{(-0.5 * share * body.mass) * (now.velocity + after.velocity),
               (-0.5 * share) * (now.spin_momentum + after.spin_momentum)};
   for (int k = 0; k < 3; ++k) {
-    if (body.holds(static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
-    if (body.holds(3 + static_cast<std::size_t>(k))) set(lost.moment, k, 0);
+    if (holds(body, now, static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
+    if (holds(body, now, 3 + static_cast<std::size_t>(k))) set(lost.moment, k, 0);
   }
   next.velocity = next.velocity + (1 / body.mass) * lost.impulse;
   next.spin_momentum = next.spin_momentum + lost.moment;
@@ -180,6 +193,21 @@ void RigidStage::book_damping(State& state, std::size_t index, double (&j)[3]) c
   }
 }
 
+/// Impulses and the first half of the work of forces and moments on points of a body.
+void RigidStage::book_loads(State& state, std::size_t index, double dt, double dt_mean) const {
+  const RigidState &now = state.bodies[index], &next = next_[index];
+  for (const BodyLoad& load : model_.rigid.bodies[index].loads) {
+    const PointForce on = find_point_force(model_, load, state, now, state.time);
+    const Vector3<double> impulse = dt_mean * on.force, arm = now.center + on.arm - to_vector(model_.mass_center);
+    const double r[3] = {arm.x, arm.y, arm.z}, j[3] = {impulse.x, impulse.y, impulse.z};
+    add_impulse(r, j, 0, [&](int k, double value) {
+      (k < 3 ? state.books.impulse[k] : state.books.moment_impulse[k - 3]).add(value);
+    });
+    for (int k = 0; k < 3; ++k) state.books.moment_impulse[k].add(dt_mean * get(on.moment, k));
+    state.books.external_work.add(0.5 * dt * find_power(on, next));
+  }
+}
+
 /// Impulses of the ground on what is joined to it.
 void RigidStage::book_grounded_joints(State& state) const {
   for (std::size_t i = 0; i < model_.rigid.joints.size(); ++i) {
@@ -212,17 +240,18 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
       const auto dof = static_cast<std::size_t>(k);
       const double g = state.gravity.g[k], m = body.mass, p = get(contact.impulse, k), f = get(force.impulse, k);
       const double v0 = get(now.velocity, k), v1 = get(next.velocity, k), change = m * (v1 - v0) - p;
-      if (body.holds(dof)) {
+      if (holds(body, now, dof)) {
         j[k] = change - dt_mean * (f + m * g);
         work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + share * m * g);
       }
-      if (!body.holds(dof + 3)) continue;
+      if (!holds(body, now, dof + 3)) continue;
       const double w0 = get(now.spin, k), w1 = get(next.spin, k), t = get(force.moment, k);
       const double turned = get(next.spin_momentum, k) - get(now.spin_momentum, k) - get(contact.moment, k);
       state.books.moment_impulse[k].add(turned - dt_mean * t);
       work += 0.5 * turned * (w0 + w1) - 0.5 * dt * w1 * t;
     }
     if (!damping_.empty()) book_damping(state, b, j);
+    book_loads(state, b, dt, dt_mean);
     const double r[3] = {now.center.x - model_.mass_center[0], now.center.y - model_.mass_center[1],
                          now.center.z - model_.mass_center[2]};
     add_impulse(r, j, 0, [&](int k, double value) {
@@ -242,20 +271,27 @@ void RigidStage::place(State& state) {
   state.bodies = next_;
 }
 
-void RigidStage::book_rest(State& state, double dt) {
+void RigidStage::book_rest(State& state, double dt, double time, bool takes_gravity) {
+  for (std::size_t b = 0; model_.ranks.rank() == 0 && b < state.bodies.size(); ++b) {
+    for (const BodyLoad& load : model_.rigid.bodies[b].loads) {
+      const PointForce on = find_point_force(model_, load, state, state.bodies[b], time);
+      state.books.external_work.add(0.5 * dt * find_power(on, state.bodies[b]));
+      state.books.external_work.normalize();
+    }
+  }
   if (!is_moved_) return;
   const auto& bodies = model_.rigid.bodies;
-  const std::vector<Wrench> forces = find_forces_(model_, state);
+  const std::vector<Wrench> forces = find_forces_(model_, state, time);
   if (model_.ranks.rank() != 0) return;
-  const Gravity rest = model_.gravity_varies ? state.gravity : Gravity{};
+  const Gravity rest = model_.gravity_varies || takes_gravity ? state.gravity : Gravity{};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const RigidState& now = state.bodies[b];
     double power = 0;
     const Vector3<double> weight = bodies[b].mass * Vector3<double>{rest.g[0], rest.g[1], rest.g[2]};
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
-      if (bodies[b].holds(dof)) power += get(now.velocity, k) * (get(forces[b].impulse, k) + get(weight, k));
-      if (bodies[b].holds(dof + 3)) power += get(now.spin, k) * get(forces[b].moment, k);
+      if (holds(bodies[b], now, dof)) power += get(now.velocity, k) * (get(forces[b].impulse, k) + get(weight, k));
+      if (holds(bodies[b], now, dof + 3)) power += get(now.spin, k) * get(forces[b].moment, k);
     }
     state.books.external_work.add(-0.5 * dt * power);
   }

@@ -41,8 +41,12 @@ class RigidStage {
   /// Bodies and nodes at n+1.
   void place(State& state);
 
-  /// The second half of that work. Call with the slots' forces at n+1. Collective.
-  void book_rest(State& state, double dt);
+  /// The second half of that work. Call with the slots' forces at n+1; time: of n+1. takes_gravity: constant gravity on
+  /// held directions counts too, which matters where what is held changes. Collective.
+  void book_rest(State& state, double dt, double time, bool takes_gravity = false);
+
+  /// Which conditions of bodies hold after the events so far.
+  void set_switches(State& state) const;
 
   /// A step for a scene in which nothing deforms: no node goes far beyond its element's edge, no body turns much.
   double find_step(const State& state, double end) const;
@@ -50,6 +54,7 @@ class RigidStage {
  private:
   void damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean);
   void book_damping(State& state, std::size_t index, double (&j)[3]) const;
+  void book_loads(State& state, std::size_t index, double dt, double dt_mean) const;
   void book_grounded_joints(State& state) const;
   void book_joined_contact(State& state, const std::vector<RigidState>& predicted) const;
   void move(State& state, double dt);

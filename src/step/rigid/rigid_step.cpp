@@ -3,7 +3,9 @@
 namespace percuss {
 namespace {
 
-bool holds_spin(const RigidBody& body) { return body.holds(3) || body.holds(4) || body.holds(5); }
+bool holds_spin(const RigidBody& body, const RigidState& state) {
+  return holds(body, state, 3) || holds(body, state, 4) || holds(body, state, 5);
+}
 
 /// Value of a held direction: the velocity in the step of dt from `time`, or the displacement at its end.
 double evaluate(const Motion& motion, double time, double dt) {
@@ -16,7 +18,7 @@ BodyResponse find_response(const RigidBody& body, const RigidState& state) {
   BodyResponse response;
   response.center = state.center;
   for (std::size_t k = 0; k < 3; ++k)
-    set(response.inverse_mass, static_cast<int>(k), body.holds(k) ? 0 : 1 / body.mass);
+    set(response.inverse_mass, static_cast<int>(k), holds(body, state, k) ? 0 : 1 / body.mass);
   response.inverse_inertia = find_free_inverse(body, state);
   return response;
 }
@@ -25,7 +27,7 @@ RigidGoal find_rigid_goal(const Model& model, const State& state, std::size_t in
   const RigidBody& body = model.rigid.bodies[index];
   RigidGoal goal;
   for (std::size_t k = 0; k < 6; ++k) {
-    if (!body.holds(k)) continue;
+    if (!holds(body, state.bodies[index], k)) continue;
     const Motion& motion = model.motions[static_cast<std::size_t>(body.motion[k])];
     double value = evaluate(motion, state.time, dt);
     if (motion.is_displacement) {
@@ -47,10 +49,10 @@ void move_body(const Model& model, const State& state, std::size_t index, double
   const RigidState& now = state.bodies[index];
   const RigidGoal goal = find_rigid_goal(model, state, index, dt);
   for (std::size_t k = 0; k < 3; ++k)
-    if (body.holds(k)) set(next.velocity, static_cast<int>(k), goal.velocity[k]);
+    if (holds(body, now, k)) set(next.velocity, static_cast<int>(k), goal.velocity[k]);
   const Symmetric3<double> inertia = find_inertia(body, now);
   const Vector3<double> q = find_turn(inertia, next.spin_momentum, goal.spin, dt);
-  if (holds_spin(body)) {
+  if (holds_spin(body, now)) {
     const Vector3<double> turned = find_spin_momentum(inertia, q, dt);
     for (int k = 0; k < 3; ++k)
       if (goal.spin.held[k]) set(next.spin_momentum, k, get(turned, k));

@@ -11,13 +11,14 @@ double find_turning_energy(const RigidBody& body, const RigidState& state, const
   const Symmetric3<double> inverse = find_free_inverse(body, state);
   Vector3<double> held_rate{0, 0, 0};
   for (int k = 0; k < 3; ++k)
-    if (body.holds(3 + static_cast<std::size_t>(k))) set(held_rate, k, get(state.spin, k));
+    if (holds(body, state, 3 + static_cast<std::size_t>(k))) set(held_rate, k, get(state.spin, k));
   const Vector3<double> of_held = inertia * held_rate;
   const Vector3<double> before = inverse * (state.spin_momentum - of_held) + held_rate;
   const Vector3<double> after = inverse * (state.spin_momentum + dt * moment - of_held) + held_rate;
   double of_joints = 0;
   for (int k = 0; k < 3; ++k)
-    if (body.holds(3 + static_cast<std::size_t>(k))) of_joints += get(state.spin, k) * dt * get(on.joint.moment, k);
+    if (holds(body, state, 3 + static_cast<std::size_t>(k)))
+      of_joints += get(state.spin, k) * dt * get(on.joint.moment, k);
   return 0.5 * dot(before, inertia * after) + 0.5 * of_joints;
 }
 
@@ -42,7 +43,7 @@ RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t ind
   for (int k = 0; k < 3; ++k) {
     const double v = get(now.velocity, k), g = state.gravity.g[k], joint = get(on.joint.impulse, k);
     const double f = get(on.force.impulse, k) + m * g + joint;
-    const bool is_free = !body.holds(static_cast<std::size_t>(k));
+    const bool is_free = !holds(body, now, static_cast<std::size_t>(k));
     sums.kinetic += 0.5 * v * (m * v + dt * (is_free ? f : joint));
     if (is_free) sums.half_steps += 0.125 / m * (first_dt * f) * (first_dt * f);
     sums.fallen += m * constant.g[k] * (get(now.center, k) - get(body.center, k));

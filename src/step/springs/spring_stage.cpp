@@ -23,7 +23,7 @@ std::vector<int> share_bodies(const Model& model) {
 
 /// Bound on the speed that a unit impulse on a node of a body gives to the node.
 double bound_mobility(const RigidBody& body, const RigidState& state, const Vector3<double>& place) {
-  const bool is_fixed = body.holds(0) && body.holds(1) && body.holds(2);
+  const bool is_fixed = body.always_holds(0) && body.always_holds(1) && body.always_holds(2);
   const Vector3<double> arm = place - state.center;
   return (is_fixed ? 0 : 1 / body.mass) + dot(arm, arm) * trace(find_free_inverse(body, state));
 }
