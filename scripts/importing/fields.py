@@ -55,6 +55,7 @@ REASONS = {
     "storage": "how data are stored",
     "attribute": "of members of a set, which only cards use that are refused",
     "default": "the defaults of what another card gives",
+    "penalty": "of a penalty method: percuss holds joints and walls without springs",
 }
 
 

@@ -87,6 +87,14 @@ def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
     return mass, (moment[0], moment[1], moment[2])
 
 
+def is_crossed(x: list[Vector]) -> bool:
+    """Whether the edges of a quadrilateral cross: its corners are not in order around it."""
+    if len(x) != 4:
+        return False
+    first = cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
+    return dot(first, cross(subtract(x[2], x[1]), subtract(x[3], x[1]))) < 0 and dot(first, cross(subtract(x[3], x[2]), subtract(x[0], x[2]))) < 0
+
+
 class FaceOwners:
     """Which element a face of some nodes belongs to, to know which way its nodes run."""
 
@@ -111,6 +119,6 @@ class FaceOwners:
         if corners is None:
             return None
         x = [self._model.nodes[node] for node in face]
-        normal = cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
+        normal = cross(subtract(x[-2], x[-3]), subtract(x[-1], x[-3]))
         outward = subtract(mean(x), mean([self._model.nodes[node] for node in corners]))
         return 1.0 if dot(normal, outward) >= 0 else -1.0

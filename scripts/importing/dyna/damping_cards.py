@@ -20,38 +20,46 @@ def read_damping(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass or stiffness", "it is left out")
     elif card.keyword == "DAMPING_GLOBAL":
         row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
-        if read_factors(deck, row):
-            add_damping(deck, "", row, row.integer("LCID"), row.number("VALDMP"))
+        factor = read_factors(deck, row)
+        if factor is not None:
+            add_damping(deck, "", row, row.integer("LCID"), factor, row.number("VALDMP"))
             deck.ledger.translated(card.keyword, row.place, "damping of all nodes")
     else:
         read_part_damping(deck, card)
 
 
-def read_factors(deck: KeywordDeck, row: Row) -> bool:
-    """By direction; none at all means 1 for each."""
+def read_factors(deck: KeywordDeck, row: Row) -> float | None:
+    """By direction; none at all means 1 for each. None: refused."""
     values = row.numbers(*FACTORS)
-    if len(set(values)) == 1 and values[0] in (0.0, 1.0):
-        return True
-    return deck.ledger.refuse("DAMPING_GLOBAL.STX", row.place, "damping that differs by direction", "all directions are damped alike")
+    moves, turns = values[:3], values[3:]
+    if not any(values):
+        return 1.0
+    if len(set(moves)) == 1 and (set(turns) == set(moves) or not (deck.turning_nodes() or deck.rigid or deck.nodal_bodies)):
+        return moves[0]
+    is_allowed = deck.ledger.refuse(f"{row.card}.STX", row.place, "STX to SRZ, damping that differs by direction", "all directions are damped alike")
+    return 1.0 if is_allowed else None
 
 
 def read_part_damping(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
-        row = reader.row("ID LCID SF=1 FLAG")
-        if row.integer("FLAG") and not read_factors(deck, reader.row("STX STY STZ SRX SRY SRZ")):
+        row = reader.row("ID LCID SF=1 FLAG STRUC")
+        factor = read_factors(deck, reader.row("STX STY STZ SRX SRY SRZ")) if row.integer("FLAG") else 1.0
+        if factor is None:
             continue
         id = row.integer("ID")
+        if row.integer("STRUC") and deck.masses:
+            deck.ledger.refuse(f"{card.keyword}.STRUC", row.place, "STRUC is 1: masses of *ELEMENT_MASS are not damped", "they are damped too")
         parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("SET") else [id]
         for part in parts:
             deck.find_part(part, row.place)
         names = deck.part_names(parts)
         for name in names:
-            add_damping(deck, name, row, row.integer("LCID"), row.number("SF") or 1.0)
+            add_damping(deck, name, row, row.integer("LCID"), factor * (row.number("SF") or 1.0), 0.0)
         if names:
             deck.ledger.translated(card.keyword, row.place, "damping of the nodes of the part")
         else:
-            deck.ledger.ignored(card.keyword, row.place, "its parts have no elements")
+            deck.ledger.ignored(card.keyword, row.place, "its parts have no elements, and nothing to damp")
 
 
 def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
@@ -81,9 +89,9 @@ def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.translated(card.keyword, row.place, "stiffness_damping of the part")
 
 
-def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float) -> None:
-    """An entry; an empty name means all, and stands before those of parts."""
-    value = make_time_value(deck.curve(curve, row.place), scale, deck.end_time) if curve else scale
+def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float, otherwise: float) -> None:
+    """An entry; an empty name means all, and stands before those of parts. otherwise: the coefficient without a curve."""
+    value = make_time_value(deck.curve(curve, row.place), scale, deck.end_time) if curve else scale * otherwise
     check_sign(value, row.place)
     entry = {"nodes": name, "coefficient": value} if name else {"coefficient": value}
     entries = deck.model.deck.setdefault("damping", [])

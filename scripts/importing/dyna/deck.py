@@ -88,7 +88,33 @@ class NodalBody:
     title: str
     held: list[str]
     place: Place
+    card: str
+    center_node: int = 0  # PNODE, which LS-DYNA moves to the mass centre
+    inertia: dict | None = None  # of _INERTIA: mass, center, inertia
+    motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
     name: str = ""  # in the deck of percuss; empty: left out
+
+
+@dataclass
+class PartGravity:
+    """*LOAD_GRAVITY_PART: the acceleration of some parts along an axis."""
+
+    card: Card
+    place: Place
+    parts: set[int]
+    axis: str
+    curve: int
+    acceleration: float
+
+
+@dataclass
+class ExtraNodes:
+    """*CONSTRAINED_EXTRA_NODES: a node or a set that joins a rigid part."""
+
+    kind: str  # NODE or SET
+    id: int
+    adds_mass: bool  # IFLAG: to that of *PART_INERTIA
+    place: Place
 
 
 @dataclass
@@ -211,8 +237,20 @@ class KeywordDeck:
         self.names_of_parts: dict[int, list[str]] = {}  # in the deck: one name a thickness
         self.rigid: dict[int, RigidPart] = {}  # parts that are rigid
         self.merged: dict[int, tuple[int, Place]] = {}  # rigid parts that belong to the body of another
-        self.rigid_motions: dict[int, dict[str, Row]] = {}  # *BOUNDARY_PRESCRIBED_MOTION_RIGID by part and direction
-        self.extra_nodes: dict[int, list[tuple[str, int, Place]]] = {}  # of rigid parts: "NODE" or "SET", id
+        self.updated_bodies: dict[int, Place] = {}  # IFLAG of *CONSTRAINED_RIGID_BODIES, by the part that leads
+        self.rigid_motions: dict[int, list[Row]] = {}  # *BOUNDARY_PRESCRIBED_MOTION_RIGID by part
+        self.extra_nodes: dict[int, list[ExtraNodes]] = {}  # of rigid parts
+        self.bodies_of_nodes: dict[int, str] = {}  # names of bodies in the deck of percuss, once they are known
+        self.part_gravity: list[PartGravity] = []
+        self.switched: list[tuple[int, bool, int, Place]] = []  # *DEFORMABLE_TO_RIGID: part or set, whether a set, part that leads
+        self.center_rows: list[tuple[int, Row, list[float]]] = []  # nodes that are mass centres, with what gets their places
+        self.center_nodes: set[int] = set()  # PNODE of nodal rigid bodies
+        self.body_holds: dict[str, list[Any]] = {}  # body_holds.Hold, by the name of the body
+        self.held_of_body: dict[str, list[str]] = {}  # directions that `fixed` of a body has
+        self.body_centers: dict[str, list[float]] = {}  # of cards with the inertia of a body
+        self.body_places: dict[str, Place] = {}
+        self.started_bodies: dict[str, dict] = {}  # entries of `initial` of cards with the inertia of a body
+        self.start_members: dict[str, set[int]] = {}  # nodes of the names in `initial`
         self.nodal_bodies: dict[int, NodalBody] = {}
         self.joints: list[JointCard] = []
         self.body_names: dict[int, str] = {}  # in the deck of percuss, by the part that leads the body
@@ -311,10 +349,14 @@ class KeywordDeck:
         corners += [c for beam in found.beams for c in beam.ends]
         return list(dict.fromkeys(corners))
 
-    def nodes_of_box(self, id: int, place: Place) -> list[int]:
+    def find_box(self, id: int, place: Place) -> Box:
         if id not in self.boxes:
             raise BadInput(place, missing(f"*DEFINE_BOX {id}"))
-        return [node for node, x in self.nodes.items() if self.boxes[id].holds(x)]
+        return self.boxes[id]
+
+    def nodes_of_box(self, id: int, place: Place) -> list[int]:
+        box = self.find_box(id, place)
+        return [node for node, x in self.nodes.items() if box.holds(x)]
 
     def elements_of_part(self, kind: str, part: int) -> list[tuple[int, tuple[int, ...]]]:
         """Ids and corners of the elements of a kind."""

@@ -8,8 +8,8 @@ from ..ledger import BadInput, Place, missing
 from ..model import Deck, Vector
 from .cards import Card
 from .deck import JointCard, KeywordDeck, NodalBody
-from .materials.rigid import DIRECTIONS
-from .rigid_cards import find_lead
+from .materials.rigid import DIRECTIONS, read_local_limits
+from .rigid_cards import read_inertia_lines, start_body
 
 LEFT_OUT = "the joint is left out"
 # Of the extent of the model: nodes of a joint are at one place.
@@ -17,29 +17,40 @@ COINCIDENT = 1e-6
 CARDS = {"CONSTRAINED_JOINT_SPHERICAL": 1, "CONSTRAINED_JOINT_REVOLUTE": 2}  # pairs of nodes
 
 
+OPTIONS = {"SPC", "INERTIA", "OVERRIDE"}
+
+
 def read_nodal_body(deck: KeywordDeck, card: Card) -> None:
     """Sets of nodes that are rigid bodies by themselves."""
-    option = card.keyword.removeprefix("CONSTRAINED_NODAL_RIGID_BODY")
-    if option not in ("", "_SPC"):
-        deck.ledger.refuse(card.keyword, card.place, "mass and inertia of its own, or other options", "those of its nodes count")
+    options = set(card.keyword.removeprefix("CONSTRAINED_NODAL_RIGID_BODY").split("_")) - {""}
+    if options - OPTIONS or "OVERRIDE" in options:
+        deck.ledger.refuse(card.keyword, card.place, f"options {' '.join(sorted(options))}", "the body is left out")
+        return
     reader = card.reader()
     while reader.skip_blank():
         title = reader.text() if card.has_title else ""
-        row = reader.row("PID CID~ NSID PNODE~ IPRT~ DRFLAG RRFLAG")
-        id, nodes = row.integer("PID"), row.integer("NSID")
+        row = reader.row("PID CID~output NSID PNODE IPRT~output DRFLAG RRFLAG")
+        id, nodes, center = row.integer("PID"), row.integer("NSID"), abs(row.integer("PNODE"))
         row.finish(deck.ledger, "its nodes are rigid in all directions")
-        held = read_limits(deck, reader.row("CMO CON1 CON2")) if option == "_SPC" else []
-        deck.nodal_bodies[id] = NodalBody(id, nodes or id, title, held, row.place)
-        if option not in ("", "_SPC"):
-            break
+        held = read_limits(deck, reader.row("CMO CON1 CON2")) if "SPC" in options else []
+        body = NodalBody(id, nodes or id, title, held, row.place, card.keyword, center)
+        if "INERTIA" in options:
+            given = read_inertia_lines(deck, reader, card.keyword)
+            body.inertia, body.motion = given.keys, given.motion
+        deck.nodal_bodies[id] = body
+        if center:
+            deck.center_nodes.add(center)
 
 
 def read_limits(deck: KeywordDeck, limits: Row) -> list[str]:
-    """Directions that a body is held in."""
-    if limits.number("CMO") == 1:
+    """Directions that a body is held in: by two codes, or by six digits along the axes of a system."""
+    option = limits.number("CMO")
+    if option == 1:
         return [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
-    if limits.number("CMO"):
-        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body with constraints along local axes", "it is free")
+    if option == -1 and (held := read_local_limits(deck, limits)) is not None:
+        return held
+    if option:
+        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body with constraints along axes that are none of space, or at a point", "it is free")
     return []
 
 
@@ -50,13 +61,17 @@ def add_nodal_bodies(deck: KeywordDeck) -> None:
         deck.used.add(("NODE", body.nodes))
         name = deck.make_node_set(body.title or f"rigid_{body.id}", members, body.place)
         if not name:
-            deck.ledger.refuse(
-                "CONSTRAINED_NODAL_RIGID_BODY", body.place, "a body of nodes without elements", "it is left out"
-            )
+            deck.ledger.refuse(body.card, body.place, "a body of nodes without elements", "it is left out")
             continue
         body.name = name
-        deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name} | ({"fixed": body.held} if body.held else {})
-        deck.ledger.translated("CONSTRAINED_NODAL_RIGID_BODY", body.place, "rigid_sets")
+        deck.held_of_body[name], deck.body_places[name] = body.held, body.place
+        keys: Deck = {"nodes": name} | ({"fixed": body.held} if body.held else {})
+        if body.inertia:
+            keys |= {**body.inertia, "node_masses": "ignore"}
+            deck.body_centers[name] = body.inertia["center"]
+            start_body(deck, name, body.motion)
+        deck.model.deck.setdefault("rigid_sets", {})[name] = keys
+        deck.ledger.translated(body.card, body.place, "rigid_sets" + (": mass, center, inertia in place of those of its nodes; initial" if body.inertia else ""))
 
 
 def read_joints(deck: KeywordDeck, card: Card) -> None:
@@ -70,7 +85,7 @@ def read_joints(deck: KeywordDeck, card: Card) -> None:
         if card.has_id:
             head = reader.row("ID TITLE~", (10, 70))
             id, title = head.integer("ID"), head.text("TITLE")
-        row = reader.row("N1 N2 N3 N4 N5 N6 RPS~ DAMP~")
+        row = reader.row("N1 N2 N3 N4 N5 N6 RPS~penalty DAMP~penalty")
         nodes = [row.integer(f"N{k}") for k in range(1, 1 + 2 * CARDS[card.keyword])]
         row.finish(deck.ledger, "it does not count")
         deck.joints.append(JointCard(card.keyword, id, title, nodes, row.place))
@@ -84,22 +99,6 @@ class Pair:
     bodies: tuple[str, str]
 
 
-def find_bodies(deck: KeywordDeck) -> dict[int, str]:
-    """Names of the rigid bodies by node: parts, their extra nodes, and sets of nodes."""
-    bodies: dict[int, str] = {}
-    for body in deck.nodal_bodies.values():
-        if body.name:
-            bodies |= dict.fromkeys(deck.list_members("NODE", body.nodes, body.place), body.name)
-    for id in deck.rigid:
-        name = deck.body_names.get(find_lead(deck, id))
-        if not name:
-            continue
-        for kind, number, place in deck.extra_nodes.get(id, []):
-            bodies |= dict.fromkeys([number] if kind == "NODE" else deck.list_members("NODE", number, place), name)
-        bodies |= dict.fromkeys(deck.nodes_of_part(id), name)
-    return bodies
-
-
 def find_extent(deck: KeywordDeck) -> float:
     nodes = list(deck.nodes.values())
     return math.dist([min(x[d] for x in nodes) for d in range(3)], [max(x[d] for x in nodes) for d in range(3)])
@@ -108,7 +107,7 @@ def find_extent(deck: KeywordDeck) -> float:
 def add_joints(deck: KeywordDeck) -> None:
     if not deck.joints:
         return
-    bodies, near = find_bodies(deck), COINCIDENT * find_extent(deck)
+    bodies, near = deck.bodies_of_nodes, COINCIDENT * find_extent(deck)
     for joint in deck.joints:
         pairs = [make_pair(deck, joint, joint.nodes[k : k + 2], bodies) for k in range(0, len(joint.nodes), 2)]
         entry = make_entry(deck, joint, pairs, near)

@@ -1,12 +1,16 @@
 """*LOAD_...: gravity, forces on nodes, pressures."""
 
+from dataclasses import dataclass
+
 from ..curves import make_time_value
 from ..fields import Row
+from ..ledger import Place
 from ..model import Deck
-from ..shapes import FaceOwners
+from ..shapes import FaceOwners, is_crossed
+from .bodies import find_body_name, find_point, list_card_nodes, name_nodes, sort_nodes
 from .cards import Card
-from .condition_cards import AXES, DIRECTIONS, nodes_of, turn_direction
-from .deck import KeywordDeck
+from .condition_cards import AXES, DIRECTIONS, find_factors, refuse_lost
+from .deck import KeywordDeck, PartGravity
 
 Face = tuple[int, ...]
 
@@ -18,46 +22,141 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
         instead = "gravity acts on all parts" if form == "PARTS" else "it is left out"
         deck.ledger.refuse(card.keyword, card.place, "this form of body load", instead)
         return
-    row = card.reader().row("LCID SF=1 LCIDDR~ XC~ YC~ ZC~ CID")
-    direction, sign = turn_direction(deck, row, form.lower())
-    scale = (row.number("SF") or 1.0) * sign
+    row = card.reader().row("LCID SF=1 LCIDDR XC~unused YC~unused ZC~unused CID")
+    factors, scale = find_factors(deck, row, form.lower()), row.number("SF") or 1.0
     curve = deck.curve(row.integer("LCID"), row.place)
+    if row.integer("LCIDDR") and "relaxation" in deck.model.deck.get("start", {}):
+        deck.ledger.refuse(f"{card.keyword}.LCIDDR", row.place, "LCIDDR, a load of the relaxation alone", "the relaxation has LCID at time 0")
+    row.skip("LCIDDR")
     row.finish(deck.ledger)
-    value = make_time_value(curve, -scale, deck.end_time)
+    for direction, factor in factors.items():
+        add_gravity(deck, card, direction, make_time_value(curve, -scale * factor, deck.end_time), row.place)
+    deck.ledger.translated(card.keyword, row.place, "loads.gravity, with the opposite sign")
+
+
+def add_gravity(deck: KeywordDeck, card: Card, direction: str, value: "float | Deck", place: Place) -> None:
+    """Adds to the acceleration along an axis."""
     gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
     axis = AXES.index(direction)
     if isinstance(value, float) and isinstance(gravity[axis], float):
         gravity[axis] += value
     elif gravity[axis] == 0.0:
         gravity[axis] = value
-    elif not deck.ledger.refuse(card.keyword, row.place, "a second acceleration along the same axis", "the first one holds"):
-        return
-    deck.ledger.translated(card.keyword, row.place, "loads.gravity, with the opposite sign")
+    else:
+        deck.ledger.refuse(card.keyword, place, "a second acceleration along the same axis", "the first one holds")
+
+
+def read_part_gravity(deck: KeywordDeck, card: Card) -> None:
+    """*LOAD_GRAVITY_PART, _SET: percuss has one gravity, so all parts must have the same."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("ID DOF LC ACCEL LCDR~relaxation STGA STGR")
+        id, dof, acceleration = row.integer("ID"), row.integer("DOF"), row.number("ACCEL")
+        if dof not in (1, 2, 3):
+            row.fail("DOF", "1, 2 or 3 is expected")
+        parts = deck.list_members("PART", id, row.place) if "SET" in card.keyword else [id]
+        for part in parts:
+            deck.find_part(part, row.place)
+        deck.part_gravity.append(PartGravity(card, row.place, set(parts), AXES[dof - 1], row.integer("LC"), acceleration))
+        row.finish(deck.ledger, "it acts during the whole run")
+
+
+def apply_part_gravity(deck: KeywordDeck) -> None:
+    """Gravity of all parts where each has the same; else refused."""
+    groups: dict[tuple[str, int, float], list[PartGravity]] = {}
+    for entry in deck.part_gravity:
+        groups.setdefault((entry.axis, entry.curve, entry.acceleration), []).append(entry)
+    everything = {block.part for block in deck.model.blocks}
+    for (axis, curve, acceleration), entries in groups.items():
+        first = entries[0]
+        missed = everything - {part for entry in entries for part in entry.parts}
+        if missed:
+            told = f"gravity of some parts (part {min(missed)} has none along {axis})"
+            if not deck.ledger.refuse(first.card.keyword, first.place, told, "gravity acts on all parts"):
+                continue
+        value = make_time_value(deck.curve(curve, first.place), -acceleration, deck.end_time) if curve else -acceleration
+        add_gravity(deck, first.card, axis, value, first.place)
+        for entry in entries:
+            deck.ledger.translated(entry.card.keyword, entry.place, "loads.gravity of all parts, with the opposite sign")
 
 
 def read_node_load(deck: KeywordDeck, card: Card) -> None:
     """*LOAD_NODE_SET and _POINT."""
-    is_set = card.keyword.endswith("SET")
+    form = card.keyword.removeprefix("LOAD_NODE_")
+    if form not in ("SET", "POINT"):
+        deck.ledger.refuse(card.keyword, card.place, "a load whose function is evaluated once, or another form of loads on nodes", "it is left out")
+        return
     reader = card.reader()
     while reader.skip_blank():
         if card.has_id:
             reader.take()
-        row = reader.row("ID DOF LCID SF=1 CID M1~ M2~ M3~")
+        row = reader.row("ID DOF LCID SF=1 CID M1~unused M2~unused M3~unused")
         direction = DIRECTIONS.get(row.integer("DOF"))
         if direction is None:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a follower force", "it is left out")
+            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, f"DOF {row.integer('DOF')}, a follower force", "it is left out")
             continue
-        name = nodes_of(deck, row.integer("ID"), is_set, row.place)
-        direction, sign = turn_direction(deck, row, direction)
-        scale = (row.number("SF") or 1.0) * sign
-        value = make_time_value(deck.curve(row.integer("LCID"), row.place), scale, deck.end_time)
+        load, id = make_load(deck, row, direction), row.integer("ID")
         row.finish(deck.ledger)
-        kind = "force" if direction in AXES else "moment"
-        if name:
-            deck.model.deck.setdefault("loads", {}).setdefault("nodal", []).append({"nodes": name, kind: {direction[-1]: value}})
-            deck.ledger.translated(card.keyword, row.place, "loads.nodal: the whole load on each node")
-        else:
-            deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
+        apply_node_load(deck, card, Target(id, form == "SET", row.place), load)
+
+
+def make_load(deck: KeywordDeck, row: Row, direction: str) -> Deck:
+    """force or moment of a row, along the axes of space."""
+    curve, scale = deck.curve(row.integer("LCID"), row.place), row.number("SF") or 1.0
+    factors = find_factors(deck, row, direction)
+    kind = "force" if direction in AXES else "moment"
+    return {kind: {d[-1]: make_time_value(curve, scale * factor, deck.end_time) for d, factor in factors.items()}}
+
+
+def add_load(deck: KeywordDeck, entry: Deck) -> None:
+    deck.model.deck.setdefault("loads", {}).setdefault("nodal", []).append(entry)
+
+
+@dataclass
+class Target:
+    """A node or a set of a card."""
+
+    id: int
+    is_set: bool
+    place: Place
+
+
+def apply_node_load(deck: KeywordDeck, card: Card, on: Target, load: Deck) -> None:
+    """On each node; a moment on a node of a rigid body, and a force on one without elements, act on the body."""
+    found = sort_nodes(deck, list_card_nodes(deck, on.id, on.is_set, on.place), on.place)
+    refuse_lost(deck, card.keyword, found.lost, on.place, "a load")
+    nodes, used = list(found.free), deck.used_nodes()
+    for body, members in found.of_bodies.items():
+        for node in members:
+            if node in used and "force" in load:
+                nodes.append(node)
+                continue
+            point = find_point(deck, node)
+            at: Deck = {"at": list(point)} if point and "force" in load else {}
+            add_load(deck, {"body": body, **at, **load})
+            deck.ledger.translated(card.keyword, on.place, "loads.nodal of the rigid body")
+    if nodes:
+        add_load(deck, {"nodes": name_nodes(deck, on.id, on.is_set, nodes, on.place), **load})
+        deck.ledger.translated(card.keyword, on.place, "loads.nodal: the whole load on each node")
+
+
+def read_body_force(deck: KeywordDeck, card: Card) -> None:
+    """*LOAD_RIGID_BODY: at the mass centre of a rigid part or a nodal rigid body."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("ID DOF LCID SF=1 CID M1~unused M2~unused M3~unused")
+        direction, id = DIRECTIONS.get(row.integer("DOF")), row.integer("ID")
+        if direction is None:
+            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, f"DOF {row.integer('DOF')}, a follower force", "it is left out")
+            continue
+        load = make_load(deck, row, direction)
+        row.finish(deck.ledger)
+        body = find_body_name(deck, id, row.place)
+        if not body:
+            deck.ledger.refuse(card.keyword, row.place, f"a load on part {id}, which is no rigid body with elements", "it is left out")
+            continue
+        add_load(deck, {"body": body, **load})
+        deck.ledger.translated(card.keyword, row.place, "loads.nodal of the rigid body")
 
 
 def add_pressure(deck: KeywordDeck, faces: str, value: "float | Deck") -> None:
@@ -76,12 +175,16 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
         if card.has_id:
             reader.take()
         if card.keyword == "LOAD_SEGMENT":
-            row = reader.row("LCID SF=1 AT N1 N2 N3 N4")
+            row = reader.row("LCID SF=1 AT N1 N2 N3 N4 N5")
             nodes = [row.integer(name) for name in ("N1", "N2", "N3", "N4")]
             faces = [tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes)]
+            if row.integer("N5"):
+                deck.ledger.refuse(f"{card.keyword}.N5", row.place, "N5 to N8, a face with nodes on its edges", "the corners alone count")
+                reader.take()
         else:
             row = reader.row("ID LCID SF=1 AT")
             faces = list_faces(deck, card, row, shells)
+        note_crossed(deck, card, faces, row.place)
         key = (row.integer("LCID"), row.number("SF") or 1.0, row.number("AT"))
         groups.setdefault(key, []).extend(faces)
     apply_pressures(deck, card, groups)
@@ -94,11 +197,21 @@ def list_faces(deck: KeywordDeck, card: Card, row: Row, shells: dict[int, Face])
         deck.used.add(("SEGMENT", id))
         return deck.find_set("SEGMENT", id, row.place).segments
     wanted = deck.list_members("SHELL", id, row.place) if card.keyword == "LOAD_SHELL_SET" else [id + deck.shell_shift]
+    lost = [shell for shell in wanted if shell not in shells]
+    if lost:
+        deck.ledger.refuse(f"{card.keyword}.free", row.place, f"a pressure on shell {lost[0] - deck.shell_shift}, which is not in the mesh", "it is left out")
     return [shells[shell] for shell in wanted if shell in shells]
 
 
+def note_crossed(deck: KeywordDeck, card: Card, faces: list[Face], place: Place) -> None:
+    """Tells of faces whose nodes are not in order around them."""
+    for face in faces:
+        if all(node in deck.nodes for node in face) and is_crossed([deck.nodes[node] for node in face]):
+            deck.ledger.approximated(f"{card.keyword}.crossed", place, "nodes that are not in order around their face: their normal is that of the last three")
+
+
 def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float, float], list[Face]]) -> None:
-    """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes."""
+    """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes, LS-DYNA against their normal."""
     owners = FaceOwners(deck.model, {node for faces in groups.values() for face in faces for node in face})
     is_lost = False
     for (curve_id, scale, shift), faces in groups.items():

@@ -5,6 +5,7 @@ from ..ledger import BadInput
 from ..shapes import measure_block
 from .cards import Card
 from .deck import KeywordDeck
+from .start_cards import add_body_mass
 
 
 def read_masses(deck: KeywordDeck, card: Card) -> None:
@@ -37,11 +38,16 @@ def add_to_nodes(deck: KeywordDeck, row: Row) -> None:
     """MASS is that of all nodes, divided equally."""
     name, mass = deck.node_set_name(row.integer("ID"), row.place), row.number("MASS")
     row.finish(deck.ledger)
-    members = deck.list_members("NODE", row.integer("ID"), row.place)
-    if name is None or len(deck.model.node_sets[name]) < len(members):
-        deck.ledger.refuse("ELEMENT_MASS_NODE_SET.free", row.place, "masses on nodes without elements", "the others share it")
+    members, used = deck.list_members("NODE", row.integer("ID"), row.place), deck.used_nodes()
+    kept = [node for node in members if node in used]
+    bare = [node for node in members if node not in used]
+    for node in bare:
+        if node in deck.bodies_of_nodes:
+            add_body_mass(deck, node, mass / len(members), row.place)
+    if any(node not in deck.bodies_of_nodes for node in bare):
+        deck.ledger.refuse("ELEMENT_MASS_NODE_SET.free", row.place, "masses on nodes without elements that belong to no rigid body", "their share is left out")
     if name and mass > 0:
-        deck.model.add("added_mass", {"nodes": name, "mass": mass, "spread": "evenly"})
+        deck.model.add("added_mass", {"nodes": name, "mass": mass * len(kept) / len(members), "spread": "evenly"})
     deck.ledger.translated(row.card, row.place, "added_mass, equal shares of the nodes")
 
 

@@ -7,9 +7,11 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Block, Model
 from ..text_files import suggest, suggest_place
 from . import condition_cards as conditions
+from . import motion_cards as motions
 from . import rigid_cards as rigid
 from . import start_cards as start
 from .beam_cards import read_beams
+from .body_holds import apply_body_holds
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact, read_defaults
 from .constraint_cards import add_node_sets, read_node_sets
@@ -22,7 +24,7 @@ from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
-from .load_cards import read_body_load, read_node_load, read_segment_load
+from .load_cards import apply_part_gravity, read_body_force, read_body_load, read_node_load, read_part_gravity, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mass_cards import add_masses_of_sets, read_masses
 from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
@@ -31,6 +33,7 @@ from .preload_cards import add_preloads, read_axial_force, read_plane, read_sect
 from .part_cards import build_blocks, translate_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
 from .spring_cards import add_springs, note_spring_materials, read_springs
+from .starting import balance_bodies
 from .stress_cards import read_stresses
 from .wall_cards import read_wall
 from .weld_cards import add_welds, read_welds
@@ -64,7 +67,7 @@ DEFINITIONS: dict[str, Handler] = {
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination, "CONTROL_CONTACT": read_defaults,
     "CONTROL_SHELL": read_shell_control, "CONTROL_SOLID": read_solid_control, "CONTROL_RIGID": read_rigid_control, "CONTROL_SOLUTION": read_solution,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
-    "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
+    "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,
     "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
     "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
@@ -73,10 +76,12 @@ DEFINITIONS: dict[str, Handler] = {
 ACTIONS: dict[str, Handler] = {
     "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
     "CONTROL_": read_other_control,
-    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
+    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
+    "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,
     "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_RIGID_BODY": read_body_force,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
@@ -172,6 +177,9 @@ def build(deck: KeywordDeck) -> None:
         deck.model.origins.cards["parts", block.name] = ("PART", block.place)
         deck.model.origins.cards["materials", block.keys["material"]] = material_card(deck, block)
     deck.model.origins.note(deck.model, "PART", None)
+    add_nodal_bodies(deck)
+    deck.model.origins.note(deck.model, "CONSTRAINED_NODAL_RIGID_BODY", None)
+    rigid.find_all_bodies(deck)
     conditions.apply_fixed_nodes(deck)
     deck.model.origins.note(deck.model, "NODE", deck.fixed_place)
 
@@ -214,8 +222,9 @@ def keep_sets(deck: KeywordDeck) -> None:
 
 # What needs all cards, with the cards that it is of.
 LAST: tuple[tuple[Callable[[KeywordDeck], None], str], ...] = (
-    (add_preloads, "INITIAL_"), (add_nodal_bodies, "CONSTRAINED_NODAL_RIGID_BODY"),
+    (add_preloads, "INITIAL_"), (apply_part_gravity, "LOAD_GRAVITY_PART"),
     (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"), (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
+    (balance_bodies, "INITIAL_VELOCITY"), (apply_body_holds, "BOUNDARY_"),
     (add_joints, "CONSTRAINED_JOINT"), (start.add_masses, "ELEMENT_MASS"), (add_masses_of_sets, "ELEMENT_MASS"),
     (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_NODE_SET"),
     (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"), (check_relaxation, "DEFINE_CURVE"),

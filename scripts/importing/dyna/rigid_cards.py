@@ -1,56 +1,126 @@
 """Rigid parts: *PART_INERTIA, *CONSTRAINED_RIGID_BODIES, _EXTRA_NODES, and the motion that is prescribed."""
 
+from dataclasses import dataclass
+
 from ..fields import Row
-from ..ledger import BadInput, Place
-from ..model import Deck
+from ..ledger import Place
+from ..model import Deck, Vector
+from ..shapes import cross, normalise
+from .bodies import find_bodies, find_body_name, find_lead, is_driven
+from .body_holds import hold_points
 from .cards import Card, Lines
-from .condition_cards import AXES, DIRECTIONS, add_fixed, make_motion
-from .deck import KeywordDeck, PartCard
+from .condition_cards import AXES, DIRECTIONS, add_fixed
+from .deck import ExtraNodes, KeywordDeck, PartCard, RigidPart
+from .motion_cards import LAYOUT, MORE, list_motions
+from .starting import find_body_start
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION_RIGID"
 
 
-def read_inertia(deck: KeywordDeck, reader: Lines, part: PartCard) -> None:
-    """The three lines of *PART_INERTIA: centre and mass, inertia about the centre, velocity."""
+@dataclass
+class Inertia:
+    """What cards give of the mass of a body, and of its motion at the start."""
+
+    keys: Deck  # mass, center, inertia
+    motion: Deck  # velocity, angular_velocity
+
+
+def read_inertia_lines(deck: KeywordDeck, reader: Lines, card: str) -> Inertia:
+    """Centre and mass, inertia about the centre, velocity; the latter two in the system that the flag IRCS says."""
     mass = reader.row("XC YC ZC TM IRCS NODEID")
     inertia = reader.row("IXX IXY IXZ IYY IYZ IZZ")
     motion = reader.row("VTX VTY VTZ VRX VRY VRZ")
-    if mass.integer("IRCS"):
-        reader.take()
-        deck.ledger.refuse("PART_INERTIA.IRCS", mass.place, "inertia in a local coordinate system", "the global axes are used")
     xx, xy, xz, yy, yz, zz = inertia.numbers("IXX", "IXY", "IXZ", "IYY", "IYZ", "IZZ")
-    node = mass.integer("NODEID")
-    if node and node not in deck.nodes:
-        mass.fail("NODEID", "there is no such node")
-    center = list(deck.nodes[node]) if node else mass.numbers("XC", "YC", "ZC")
-    part.inertia = {"mass": mass.positive("TM"), "center": center, "inertia": [xx, yy, zz, xy, yz, xz]}
-    part.motion = {"velocity": motion.numbers("VTX", "VTY", "VTZ"), "angular_velocity": motion.numbers("VRX", "VRY", "VRZ")}
+    tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    if mass.integer("IRCS"):
+        tensor = turn_tensor(tensor, read_axes(deck, reader.row("XL YL ZL XLIP YLIP ZLIP CID"), card))
+    center = mass.numbers("XC", "YC", "ZC")
+    if node := mass.integer("NODEID"):
+        deck.center_rows.append((node, mass, center))
+    keys = {"mass": mass.positive("TM"), "center": center,
+            "inertia": [tensor[0][0], tensor[1][1], tensor[2][2], tensor[0][1], tensor[1][2], tensor[0][2]]}  # fmt: skip
+    return Inertia(keys, {"velocity": motion.numbers("VTX", "VTY", "VTZ"), "angular_velocity": motion.numbers("VRX", "VRY", "VRZ")})
+
+
+def find_centers(deck: KeywordDeck) -> None:
+    """NODEID: mass centres at nodes, which may stand behind the cards that name them."""
+    for node, row, center in deck.center_rows:
+        if node not in deck.nodes:
+            row.fail("NODEID", "there is no such node")
+        center[:] = deck.nodes[node]
+
+
+def read_axes(deck: KeywordDeck, row: Row, card: str) -> tuple[Vector, Vector, Vector]:
+    """Axes of the local tensor: by two vectors from the origin, or a coordinate system."""
+    if id := row.integer("CID"):
+        if id not in deck.systems:
+            row.fail("CID", "there is no such system of fixed axes before it")
+        return deck.systems[id]
+    x, plane = tuple(row.numbers("XL", "YL", "ZL")), tuple(row.numbers("XLIP", "YLIP", "ZLIP"))
+    axes = make_axes(x, plane)  # type: ignore[arg-type]
+    if axes is None:
+        row.fail("XL", "two directions that differ are expected")
+    return axes
+
+
+def make_axes(x: Vector, plane: Vector) -> tuple[Vector, Vector, Vector] | None:
+    first, third = normalise(x), normalise(cross(x, plane))
+    if not any(first) or not any(third):
+        return None
+    return first, cross(third, first), third
+
+
+def turn_tensor(tensor: tuple[Vector, ...], axes: tuple[Vector, Vector, Vector]) -> tuple[Vector, ...]:
+    """A tensor of local axes in those of space."""
+    return tuple(
+        tuple(sum(axes[a][i] * tensor[a][b] * axes[b][j] for a in range(3) for b in range(3)) for j in range(3)) for i in range(3)
+    )  # type: ignore[return-value]
+
+
+def read_inertia(deck: KeywordDeck, reader: Lines, part: PartCard) -> None:
+    """The lines of *PART_INERTIA behind the first."""
+    found = read_inertia_lines(deck, reader, "PART_INERTIA")
+    part.inertia, part.motion = found.keys, found.motion
 
 
 def read_merged(deck: KeywordDeck, card: Card) -> None:
     """*CONSTRAINED_RIGID_BODIES: parts that are one body with another."""
     for line in card.lines:
         if line[1].strip():
-            row = card.row(line, "PIDL PIDC IFLAG~")
+            row = card.row(line, "PIDL PIDC IFLAG")
             deck.merged[row.integer("PIDC")] = (row.integer("PIDL"), row.place)
+            if row.integer("IFLAG"):
+                deck.updated_bodies[row.integer("PIDL")] = row.place
 
 
-def find_lead(deck: KeywordDeck, id: int) -> int:
-    """The part whose body a part belongs to."""
-    seen = {id}
-    while id in deck.merged:
-        lead, place = deck.merged[id]
-        for part in (id, lead):
+def read_switched(deck: KeywordDeck, card: Card) -> None:
+    """*DEFORMABLE_TO_RIGID: parts that are rigid from the start of the run on."""
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        row = card.row(line, "PID LRB PTYPE")
+        id, lead, kind = row.integer("PID"), row.integer("LRB"), row.text("PTYPE").upper()
+        if kind not in ("", "PART", "PSET"):
+            row.fail("PTYPE", "PART or PSET is expected")
+        deck.switched.append((id, kind == "PSET", lead, row.place))
+
+
+def switch_parts(deck: KeywordDeck) -> None:
+    """Parts of *DEFORMABLE_TO_RIGID are rigid bodies, or parts of one."""
+    for id, is_set, lead, place in deck.switched:
+        for part in deck.list_members("PART", id, place) if is_set else [id]:
             deck.find_part(part, place)
-        if lead in seen:
-            raise BadInput(place, f"part {lead} is merged with itself: correct the ids")
-        seen.add(lead)
-        id = lead
-    return id
+            if deck.names_of_parts.get(part) and part not in deck.rigid:
+                deck.rigid[part] = RigidPart([])
+            if lead and lead != part:
+                deck.merged[part] = (lead, place)
+        deck.ledger.translated("DEFORMABLE_TO_RIGID", place, "parts.NAME.rigid")
 
 
 def mark_rigid_parts(deck: KeywordDeck) -> None:
     """`rigid` of the parts. The first block of a body says what its parts have in common."""
+    find_centers(deck)
+    switch_parts(deck)
     leaders: dict[int, list[int]] = {}
     for id in deck.rigid:
         leaders.setdefault(find_lead(deck, id), []).append(id)
@@ -67,6 +137,11 @@ def mark_rigid_parts(deck: KeywordDeck) -> None:
             deck.ledger.refuse(
                 "PART_INERTIA", part.place, "mass and inertia of a part that deforms", "those of the mesh are used"
             )
+    for lead, place in deck.updated_bodies.items():
+        if lead in deck.parts and deck.parts[lead].inertia:
+            deck.ledger.refuse(
+                "CONSTRAINED_RIGID_BODIES.IFLAG", place, "IFLAG is 1: the masses of merged parts beside a *PART_INERTIA", "those of *PART_INERTIA are of the whole body"
+            )
 
 
 def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
@@ -76,7 +151,7 @@ def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
                 "PART_INERTIA", deck.parts[id].place, "mass and inertia of a part of another body", "those of the body count"
             )
     blocks = [b for id in sorted(members, key=lambda id: id != lead) for b in deck.model.blocks if b.part == id]
-    moved = set(deck.rigid_motions.get(lead, {}))
+    moved = {DIRECTIONS.get(row.integer("DOF")) for row in deck.rigid_motions.get(lead, [])}
     held = [d for d in deck.rigid[lead].held if d not in moved]
     for block in blocks:
         keys: Deck = {"body": blocks[0].name} if len(blocks) > 1 else {}
@@ -86,143 +161,111 @@ def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
                 keys["fixed"] = held
         block.keys["rigid"] = keys or True
     if blocks:
-        deck.body_names[lead] = blocks[0].name
-    if deck.parts[lead].inertia:
-        start_body(deck, lead, [block.name for block in blocks])
+        deck.body_names[lead] = name = blocks[0].name
+        deck.held_of_body[name] = held
+        deck.body_places[name] = deck.parts[lead].place
+    if deck.parts[lead].inertia and blocks:
+        deck.body_centers[blocks[0].name] = deck.parts[lead].inertia["center"]  # type: ignore[index]
+        start_body(deck, blocks[0].name, deck.parts[lead].motion)
+        deck.ledger.translated("PART_INERTIA", deck.parts[lead].place, "rigid: mass, center, inertia; initial")
 
 
-def start_body(deck: KeywordDeck, lead: int, names: list[str]) -> None:
-    """What *PART_INERTIA says of a rigid part: its mass is there already, its motion at the start comes now."""
-    part = deck.parts[lead]
-    deck.ledger.translated("PART_INERTIA", part.place, "rigid: mass, center, inertia; initial")
-    motion = {key: value for key, value in part.motion.items() if any(value)}
-    if motion:
-        center = {"center": part.inertia["center"]} if "angular_velocity" in motion else {}
-        for name in names:
-            deck.model.add("initial", {"nodes": name, "velocity": part.motion["velocity"], **motion, **center})
+def start_body(deck: KeywordDeck, body: str, motion: Deck) -> None:
+    """The velocity that a card with the inertia of a body gives to it. It counts, also where it is 0, unless IRIGID of others says no."""
+    entry: Deck = {"body": body, "velocity": motion["velocity"]}
+    if any(motion["angular_velocity"]):
+        entry["angular_velocity"] = motion["angular_velocity"]
+    deck.started_bodies[body] = entry
+    deck.model.add("initial", entry)
 
 
 def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
     """*BOUNDARY_PRESCRIBED_MOTION_RIGID, kept until the bodies are known."""
+    if card.keyword != CARD:
+        deck.ledger.refuse(card.keyword, card.place, "this form of the card", "it is left out")
+        return
     reader = card.reader()
     while reader.skip_blank():
         if card.has_id:
             reader.take()
-        row = reader.row("ID DOF VAD LCID SF=1 VID DEATH=1e28 BIRTH")
-        if abs(row.integer("DOF")) in (4, 8, 9, 10, 11) or row.integer("VAD") == 4:
-            reader.take()
-        direction = DIRECTIONS.get(row.integer("DOF"))
-        if direction:
-            deck.rigid_motions.setdefault(row.integer("ID"), {})[direction] = row
-        else:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a direction of a vector, of a rigid part", "it is left out")
+        row = reader.row(LAYOUT)
+        if abs(row.integer("DOF")) in (9, 10, 11) or row.integer("VAD") == 4:
+            reader.row(MORE)
+            deck.ledger.refuse(f"{CARD}.DOF", row.place, f"DOF {row.integer('DOF')} with VAD {row.integer('VAD')}, of a rigid part", "it is left out")
+            continue
+        deck.rigid_motions.setdefault(row.integer("ID"), []).append(row)
 
 
 def apply_rigid_motions(deck: KeywordDeck) -> None:
-    """A condition on all nodes of a body, and on its extra nodes."""
-    for id, motions in deck.rigid_motions.items():
-        place = next(iter(motions.values())).place
-        target = find_moved(deck, id, place)
-        if not target:
-            deck.ledger.refuse(CARD, place, f"the motion of part {id}, which is no rigid body with elements", "it is left out")
+    """Conditions of the mass centres of bodies and of their turns about them."""
+    for id, rows in deck.rigid_motions.items():
+        body = find_body_name(deck, id, rows[0].place)
+        if not body:
+            deck.ledger.refuse(CARD, rows[0].place, f"the motion of part {id}, which is no rigid body with elements", "it is left out")
             continue
-        check_turns(deck, id, motions)
-        for direction, row in motions.items():
-            motion = make_motion(deck, row, direction, 1.0)
-            if motion:
-                deck.model.add("conditions", {"nodes": target, **motion})
-                deck.ledger.translated(CARD, row.place, "conditions on the nodes of the body")
-
-
-def find_moved(deck: KeywordDeck, id: int, place: Place) -> str:
-    """The part or the set of nodes that is a body; empty where it has no elements."""
-    if id in deck.nodal_bodies and id not in deck.parts:
-        return deck.nodal_bodies[id].name
-    deck.find_part(id, place)
-    body = [part for part in deck.rigid if find_lead(deck, part) == id]
-    names = deck.part_names(body)
-    extra = [] if is_driven(deck, id) else list_extra_nodes(deck, body)
-    if len(names) < 2 and not extra:
-        return names[0] if names else ""
-    return deck.make_node_set(f"body_{id}", [*deck.model.nodes_of_blocks(deck.blocks_of(body)), *extra], place)
-
-
-def list_extra_nodes(deck: KeywordDeck, parts: list[int]) -> list[int]:
-    """Nodes that cards add to a body."""
-    nodes: list[int] = []
-    for id in parts:
-        for kind, number, place in deck.extra_nodes.get(id, []):
-            nodes += [number] if kind == "NODE" else deck.list_members("NODE", number, place)
-    return nodes
-
-
-def check_turns(deck: KeywordDeck, id: int, motions: dict[str, Row]) -> None:
-    """A body of which percuss moves all nodes alike along an axis does not turn about the others."""
-    held = deck.rigid[id].held if id in deck.rigid else []
-    for direction, row in motions.items():
-        if direction not in AXES:
-            continue
-        free = [f"r{axis}" for axis in AXES if axis != direction and f"r{axis}" not in {*held, *motions}]
-        if free:
-            deck.ledger.refuse(
-                f"{CARD}.turns", row.place, f"a rigid part that is moved along {direction} and turns freely",
-                f"it does not turn about {' and '.join(axis[1] for axis in free)}",
-            )  # fmt: skip
+        for row in rows:
+            for direction, motion in list_motions(deck, row, find_body_start(deck, body)):
+                hold_points(deck, body, [None], {direction: motion}, row.place, CARD)
 
 
 def read_extra_nodes(deck: KeywordDeck, card: Card) -> None:
     """*CONSTRAINED_EXTRA_NODES_NODE and _SET: nodes that move with a rigid part."""
     kind = card.keyword.rsplit("_", 1)[1]
+    if kind not in ("NODE", "SET"):
+        deck.ledger.refuse(card.keyword, card.place, "this form of the card", "it is left out")
+        return
     for line in card.lines:
         if not line[1].strip():
             continue
-        row = card.row(line, "PID ID IFLAG~")
-        deck.extra_nodes.setdefault(row.integer("PID"), []).append((kind, row.integer("ID"), row.place))
+        row = card.row(line, "PID ID IFLAG")
+        entry = ExtraNodes(kind, row.integer("ID"), bool(row.integer("IFLAG")), row.place)
+        deck.extra_nodes.setdefault(row.integer("PID"), []).append(entry)
 
 
 def apply_extra_nodes(deck: KeywordDeck) -> None:
     """They get the motion of the body where it is given, or join the body."""
     for id, entries in deck.extra_nodes.items():
-        for kind, number, place in entries:
-            deck.find_part(id, place)
-            card = f"CONSTRAINED_EXTRA_NODES_{kind}"
-            nodes = [number] if kind == "NODE" else deck.list_members("NODE", number, place)
+        for entry in entries:
+            deck.find_part(id, entry.place)
+            card = f"CONSTRAINED_EXTRA_NODES_{entry.kind}"
+            nodes = [entry.id] if entry.kind == "NODE" else deck.list_members("NODE", entry.id, entry.place)
             if is_driven(deck, id):
-                move_extra_nodes(deck, id, nodes, place)
-                deck.ledger.translated(card, place, "they have the motion of the part")
+                move_extra_nodes(deck, id, nodes, entry.place)
+                deck.ledger.translated(card, entry.place, "they have the motion of the part")
             else:
-                join_extra_nodes(deck, id, nodes, card, place)
+                join_extra_nodes(deck, id, nodes, card, entry)
 
 
-def join_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], card: str, place: Place) -> None:
-    """Nodes of other parts that move with a rigid part; those without elements may be of joints."""
-    body = deck.body_names.get(find_lead(deck, id)) if id in deck.rigid else None
+def join_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], card: str, entry: ExtraNodes) -> None:
+    """Nodes of other parts that move with a rigid part; those without elements carry loads, masses and joints to it."""
+    lead = find_lead(deck, id)
+    body = deck.body_names.get(lead) if id in deck.rigid else None
     if not body:
-        deck.ledger.refuse(card, place, f"nodes on part {id}, which is no rigid body with elements", "they are free")
+        deck.ledger.refuse(card, entry.place, f"nodes on part {id}, which is no rigid body with elements", "they are free")
         return
     own = deck.rigid_nodes()
-    name = deck.make_node_set(f"extra_{id}", [node for node in nodes if node not in own], place)
+    name = deck.make_node_set(f"extra_{id}", [node for node in nodes if node not in own], entry.place)
     if name:
-        deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name, "body": body}
-    deck.ledger.translated(card, place, "rigid_sets: nodes of the body" if name else "nodes of the body, without elements")
-
-
-def is_driven(deck: KeywordDeck, id: int) -> bool:
-    """Whether a body cannot turn, and moves along curves or not at all."""
-    if id not in deck.rigid:
-        return False
-    held = set(deck.rigid[id].held)
-    return held >= {"rx", "ry", "rz"} and held | set(deck.rigid_motions.get(id, {})) >= set(AXES)
+        keys: Deck = {"nodes": name, "body": body}
+        if deck.parts[lead].inertia and not entry.adds_mass:
+            keys["node_masses"] = "ignore"  # those of *PART_INERTIA include them
+        deck.model.deck.setdefault("rigid_sets", {})[name] = keys
+    deck.ledger.translated(card, entry.place, "rigid_sets: nodes of the body" if name else "nodes of the body, without elements")
 
 
 def move_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], place: Place) -> None:
     name = deck.make_node_set(f"extra_{id}", nodes, place)
     if not name:
         return
-    motions = deck.rigid_motions.get(id, {})
-    held = [d for d in (*AXES, "rx", "ry", "rz") if d in deck.rigid[id].held and d not in motions]
+    rows = deck.rigid_motions.get(id, [])
+    moved = {DIRECTIONS.get(row.integer("DOF")) for row in rows}
+    held = [d for d in (*AXES, "rx", "ry", "rz") if d in deck.rigid[id].held and d not in moved]
     add_fixed(deck, name, held, deck.model.node_sets[name])
-    for direction, row in motions.items():
-        motion = make_motion(deck, row, direction, 1.0)
-        if motion:
+    for row in rows:
+        for _, motion in list_motions(deck, row, find_body_start(deck, deck.body_names[find_lead(deck, id)])):
             deck.model.add("conditions", {"nodes": name, **motion})
+
+
+def find_all_bodies(deck: KeywordDeck) -> None:
+    """Once rigid parts and nodal bodies are known."""
+    deck.bodies_of_nodes = find_bodies(deck)

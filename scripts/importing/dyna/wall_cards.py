@@ -27,7 +27,7 @@ def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         name = read_name(deck, card, reader)
-        row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~")
+        row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~penalty")
         plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
         wall = make_wall(deck, plane, name)
         read_wall_options(deck, reader, words, wall)
@@ -39,7 +39,7 @@ def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
 def read_name(deck: KeywordDeck, card: Card, reader: Lines) -> str:
     name = ""
     if card.has_id:
-        head = reader.row("ID TITLE", (10, 70))
+        head = reader.row("ID~label TITLE~label", (10, 70))
         name = head.text("TITLE") or f"wall_{head.integer('ID')}"
     return name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}"
 
@@ -61,7 +61,7 @@ def read_geometric_wall(deck: KeywordDeck, card: Card) -> None:
             round_wall(deck, reader, wall, shape)
         moves = "MOTION" not in options or read_wall_motion(deck, card, reader, wall)
         if "DISPLAY" in options:
-            reader.row("PID RO E PR")
+            reader.row("PID~output RO~output E~output PR~output")
         if moves and choose_nodes(deck, row, wall, 0.0):
             deck.model.add("walls", wall)
             deck.ledger.translated(card.keyword, row.place, "walls")
@@ -79,7 +79,7 @@ def round_wall(deck: KeywordDeck, reader: Lines, wall: Deck, shape: str) -> None
         if row.number("LENCYL") > 0:
             wall["cylinder"]["length"] = row.number("LENCYL")
         for _ in range(min(row.integer("NSEGS"), 1000)):
-            reader.row("VL HEIGHT")
+            reader.row("VL~output HEIGHT~output")
         if row.integer("NSEGS") > 0:
             deck.ledger.ignored("RIGIDWALL_GEOMETRIC_CYLINDER.NSEGS", row.place, "output; percuss writes the force of the wall")
     row.finish(deck.ledger)
@@ -139,13 +139,14 @@ def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str], wall: 
         if option == "MOVING":
             move_wall(deck, reader.row("MASS V0"), wall)
             continue
-        first = reader.row("A B C D E F G H")
         if option == "ORTHO":
-            reader.take()
+            first = reader.row("SFRICA SFRICB DFRICA DFRICB DECAYA DECAYB")
+            reader.row("NODE1 NODE2 D1 D2 D3")
             deck.ledger.refuse(
                 "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions"
             )
         else:
+            first = reader.row("SOFT~penalty SSID~output N1~output N2~output N3~output N4~output")
             deck.ledger.ignored("RIGIDWALL_PLANAR_FORCES", first.place, "output; percuss writes the force of each wall")
 
 
@@ -197,12 +198,12 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     if box:
         inside = set(deck.nodes_of_box(box, row.place))
         members = [node for node in members if node in inside]
-    if offset and not id:
+    if offset > 0:
         members = [node for node in members if node_height(deck, wall, node) <= offset]
     name = deck.make_node_set(f"{wall['name']}_nodes", members, row.place)
     wall["nodes"] = name
     if not name:
-        deck.ledger.ignored("RIGIDWALL_PLANAR", row.place, "its nodes have no element")
+        deck.ledger.ignored("RIGIDWALL_PLANAR", row.place, "it stops only nodes without elements, which have no mass")
     return bool(name)
 
 

@@ -1,0 +1,159 @@
+"""Rigid bodies: their masses, the nodes that belong to them, loads, supports, motions and joints."""
+
+from . import ALL, FIRST, LAST, Proof
+from .pieces import CUBE_MASS, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, rigid, solid_section, two_cubes, velocity
+
+END = 1e-5
+CONSTANT = curve(7, (0, 1.0), (1, 1.0))
+OUT = nodes((50, 5.0, 5.0, 25.0))  # above the cube, whose centre is at (5, 5, 5)
+NODAL_BODY = OUT + "*SET_NODE_LIST\n4\n1,2,3,4,5,6,7,8\n50\n*CONSTRAINED_NODAL_RIGID_BODY\n77,0,4\n"
+EXTRA = OUT + "*CONSTRAINED_EXTRA_NODES_NODE\n1,50\n"
+PUSH = "*LOAD_RIGID_BODY\n{id},{dof},7,3.0\n" + CONSTANT
+TWO_RIGID = two_cubes(1.0).replace("*MAT_ELASTIC", "*MAT_RIGID").replace("0.3\n", "0.3\n0\n\n")
+JOINED = "*CONSTRAINED_EXTRA_NODES_NODE\n1,90\n2,91\n1,92\n2,93\n" + nodes((90, 5.0, 5.0, 10.5), (91, 5.0, 5.0, 10.5), (92, 5.0, 5.0, 12.5), (93, 5.0, 5.0, 12.5))
+INERTIA = "5,5,5,2e-5,{ircs},0\n1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0\n"
+HEAVY = hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + INERTIA.format(ircs=0) + solid_section() + rigid()
+PRODUCTS = INERTIA.format(ircs=0).replace("1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0", "2e-3,2e-4,3e-4,2.2e-3,4e-4,2.5e-3\n0,0,0,{spin}")
+SKEW = {"PART_INERTIA": hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + PRODUCTS + solid_section() + rigid(),
+        "CONSTRAINED_NODAL_RIGID_BODY_INERTIA": cube() + NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + PRODUCTS}  # fmt: skip
+SOFT = hexahedron(2, 11, (0.0, 0.0, 11.0), of=2) + part(2, 1, 3) + elastic(3)  # a second cube
+TURNING = HEAVY.replace("10,20,30,0,0,0", "0,0,0,0,0,0") + "*LOAD_RIGID_BODY\n1,{dof},7,2.0\n" + CONSTANT
+
+
+def spins(axis: str, inertia: float) -> list:
+    """Of a moment of 2 about an axis."""
+    return [(f"body_w{axis}:part_1", LAST, 2.0 * END / inertia, 2e-3)]
+
+
+PROOFS = [
+    Proof("LOAD_NODE_POINT: ID DOF LCID SF; CONSTRAINED_NODAL_RIGID_BODY: PID NSID",
+          deck(cube(), NODAL_BODY, "*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT),
+          [("momentum_x", LAST, 3.0 * END, 2e-3), ("angular_y", LAST, 60.0 * END, 2e-3)],
+          "3 N at a node without elements, 20 mm above the centre, push the body and turn it"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY: PNODE", deck(cube(), NODAL_BODY.replace("77,0,4", "77,0,4,50"), "*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT),
+          [("momentum_x", LAST, 3.0 * END, 2e-3), ("angular_y", LAST, 0.0, 1e-12)], "PNODE is moved to the mass centre"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY: DRFLAG", deck(cube(), NODAL_BODY.replace("77,0,4", "77,0,4,0,0,1")), refused="DRFLAG"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY: RRFLAG", deck(cube(), NODAL_BODY.replace("77,0,4", "77,0,4,0,0,0,1")), refused="RRFLAG"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY_SPC: CMO CON1 CON2",
+          deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_SPC") + "1,4,7\n", velocity(100.0, 20.0, -30.0)),
+          [("momentum_x", LAST, 0.0, 1e-15), ("momentum_y", LAST, 0.0, 1e-15), ("momentum_z", ALL, -30.0 * CUBE_MASS, 1e-9)], "4 holds x and y"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY_INERTIA: XC YC ZC TM IXX IYY IZZ VTX VTY VTZ",
+          deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=0)),
+          [("momentum_x", ALL, 10.0 * 2e-5, 1e-9), ("momentum_y", FIRST, 20.0 * 2e-5, 1e-9), ("momentum_z", FIRST, 30.0 * 2e-5, 1e-9)],
+          "TM is the mass in place of that of the nodes"),
+    Proof("LOAD_NODE_POINT: DOF", deck(cube(rigid()), "*LOAD_NODE_POINT\n3,5,7,2.0\n", CONSTANT), [("angular_x", LAST, 2.0 * END, 2e-3)],
+          "a moment on a node of a solid that is rigid"),
+    Proof("LOAD_RIGID_BODY: ID DOF LCID SF", deck(cube(rigid()), "*LOAD_RIGID_BODY\n1,2,7,4.0\n", CONSTANT),
+          [("momentum_y", LAST, 4.0 * END, 2e-3), ("angular_z", LAST, 0.0, 1e-12)], "at the mass centre"),
+    Proof("LOAD_RIGID_BODY: CID; DEFINE_COORDINATE_VECTOR",
+          deck(cube(rigid()), "*DEFINE_COORDINATE_VECTOR\n5,3.0,4.0,0.0,-4.0,3.0,0.0\n*LOAD_RIGID_BODY\n1,2,7,5.0,5\n", CONSTANT),
+          [("momentum_x", LAST, -4.0 * END, 2e-3), ("momentum_y", LAST, 3.0 * END, 2e-3)], "y of the system is (-0.8, 0.6)"),
+    Proof("LOAD_RIGID_BODY", deck(cube(rigid()), "*LOAD_RIGID_BODY\n1,4,7,4.0\n", CONSTANT), refused="follower"),
+    Proof("LOAD_NODE_POINT", deck(cube(), OUT, "*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT), refused="node 50, which has no element"),
+    Proof("ELEMENT_MASS: ID MASS", deck(cube(), NODAL_BODY, "*ELEMENT_MASS\n1,50,2e-6\n", velocity(100.0)),
+          [("momentum_x", ALL, 100.0 * (CUBE_MASS + 2e-6), 1e-9)], "a mass on a node without elements is one of the body"),
+    Proof("ELEMENT_MASS", deck(cube(), OUT, "*ELEMENT_MASS\n1,50,2e-6\n"), refused="node 50, which has no element"),
+    Proof("BOUNDARY_SPC_NODE: ID X Y Z; CONSTRAINED_EXTRA_NODES_NODE: PID ID",
+          deck(cube(rigid()), EXTRA, "*BOUNDARY_SPC_NODE\n50,0,1,1,1,0,0,0\n*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT),
+          [("momentum_x", LAST, 0.0, 1e-12), ("angular_y", LAST, 0.0, 1e-10)], "a force on the point that is held moves nothing"),
+    Proof("BOUNDARY_SPC_NODE: RX RY RZ", deck(cube(rigid()), EXTRA, "*BOUNDARY_SPC_NODE\n50,0,0,1,1,1,1,1\n*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT),
+          [("momentum_x", LAST, 3.0 * END, 2e-3), ("angular_y", LAST, 0.0, 1e-12)], "the body moves along x and does not turn"),
+    Proof("BOUNDARY_SPC_SET: ID X", deck(cube(rigid()), "*BOUNDARY_SPC_SET\n4,0,0,1,0,0,0,0\n", node_set(4, 1, 2, 5, 6), velocity(100.0, 20.0)),
+          [("momentum_x", LAST, 100.0 * CUBE_MASS, 1e-9), ("momentum_y", LAST, 0.0, 1e-12)], "nodes of a plane of symmetry hold the rigid part"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_NODE: ID DOF VAD LCID SF",
+          deck(cube(), NODAL_BODY, "*BOUNDARY_SPC_NODE\n50,0,0,1,1,1,1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n50,1,0,7,40.0\n", CONSTANT),
+          [("momentum_x", ALL, 40.0 * CUBE_MASS, 1e-9)], "the motion of a node without elements is that of the body"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_NODE", deck(cube(), NODAL_BODY, "*BOUNDARY_PRESCRIBED_MOTION_NODE\n50,1,0,7,40.0\n", CONSTANT),
+          refused="a motion of a point of a rigid body about which it may turn"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: ID DOF VAD LCID SF; LOAD_NODE_POINT: DOF",
+          deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,0,7,40.0\n*LOAD_NODE_POINT\n3,7,7,2.0\n", CONSTANT),
+          [("momentum_x", ALL, 40.0 * CUBE_MASS, 1e-9), ("angular_z", LAST, 2.0 * END, 2e-3)], "driven along x it turns freely"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: DEATH",
+          deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,0,7,40.0,0,5e-6\n", PUSH.format(id=1, dof=1)),
+          [("momentum_x", LAST, 40.0 * CUBE_MASS + 3.0 * 5e-6, 2e-3), ("momentum_x", 4e-6, 40.0 * CUBE_MASS, 1e-6)], "then the force alone acts"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: BIRTH",
+          deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,0,8,1.0,0,0.0,4e-6\n", curve(8, (0, 0.0), (1e-5, 100.0)), velocity(30.0)),
+          [("momentum_x", 3e-6, 30.0 * CUBE_MASS, 1e-6), ("momentum_x", LAST, 60.0 * CUBE_MASS, 5e-3)], "free until BIRTH, then 100 (t - BIRTH) / 1e-5"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: VAD; INITIAL_VELOCITY: VX; MAT_RIGID: CMO CON1 CON2",
+          deck(cube(rigid(1, 1, 5, 7)), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,1,8,1.0\n", curve(8, (0, -1e8), (5e-6, -1e8)), velocity(1000.0, 50.0)),
+          [("momentum_x", FIRST, 1000.0 * CUBE_MASS, 1e-3), ("momentum_x", LAST, 500.0 * CUBE_MASS, 2e-3), ("momentum_y", LAST, 0.0, 1e-12)],
+          "an acceleration begins from the initial velocity; behind its end the velocity stays"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: VAD",
+          deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,7,2,8,1.0\n", curve(8, (0, 0.0), (1e-5, 0.02))),
+          [("body_wz:part_1", LAST, 2000.0, 1e-3)], "an angle of 0.02 in 1e-5 s"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID: VID; DEFINE_VECTOR: VID XT YT ZT XH YH ZH",
+          deck(cube(rigid()), "*DEFINE_VECTOR\n5,1.0,1.0,0.0,4.0,5.0,0.0\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,-4,0,7,50.0,5\n", CONSTANT, velocity(0.0, 0.0, 8.0)),
+          [("momentum_x", LAST, 30.0 * CUBE_MASS, 1e-9), ("momentum_y", LAST, 40.0 * CUBE_MASS, 1e-9), ("momentum_z", LAST, 0.0, 1e-12)],
+          "-4: along (3, 4, 0), held across it"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID", deck(cube(rigid()), "*DEFINE_VECTOR\n5,1.0,1.0,0.0,4.0,5.0,0.0\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,4,0,7,50.0,5\n", CONSTANT),
+          refused="no axis of space"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID", deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,3,7,50.0\n", CONSTANT), refused="VAD 3"),
+    Proof("CONSTRAINED_RIGID_BODIES: PIDL PIDC; INITIAL_VELOCITY_RIGID_BODY: PID VX VY VZ VZR",
+          deck(TWO_RIGID, "*CONSTRAINED_RIGID_BODIES\n1,2\n*INITIAL_VELOCITY_RIGID_BODY\n1,10.0,20.0,30.0,0,0,7.0\n"),
+          [("momentum_x", ALL, 20.0 * CUBE_MASS, 1e-9), ("momentum_z", ALL, 60.0 * CUBE_MASS, 1e-9), ("body_wz:part_1", ALL, 7.0, 1e-9)],
+          "the velocity of the centre of both, which turn about their axis"),
+    Proof("INITIAL_VELOCITY_RIGID_BODY: VXR VYR", deck(cube(rigid()), velocity(9.0), "*INITIAL_VELOCITY_RIGID_BODY\n1,0,0,0,3.0,4.0,0.0\n"),
+          [("body_wx:part_1", FIRST, 3.0, 1e-9), ("body_wy:part_1", FIRST, 4.0, 1e-9), ("momentum_x", FIRST, 0.0, 1e-12)], "it counts more than that of nodes"),
+    Proof("INITIAL_VELOCITY_RIGID_BODY: ICID",
+          deck(cube(rigid()), "*DEFINE_COORDINATE_VECTOR\n5,3.0,4.0,0.0,-4.0,3.0,0.0\n*INITIAL_VELOCITY_RIGID_BODY\n1,10.0,5.0,0,0,0,0,5\n"),
+          [("momentum_x", FIRST, 2.0 * CUBE_MASS, 1e-9), ("momentum_y", FIRST, 11.0 * CUBE_MASS, 1e-9)], "10 (0.6, 0.8) + 5 (-0.8, 0.6)"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY; INITIAL_VELOCITY_NODE: NID VX",
+          deck(cube(), NODAL_BODY, "*INITIAL_VELOCITY_NODE\n" + "".join(f"{n},80.0\n" for n in (1, 2, 3, 4))),
+          [("momentum_x", FIRST, 40.0 * CUBE_MASS, 1e-9), ("angular_y", FIRST, -CUBE_MASS / 8 * 4 * 80.0 * 5.0, 1e-9)],
+          "nodes that begin differently give the body their momenta"),
+    Proof("PART_INERTIA: TM VTX VTY VTZ XC YC ZC; MAT_RIGID", deck(HEAVY, velocity(100.0)),
+          [("momentum_x", ALL, 10.0 * 2e-5, 1e-9), ("momentum_y", FIRST, 20.0 * 2e-5, 1e-9)], "its velocity counts more than that of its nodes"),
+    *(Proof("INITIAL_VELOCITY: IRIGID", deck(HEAVY, velocity(100.0).replace("\n0\n", f"\n0,0,0,{flag}\n"), "*SET_PART_LIST\n4\n1\n"),
+            [("momentum_x", ALL, 100.0 * 2e-5, 1e-9)], "overwritten") for flag in (-1, -2, 4)),
+    Proof("INITIAL_VELOCITY_GENERATION: IRIGID", deck(HEAVY, "*INITIAL_VELOCITY_GENERATION\n1,2,0.0,70.0\n0,0,0,0,0,0,0,1\n"),
+          [("momentum_x", ALL, 70.0 * 2e-5, 1e-9)], "overwritten"),
+    Proof("PART_INERTIA: IXX", deck(TURNING.format(dof=5)), spins("x", 1e-3), "w = M t / I"),
+    Proof("PART_INERTIA: IYY", deck(TURNING.format(dof=6)), spins("y", 2e-3), "w = M t / I"),
+    Proof("PART_INERTIA: IZZ", deck(TURNING.format(dof=7)), spins("z", 2.5e-3), "w = M t / I"),
+    Proof("PART_INERTIA: IRCS XL YL ZL XLIP YLIP ZLIP",
+          deck(TURNING.format(dof=6).replace("2e-5,0,0", "2e-5,1,0").replace("0,0,0,0,0,0\n", "0,0,0,0,0,0\n0,1,0,-1,0,0\n")), spins("y", 1e-3), "the local x is y"),
+    Proof("PART_INERTIA: VRX VRY VRZ", deck(HEAVY.replace("10,20,30,0,0,0", "0,0,0,3,4,5")),
+          [("body_wx:part_1", FIRST, 3.0, 1e-9), ("body_wy:part_1", FIRST, 4.0, 1e-9), ("body_wz:part_1", FIRST, 5.0, 1e-9)], "its spin"),
+    Proof("PART_INERTIA: NODEID", deck(HEAVY.replace("5,5,5,2e-5,0,0", "0,0,0,2e-5,0,50"), OUT), [("body_z:part_1", FIRST, 25.0, 1e-9)], "the centre is node 50"),
+    *(Proof(f"{card}: {fields}", deck(SKEW[card].format(spin=spin)), [(f"angular_{axis}", FIRST, value, 1e-6) for axis, value in zip("xyz", values, strict=True)], "I w")
+      for card in ("PART_INERTIA", "CONSTRAINED_NODAL_RIGID_BODY_INERTIA")
+      for fields, spin, values in (("IXY IXZ VRX", "3,0,0", (6e-3, 6e-4, 9e-4)), ("IXY IYZ VRY", "0,5,0", (1e-3, 1.1e-2, 2e-3)), ("IXZ IYZ VRZ", "0,0,2", (6e-4, 8e-4, 5e-3)))),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY_INERTIA: IRCS; CONSTRAINED_NODAL_RIGID_BODY_INERTIA: XL YL ZL XLIP YLIP ZLIP",
+          deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=1).replace("10,20,30,0,0,0\n", "0,0,0,0,5,0\n0,1,0,-1,0,0\n")),
+          [("angular_y", FIRST, 5e-3, 1e-6)], "the local x, with 1e-3, is y"),
+    Proof("CONSTRAINED_NODAL_RIGID_BODY_INERTIA: NODEID", deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=0).replace("0,0\n1e-3", "0,50\n1e-3")),
+          [("body_z:rigid_77", FIRST, 25.0, 1e-9)], "the centre is node 50"),
+    Proof("CONSTRAINED_RIGID_BODIES: IFLAG",
+          deck(HEAVY, hexahedron(2, 11, (0.0, 0.0, 11.0), of=2), part(2), "*CONSTRAINED_RIGID_BODIES\n1,2,1\n"), refused="IFLAG"),
+    Proof("CONSTRAINED_EXTRA_NODES_SET: PID ID; MAT_RIGID: MID",
+          deck(cube(rigid()), SOFT, "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
+          [("body_vx:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 5e-3)], "the nodes of the second cube are of the body"),
+    Proof("CONSTRAINED_EXTRA_NODES_SET: IFLAG",
+          deck(HEAVY.replace("10,20,30,", "0,0,0,"), SOFT,
+               "*CONSTRAINED_EXTRA_NODES_SET\n1,4,1\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
+          [("body_vx:part_1", LAST, 3.0 * END / (2e-5 + CUBE_MASS), 5e-3)], "1: their mass comes on top of TM"),
+    Proof("CONSTRAINED_EXTRA_NODES_SET: IFLAG",
+          deck(HEAVY.replace("10,20,30,", "0,0,0,"), SOFT,
+               "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
+          [("body_vx:part_1", LAST, 3.0 * END / 2e-5, 5e-3)], "0: TM includes it"),
+    Proof("CONSTRAINED_JOINT_SPHERICAL: N1 N2", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_SPHERICAL\n90,91\n", PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 2e-3)], "the force on one moves both"),
+    Proof("CONSTRAINED_JOINT_REVOLUTE: N1 N2 N3 N4",
+          deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_REVOLUTE\n90,91,92,93\n*LOAD_NODE_POINT\n12,7,7,2.0\n", CONSTANT),
+          [("body_wz:part_1", LAST, 0.0, 1e-9), ("angular_z", LAST, 2.0 * END, 2e-3)], "a moment about the hinge turns one body alone"),
+    Proof("CONSTRAINED_JOINT_TRANSLATIONAL", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_TRANSLATIONAL\n90,91,92,93,1,2\n"), refused="CONSTRAINED_JOINT_TRANSLATIONAL"),
+    Proof("CONSTRAINED_JOINT_SPHERICAL_FAILURE", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_SPHERICAL_FAILURE\n90,91\n"), refused="CONSTRAINED_JOINT_SPHERICAL_FAILURE"),
+    Proof("MAT_RIGID: CMO CON1 CON2",
+          deck(cube(rigid(1, -1, 5, 100000)), "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n", velocity(3.0, 4.0)),
+          [("momentum_x", LAST, 3.0 * CUBE_MASS, 1e-9), ("momentum_y", LAST, 0.0, 1e-12)], "-1: the local x, which is y"),
+    Proof("MAT_RIGID: CMO", deck(cube(rigid(1, -1, 5, 100000)), "*DEFINE_COORDINATE_VECTOR\n5,3.0,4.0,0.0,-4.0,3.0,0.0\n"), refused="MAT_RIGID.CMO"),
+    Proof("DEFORMABLE_TO_RIGID: PID LRB PTYPE",
+          deck(two_cubes(), "*DEFORMABLE_TO_RIGID\n1\n2,1,PART\n", PUSH.format(id=1, dof=1)),
+          [("body_vx:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 5e-3)], "both parts are one rigid body"),
+    Proof("DEFORMABLE_TO_RIGID_AUTOMATIC", deck(cube(), "*DEFORMABLE_TO_RIGID_AUTOMATIC\n1,0,1e-3\n"), refused="DEFORMABLE_TO_RIGID_AUTOMATIC"),
+    *(Proof(f"MAT_RIGID: {name}", deck(cube(rigid().replace("0.3\n", f"0.3,{fields}\n"))), refused=f"MAT_RIGID.{name}") for name, fields in (("N", "2"), ("COUPLE", "0,1"), ("M", "0,0,2"))),
+    Proof("MAT_RIGID: RO", deck(cube(rigid()), velocity(3.0)), [("momentum_x", ALL, 3.0 * CUBE_MASS, 1e-9)], "its mass"),
+]  # fmt: skip
+
+SPRINGS = "the stiffness of springs between bodies that touch, which contact without springs does not have"
+NOT_PHYSICS = {"MAT_RIGID.E": SPRINGS, "MAT_RIGID.PR": SPRINGS, "MAT_RIGID.ALIAS": "a surface for pictures"}
