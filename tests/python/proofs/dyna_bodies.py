@@ -13,7 +13,7 @@ TWO_RIGID = two_cubes(1.0).replace("*MAT_ELASTIC", "*MAT_RIGID").replace("0.3\n"
 JOINED = "*CONSTRAINED_EXTRA_NODES_NODE\n1,90\n2,91\n1,92\n2,93\n" + nodes((90, 5.0, 5.0, 10.5), (91, 5.0, 5.0, 10.5), (92, 5.0, 5.0, 12.5), (93, 5.0, 5.0, 12.5))
 INERTIA = "5,5,5,2e-5,{ircs},0\n1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0\n"
 HEAVY = hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + INERTIA.format(ircs=0) + solid_section() + rigid()
-PRODUCTS = INERTIA.format(ircs=0).replace("1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0", "2e-3,2e-4,3e-4,2.2e-3,4e-4,2.5e-3\n0,0,0,{spin}")
+PRODUCTS = INERTIA.format(ircs=0).replace("1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0", "2e-3,2e-4,3e-4,2.2e-3,4e-4,2.5e-3\n4,0,0,{spin}")
 SKEW = {"PART_INERTIA": hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + PRODUCTS + solid_section() + rigid(),
         "CONSTRAINED_NODAL_RIGID_BODY_INERTIA": cube() + NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + PRODUCTS}  # fmt: skip
 SOFT = hexahedron(2, 11, (0.0, 0.0, 11.0), of=2) + part(2, 1, 3) + elastic(3)  # a second cube
@@ -126,16 +126,16 @@ PROOFS = [
     Proof("CONSTRAINED_RIGID_BODIES: IFLAG",
           deck(HEAVY, hexahedron(2, 11, (0.0, 0.0, 11.0), of=2), part(2), "*CONSTRAINED_RIGID_BODIES\n1,2,1\n"), refused="IFLAG"),
     Proof("CONSTRAINED_EXTRA_NODES_SET: PID ID; MAT_RIGID: MID",
-          deck(cube(rigid()), SOFT, "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
-          [("body_vx:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 5e-3)], "the nodes of the second cube are of the body"),
+          deck(cube(rigid()), SOFT, "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1), end=10 * END),
+          [("body_vx:part_1", LAST, 30.0 * END / (2 * CUBE_MASS), 1e-2)], "the nodes of the second cube are of the body"),
     Proof("CONSTRAINED_EXTRA_NODES_SET: IFLAG",
           deck(HEAVY.replace("10,20,30,", "0,0,0,"), SOFT,
-               "*CONSTRAINED_EXTRA_NODES_SET\n1,4,1\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
-          [("body_vx:part_1", LAST, 3.0 * END / (2e-5 + CUBE_MASS), 5e-3)], "1: their mass comes on top of TM"),
+               "*CONSTRAINED_EXTRA_NODES_SET\n1,4,1\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1), end=10 * END),
+          [("body_vx:part_1", LAST, 30.0 * END / (2e-5 + CUBE_MASS), 1e-2)], "1: their mass comes on top of TM"),
     Proof("CONSTRAINED_EXTRA_NODES_SET: IFLAG",
           deck(HEAVY.replace("10,20,30,", "0,0,0,"), SOFT,
-               "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1)),
-          [("body_vx:part_1", LAST, 3.0 * END / 2e-5, 5e-3)], "0: TM includes it"),
+               "*CONSTRAINED_EXTRA_NODES_SET\n1,4\n", node_set(4, *range(11, 19)), PUSH.format(id=1, dof=1), end=10 * END),
+          [("body_vx:part_1", LAST, 30.0 * END / 2e-5, 1e-2)], "0: TM includes it"),
     Proof("CONSTRAINED_JOINT_SPHERICAL: N1 N2", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_SPHERICAL\n90,91\n", PUSH.format(id=2, dof=3)),
           [("body_vz:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 2e-3)], "the force on one moves both"),
     Proof("CONSTRAINED_JOINT_REVOLUTE: N1 N2 N3 N4",
