@@ -119,7 +119,7 @@ PROOFS = [
       for card in ("PART_INERTIA", "CONSTRAINED_NODAL_RIGID_BODY_INERTIA")
       for fields, spin, values in (("IXY IXZ VRX", "3,0,0", (6e-3, 6e-4, 9e-4)), ("IXY IYZ VRY", "0,5,0", (1e-3, 1.1e-2, 2e-3)), ("IXZ IYZ VRZ", "0,0,2", (6e-4, 8e-4, 5e-3)))),
     Proof("CONSTRAINED_NODAL_RIGID_BODY_INERTIA: IRCS; CONSTRAINED_NODAL_RIGID_BODY_INERTIA: XL YL ZL XLIP YLIP ZLIP",
-          deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=1).replace("10,20,30,0,0,0\n", "0,0,0,0,5,0\n0,1,0,-1,0,0\n")),
+          deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=1).replace("10,20,30,0,0,0\n", "4,0,0,0,5,0\n0,1,0,-1,0,0\n")),
           [("angular_y", FIRST, 5e-3, 1e-6)], "the local x, with 1e-3, is y"),
     Proof("CONSTRAINED_NODAL_RIGID_BODY_INERTIA: NODEID", deck(cube(), NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + INERTIA.format(ircs=0).replace("0,0\n1e-3", "0,50\n1e-3")),
           [("body_z:rigid_77", FIRST, 25.0, 1e-9)], "the centre is node 50"),
