@@ -239,7 +239,7 @@ def finish_output(deck: KeywordDeck) -> None:
 def holds_nodes(deck: KeywordDeck) -> bool:
     """Whether a condition holds or moves a node that is not of a rigid body."""
     rigid = list_rigid_nodes(deck)
-    return any(not nodes_of_name(deck, entry["nodes"]) <= rigid for entry in deck.model.deck.get("conditions", []))
+    return any("nodes" in entry and not nodes_of_name(deck, entry["nodes"]) <= rigid for entry in deck.model.deck.get("conditions", []))
 
 
 def nodes_of_name(deck: KeywordDeck, selector: "str | Deck") -> set[int]:
