@@ -78,6 +78,14 @@ def swept(profile: str, step: str = "", speed: float = -2000.0) -> str:
 BOUNCED = [(lambda h: float(h["momentum_z"][-1] > 0.3 * 2000 * CUBE_MASS), LAST, 1.0, 1e-9)]
 
 PROOFS = [
+    Proof("RIGID BODY: REF_NODE ELSET; CLOAD", pushed(RIGID), [("momentum_x", LAST, 2.0 * T, 1e-2), ("angular_y", LAST, 2.0 * 10.0 * T, 2e-2), ("internal", ALL, 0.0, 1e-15)],
+          "2 N at 10 mm above the centre"),
+    Proof("RIGID BODY: REF_NODE; CLOAD", pushed(RIGID, "*CLOAD\n9, 5, 7.\n"), [("angular_y", LAST, 7.0 * T, 1e-2), ("momentum_x", LAST, 0.0, 1e-15)], "a moment of 7 N mm"),
+    Proof("RIGID BODY: POSITION; BOUNDARY", pushed(RIGID.replace("REF NODE=9,", "REF NODE=9, POSITION=CENTER OF MASS,"), "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n*CLOAD\nall, 2, 0.5\n"),
+          [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("momentum_y", LAST, 4.0 * T, 1e-2)], "driven along x, free along y"),
+    Proof("MASS: ELSET; RIGID BODY: ELSET", abaqus(PLATE, STEEL, end=T, step="*CLOAD\n9, 3, 4.\n"), [("body_vz:PLATE", LAST, 4.0 / 2e-6 * T, 1e-2), ("momentum_z", LAST, 4.0 * T, 1e-2)], "4 N on 2e-6 t"),
+    Proof("ROTARY INERTIA: ELSET", abaqus(PLATE + ROTARY, STEEL, end=T, step="*CLOAD\n9, 4, 4.\n"), [("body_wx:PLATE", LAST, 4.0 / 1e-5 * 1e-4, 3e-2)], "4 N mm on 1e-5 t mm2"),
+    Proof("ROTARY INERTIA: ELSET", abaqus(PLATE + ROTARY, STEEL, end=1e-4, step="*CLOAD\n9, 6, 4.\n"), [("body_wz:PLATE", LAST, 4.0 / 3e-5 * 1e-4, 3e-2)], "4 N mm on 3e-5 t mm2"),
     Proof("RIGID BODY: REF_NODE; BOUNDARY: TYPE", pushed(RIGID, "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n9, 2, 6, 0.\n"), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6)], "the body moves at 40 mm/s"),
     Proof("RIGID BODY: REF_NODE", pushed(RIGID, "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n"), refused="away from the centre"),
     Proof("RIGID BODY: TIE_NSET", pushed(f"{REF}*RIGID BODY, REF NODE=9, TIE NSET=all\n", DRIVEN), [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("internal", ALL, 0.0, 1e-12)], "all nodes are one body"),
