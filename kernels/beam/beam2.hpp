@@ -99,6 +99,9 @@ inline BeamStiffness find_beam_stiffness(const BeamSection& s, double youngs_mod
           shear_modulus * s.torsion, youngs_modulus * s.inertia_y,   youngs_modulus * s.inertia_z};
 }
 
+/// Second moment of the area about the beam.
+inline double find_polar_moment(const BeamSection& s) { return s.inertia_y + s.inertia_z; }
+
 /// Forces after a strain.
 template <class T>
 PERCUSS_FORCE_INLINE BeamForces<T> add_elastic(const BeamForces<T>& f, const BeamStiffness& k,
@@ -108,9 +111,10 @@ PERCUSS_FORCE_INLINE BeamForces<T> add_elastic(const BeamForces<T>& f, const Bea
           f.moment_y + T(k.bending_y) * strain.curvature_y, f.moment_z + T(k.bending_z) * strain.curvature_z};
 }
 
-/// Rotary inertia of a node, about any axis: the least with which neither bending, twist nor shear shortens the step
-/// below that of the axial wave. Of a long element it is about mass * length^2 / 15, which bending over several
-/// elements hardly feels. least_ratio: of E A to G A_s, where a section has none above 1.
+/// Rotary inertia of a node across the beam: the least with which neither bending nor shear shortens the step
+/// below that of the axial wave, nor twist where a node has it about the beam too. Of a long element it is about mass *
+/// length^2 / 15, which bending over several elements hardly feels. least_ratio: of E A to G A_s, where a section has
+/// none above 1.
 inline double find_beam_inertia(const BeamStiffness& k, double mass, double length) {
   constexpr double least_ratio = 1.25;
   const double turn = std::fmax(k.torsion, std::fmax(k.bending_y, k.bending_z)) / (2 * k.axial);
@@ -123,16 +127,22 @@ KOKKOS_INLINE_FUNCTION double find_truss_eigenvalue(double axial, double mass, d
   return 4 * std::fmax(axial, normal) / (mass * length);
 }
 
+/// Rotary inertia of a node of a beam.
+struct BeamInertia {
+  double across = 0, about = 0;  // any axis across the beam; its own axis
+};
+
 /// The largest eigenvalue of a beam with half its mass and the rotary inertia at each node [1 / time^2]. Exact: the six
 /// rates have gradients that are orthogonal in the inverse masses, so that each gives one eigenvalue. A force that
 /// pulls adds to the stiffness across the axis; yielding only lowers the stiffness.
-KOKKOS_INLINE_FUNCTION double find_beam_eigenvalue(const BeamStiffness& k, double mass, double inertia, double length,
-                                                   double normal = 0) {
+KOKKOS_INLINE_FUNCTION double find_beam_eigenvalue(const BeamStiffness& k, double mass, const BeamInertia& inertia,
+                                                   double length, double normal = 0) {
   const double pull = std::fmax(normal, 0.0);
-  const double across = 4 / (mass * length) + length / (2 * inertia);
+  const double across = 4 / (mass * length) + length / (2 * inertia.across);
   const double shear = std::fmax(k.shear_y, k.shear_z) * across + pull * 4 / (mass * length);
-  const double turn = std::fmax(k.torsion, std::fmax(k.bending_y, k.bending_z)) * 2 / (length * inertia);
-  return std::fmax(4 * k.axial / (mass * length), std::fmax(shear, turn));
+  const double bending = std::fmax(k.bending_y, k.bending_z) * 2 / (length * inertia.across);
+  const double twist = k.torsion * 2 / (length * inertia.about);
+  return std::fmax(std::fmax(4 * k.axial / (mass * length), twist), std::fmax(shear, bending));
 }
 
 }  // namespace percuss

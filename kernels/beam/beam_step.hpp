@@ -12,14 +12,15 @@ namespace percuss {
 struct BeamParameters {
   BeamStiffness stiffness;
   double area = 0;
-  bool bends = false;  // else a truss
+  double polar_square = 0;  // rotary inertia about the beam over mass [length^2]
+  bool bends = false;       // else a truss
   FibreLaw law;
   BeamFibres fibres;  // none: the section is elastic
 };
 
 /// What an element remembers between steps. The stress and plastic strain of each fibre follow it in the record.
 struct BeamState {
-  double mass = 0, gyration_square = 0;  // gyration_square: rotary inertia over mass; both constant
+  double mass = 0, gyration_square = 0;  // gyration_square: rotary inertia across over mass; both constant
   Vector3<double> e2{};                  // the axis y of the section, at n
   BeamForces<double> forces{};           // at n
 };
@@ -64,7 +65,7 @@ KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& 
 KOKKOS_INLINE_FUNCTION double find_beam_step(const BeamParameters& par, const BeamState& state, double length) {
   const double normal = state.forces.normal;
   if (!par.bends) return 2 / std::sqrt(find_truss_eigenvalue(par.stiffness.axial, state.mass, length, normal));
-  const double inertia = 0.5 * state.mass * state.gyration_square;
+  const BeamInertia inertia{0.5 * state.mass * state.gyration_square, 0.5 * state.mass * par.polar_square};
   return 2 / std::sqrt(find_beam_eigenvalue(par.stiffness, state.mass, inertia, length, normal));
 }
 

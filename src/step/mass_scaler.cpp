@@ -195,6 +195,20 @@ void MassScaler::sum_lumped(const State& state) {
       KOKKOS_LAMBDA(const int n) { lumped(n, 0) += extra(n); });
 }
 
+/// Of nodes of beams, what they have beyond the number grows with it.
+void MassScaler::scale_tensors(const State& state) const {
+  const SpinInertia inertia = state.spin_inertia();
+  const auto lumped = lumped_;
+  Kokkos::parallel_for(
+      "percuss::scale_tensors", Range(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = inertia.tensors.node(i);
+        if (!(inertia.number(n) > 0)) return;
+        const double growth = lumped(n, 1) / inertia.number(n);
+        for (int k = 0; k < 6; ++k) inertia.tensors.excess(i, k) *= growth;
+      });
+}
+
 /// Nodes that have vanished stay without mass, held directions without motion.
 void MassScaler::set_nodes(State& state) const {
   const auto lumped = lumped_;
@@ -221,6 +235,7 @@ void MassScaler::add(State& state, Bookkeeper& books) {
   give(state, shares);
   sum_lumped(state);
   books.book_added(lumped_, state);
+  scale_tensors(state);
   set_nodes(state);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (were_full[p] || !parts_[p].is_full()) continue;

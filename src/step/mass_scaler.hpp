@@ -53,6 +53,7 @@ class MassScaler {
   std::vector<double> find_shares(const State& state);
   void give(const State& state, const std::vector<double>& shares);
   void sum_lumped(const State& state);
+  void scale_tensors(const State& state) const;
   void set_nodes(State& state) const;
 
   const Model& model_;

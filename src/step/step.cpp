@@ -17,6 +17,10 @@ double bound_speed(double component) {
   return component < 0 ? component : root_of_3 * component;
 }
 
+TurningNodes find_turning(const State& state, double dt) {
+  return {state.w_before, state.w, state.moment, state.step == 0 ? 0 : state.dt, dt};
+}
+
 }  // namespace
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -152,6 +156,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   accelerometers_.end_step(state, dt_mean);
   compute_forces(state, dt);  // (1.3) strain rate, (1.4) stress, (1.5) internal forces
   book_forces(state, dt);
+  turn_inertia(state, dt);
   judge_elements(state, dt);
   state.time += dt;
   state.step += 1;
@@ -235,10 +240,20 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
     // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
     predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
                        dt_mean, state.moment, state.w_before, state.w);
+    if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), find_turning(state, dt));
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
     if (damping_) damping_->damp_spins(state, dt_mean);
   }
   hold_spins(state, dt);
+  if (state.spin_tensors.any() && state.held_spins.count > 0)
+    follow_held_spins(space_, state.spin_inertia(), find_turning(state, dt));
+}
+
+/// Their inertia turns with the nodes of beams, once elements and books have seen the spins of the step.
+void Stepper::turn_inertia(State& state, double dt) {
+  if (!state.spin_tensors.any()) return;
+  const Phase phase("percuss::turn_inertia", clocks_.integrate);
+  turn_tensors(space_, state.spin_inertia(), find_turning(state, dt));
 }
 
 void Stepper::hold_spins(State& state, double dt) {

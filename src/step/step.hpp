@@ -128,6 +128,7 @@ class Stepper {
   void integrate_free_motion(State& state, double dt, double dt_mean);
   void integrate_motion(State& state, double dt, double dt_mean);
   void integrate_spins(State& state, double dt, double dt_mean);
+  void turn_inertia(State& state, double dt);
   void hold_conditions(State& state, double dt);
   void hold_spins(State& state, double dt);
   void evaluate_motions(const State& state, double dt);

@@ -62,19 +62,21 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   if (!model.has_rotations) return;
   const MovingNodes nodes = find_rotations(model, state);
   const auto w = state.w;
-  const auto inertia = state.inertia;
-  const auto inverse_inertia = state.inverse_inertia;
-  const double first_dt = state.step == 0 ? state.next_dt : 0.0;
+  const SpinInertia inertia = state.spin_inertia();
+  const double first_dt = state.step == 0 ? state.next_dt : 0.0, half = state.step == 0 ? 0.0 : 0.5 * state.dt;
   const Array<const int> body_of_node = model.rigid.body_of_node;
   const auto of_spins = sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
         if (RigidModel::holds(body_of_node, n)) return;
         double size = 0, moment[3];
         nodes.find_force(n, moment);
+        const Vector3<double> answer =
+            inertia.find_change(n, {first_dt * moment[0], first_dt * moment[1], first_dt * moment[2]});
+        const Vector3<double> momentum = inertia.find_momentum(n, {w(n, 0), w(n, 1), w(n, 2)}, half);
         for (int k = 0; k < 3; ++k) {
-          const double spin = inertia(n) * w(n, k);
+          const double spin = get(momentum, k);
           sum[S::kinetic] += nodes.find_energy(n, k, moment[k]);
-          sum[S::half_steps] += 0.125 * inverse_inertia(n, k) * (first_dt * moment[k]) * (first_dt * moment[k]);
+          sum[S::half_steps] += 0.125 * get(answer, k) * (first_dt * moment[k]);
           sum[S::angular + k] += spin;
           size += spin * spin;
         }

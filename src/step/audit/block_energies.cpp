@@ -76,7 +76,6 @@ BlockEnergies::BlockEnergies(const Deck& deck, const ChunkedMesh& chunked)
   }
   listed_ = to_view("percuss::chunks_of_blocks", chunks_);
   node_sums_ = ChunkSums("percuss::block_sums", chunks_.size(), ChunkSum::count);
-  has_own_mass_ = to_view("percuss::bodies_with_own_mass", mark_given_bodies(deck));
 }
 
 /// Room for the shares of the listed chunks.
@@ -119,12 +118,13 @@ void BlockEnergies::find_shares(const Model& model, const State& state) {
       });
 }
 
-/// Sums over the slots of the listed chunks, in ascending order. A chunk is the same everywhere.
+/// Sums over the slots of the listed chunks, in ascending order. A chunk is the same everywhere. Those of rigid parts
+/// have none: add_rigid_chunks() counts them.
 void BlockEnergies::sum_nodes(const Model& model, const State& state) {
   const MovingNodes moving = find_translations(model, state);
   const MovingNodes turning = model.has_rotations ? find_rotations(model, state) : MovingNodes{};
-  const bool turns = model.has_rotations, leaves_out = has_own_mass_.extent(0) > 0;
-  const Array<const int> left_out = has_own_mass_, body_of_node = model.rigid.body_of_node;
+  const bool turns = model.has_rotations, has_bodies = model.rigid.any();
+  const Array<const int> is_rigid = model.is_rigid_chunk;
   const auto listed = listed_, first_share = first_share_;
   const auto shares = shares_;
   const auto sums = node_sums_;
@@ -133,9 +133,9 @@ void BlockEnergies::sum_nodes(const Model& model, const State& state) {
       "percuss::sum_blocks", Range(ExecSpace(), 0, static_cast<int>(chunks_.size())), KOKKOS_LAMBDA(const int i) {
         double sum[ChunkSum::count] = {}, f[3];
         const int first = chunks.first_slot(listed(i));
-        for (int s = first; s < chunks.first_slot(listed(i) + 1); ++s) {
+        const bool counts = !has_bodies || is_rigid(listed(i)) == 0;
+        for (int s = first; counts && s < chunks.first_slot(listed(i) + 1); ++s) {
           const int n = chunks.slots_to_nodes(s);
-          if (leaves_out && body_of_node(n) >= 0 && left_out(body_of_node(n)) != 0) continue;
           const double share = shares(first_share(i) + s - first, 0), turned = shares(first_share(i) + s - first, 1);
           moving.find_force(n, f);
           for (int k = 0; k < 3; ++k) {
@@ -151,6 +151,26 @@ void BlockEnergies::sum_nodes(const Model& model, const State& state) {
       });
 }
 
+/// By the shapes of their elements; of a body whose masses the deck gives, nothing.
+void BlockEnergies::add_rigid_chunks(const Model& model, const State& state, std::vector<ExactSum>& sums) {
+  if (!model.rigid.any()) return;
+  if (!find_forces_) find_forces_.emplace(model);
+  const std::vector<BodyForces> forces = (*find_forces_)(state);
+  for (const RigidChunk& chunk : model.rigid.chunks) {
+    const auto b = static_cast<std::size_t>(chunk.body);
+    const auto own = std::lower_bound(chunks_.begin(), chunks_.end(), chunk.chunk);
+    if (model.rigid.bodies[b].has_given_masses || own == chunks_.end() || *own != chunk.chunk) continue;
+    const RigidSums of = sum_rigid_chunk(model, state, chunk, forces[b]);
+    for (const auto& [place, block] : ownership_) {
+      if (place != own - chunks_.begin()) continue;
+      ExactSum* const sum = &sums[PartSum::count * static_cast<std::size_t>(block)];
+      sum[PartSum::kinetic].add(of.kinetic);
+      for (int k = 0; k < 3; ++k) sum[PartSum::momentum + k].add(get(of.momentum, k));
+      sum[PartSum::mass].add(chunk.mass);
+    }
+  }
+}
+
 void BlockEnergies::append(const Model& model, const State& state, std::vector<double>& row) {
   if (blocks_.empty()) return;
   find_shares(model, state);
@@ -163,6 +183,7 @@ void BlockEnergies::append(const Model& model, const State& state, std::vector<d
     add_chunk_nodes(of_nodes, static_cast<std::size_t>(place), owner);
     work.add(chunks_[static_cast<std::size_t>(place)], owner);
   }
+  add_rigid_chunks(model, state, sums);
   sum_over_ranks(model.ranks, sums);
   append_sums(blocks_, sums, row);
 }

@@ -6,11 +6,14 @@
 // node has no block: its mass, momentum and kinetic energy are divided among its elements in proportion to their shares
 // of its lumped mass, those of its rotation in proportion to their shares of its rotary inertia. Each chunk adds up
 // the shares of its slots; chunks are added exactly. So the sums have the same bits on any number of ranks and threads.
+// Elements of rigid parts count by their shapes.
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "src/step/audit/part_sums.hpp"
+#include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
 
@@ -33,6 +36,7 @@ class BlockEnergies {
   void lay_out(const Model& model);
   void find_shares(const Model& model, const State& state);
   void sum_nodes(const Model& model, const State& state);
+  void add_rigid_chunks(const Model& model, const State& state, std::vector<ExactSum>& sums);
 
   const ChunkedMesh& chunked_;
   std::vector<BookedPart> blocks_;
@@ -42,7 +46,7 @@ class BlockEnergies {
   Array<int> first_share_;                      // [those] row of its first slot in shares_
   Shares shares_;                               // of the chunk in the lumped mass and rotary inertia of a slot's node
   ChunkSums node_sums_;                         // [those]
-  Array<int> has_own_mass_;                     // [bodies] 1: its nodes do not count; empty: all do
+  std::optional<BodyForceFinder> find_forces_;
   bool has_shares_ = false;
 };
 

@@ -47,15 +47,15 @@ void book_spin_conditions(ExactSums<7>& held_sums, State& state, double dt, doub
   if (state.owned_held_spins.extent(0) == 0) return;
   const auto held = state.held_spins;
   const auto owned = state.owned_held_spins;
-  const auto inertia = state.inertia;
+  const SpinInertia inertia = state.spin_inertia();
   const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment,
              tied = state.tie_moment;
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
-        const double change =
-            inertia(n) * (w(n, k) - w_before(n, k)) - find_joined(welded, n, k) - find_joined(tied, n, k);
+        const double gained = get(inertia.find_momentum(n, find_spin_change(w, w_before, n)), k);
+        const double change = gained - find_joined(welded, n, k) - find_joined(tied, n, k);
         add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
         add(4 + k, change - dt_mean * moment(n, k));
       });

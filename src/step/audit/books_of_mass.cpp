@@ -12,7 +12,8 @@ namespace {
 /// What nodes that get mass bring: m' - m moves with their velocity, and so does rotary inertia.
 struct AddedToNodes {
   Rows3<double> lumped, x, v, start, inverse_mass, w;
-  Array<double> mass, inertia;
+  Array<double> mass;
+  SpinInertia inertia;
   Gravity gravity, constant_gravity;
   MomentCenter center;
   double dt;
@@ -26,7 +27,7 @@ struct AddedToNodes {
         inverse_mass(state.inverse_mass),
         w(state.w),
         mass(state.mass),
-        inertia(state.inertia),
+        inertia(state.spin_inertia()),
         gravity(state.gravity),
         constant_gravity(find_constant_gravity(model)),
         center(model.mass_center),
@@ -50,10 +51,11 @@ struct AddedToNodes {
       sum[A::first_moment + k] += added * r[k];
     }
     add_impulse(r, j, A::impulse, [&](int k, double value) { sum[k] += value; });
-    const double turning = has_spins ? lumped(n, 1) - inertia(n) : 0;
-    for (int k = 0; turning != 0 && k < 3; ++k) {
-      kinetic += 0.5 * turning * w(n, k) * w(n, k);
-      sum[A::moment + k] += turning * w(n, k);
+    const double turning = has_spins && inertia.number(n) > 0 ? lumped(n, 1) / inertia.number(n) - 1 : 0;
+    if (turning != 0) {
+      const Vector3<double> spin{w(n, 0), w(n, 1), w(n, 2)}, gained = turning * inertia.find_momentum(n, spin);
+      kinetic += 0.5 * dot(gained, spin);
+      for (int k = 0; k < 3; ++k) sum[A::moment + k] += get(gained, k);
     }
     sum[A::mass] += added;
     sum[A::kinetic] += kinetic;

@@ -1,5 +1,7 @@
 #include "src/step/audit/part_energies.hpp"
 
+#include <algorithm>
+
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/asked_for.hpp"
@@ -85,12 +87,12 @@ PartEnergies::PartEnergies(const Deck& deck, const ChunkedMesh& chunked)
   }
   listed_ = to_view("percuss::chunks_of_booked_parts", chunks_);
   node_sums_ = ChunkSums("percuss::part_sums", chunks_.size(), ChunkSum::count);
-  find_given_bodies(deck, place);
+  find_bodies(deck, place);
 }
 
 /// place: of a part of the deck among those with columns, -1: it has none.
-void PartEnergies::find_given_bodies(const Deck& deck, const std::vector<int>& place) {
-  const std::vector<int> has_own = mark_given_bodies(deck);
+void PartEnergies::find_bodies(const Deck& deck, const std::vector<int>& place) {
+  const std::vector<int> has_own = mark_bodies_of_parts(deck);
   if (has_own.empty()) return;
   const RigidNames names = name_rigid_bodies(deck);
   part_of_body_.assign(has_own.size(), -1);
@@ -102,18 +104,29 @@ void PartEnergies::find_given_bodies(const Deck& deck, const std::vector<int>& p
   has_own_mass_ = to_view("percuss::bodies_with_own_mass", has_own);
 }
 
-/// On the first rank, as all know the bodies.
-void PartEnergies::add_given_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums) {
+/// Whole bodies for their first parts, on the first rank, as all know them; then what the chunks of each rank take of
+/// that for their own.
+void PartEnergies::add_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums) {
   if (part_of_body_.empty()) return;
   if (!find_forces_) find_forces_.emplace(model);
   const std::vector<BodyForces> forces = (*find_forces_)(state);
-  for (std::size_t b = 0; b < forces.size() && model.ranks.rank() == 0; ++b) {
-    if (part_of_body_[b] < 0) continue;
-    const RigidSums body = sum_rigid_body(model, state, b, forces[b]);
-    ExactSum* const part = &sums[P::count * static_cast<std::size_t>(part_of_body_[b])];
-    part[P::kinetic].add(body.kinetic);
-    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(get(body.momentum, k));
-    part[P::mass].add(model.rigid.bodies[b].mass);
+  const auto add = [&](int part, double sign, const RigidSums& of, double mass) {
+    if (part < 0) return;
+    ExactSum* const sum = &sums[P::count * static_cast<std::size_t>(part)];
+    sum[P::kinetic].add(sign * of.kinetic);
+    for (int k = 0; k < 3; ++k) sum[P::momentum + k].add(sign * get(of.momentum, k));
+    sum[P::mass].add(sign * mass);
+  };
+  for (std::size_t b = 0; b < forces.size() && model.ranks.rank() == 0; ++b)
+    add(part_of_body_[b], 1, sum_rigid_body(model, state, b, forces[b]), model.rigid.bodies[b].mass);
+  for (const RigidChunk& chunk : model.rigid.chunks) {
+    const auto b = static_cast<std::size_t>(chunk.body);
+    if (model.rigid.bodies[b].has_given_masses) continue;
+    const RigidSums of = sum_rigid_chunk(model, state, chunk, forces[b]);
+    const auto own = std::lower_bound(chunks_.begin(), chunks_.end(), chunk.chunk);
+    if (own != chunks_.end() && *own == chunk.chunk)
+      add(part_of_chunk_[static_cast<std::size_t>(own - chunks_.begin())], 1, of, chunk.mass);
+    add(part_of_body_[b], -1, of, chunk.mass);
   }
 }
 
@@ -128,7 +141,7 @@ std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& s
     add_chunk_nodes(of_nodes, i, part);
     work.add(chunks_[i], part);
   }
-  add_given_bodies(model, state, sums);
+  add_bodies(model, state, sums);
   return sums;
 }
 

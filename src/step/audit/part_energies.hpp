@@ -3,8 +3,8 @@
 //
 // A part consists of whole chunks; a node that parts share counts for the one of the lowest chunk. So the sums of the
 // audit, which are exact sums of those of the chunks, fall apart into sums of the parts: these have the same bits on
-// any number of ranks and threads, and add up to those of the scene. A rigid body to which the deck gives other masses
-// than those of its elements counts for its first part.
+// any number of ranks and threads, and add up to those of the scene. Rigid parts count by the shapes of their elements;
+// what else their body has, as masses that the deck gives, counts for its first part.
 
 #include <optional>
 #include <string>
@@ -39,9 +39,9 @@ class PartEnergies {
   void append(const Model& model, const State& state, std::vector<double>& row);
 
  private:
-  void find_given_bodies(const Deck& deck, const std::vector<int>& place);
+  void find_bodies(const Deck& deck, const std::vector<int>& place);
   std::vector<ExactSum> sum_parts(const Model& model, const State& state);
-  void add_given_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums);
+  void add_bodies(const Model& model, const State& state, std::vector<ExactSum>& sums);
 
   const ChunkedMesh& chunked_;
   std::vector<BookedPart> parts_;
@@ -49,8 +49,8 @@ class PartEnergies {
   std::vector<int> part_of_chunk_;  // [those] into parts_
   Array<int> listed_;               // the same chunks, for the kernel
   ChunkSums node_sums_;             // [those]
-  // Bodies with masses of their own, whose nodes do not count; empty: there are none.
-  std::vector<int> part_of_body_;  // [bodies] into parts_, -1: it counts by its nodes, or its part has no columns
+  // Bodies with rigid parts, whose nodes do not count; empty: there are none.
+  std::vector<int> part_of_body_;  // [bodies] first part, into parts_; -1: it has none, or no columns
   Array<int> has_own_mass_;        // [bodies] 1: its nodes do not count
   std::optional<BodyForceFinder> find_forces_;
 };

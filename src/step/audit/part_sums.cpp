@@ -59,18 +59,13 @@ void append_sums(const std::vector<BookedPart>& owners, const std::vector<ExactS
   }
 }
 
-std::vector<int> mark_given_bodies(const Deck& deck) {
+std::vector<int> mark_bodies_of_parts(const Deck& deck) {
+  if (!has_rigid_parts(deck)) return {};
   const RigidNames names = name_rigid_bodies(deck);
-  std::vector<int> is_given(names.bodies.size(), 0);
-  bool any = false;
-  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    if (!deck.parts[p].rigid) continue;
-    const RigidDeck& rigid = *deck.parts[p].rigid;
-    if (!rigid.mass && !rigid.center && !rigid.inertia) continue;
-    is_given[static_cast<std::size_t>(names.body_of_part[p])] = 1;
-    any = true;
-  }
-  return any ? is_given : std::vector<int>();
+  std::vector<int> marks(names.bodies.size(), 0);
+  for (const int body : names.body_of_part)
+    if (body >= 0) marks[static_cast<std::size_t>(body)] = 1;
+  return marks;
 }
 
 ChunkWork::DeadElements::DeadElements(const ChunkedMesh& chunked, const Model& model, const State& state)

@@ -45,9 +45,8 @@ std::vector<HistoryColumn> list_sum_columns(const std::vector<BookedPart>& owner
 /// Appends the values of these columns. sums: PartSum::count for each owner, of all ranks.
 void append_sums(const std::vector<BookedPart>& owners, const std::vector<ExactSum>& sums, std::vector<double>& row);
 
-/// [bodies] 1: the deck gives it another mass than that of its elements, so that its nodes do not count; empty: none
-/// is.
-std::vector<int> mark_given_bodies(const Deck& deck);
+/// [bodies] 1: it has rigid parts, which count by the shapes of their elements and not by nodes; empty: none has.
+std::vector<int> mark_bodies_of_parts(const Deck& deck);
 
 /// The work of chunks since the start, without what went into dead elements.
 class ChunkWork {

@@ -79,6 +79,7 @@ BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   const LameConstants c = find_moduli(find_material(deck, block));
   parameters.stiffness = find_beam_stiffness(form, find_youngs_modulus(c), c.mu);
   parameters.area = form.area;
+  parameters.polar_square = find_polar_moment(form) / form.area;
   parameters.bends = bends(section);
   if (find_material(deck, block).law.model == J2Plasticity::name) {
     const auto law = make_law<J2Plasticity>(find_material(deck, block).law);
@@ -193,6 +194,21 @@ void set_beam_gyrations(const Deck& deck, const Mesh& mesh, std::vector<double>&
   visit_beams(deck, mesh, [&](std::size_t e, const BeamParameters& parameters, double length) {
     squares[e] = find_gyration_square(parameters, length);
   });
+}
+
+std::vector<std::array<double, 6>> find_beam_tensors(const Deck& deck, const Mesh& mesh,
+                                                     const std::vector<double>& element_mass) {
+  std::vector<std::array<double, 6>> tensors(mesh.elements.size(), std::array<double, 6>{});
+  visit_beams(deck, mesh, [&](std::size_t e, const BeamParameters& parameters, double length) {
+    if (!parameters.bends) return;
+    const double excess = element_mass[e] * (parameters.polar_square - find_gyration_square(parameters, length));
+    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
+    const Vec3 line = subtract(x[1], x[0]);
+    const double share = excess / (length * length);
+    tensors[e] = {share * line[0] * line[0], share * line[1] * line[1], share * line[2] * line[2],
+                  share * line[0] * line[1], share * line[1] * line[2], share * line[2] * line[0]};
+  });
+  return tensors;
 }
 
 void set_beam_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass,

@@ -26,6 +26,11 @@ void build_beam_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRe
 /// step down (docs/theory_line_elements.md).
 void set_beam_gyrations(const Deck& deck, const Mesh& mesh, std::vector<double>& squares);
 
+/// Rotary inertia of each beam about its axis beyond that across it: the tensor xx, yy, zz, xy, yz, zx of both nodes
+/// [mass x length^2]. Of elements that do not bend, and of others: 0.
+std::vector<std::array<double, 6>> find_beam_tensors(const Deck& deck, const Mesh& mesh,
+                                                     const std::vector<double>& element_mass);
+
 /// Sets the step bound of each beam at rest, with these masses of all elements.
 void set_beam_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass,
                      std::vector<double>& bounds);

@@ -5,6 +5,7 @@
 
 #include "src/mesh/mesh.hpp"
 #include "src/step/model/model.hpp"
+#include "src/step/rigid/build_rigid.hpp"
 
 namespace percuss {
 
@@ -12,8 +13,12 @@ namespace percuss {
 /// with what the deck adds [mass]. Collective.
 std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model);
 
-/// Lumped masses of what deforms, and of what the deck adds at nodes; only where a rigid body's mass is given.
-/// Collective.
-std::vector<double> find_masses_of_others(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+/// Fills Model::spin_tensors, once masses, rigid bodies and welds are there. Nodes that a tie or a weld turns have the
+/// same inertia about every axis. Collective.
+void build_spin_tensors(const Deck& deck, const ChunkedMesh& chunked, Model& model);
+
+/// What rigid bodies get of their nodes. mass: [nodes] of build_masses(), outlives the answer. Collective.
+RigidMasses find_rigid_masses(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                              const Model& model);
 
 }  // namespace percuss

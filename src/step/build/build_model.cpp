@@ -120,9 +120,10 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
-  build_rigid_bodies(deck, chunked, rigid, {mass, find_masses_of_others(deck, chunked, model)}, model);
+  build_rigid_bodies(deck, chunked, rigid, find_rigid_masses(deck, chunked, mass, model), model);
   build_joints(deck, model);
   build_welds(deck, chunked, model);
+  build_spin_tensors(deck, chunked, model);
   build_switches(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
   build_constraints(deck, chunked, model);

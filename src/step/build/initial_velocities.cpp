@@ -1,8 +1,11 @@
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_conditions.hpp"
+#include "src/step/model/whole_mesh.hpp"
 #include "src/step/start/start_fields.hpp"
 
 namespace percuss {
@@ -24,6 +27,30 @@ Vec3 find_radial_velocity(const RadialVelocityDeck& radial, const Vec3& point, d
   return out;
 }
 
+/// Of some nodes: rigid bodies of parts count whole, by their own masses, where all of their nodes are among them.
+Vec3 find_mass_center(const ChunkedMesh& chunked, const std::vector<int>& nodes, const RigidMap& rigid,
+                      const std::vector<double>& mass, const Model& model) {
+  const auto& bodies = model.rigid.bodies;
+  std::vector<std::int64_t> counts(bodies.size(), 0);
+  for (const int n : nodes)
+    if (rigid.holds(n) && owns_node(chunked, n)) ++counts[at(rigid.body[at(n)])];
+  if (!counts.empty()) all_reduce(model.ranks, Reduce::sum, counts);
+  const auto is_whole = [&](std::size_t b) { return bodies[b].parts > 0 && counts[b] == bodies[b].nodes; };
+  std::vector<int> points;
+  for (const int n : nodes)
+    if (!rigid.holds(n) || !is_whole(at(rigid.body[at(n)]))) points.push_back(n);
+  const MassPoint of_points = find_mass_point(chunked, points, mass);
+  double whole = of_points.mass;
+  Vec3 center = whole > 0 ? of_points.center : Vec3{};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!is_whole(b)) continue;
+    whole += bodies[b].mass;
+    for (std::size_t k = 0; k < 3; ++k)
+      center[k] += bodies[b].mass / whole * (get(bodies[b].center, static_cast<int>(k)) - center[k]);
+  }
+  return center;
+}
+
 }  // namespace
 
 void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
@@ -36,7 +63,7 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
   for (const InitialDeck& initial : deck.initial) {
     if (!find_body(initial.where).empty()) continue;  // start_rigid_bodies()
     const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
-    const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
+    const Vec3 center = initial.center ? *initial.center : find_mass_center(chunked, nodes, rigid, mass, model);
     for (const int node : nodes) {
       const auto n = static_cast<std::size_t>(node);
       const Vec3 turn = cross(initial.angular_velocity, subtract(mesh.nodes[n], center));

@@ -35,6 +35,7 @@ void DampingStage::damp_spins(State& state, double dt_mean) {
   if (!is_active_) return;
   damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, dt_mean, model_.damped_velocity},
                   {state.w_before, state.inverse_inertia, state.inertia, state.w, spin_impulse_});
+  if (state.spin_tensors.any()) complete_damping(ExecSpace(), state.spin_inertia(), spin_impulse_);
 }
 
 void DampingStage::book(State& state) {

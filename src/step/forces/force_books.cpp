@@ -144,7 +144,8 @@ std::vector<double> ForceBooks::take(const State& state) {
   const std::vector<ContactImpulse> of_contact = contact_.take_forces(state.x);
   auto contact = of_contact.begin();
   for (std::size_t f = 0; f < since_.size(); ++f) {
-    const double per_time = time > since_[f] ? 1 / (time - since_[f]) : 0;
+    const double passed = time - since_[f] - (since_[f] == 0 ? 0.5 * state.dt : 0);  // velocities begin at time 0
+    const double per_time = time > since_[f] ? 1 / passed : 0;
     const auto first = static_cast<std::ptrdiff_t>(row.size());
     since_[f] = time;
     if (deck_.output.forces[f].is_of_contact())

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "kernels/rigid/rigid_motion.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -47,6 +48,12 @@ void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books&
 /// What welds or ties give a node in a direction, of rows that are empty without them.
 KOKKOS_INLINE_FUNCTION double find_joined(const Rows3<const double>& rows, int n, int k) {
   return rows.extent(0) > 0 ? rows(n, k) : 0;
+}
+
+/// What a step does to the spin of a node.
+KOKKOS_INLINE_FUNCTION Vector3<double> find_spin_change(const Rows3<const double>& after,
+                                                        const Rows3<const double>& before, int n) {
+  return {after(n, 0) - before(n, 0), after(n, 1) - before(n, 1), after(n, 2) - before(n, 2)};
 }
 
 /// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P, with the forces f at n, the velocities

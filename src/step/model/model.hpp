@@ -21,6 +21,7 @@
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/rigid/spin_inertia.hpp"
 #include "kernels/shell/shell_damping.hpp"
 #include "kernels/shell/shell_force.hpp"
 #include "kernels/tet/tet_force.hpp"
@@ -90,8 +91,9 @@ struct Model {
   ShellBlocks shell_blocks;
   Array<double> start_thickness;                             // [elements] of shells [length]
   Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
-  Array<double> gyration_square;                             // [elements] rotary inertia over mass [length^2]
+  Array<double> gyration_square;  // [elements] rotary inertia over mass, of beams across [length^2]
   Array<double> inertia;          // [nodes] rotary, about any axis; 0 without such an element
+  SpinTensors spin_tensors;       // what nodes of beams have besides; at time 0
   Rows3<double> inverse_inertia;  // 0 in held directions
   Rows3<double> start_spin;       // [nodes] angular velocity at time 0
   HeldDirections held_spins;      // directions 0, 1, 2: about x, y, z

@@ -33,9 +33,18 @@ struct RigidBody {
   std::vector<BodyLoad> loads{};
   double radius = 0;                                    // largest distance of a node from the centre
   std::int64_t parts = 0, nodes = 0, shared_nodes = 0;  // of all ranks; shared with elements that deform
+  bool has_given_masses = false;                        // whether the deck gives mass, centre or inertia
 
   /// x, y, z, then rotations about them: at all times.
   bool always_holds(std::size_t direction) const { return motion[direction] != free && switched_by[direction] == free; }
+};
+
+/// A chunk of elements of a body, at time 0: exact integrals over their shapes; const after set-up.
+struct RigidChunk {
+  int chunk = 0, body = 0;
+  double mass = 0;
+  Vector3<double> center{};
+  Symmetric3<double> second{};  // moments of mass about it
 };
 
 /// Where a joint holds one of its bodies.
@@ -57,6 +66,7 @@ struct Joint {
 
 struct RigidModel {
   std::vector<RigidBody> bodies;
+  std::vector<RigidChunk> chunks;  // of this rank
   std::vector<Joint> joints;
   RigidNodes nodes;
   Array<int> body_of_node;  // [nodes] -1: of none; empty without bodies

@@ -85,18 +85,20 @@ struct ConnectedNodes {
 struct Weld {
   std::string name;
   int law = 0;
-  std::array<int, 2> end{};         // places in WeldModel::nodes
-  double length = 0;                // at time 0
-  Vector3<double> normal{};         // unit vector at time 0
-  bool is_normal_its_line = false;  // whether the normal stays the line between the nodes
-  bool has_columns = true;          // of its own in the history
+  std::array<int, 2> end{};          // places in WeldModel::nodes
+  std::array<int, 2> patch{-1, -1};  // of WeldModel::patches, in place of the node alone; -1: none
+  double length = 0;                 // at time 0
+  Vector3<double> normal{};          // unit vector at time 0
+  bool is_normal_its_line = false;   // whether the normal stays the line between the nodes
+  bool has_columns = true;           // of its own in the history
 };
 
 struct WeldModel : ConnectedNodes {
   std::vector<WeldLaw> laws;
   std::vector<Weld> welds;
-  std::vector<std::string> notes;  // what is to be told of them
-  bool shares_nodes = false;       // whether some node has several welds
+  std::vector<std::vector<int>> patches;  // nodes around an end that has no rotation: places in `nodes`, ascending
+  std::vector<std::string> notes;         // what is to be told of them
+  bool shares_nodes = false;              // whether some node has several welds
 
   bool any() const { return !welds.empty(); }
 };

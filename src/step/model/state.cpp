@@ -258,6 +258,10 @@ void start_rotations(const Model& model, State& s) {
   Kokkos::deep_copy(s.w, model.start_spin);
   s.inertia = model.inertia;
   s.inverse_inertia = model.inverse_inertia;
+  s.spin_tensors = model.spin_tensors;
+  if (!s.spin_tensors.any()) return;
+  s.spin_tensors.excess = TensorRows("percuss::own_spin_tensors", s.spin_tensors.node.extent(0));
+  Kokkos::deep_copy(s.spin_tensors.excess, model.spin_tensors.excess);
 }
 
 /// Chunks of rigid parts are never computed: they hold no step down, and nothing fails.

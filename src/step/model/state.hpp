@@ -90,6 +90,7 @@ struct State {
   Rows3<double> w_before;          // one step earlier; scratch of the step
   Array<double> inertia;           // rotary, of the nodes: as mass
   Rows3<double> inverse_inertia;   // 0 in held directions and of vanished nodes
+  SpinTensors spin_tensors;        // what nodes of beams have besides, at n
   Rows3<double> moment;            // assembled moment, at n
   Rows3<double> slot_moment;       // internal moment (negative) by slot, at n; also those of other ranks
   std::vector<RigidState> bodies;  // rigid ones
@@ -105,6 +106,7 @@ struct State {
 
   /// What an evaluation of the elements reads and writes.
   ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
+  SpinInertia spin_inertia() const { return {inertia, inverse_inertia, spin_tensors}; }
   /// Those that can fail, of the model.
   FailingElements failing_elements(const FailingChunks& failing) const { return {failing, elements, lives}; }
 };

@@ -11,6 +11,8 @@ struct MotionTotals {
   double power = 0;    // -v(n-1/2) . (f(n) - f(n-1)) of all nodes
   double inertia = 0;  // sum of m v(n-1/2)^2
   double stored = 0;   // by elements and springs
+  // What of power and inertia is of translations.
+  double moving_power = 0, moving_inertia = 0;
 };
 
 /// What contact does to the motion: an impulse that follows the gaps, as a spring does, or one that keeps them.
@@ -36,7 +38,7 @@ class MotionSums {
 
   const Model& model_;
   Rows3<double> force_, moment_, contact_;  // of the step before; contact_: empty where it has no springs
-  OwnedNodeSums<3> sums_{"percuss::motion_sums"};
+  OwnedNodeSums<5> sums_{"percuss::motion_sums"};
 };
 
 }  // namespace percuss

@@ -192,7 +192,12 @@ void Relaxation::look(double dt, double dt_mean) {
   totals.stored += find_contact_stored();
   power_ = fading * power_ + std::max(totals.power, 0.0) / dt;
   inertia_ = fading * inertia_ + totals.inertia;
+  moving_power_ = fading * moving_power_ + std::max(totals.moving_power, 0.0) / dt;
+  moving_inertia_ = fading * moving_inertia_ + totals.moving_inertia;
   frequency_ = inertia_ > 0 ? std::sqrt(power_ / inertia_) : 0;
+  // Spins that nothing brings back would hide the frequency of the rest, and nothing would be damped.
+  const bool is_drift = frequency_ * elapsed_ < 2 * std::numbers::pi && moving_inertia_ > 0;
+  if (is_drift) frequency_ = std::max(frequency_, std::sqrt(moving_power_ / moving_inertia_));
   // What nothing brings back has no frequency; it is damped as what moves once in the whole time so far.
   if (!rules_.damping) relaxed_.dampings.front() = Curve::constant(2 * std::max(frequency_, 1 / elapsed_));
   judge(totals);

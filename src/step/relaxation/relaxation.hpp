@@ -82,8 +82,9 @@ class Relaxation {
   RelaxationSummary report_;
   double elapsed_ = 0;  // of all steps [time]
   double largest_kinetic_ = 0;
-  double power_ = 0, inertia_ = 0;  // of the last looks, which fade
-  double frequency_ = 0;            // [rad / time]
+  double power_ = 0, inertia_ = 0;                // of the last looks, which fade
+  double moving_power_ = 0, moving_inertia_ = 0;  // those of translations
+  double frequency_ = 0;                          // [rad / time]
   long quiet_steps_ = 0;
   double least_lack_ = 0;                        // of preloads, until the last check of their progress
   double lack_since_ = 0;                        // the least since then

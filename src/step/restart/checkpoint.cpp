@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 
@@ -98,10 +99,49 @@ void archive_slots(CheckpointArchive& archive, const char* name, const Model& mo
   archive.rows(name, rows, 3, Kokkos::subview(slots, std::pair(std::size_t{0}, own), Kokkos::ALL));
 }
 
+/// What nodes of beams have of rotary inertia beyond a number, by node: diagonal and rest; zeros where there is none.
+std::array<Rows3<double>, 2> spread_tensors(const Model& model, const State& state) {
+  const auto nodes = static_cast<std::size_t>(model.node_count);
+  const std::array<Rows3<double>, 2> by_node{Rows3<double>("percuss::tensor_diagonals", nodes),
+                                             Rows3<double>("percuss::tensor_rests", nodes)};
+  const SpinTensors of = state.spin_tensors;
+  const auto diagonal = by_node[0], rest = by_node[1];
+  Kokkos::parallel_for(
+      "percuss::spread_tensors", Range(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < 3; ++k) {
+          diagonal(of.node(i), k) = of.excess(i, k);
+          rest(of.node(i), k) = of.excess(i, 3 + k);
+        }
+      });
+  return by_node;
+}
+
+void collect_tensors(const std::array<Rows3<double>, 2>& by_node, const State& state) {
+  const SpinTensors of = state.spin_tensors;
+  const auto diagonal = by_node[0], rest = by_node[1];
+  Kokkos::parallel_for(
+      "percuss::collect_tensors", Range(ExecSpace(), 0, static_cast<int>(of.node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < 3; ++k) {
+          of.excess(i, k) = diagonal(of.node(i), k);
+          of.excess(i, 3 + k) = rest(of.node(i), k);
+        }
+      });
+}
+
+void archive_tensors(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
+  const auto by_node = spread_tensors(model, state);
+  archive.rows("nodes/spin_tensor_diagonal", nodes, 3, by_node[0]);
+  archive.rows("nodes/spin_tensor_rest", nodes, 3, by_node[1]);
+  if (archive.is_loading()) collect_tensors(by_node, state);
+}
+
 /// What shells add.
 void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
   if (!model.has_rotations) return;
   archive.rows("nodes/w", nodes, 3, state.w);
+  if (model.has_beams) archive_tensors(archive, nodes, model, state);
   archive_slots(archive, "elements/slot_moment", model, state.slot_moment);
 }
 
@@ -261,6 +301,13 @@ void complete_state(const ChunkedMesh& chunked, const Model& model, const State&
     copies.begin(ExecSpace(), values);
     copies.end(ExecSpace(), values);
   }
+  if (!model.has_rotations || !model.has_beams) return;
+  const auto tensors = spread_tensors(model, state);
+  for (const auto& values : tensors) {
+    copies.begin(ExecSpace(), values);
+    copies.end(ExecSpace(), values);
+  }
+  collect_tensors(tensors, state);
 }
 
 CheckpointHeader make_checkpoint_header(const Deck& deck, const std::vector<std::string>& pieces,

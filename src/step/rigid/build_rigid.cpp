@@ -16,6 +16,7 @@
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
+#include "src/step/masses/mass_sum.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/rigid/inertia.hpp"
 
@@ -27,82 +28,26 @@ std::string find_place(const Deck& deck, const RigidNames& names, int body) {
   return deck.where(find_body_place(deck, names, body));
 }
 
-/// Mass, centre and second moments of mass about the centre.
-struct MassSum {
-  double mass = 0;
-  Vector3<double> center{};
-  Symmetric3<double> second{};
-};
-
-/// Of the nodes of a body that this rank owns, with weights that the caller chooses. Collective.
-template <class Weight>
-MassSum sum_masses(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
-                   const Weight& weight) {
-  std::array<ExactSum, 4> first{};
+/// Nodes as points, with rotary inertia of shells and beams, the same about any axis.
+std::vector<MassSum> list_points(const ChunkedMesh& chunked, const std::vector<int>& nodes,
+                                 const std::vector<double>& mass, const std::vector<double>& inertia) {
+  std::vector<MassSum> points;
   for (const int n : nodes) {
-    const double m = weight(n);
-    first[3].add(m);
-    for (std::size_t k = 0; k < 3; ++k) first[k].add(m * chunked.mesh.nodes[at(n)][k]);
+    const double half = inertia.empty() ? 0 : 0.5 * inertia[at(n)];
+    if (mass[at(n)] == 0 && half == 0) continue;
+    points.push_back({mass[at(n)], to_vector(chunked.mesh.nodes[at(n)]), {half, half, half, 0, 0, 0}});
   }
-  sum_over_ranks(model.ranks, first);
-  MassSum sum;
-  sum.mass = first[3].round();
-  if (!(sum.mass > 0)) return sum;
-  sum.center = (1 / sum.mass) * Vector3<double>{first[0].round(), first[1].round(), first[2].round()};
-  std::array<ExactSum, 6> second{};
-  for (const int n : nodes) {
-    const double m = weight(n);
-    const Vector3<double> r = to_vector(chunked.mesh.nodes[at(n)]) - sum.center;
-    const double values[6] = {r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x};
-    for (std::size_t k = 0; k < 6; ++k) second[k].add(m * values[k]);
-  }
-  sum_over_ranks(model.ranks, second);
-  double s[6];
-  for (std::size_t k = 0; k < 6; ++k) s[k] = second[k].round();
-  sum.second = {s[0], s[1], s[2], s[3], s[4], s[5]};
-  return sum;
+  return points;
 }
 
-/// Both together; inertia without mass counts as it is.
-MassSum combine(const MassSum& a, const MassSum& b) {
-  if (!(b.mass > 0)) return {a.mass, a.center, a.second + b.second};
-  MassSum sum{a.mass + b.mass, {}, a.second + b.second};
-  sum.center = (1 / sum.mass) * (a.mass * a.center + b.mass * b.center);
-  for (const MassSum* of : {&a, &b}) {
-    const Vector3<double> r = of->center - sum.center;
-    sum.second =
-        sum.second + of->mass * Symmetric3<double>{r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x};
-  }
-  return sum;
-}
-
-/// A body, the nodes of it that this rank owns, and the lumped masses of all nodes.
-struct SetMasses {
-  int body = 0;
-  const std::vector<int>& owned;
-  const std::vector<double>& mass;
-};
-
-/// Second moments that make up the rotary inertia of the nodes of sets, of shells and beams: the same about any axis.
-Symmetric3<double> sum_rotary(const RigidMap& map, const SetMasses& of, const Model& model) {
-  if (!model.has_rotations) return {};
-  const auto inertia = to_host(model.inertia);
-  std::array<ExactSum, 1> sum{};
-  for (const int n : of.owned)
-    if (map.is_in_set[at(n)] != 0 && map.counts[at(n)] != 0) sum[0].add(inertia(n));
-  sum_over_ranks(model.ranks, sum);
-  const double half = 0.5 * sum[0].round();
-  return {half, half, half, 0, 0, 0};
-}
-
-/// What the sets of a body add to the masses of its nodes. Collective.
-MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const SetMasses& of,
+/// What the sets of a body add to the masses of its nodes. mass: [nodes] lumped, of everything. Collective.
+MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, int body, const std::vector<double>& mass,
                     const Model& model) {
   MassSum added;
   const RigidNames names = name_rigid_bodies(deck);
   for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
     const RigidSetDeck& set = deck.rigid_sets[s];
-    if (names.body_of_set[s] != of.body || (set.mass == 0 && !set.inertia)) continue;
+    if (names.body_of_set[s] != body || (set.mass == 0 && !set.inertia)) continue;
     MassSum more;
     more.mass = set.mass;
     if (set.inertia) more.second = to_second_moments(*set.inertia);
@@ -112,11 +57,10 @@ MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, const RigidMap
       std::vector<int> nodes;
       for (const int n : select_nodes(chunked.mesh, deck, set.where))
         if (owns_node(chunked, n)) nodes.push_back(n);
-      more.center = sum_masses(chunked, model, nodes, [&](int n) { return of.mass[at(n)]; }).center;
+      more.center = sum_pieces(model.ranks, list_points(chunked, nodes, mass, {})).center;
     }
     added = combine(added, more);
   }
-  added.second = added.second + sum_rotary(map, of, model);
   return added;
 }
 
@@ -221,6 +165,12 @@ double find_least_edge(const Deck& deck, const ChunkedMesh& chunked, const Model
   return least;
 }
 
+/// A body and the nodes of it that this rank owns.
+struct RigidNodeList {
+  int body = 0;
+  const std::vector<int>& owned;
+};
+
 /// Counts and extent of a body.
 void measure(const ChunkedMesh& chunked, const RigidMap& map, const std::vector<int>& owned, const Model& model,
              RigidBody& body) {
@@ -249,24 +199,44 @@ RigidNodes list_nodes(const ChunkedMesh& chunked, const RigidMap& map, const std
           to_rows("percuss::rigid_arm", arm)};
 }
 
-/// Total mass and mass centre, which given masses change.
+/// Total mass and mass centre, with those of the bodies.
 void find_total(const ChunkedMesh& chunked, const RigidMap& map, const std::vector<double>& mass, Model& model) {
   std::vector<int> loose;
   for (std::size_t n = 0; n < mass.size(); ++n)
     if (map.body[n] < 0 && owns_node(chunked, static_cast<int>(n))) loose.push_back(static_cast<int>(n));
-  MassSum total = sum_masses(chunked, model, loose, [&](int n) { return mass[at(n)]; });
+  MassSum total = sum_pieces(model.ranks, list_points(chunked, loose, mass, {}));
   for (const RigidBody& body : model.rigid.bodies) total = combine({body.mass, body.center, {}}, total);
   model.total_mass = total.mass;
   model.mass_center = {total.center.x, total.center.y, total.center.z};
 }
 
-/// Mass of a body with that of others on its nodes, which given values do not include. owned: nodes that count.
+/// Chunks of rigid parts, each with what its elements have by their exact integrals.
+std::vector<RigidChunk> list_rigid_chunks(const Deck& deck, const ChunkedMesh& chunked, const RigidNames& names,
+                                          const Model& model) {
+  std::vector<RigidChunk> chunks;
+  const auto mass = to_host(model.element_mass);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const Chunk& chunk = chunked.chunks[c];
+    const int body = names.body_of_part[at(chunk.part)];
+    if (body < 0) continue;
+    MassSum sum;
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
+      sum = combine(sum, find_element_masses(deck, chunked.mesh, model, at(e), mass(at(e))));
+    chunks.push_back({static_cast<int>(c), body, sum.mass, sum.center, sum.second});
+  }
+  return chunks;
+}
+
+/// Mass of a body: of its elements, or given; with that of others on its nodes, which given values do not include.
 MassSum sum_of_body(const ChunkedMesh& chunked, const Model& model, const GivenMasses& given, const RigidMasses& masses,
-                    const std::vector<int>& owned) {
-  if (!given.any()) return sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)]; });
-  MassSum sum = sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)] - masses.of_others[at(n)]; });
-  apply(given, sum);
-  return combine(sum, sum_masses(chunked, model, owned, [&](int n) { return masses.of_others[at(n)]; }));
+                    const RigidNodeList& of) {
+  std::vector<MassSum> pieces;
+  for (const RigidChunk& chunk : model.rigid.chunks)
+    if (chunk.body == of.body) pieces.push_back({chunk.mass, chunk.center, chunk.second});
+  MassSum sum = sum_pieces(model.ranks, pieces);
+  if (given.any()) apply(given, sum);
+  return combine(sum,
+                 sum_pieces(model.ranks, list_points(chunked, of.owned, masses.of_others, masses.inertia_of_others)));
 }
 
 std::vector<int> list_counted(const RigidMap& map, const std::vector<int>& nodes) {
@@ -295,21 +265,25 @@ void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
       body.name));
 }
 
+/// A product of inertia for people: round-off is 0.
+double clean(double product, const Symmetric3<double>& inertia) {
+  constexpr double round_off = 1e-12;
+  return std::abs(product) > round_off * trace(inertia) ? product : 0;
+}
+
 std::string describe(const RigidBody& body) {
   const std::string parts = body.parts > 1 ? fmt::format(" of {} parts", body.parts) : "";
   const std::string shared =
       body.shared_nodes > 0 ? fmt::format(", {} shared with elements that deform", body.shared_nodes) : "";
-  return fmt::format("rigid body '{}'{}: mass {:.6g}, centre ({:.6g}, {:.6g}, {:.6g}), {} nodes{}", body.name, parts,
-                     body.mass, body.center.x, body.center.y, body.center.z, body.nodes, shared);
+  const Symmetric3<double>& i = body.inertia;
+  return fmt::format(
+      "rigid body '{}'{}: mass {:.6g}, centre ({:.6g}, {:.6g}, {:.6g}), inertia xx {:.6g}, yy {:.6g}, zz {:.6g}, "
+      "xy {:.6g}, yz {:.6g}, zx {:.6g} about it, {} nodes{}",
+      body.name, parts, body.mass, body.center.x, body.center.y, body.center.z, i.xx, i.yy, i.zz, clean(i.xy, i),
+      clean(i.yz, i), clean(i.zx, i), body.nodes, shared);
 }
 
 }  // namespace
-
-bool gives_rigid_masses(const Deck& deck) {
-  return std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) {
-    return part.rigid && (part.rigid->mass || part.rigid->center || part.rigid->inertia);
-  });
-}
 
 void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
                         Model& model) {
@@ -317,16 +291,19 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   const RigidNames names = name_rigid_bodies(deck);
   RigidModel& rigid = model.rigid;
   const auto owned = list_owned_nodes(chunked, map, names.bodies.size());
+  rigid.chunks = list_rigid_chunks(deck, chunked, names, model);
   for (std::size_t b = 0; b < names.bodies.size(); ++b) {
     const int index = static_cast<int>(b);
+    const GivenMasses given = find_given(deck, names, index);
     const std::vector<int> counted = list_counted(map, owned[b]);
-    const MassSum sum = combine(sum_of_body(chunked, model, find_given(deck, names, index), masses, counted),
-                                sum_of_sets(deck, chunked, map, {index, owned[b], masses.all}, model));
+    const MassSum sum = combine(sum_of_body(chunked, model, given, masses, {index, counted}),
+                                sum_of_sets(deck, chunked, index, masses.all, model));
     RigidBody body;
     body.name = names.bodies[b];
     body.mass = sum.mass;
     body.center = sum.center;
     body.inertia = to_inertia(sum.second);
+    body.has_given_masses = given.any();
     body.parts = std::count(names.body_of_part.begin(), names.body_of_part.end(), index);
     if (body.parts == 0) body.inertia = to_inertia_of_line(sum.second);
     if (!has_inertia(body.inertia)) refuse_line(body, find_place(deck, names, index));
@@ -349,7 +326,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
         "nothing deforms: the step follows from the speeds of the rigid bodies, time.end and "
         "time.max_step");
   rigid.least_edge = find_least_edge(deck, chunked, model);
-  if (gives_rigid_masses(deck) || adds_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
+  if (has_rigid_parts(deck) || adds_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
 }
 
 }  // namespace percuss

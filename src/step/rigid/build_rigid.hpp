@@ -21,16 +21,15 @@ struct RigidMap {
 /// Finds them; chunks and halo are there. Throws InputError, the same on all ranks, for a node of two bodies.
 RigidMap find_rigid_nodes(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-/// Lumped masses [nodes]: of everything; of what deforms and what the deck adds at nodes, where a body's mass is given.
+/// Lumped masses [nodes]: of everything; of what deforms and what the deck adds at nodes, with its rotary inertia,
+/// which is empty without rotations.
 struct RigidMasses {
-  const std::vector<double>&all, &of_others;
+  const std::vector<double>& all;
+  std::vector<double> of_others, inertia_of_others;
 };
 
-/// Whether the deck gives mass, centre or inertia of some body.
-bool gives_rigid_masses(const Deck& deck);
-
-/// Mass, centre, inertia and nodes of the bodies, and what acts on them; total mass and mass centre of the model, which
-/// given masses change. Throws InputError for a body without inertia.
+/// Mass, centre, inertia and nodes of the bodies, and what acts on them; total mass and mass centre of the model. The
+/// elements of rigid parts count by exact integrals. Throws InputError for a body without inertia.
 void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
                         Model& model);
 

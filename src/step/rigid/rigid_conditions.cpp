@@ -221,13 +221,31 @@ const InitialDeck* find_given_start(const Deck& deck, const RigidBody& body) {
   return found == deck.initial.rend() ? nullptr : &*found;
 }
 
+/// Nodes of shells and beams say by their spins how they turn, also about the line on which all nodes may lie. Whether
+/// these are alike, not zero, and those of the velocities; then start has them. Collective.
+template <class Velocities>
+bool take_nodal_spin(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes, const Velocities& v,
+                     RigidVelocity& start) {
+  constexpr double round_off = 1e-9;
+  if (!model.has_rotations) return false;
+  Vector3<double> alike{};
+  if (!move_alike(model, nodes, to_host(model.start_spin), alike) || norm(alike) == 0) return false;
+  RigidVelocity turned = start;
+  turned.spin = alike;
+  const auto [deviation, size] = compare(chunked, model, nodes, turned, v);
+  if (deviation > round_off * size) return false;
+  start = turned;
+  return true;
+}
+
 /// Sets the velocity and the spin of a body as its nodes move. Collective; throws InputError.
 template <class Velocities>
 void start_by_nodes(const Deck& deck, const ChunkedMesh& chunked, const RigidStart& by, int index, const Velocities& v,
                     Model& model) {
   constexpr double round_off = 1e-9;
   RigidBody& body = model.rigid.bodies[at(index)];
-  const auto& [start, used] = by;
+  auto [start, used] = by;
+  const bool follows_spins = take_nodal_spin(chunked, model, used, v, start);
   const auto [deviation, size] = compare(chunked, model, used, start, v);
   if (deviation > round_off * size) {
     const Place place = find_body_place(deck, name_rigid_bodies(deck), index);
@@ -236,7 +254,7 @@ void start_by_nodes(const Deck& deck, const ChunkedMesh& chunked, const RigidSta
                     "{:.3g} of {:.3g}): give all its nodes the same entry of initial, or an entry with its body",
                     deck.where(place), body.name, deviation, size));
   }
-  if (move_alike(model, used, v, body.velocity)) return;
+  if (!follows_spins && move_alike(model, used, v, body.velocity)) return;
   body.spin = start.spin;
   body.velocity = start.velocity + cross(start.spin, body.center - start.center);
 }

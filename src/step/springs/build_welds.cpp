@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
+#include "comm/all_reduce.hpp"
+#include "comm/gather_items.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/springs/connected_nodes.hpp"
@@ -106,6 +110,98 @@ void number_welded_nodes(const std::vector<std::array<std::int64_t, 2>>& ends, W
   model.nodes = std::move(all);
 }
 
+/// [WeldModel::nodes] 1: of a node that has a rotation of its own. Collective.
+std::vector<int> mark_turning_nodes(const Model& model) {
+  std::vector<int> turns(model.welds.nodes.size(), 0);
+  if (!model.has_rotations) return turns;
+  const auto nodes = to_host(model.welds.owned_node), places = to_host(model.welds.owned_place);
+  const auto inertia = to_host(model.inertia);
+  for (std::size_t i = 0; i < nodes.extent(0); ++i)
+    turns[static_cast<std::size_t>(places(i))] = inertia(static_cast<std::size_t>(nodes(i))) > 0 ? 1 : 0;
+  all_reduce(model.ranks, Reduce::largest, turns);
+  return turns;
+}
+
+/// A node, by number, and one that an element has with it.
+struct Neighbour {
+  std::int64_t node = 0, other = 0;
+};
+
+/// The nodes of the solids around some nodes, themselves included: by the number of each. Collective.
+std::map<std::int64_t, std::set<std::int64_t>> find_neighbours(const ChunkedMesh& chunked, const Model& model,
+                                                               const std::set<std::int64_t>& nodes) {
+  const Mesh& mesh = chunked.mesh;
+  std::vector<Neighbour> own;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.topology_of(e).is_surface() || mesh.topology_of(e).is_line()) continue;
+    for (const int n : mesh.corners(e)) {
+      const std::int64_t number = mesh.node_numbers[static_cast<std::size_t>(n)];
+      if (nodes.count(number) == 0) continue;
+      for (const int other : mesh.corners(e))
+        own.push_back({number, mesh.node_numbers[static_cast<std::size_t>(other)]});
+    }
+  }
+  std::map<std::int64_t, std::set<std::int64_t>> found;
+  for (const Neighbour& pair : gather_items(model.ranks, own)) found[pair.node].insert(pair.other);
+  return found;
+}
+
+/// Whether no node of a weld, or of its patches, has another. Numbers are places now.
+bool share_nodes(const WeldModel& model) {
+  std::vector<int> all;
+  for (const Weld& weld : model.welds) {
+    std::set<int> own(weld.end.begin(), weld.end.end());
+    for (const int patch : weld.patch)
+      if (patch >= 0)
+        own.insert(model.patches[static_cast<std::size_t>(patch)].begin(),
+                   model.patches[static_cast<std::size_t>(patch)].end());
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  return std::adjacent_find(all.begin(), all.end()) != all.end();
+}
+
+/// Ends without rotations that lie apart take that of the elements around them: so the weld carries shear and moments.
+/// Collective.
+void add_patches(const ChunkedMesh& chunked, Model& model) {
+  WeldModel& welds = model.welds;
+  const std::vector<int> turns = mark_turning_nodes(model);
+  const auto is_patched = [&](const Weld& weld) {
+    return weld.length > 0 &&
+           turns[static_cast<std::size_t>(weld.end[0])] + turns[static_cast<std::size_t>(weld.end[1])] == 0;
+  };
+  std::vector<std::array<std::int64_t, 2>> ends;
+  std::set<std::int64_t> centres, all(welds.nodes.begin(), welds.nodes.end());
+  for (const Weld& weld : welds.welds) {
+    ends.push_back(
+        {welds.nodes[static_cast<std::size_t>(weld.end[0])], welds.nodes[static_cast<std::size_t>(weld.end[1])]});
+    if (is_patched(weld)) centres.insert(ends.back().begin(), ends.back().end());
+  }
+  if (centres.empty()) return;
+  const auto around = find_neighbours(chunked, model, centres);
+  for (const auto& [node, others] : around) all.insert(others.begin(), others.end());
+  const std::vector<std::int64_t> numbers(all.begin(), all.end());
+  const auto find_place = [&](std::int64_t number) {
+    return static_cast<int>(std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
+  };
+  std::map<std::int64_t, int> patch_of_node;
+  for (const auto& [node, others] : around) {
+    patch_of_node[node] = static_cast<int>(welds.patches.size());
+    welds.patches.emplace_back();
+    for (const std::int64_t other : others) welds.patches.back().push_back(find_place(other));
+  }
+  for (std::size_t w = 0; w < ends.size(); ++w) {
+    const bool has_patches =
+        is_patched(welds.welds[w]) && patch_of_node.count(ends[w][0]) + patch_of_node.count(ends[w][1]) == 2;
+    for (std::size_t i = 0; i < 2 && has_patches; ++i) welds.welds[w].patch[i] = patch_of_node.at(ends[w][i]);
+  }
+  for (std::size_t w = 0; w < ends.size(); ++w)
+    for (std::size_t i = 0; i < 2; ++i) welds.welds[w].end[i] = find_place(ends[w][i]);
+  welds.nodes = numbers;
+  welds.shares_nodes = share_nodes(welds);
+  find_connected_nodes(chunked, welds);
+}
+
 /// Bodies move their nodes by themselves.
 void refuse_rigid_nodes(const Model& model) {
   const WeldModel& welds = model.welds;
@@ -138,6 +234,7 @@ void build_welds(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   number_welded_nodes(ends, model.welds);
   find_connected_nodes(chunked, model.welds);
   refuse_rigid_nodes(model);
+  add_patches(chunked, model);
 }
 
 }  // namespace percuss

@@ -27,6 +27,11 @@ Vector3<double> multiply_each(const Vector3<double>& a, const Vector3<double>& b
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
+/// Spin that a moment gives.
+Vector3<double> turn_by(const WeldNode& node, const Vector3<double>& moment) {
+  return node.is_patch ? node.inverse_tensor * moment : multiply_each(node.inverse_inertia, moment);
+}
+
 /// What an impulse at the common point and a moment change of the velocity of that point and of the spin of a node.
 struct Change {
   Vector3<double> velocity{}, spin{};
@@ -35,7 +40,7 @@ struct Change {
 Change respond(const WeldNode& node, const Vector3<double>& lever, const Vector3<double>& p, const Vector3<double>& q) {
   Change change{multiply_each(node.inverse_mass, p), {0, 0, 0}};
   if (!node.turns) return change;
-  change.spin = multiply_each(node.inverse_inertia, q + cross(lever, p));
+  change.spin = turn_by(node, q + cross(lever, p));
   change.velocity = change.velocity + cross(change.spin, lever);
   return change;
 }
@@ -80,14 +85,16 @@ void add(const WeldImpulse& impulse, std::array<WeldNode, 2>& nodes) {
     WeldNode& node = nodes[i];
     const Vector3<double> p = (i == 0 ? -1.0 : 1.0) * impulse.impulse;
     node.velocity = node.velocity + multiply_each(node.inverse_mass, p);
-    if (node.turns) node.spin = node.spin + multiply_each(node.inverse_inertia, impulse.moment[i]);
+    if (node.turns) node.spin = node.spin + turn_by(node, impulse.moment[i]);
   }
 }
 
 /// Of places that are not one.
 WeldImpulse join_bodies(const std::array<WeldNode, 2>& nodes, const Vector3<double>& across,
                         const Vector3<double>& correction) {
-  const std::array<Vector3<double>, 2> lever = find_levers(nodes, across);
+  std::array<Vector3<double>, 2> lever = find_levers(nodes, across);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (nodes[i].is_patch) lever[i] = lever[i] + nodes[i].arm;
   const bool both = nodes[0].turns && nodes[1].turns;
   const int size = both ? 6 : 3;
   const auto point = [&](std::size_t i) {
@@ -121,7 +128,7 @@ double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 
   double sum = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     sum += dot(multiply_each(nodes[i].inverse_mass, impulse.impulse), impulse.impulse);
-    if (nodes[i].turns) sum += dot(multiply_each(nodes[i].inverse_inertia, impulse.moment[i]), impulse.moment[i]);
+    if (nodes[i].turns) sum += dot(turn_by(nodes[i], impulse.moment[i]), impulse.moment[i]);
   }
   return std::sqrt(sum);
 }
@@ -130,7 +137,7 @@ double find_motion_size(const std::array<WeldNode, 2>& nodes) {
   double sum = 0;
   for (const WeldNode& node : nodes) {
     sum += find_energy(node.velocity, node.inverse_mass);
-    if (node.turns) sum += find_energy(node.spin, node.inverse_inertia);
+    if (node.turns && !node.is_patch) sum += find_energy(node.spin, node.inverse_inertia);
   }
   return std::sqrt(sum);
 }
@@ -140,7 +147,8 @@ WeldImpulse join_nodes(std::array<WeldNode, 2>& nodes, double length, double dt)
   const double now = norm(across);
   const double size = std::max(norm(nodes[0].place), norm(nodes[1].place));
   const bool is_long = now > same_place * size && length > 0;
-  const double growth = is_long && dt > 0 ? (length - now) / dt : 0;  // speed that brings the length back
+  // Speed that brings the length back. A node moves within its patch, which cannot follow it.
+  const double growth = is_long && dt > 0 && !nodes[0].is_patch ? (length - now) / dt : 0;
   const bool turns = nodes[0].turns || nodes[1].turns;
   WeldImpulse impulse;
   if (!turns && is_long)

@@ -1,5 +1,5 @@
 #pragma once
-// One weld in a step: the impulse and moment after which its two nodes move as one.
+// One weld in a step: the impulse and moment after which its two nodes move as one, or the patches around them.
 //
 // The impulse p acts at one point c on both nodes, p on the second and -p on the first, each with the moment of its
 // lever from the node; nodes that turn also get the moments q and -q. Both momenta are conserved whatever p and q are.
@@ -17,6 +17,10 @@ struct WeldNode {
   Vector3<double> inverse_mass{}, inverse_inertia{};  // by direction; 0 where it is held
   bool turns = false;                                 // whether it has rotary inertia
   bool is_gone = false;
+  // Of a patch of nodes: velocity, masses and spin are those of its mean rigid motion about its centre.
+  bool is_patch = false;
+  Vector3<double> arm{};                // from the centre to `place`
+  Symmetric3<double> inverse_tensor{};  // in place of inverse_inertia
 };
 
 /// What the second node gets; the first gets the opposite impulse.

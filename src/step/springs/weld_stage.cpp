@@ -17,6 +17,9 @@ namespace {
 constexpr double settled_share = 1e-13, velocity_round_off = 1e-14;
 constexpr int most_turns = 500;
 
+/// Of a patch of nodes, over the mean of its moments of inertia cubed: below this they lie on a line.
+constexpr double least_patch_inertia = 1e-6;
+
 /// The share that may be left after so many turns without a warning.
 constexpr double tolerated_share = 1e-6;
 
@@ -48,6 +51,93 @@ void WeldStage::gather(const State& state) {
                  vector(n, NodeRow::inverse_mass), vector(n, NodeRow::inverse_inertia), row[NodeRow::inertia] > 0,
                  !(row[NodeRow::mass] > 0)};
   }
+  patches_.clear();
+  for (const std::vector<int>& nodes : model_.welds.patches) patches_.push_back(find_patch(nodes));
+}
+
+/// Held nodes, and those that have vanished, take no part.
+WeldStage::Patch WeldStage::find_patch(const std::vector<int>& nodes) const {
+  Patch patch;
+  Vector3<double> first{0, 0, 0};
+  for (const int n : nodes) {
+    const WeldNode& node = nodes_[at(n)];
+    if (node.is_gone || !(std::min({node.inverse_mass.x, node.inverse_mass.y, node.inverse_mass.z}) > 0)) continue;
+    const double mass = rows_[at(n) * NodeRow::count + NodeRow::mass];
+    patch.nodes.push_back(n);
+    patch.mass += mass;
+    first = first + mass * node.place;
+  }
+  if (patch.nodes.empty()) return patch;
+  patch.center = (1 / patch.mass) * first;
+  Symmetric3<double> inertia{0, 0, 0, 0, 0, 0};
+  for (const int n : patch.nodes) {
+    const double m = rows_[at(n) * NodeRow::count + NodeRow::mass];
+    const Vector3<double> r = nodes_[at(n)].place - patch.center;
+    inertia = inertia + m * Symmetric3<double>{r.y * r.y + r.z * r.z,
+                                               r.z * r.z + r.x * r.x,
+                                               r.x * r.x + r.y * r.y,
+                                               -r.x * r.y,
+                                               -r.y * r.z,
+                                               -r.z * r.x};
+  }
+  const Adjugate<double> adjugate = find_adjugate(inertia);
+  const double size = trace(inertia) / 3;
+  patch.turns = adjugate.determinant > least_patch_inertia * size * size * size;
+  if (patch.turns) patch.inverse_tensor = (1 / adjugate.determinant) * adjugate.matrix;
+  return patch;
+}
+
+/// As bodies: nodes, or where both ends have patches that turn, these.
+std::array<WeldNode, 2> WeldStage::find_ends(const Weld& weld) const {
+  std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
+  if (weld.patch[0] < 0 || !patches_[at(weld.patch[0])].turns || !patches_[at(weld.patch[1])].turns) return ends;
+  for (std::size_t e = 0; e < 2; ++e) {
+    const Patch& patch = patches_[at(weld.patch[e])];
+    Vector3<double> momentum{0, 0, 0}, turning{0, 0, 0};
+    for (const int n : patch.nodes) {
+      const double m = rows_[at(n) * NodeRow::count + NodeRow::mass];
+      const WeldNode& node = nodes_[at(n)];
+      momentum = momentum + m * node.velocity;
+      turning = turning + m * cross(node.place - patch.center, node.velocity);
+    }
+    WeldNode& end = ends[e];
+    const double inverse = 1 / patch.mass;
+    end.velocity = inverse * momentum;
+    end.spin = patch.inverse_tensor * turning;
+    end.inverse_mass = {inverse, inverse, inverse};
+    end.inverse_tensor = patch.inverse_tensor;
+    end.arm = end.place - patch.center;
+    end.turns = end.is_patch = true;
+  }
+  return ends;
+}
+
+void WeldStage::give_to_patch(const Patch& patch, const WeldNode& before, const WeldNode& after) {
+  const Vector3<double> velocity = after.velocity - before.velocity, spin = after.spin - before.spin;
+  for (const int n : patch.nodes) {
+    const Vector3<double> change = velocity + cross(spin, nodes_[at(n)].place - patch.center);
+    nodes_[at(n)].velocity = nodes_[at(n)].velocity + change;
+    NodeImpulse& sum = on_nodes_[at(n)];
+    sum.impulse = sum.impulse + rows_[at(n) * NodeRow::count + NodeRow::mass] * change;
+  }
+}
+
+/// Makes the ends of a weld move as one. impulse, ends: out.
+void WeldStage::join_one(std::size_t index, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends) {
+  const Weld& weld = model_.welds.welds[index];
+  ends = find_ends(weld);
+  const std::array<WeldNode, 2> before = ends;
+  impulse = join_nodes(ends, weld.length, dt);
+  for (std::size_t e = 0; e < 2; ++e) {
+    if (ends[e].is_patch) {
+      give_to_patch(patches_[at(weld.patch[e])], before[e], ends[e]);
+      continue;
+    }
+    nodes_[at(weld.end[e])] = ends[e];
+    NodeImpulse& sum = on_nodes_[at(weld.end[e])];
+    sum.impulse = sum.impulse + (e == 0 ? -1.0 : 1.0) * impulse.impulse;
+    sum.moment = sum.moment + impulse.moment[e];
+  }
 }
 
 /// Every weld once. Returns the largest change as a share of the largest impulse.
@@ -55,15 +145,9 @@ double WeldStage::solve_once(const State& state, double dt) {
   double largest = 0, change = 0;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     if (state.welds[i].is_broken != 0) continue;
-    const Weld& weld = model_.welds.welds[i];
-    std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
-    const WeldImpulse impulse = join_nodes(ends, weld.length, dt);
-    for (std::size_t e = 0; e < 2; ++e) {
-      nodes_[at(weld.end[e])] = ends[e];
-      NodeImpulse& sum = on_nodes_[at(weld.end[e])];
-      sum.impulse = sum.impulse + (e == 0 ? -1.0 : 1.0) * impulse.impulse;
-      sum.moment = sum.moment + impulse.moment[e];
-    }
+    WeldImpulse impulse;
+    std::array<WeldNode, 2> ends;
+    join_one(i, dt, impulse, ends);
     add(impulse, sums_[i]);
     largest = std::max(largest, find_impulse_size(sums_[i], ends));
     const double size = find_impulse_size(impulse, ends);

@@ -3,6 +3,7 @@
 //
 // Every rank computes all welds, from what the owners of their nodes send to all.
 
+#include <array>
 #include <vector>
 
 #include "src/step/model/state.hpp"
@@ -37,7 +38,20 @@ class WeldStage {
     const double* row = &rows_[node * NodeRow::count + first];
     return {row[0], row[1], row[2]};
   }
+  /// Nodes around an end that has no rotation, as one: those that move freely.
+  struct Patch {
+    std::vector<int> nodes;  // places in WeldModel::nodes
+    double mass = 0;
+    Vector3<double> center{};
+    Symmetric3<double> inverse_tensor{};  // of their inertia about the centre
+    bool turns = false;                   // whether they have inertia about every axis
+  };
+
   void gather(const State& state);
+  Patch find_patch(const std::vector<int>& nodes) const;
+  std::array<WeldNode, 2> find_ends(const Weld& weld) const;
+  void join_one(std::size_t weld, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends);
+  void give_to_patch(const Patch& patch, const WeldNode& before, const WeldNode& after);
   double solve(const State& state, double dt);
   double solve_once(const State& state, double dt);
   void warn_of_unsettled(double time);
@@ -49,6 +63,7 @@ class WeldStage {
   const Model& model_;
   std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()
   std::vector<WeldNode> nodes_;        // [WeldModel::nodes]
+  std::vector<Patch> patches_;         // [WeldModel::patches] at n
   std::vector<NodeImpulse> on_nodes_;  // [WeldModel::nodes] of the step
   std::vector<WeldImpulse> sums_;      // [welds] of the step
   std::size_t slowest_ = 0;            // weld that changed most in the last turn

@@ -163,4 +163,84 @@ TEST(Weld, IsRefusedWhereItCannotBe) {
             std::string::npos);
 }
 
+// Two blocks that lie apart, one moved along the gap: the weld carries the shear that the support has, and fails at its
+// strength.
+TEST(WeldOfSolids, ThatLieApartCarriesShearAndFailsByIt) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.02}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.02], cells: [4, 4, 2]}, material: m}
+  high: {box: {size: [0.1, 0.1, 0.02], cells: [4, 4, 2]}, at: [0, 0, 0.022], material: m}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 20e9, poissons_ratio: 0.3}}
+welds:
+  spot: {between: [{near: [0.05, 0.05, 0.02], part: low}, {near: [0.05, 0.05, 0.022], part: high}], failure: {normal: 5000, shear: 3000}}
+conditions:
+  - {nodes: low/z_min, fixed: [x, y, z]}
+  - {nodes: high/z_max, velocity: {x: {table: [[0, 0], [0.004, 0.01], [0.02, 0.01]]}, y: 0, z: 0}}
+output: {history: {every: 1e-5, forces: [{name: f, support: high/z_max}]}}
+)yaml");
+  const std::size_t failed = find_failure(run.history, "welds_failed");
+  ASSERT_LT(failed, run.history.rows());
+  EXPECT_NEAR(run.history.largest("weld_shear:spot"), 3000, 30);
+  // The block rings by little: what the weld carries is what the support gives, less the mass between them.
+  EXPECT_NEAR(run.history.largest("fx:f"), 3000, 150);
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-11);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
+}
+
+// Free blocks that fly, turn and bend: their weld keeps both momenta and its length.
+TEST(WeldOfSolids, KeepsMomentaAndItsLength) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.01}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.02], cells: [4, 4, 2]}, material: m}
+  high: {box: {size: [0.1, 0.1, 0.02], cells: [4, 4, 2]}, at: [0.03, 0.02, 0.025], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e8, poissons_ratio: 0.3}}
+welds:
+  spot: {between: [{near: [0.075, 0.05, 0.02], part: low}, {near: [0.08, 0.07, 0.025], part: high}]}
+initial:
+  - {part: low, velocity: [0, 0, -1], angular_velocity: [10, 0, 60]}
+  - {part: high, velocity: [1, 0, 1], angular_velocity: [0, 30, -20]}
+output: {history: {every: 1e-4, nodes: [{name: a, near: [0.075, 0.05, 0.02], part: low}, {name: b, near: [0.08, 0.07, 0.025], part: high}]}}
+)yaml");
+  const auto find_length = [&](std::size_t row) {
+    double square = 0;
+    for (const char* axis : {"_x", "_y", "_z"})
+      square += std::pow(run.history[std::string("a") + axis][row] - run.history[std::string("b") + axis][row], 2);
+    return std::sqrt(square);
+  };
+  for (std::size_t row = 0; row < run.history.rows(); ++row)
+    EXPECT_NEAR(find_length(row), find_length(0), 0.05 * find_length(0)) << row;
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+}
+
+// A lap joint of two strips with two welds in its line, held in its plane: by symmetry each carries half of the load.
+TEST(WeldOfSolids, LapJointSharesItsLoad) {
+  const double load = 1000;
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.02}
+parts:
+  left: {box: {size: [0.2, 0.04, 0.004], cells: [20, 4, 2]}, material: m}
+  right: {box: {size: [0.2, 0.04, 0.004], cells: [20, 4, 2]}, at: [0.12, 0, 0.005], material: m}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+welds:
+  first: {between: [{near: [0.14, 0.02, 0.004], part: left}, {near: [0.14, 0.02, 0.005], part: right}]}
+  second: {between: [{near: [0.18, 0.02, 0.004], part: left}, {near: [0.18, 0.02, 0.005], part: right}]}
+conditions:
+  - {nodes: left/x_min, fixed: [x, y, z]}
+  - {nodes: right/x_max, fixed: [y, z]}
+  - {nodes: left/z_min, fixed: [z]}
+  - {nodes: right/z_max, fixed: [z]}
+damping: [{nodes: all, coefficient: 4000}]
+loads: {pressure: [{faces: right/x_max, value: {expression: "-6.25e6 * min(t / 0.005, 1)"}}]}
+output: {history: {every: 1e-4, forces: [{name: f, support: left/x_min}]}}
+)yaml");
+  const double first = run.history.mean(0.015, 0.02, "weld_shear:first"),
+               second = run.history.mean(0.015, 0.02, "weld_shear:second");
+  EXPECT_NEAR(-run.history.mean(0.015, 0.02, "fx:f"), load, 0.01 * load);
+  EXPECT_NEAR(first, 0.5 * load, 0.02 * load);
+  EXPECT_NEAR(second, 0.5 * load, 0.02 * load);
+}
+
 }  // namespace percuss::test

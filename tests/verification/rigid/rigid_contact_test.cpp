@@ -41,10 +41,7 @@ output: {{history: {{every: 0}}}}
 TEST_P(RigidContact, OfACornerWithAFaceGivesTheImpulseOfRigidBodies) {
   const Outcome run = run_deck(describe_corner_impact(GetParam()));
   const double cube = 8000 * 1e-3, block = 8000 * 0.2 * 0.3 * 0.3;
-  // Inertia is that of lumped masses: along a side of 2 cells with the shares 1/4, 1/2, 1/4, of 3 with 1/6, 1/3, 1/3,
-  // 1/6.
-  const double of_two = 1.0 / 8, of_three = 2 * (0.25 / 6 + (1.0 / 36) / 3);
-  const double iy = block * (of_two * 0.04 + of_three * 0.09), iz = iy;
+  const double iy = block * (0.04 + 0.09) / 12, iz = iy;
   const double y = -0.03, z = -0.02;  // of the point from the centre of the block (0.1, 0.03, 0.02)
   const double inverse =
       1 / cube + 1 / block + z * z / iy + y * y / iz;  // the tip's line goes through the cube's centre
