@@ -31,13 +31,15 @@ Vec3 sum_momentum(const Scene& scene, const Counted& is_counted) {
   return {sums[0].round(), sums[1].round(), sums[2].round()};
 }
 
-/// The values of a row by the headings of their columns, as impulses: mean times the time of the row.
+/// The values of a row by the headings of their columns, as impulses: mean times the time of the row, which of the
+/// first ends half a step earlier.
 inline std::map<std::string, double> take_impulses(Scene& scene, double since) {
   const std::vector<HistoryColumn> columns = list_force_columns(scene.deck);
   const std::vector<double> row = scene.stepper.forces().take(scene.state);
   EXPECT_EQ(row.size(), columns.size());
   std::map<std::string, double> values;
-  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i] * (scene.state.time - since);
+  const double passed = scene.state.time - since - (since == 0 ? 0.5 * scene.state.dt : 0);
+  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i] * passed;
   return values;
 }
 
