@@ -178,6 +178,8 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
             values += [id_of(more, i, True) for i in range(len(more[1])) if more[1][i]]
         if not values:
             continue
+        if kind in {**SOLIDS, **SHELLS} and len(values) - 1 > count:
+            raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes ({count} are expected): correct its lines")
         scope.elements[values[0]] = (kind, tuple(values[1:]))
         if "ELSET" in block.options:
             scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])

@@ -110,7 +110,7 @@ def find_plane(deck: AbaqusDeck, profile: Profile, put) -> Shape | None:
 
 def find_extent(deck: AbaqusDeck) -> float:
     """The diagonal of the model."""
-    points = [deck.mesh.nodes[node] for node in deck.used_nodes()]
+    points = [deck.mesh.nodes[node] for node in deck.used_nodes()] or [(0.0, 0.0, 0.0)]  # none: every part was left out
     return math.dist([min(p[d] for p in points) for d in range(3)], [max(p[d] for p in points) for d in range(3)])
 
 

@@ -14,5 +14,6 @@ PROOFS = [
     Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
           refused="ELEMENT_SHELL_DOF", messages=1),
     Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
+    Proof("ELEMENT", abaqus(abaqus_cube()).replace("1, 1, 2, 3, 4", "2, 3, 4\n1, 1, 2, 3, 4"), refused="has 11 nodes (8 are expected)"),
     Proof("STEP", abaqus(abaqus_cube()) + "*STEP\n*DLOAD\n, GRAV, 9810., 0., 0., -1.\n*END STEP\n", refused="a step without a procedure"),
 ]  # fmt: skip
