@@ -89,7 +89,7 @@ TEST(Shell4, ItsShareScalesTheForcesAgainstHourglassModesAndDrilling) {
       v[i] = {i % 2 == 0 ? size : -size, 0, 0};
       turning[i] = {0, 0, size};
     }
-    shell.advance(move(x, v, 1), v, {}, 1);
+    shell.advance(move(x, v, 1.0), v, {}, 1);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(shell.force[i].x, share * young * t * v[i].x / 3, 1e-6 * share * young * t * size);
     TestShell<ElasticLayer> turned(make_elastic(), 3, x, t, density);
