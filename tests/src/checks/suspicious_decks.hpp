@@ -26,6 +26,14 @@ inline void PrintTo(const SuspiciousDeck& deck, std::ostream* out) { *out << dec
 /// A block that falls on a plate, with a sheet and a wall below. No rule finds anything in it.
 extern const std::string sound_deck;
 
+/// sound_deck without its sheet, the part and its condition.
+inline const std::pair<std::string, std::string> no_sheet{
+    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
+    "aluminium}\n",
+    ""};
+inline const std::pair<std::string, std::string> no_sheet_condition{
+    "  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n", ""};
+
 /// sound_deck with changes. Throws std::logic_error if a text is not there.
 std::string change(const Changes& changes);
 

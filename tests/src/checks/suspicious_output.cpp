@@ -3,17 +3,6 @@
 #include "tests/src/checks/suspicious_decks.hpp"
 
 namespace percuss {
-namespace {
-
-const std::pair<std::string, std::string> no_sheet{
-    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
-    "aluminium}\n",
-    ""};
-const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
-                                                             ""};
-
-}  // namespace
-
 std::vector<SuspiciousDeck> suspicious_output() {
   const std::string end = "2.0e-4}";
   return {

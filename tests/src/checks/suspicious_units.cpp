@@ -13,13 +13,6 @@ const std::string aluminium_in_mm =
 const std::pair<std::string, std::string> steel_in_mm{"density: 7850, youngs_modulus: 210e9",
                                                       "density: 7.85e-9, youngs_modulus: 210e3"};
 
-const std::pair<std::string, std::string> no_sheet{
-    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
-    "aluminium}\n",
-    ""};
-const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
-                                                             ""};
-
 const std::string steel = "elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3";
 const std::pair<std::string, std::string> cold_gas{
     steel, "fluid, density: 1.2, equation_of_state: {kind: ideal_gas, gamma: 1.4, start_energy: 1e-3}"};

@@ -425,7 +425,7 @@ TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   const Deck deck = parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {every: 1e-3}, "), "d.yaml",
                                {"time.step_scale=0.5", "title=a drop"});
   RunCheckpoints checkpoints(deck, folder.path(), false);
-  EXPECT_TRUE(checkpoints.are_wanted());
+  EXPECT_TRUE(checkpoints.is_wanted_at_end());
   EXPECT_FALSE(checkpoints.is_clock_due());
   checkpoints.begin(0);
   EXPECT_FALSE(checkpoints.is_due(0));
@@ -450,7 +450,10 @@ TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
   EXPECT_THAT(external.describe(), testing::EndsWith(" --restart " + file + " --allow-external"));
   std::filesystem::remove(file);
   EXPECT_EQ(checkpoints.describe(), "");
-  EXPECT_FALSE(RunCheckpoints(parse_deck(blocks, "d.yaml"), folder.path(), false).are_wanted());
+  text = blocks;
+  const Deck without =
+      parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {at_end: false}, "), "d.yaml");
+  EXPECT_FALSE(RunCheckpoints(without, folder.path(), false).is_wanted_at_end());
 }
 
 }  // namespace percuss::test
