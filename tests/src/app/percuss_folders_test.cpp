@@ -104,7 +104,11 @@ TEST_P(PercussFolders, ARunThatWasKilledGoesOnInItsFolderWithoutForce) {
 TEST_P(PercussFolders, LoseNothingByARestartUnlessForced) {
   const std::string checkpoint = out_ + "/checkpoint.h5";
   ASSERT_EQ(run_percuss(run({"--set", "time.end=0.01", "--set", "output.checkpoint={every: 0.01}"})).exit_code, 0);
-  ASSERT_EQ(run_percuss({"run", deck_, "--restart", out_, "--set", "time.end=0.02"}, launch()).exit_code, 0);
+  ASSERT_EQ(run_percuss({"run", deck_, "--restart", out_, "--set", "time.end=0.02", "--set",
+                         "output.checkpoint={at_end: false}"},
+                        launch())
+                .exit_code,
+            0);
   const std::vector<std::string> again{"run", deck_, "--restart", out_, "--set", "time.end=0.01"};
   const ProcessResult refused = run_percuss(again, launch());
   EXPECT_EQ(refused.exit_code, 2) << refused.err;

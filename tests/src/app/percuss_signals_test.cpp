@@ -103,7 +103,8 @@ TEST_F(PercussSignals, ByFilesToAnEarlierRunAreRemoved) {
     std::ofstream(file).flush();
     fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
   }
-  const std::vector<std::string> few{"run", deck_, "-o", out_, "--set", "time.max_steps=3"};
+  const std::vector<std::string> few{
+      "run", deck_, "-o", out_, "--set", "time.max_steps=3", "--set", "output.checkpoint={at_end: false}"};
   EXPECT_EQ(run_percuss(few).exit_code, 2);
   EXPECT_TRUE(fs::exists(out_ + "/stop"));  // perhaps another program's
   std::vector<std::string> forced = few;

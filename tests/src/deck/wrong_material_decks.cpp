@@ -49,7 +49,7 @@ std::vector<WrongDeck> wrong_material_decks() {
       {"CurveOfARateThatGoesBack", rate_table("hardening_at_rates: [[1, [[0, 1e8], [0, 2e8]]]]"), "5:136",
        "hardening_at_rates.0.1.1 begins with 0 after 0 in material 'steel' (rows must ascend)"},
       {"CurveWithoutRate", rate_table("hardening_at_rates: [[[0, 1e8], [1, 2e8]]]"), "5:122",
-       "hardening_at_rates.0.0 is a list in material 'steel' (must be a number, zero or positive)"},
+       "hardening_at_rates.0.0 is [0, 1e8] in material 'steel' (must be a number)"},
       {"ThirteenRates", rate_table("hardening_at_rates: [" + repeat_curves(13) + "]"), "5:120",
        "hardening_at_rates has 13 rates and 13 rows in material 'steel' (must have 1 to 12 rates, and at most 240 rows "
        "in "
@@ -57,7 +57,7 @@ std::vector<WrongDeck> wrong_material_decks() {
       {"LogarithmOfNoRate", rate_table("rate_interpolation: logarithmic, hardening_at_rates: [[0, [[0, 1e8]]]]"), "5:3",
        "material 'steel' has logarithmic rate_interpolation beside a rate of 0"},
       {"UnknownInterpolation", rate_table("rate_interpolation: log, hardening_at_rates: [[1, [[0, 1e8]]]]"), "5:120",
-       "rate_interpolation is log in material 'steel' (must be linear | logarithmic"},
+       "rate_interpolation is 'log' in material 'steel' (must be linear | logarithmic"},
       {"PowerLawWithoutExponent",
        material("model: power_law_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
                 "1e8, hardening_coefficient: 1e8"),

@@ -153,7 +153,7 @@ std::vector<WrongDeck> unknown_names() {
       {"KeyInCapitals", change("end", "END"), "1:8", "did you mean 'end'?"},
       {"KeyOfNothing", append("elements: {colour: red}"), "6:12",
        "unknown key 'colour' in 'elements' (known: integration, hourglass, bulk_viscosity, stiffness_damping, "
-       "resist_folding, "
+       "shell_hourglass, resist_folding, "
        "skip_resting, tetrahedra)"},
       {"KeyOfOtherModel", change("poissons_ratio: 0.3", "poissons_ratio: 0.3, yield_stress: 1e8"), "5:86",
        "a key of model j2_plasticity, not of elastic"},

@@ -134,8 +134,8 @@ TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
         const double l[3] = {stretch, driven == 2 ? stretch : free, free};
         const double force = law.stress(l, 0) * l[1] * l[2];
         fmt::print("{} cells, {} driven: force {:.5f} ({:.5f}), free stretch {:.5f} ({:.5f})\n", cells, driven,
-                   h.last("f_x"), force, h.last("c_z"), free);
-        EXPECT_NEAR(h.last("f_x"), force, 1e-3 * force);
+                   h.last("fx:f"), force, h.last("c_z"), free);
+        EXPECT_NEAR(h.last("fx:f"), force, 1e-3 * force);
         EXPECT_NEAR(h.last("c_z"), free, 1e-4);
         EXPECT_NEAR(h.last("c_y"), l[1], 1e-4);
         EXPECT_NEAR(h.last("e_y"), l[1], 1e-4);
@@ -151,8 +151,8 @@ TEST(FullStretch, StaysUniformInShear) {
   for (std::size_t k = 0; k < std::size(laws); ++k) {
     for (const int cells : {2, 4}) {
       const HistoryTable h = shear(laws[k], cells, 2);
-      fmt::print("{} cells: shear force {:.5f} ({:.5f})\n", cells, h.last("f_x"), rights[k]);
-      EXPECT_NEAR(h.last("f_x"), rights[k], 2e-3 * rights[k]);
+      fmt::print("{} cells: shear force {:.5f} ({:.5f})\n", cells, h.last("fx:f"), rights[k]);
+      EXPECT_NEAR(h.last("fx:f"), rights[k], 2e-3 * rights[k]);
       EXPECT_NEAR(h.last("i_x"), 1.5, 1e-3);
       EXPECT_NEAR(h.last("i_y"), 0.5, 1e-3);
       EXPECT_NEAR(h.last("i_z"), 0.5, 1e-3);
