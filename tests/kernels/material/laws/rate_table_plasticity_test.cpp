@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <random>
 
 #include "tests/kernels/material/point_driver.hpp"
@@ -142,12 +143,17 @@ TEST(RateTablePlasticity, EndsOnTheCurvesWhateverTheyAre) {
       const double before = point.p(), dt = std::pow(10.0, -2 - 7 * uniform(random));
       const double size = 0.05 * std::pow(1e-4, uniform(random));
       point.advance({0, 0, 0, size * (uniform(random) < 0.8 ? 1 : -1), 0, 0}, dt);
-      const double dp = point.p() - before, flow = law.hardening.find(point.p(), dp / dt, law.logarithmic).y;
+      const double dp = point.p() - before;
+      const auto find_flow = [&](double by) { return law.hardening.find(point.p(), by / dt, law.logarithmic).y; };
       ASSERT_GE(dp, 0);
       if (dp > 0) {
-        ASSERT_NEAR(von_mises(point.stress), flow, 1e-4 * flow) << "sample " << sample << ", step " << i;
+        // p has lost the last digits of dp, on which a steep rate depends.
+        const double lost = std::numeric_limits<double>::epsilon() * point.p();
+        const double a = find_flow(std::max(dp - lost, 0.0)), b = find_flow(dp + lost);
+        ASSERT_GE(von_mises(point.stress), std::min(a, b) * (1 - 1e-4)) << "sample " << sample << ", step " << i;
+        ASSERT_LE(von_mises(point.stress), std::max(a, b) * (1 + 1e-4)) << "sample " << sample << ", step " << i;
       } else {
-        ASSERT_LE(von_mises(point.stress), flow * (1 + 1e-12));
+        ASSERT_LE(von_mises(point.stress), find_flow(0) * (1 + 1e-12));
       }
     }
   }
