@@ -41,8 +41,8 @@ output: {history: {parts: all, elements: [{name: rib, part: beam, near: [3, 0, 0
 units: m, kg, s
 time: {end: 1, max_steps: 2}
 parts:
-  a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: metal}
-  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 2], material: hard}
+  a: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, material: metal}
+  b: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, at: [0, 0, 2], material: hard}
 materials:
   metal: {model: johnson_cook, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, a: 1e7, b: 1e7, n: 1, c: 0.01, m: 1,
           specific_heat: 400, melt_temperature: 1000, equation_of_state: {kind: mie_grueneisen, sound_speed: 1000, slope: 1.5, grueneisen: 2}}
@@ -56,7 +56,7 @@ contact:
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
 welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
-constraints: {level: {equal: [x, y, z], between: [{near: [0, 1, 1]}, {near: [0, 1, 2]}]}}
+constraints: {level: {equal: [x, y, z], between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}]}}
 output:
   history:
     nodes: [{name: tip, near: [0, 0, 0]}, {name: tap, near: [1, 0, 0]}, {name: top, near: [0, 0, 1]}]

@@ -138,7 +138,8 @@ void refuse_connected(const ChunkedMesh& chunked, const std::vector<EqualLists>&
   for (const std::int64_t number : constraints.nodes)
     is_welded.push_back(std::binary_search(model.welds.nodes.begin(), model.welds.nodes.end(), number) ? 1 : 0);
   refuse_marked(chunked, entries, constraints, is_welded,
-                "which is welded (welds and constraints of one node would break each other): leave it out of one");
+                "which is welded, or of a solid at a weld (welds and constraints of one node would break each other): "
+                "leave it out of one");
 }
 
 /// [nodes] row of the motion that holds each in a direction, of all ranks; -1: none.
