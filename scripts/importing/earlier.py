@@ -12,6 +12,7 @@ from .ledger import BadInput
 
 REPORT = "import_report.json"
 
+
 def find_mark(path: str) -> str:
     """A digest of a file; empty of none."""
     if not path:
@@ -56,9 +57,10 @@ def tell_loss(path: str, name: str, folder: str) -> str:
 def read_mark(folder: str) -> str:
     """Of the deck as the last import wrote it; empty if that is not known, as of a report that no import has written."""
     try:
-        return load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
+        mark = load_json(os.path.join(folder, REPORT), {"deck_sha256": TEXT})["deck_sha256"]
     except NotResults:
         return ""
+    return mark if len(mark) == hashlib.sha256().digest_size * 2 else ""
 
 
 def refuse_no_file(path: str) -> None:

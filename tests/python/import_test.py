@@ -891,7 +891,10 @@ class Scene(InFolder):
 
     def test_hourglass_control_of_shells_is_a_share_of_their_stiffness(self):
         text = decks.FORMS.replace("*PART\nplate\n         8         8         8\n", "*PART\nplate\n8,8,8,0,19\n")
-        model, ledger = self.read(text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END"))
+        text = text.replace("*END", "*HOURGLASS\n19,4,0.02\n*END")
+        full = self.read(text)[0]  # ELFORM 16 has no hourglass modes
+        self.assertTrue(all("shell_hourglass" not in block.keys for block in full.blocks))
+        model, ledger = self.read(text.replace("         8        16    0.8333", "         8         2    0.8333"))
         self.assertEqual([block.keys["shell_hourglass"] for block in model.blocks if block.shells], [0.02])
         told = [row for row in ledger.list_rows() if row.card == "HOURGLASS.QM"]
         self.assertEqual([row.status for row in told], [Status.APPROXIMATED])
