@@ -180,6 +180,8 @@ def read_vector(deck: KeywordDeck, card: Card) -> None:
         reader.take()
     row = reader.row("VID XT YT ZT XH YH ZH CID")
     tail, head = tuple(row.numbers("XT", "YT", "ZT")), tuple(row.numbers("XH", "YH", "ZH"))
-    if not row.integer("CID"):
-        deck.vectors[row.integer("VID")] = normalise(subtract(head, tail))  # type: ignore[arg-type]
+    if row.integer("CID"):
+        deck.ledger.ignored(card.keyword, card.place, "in a system; a card that uses it is refused")
+        return
+    deck.vectors[row.integer("VID")] = normalise(subtract(head, tail))  # type: ignore[arg-type]
     deck.ledger.translated(card.keyword, card.place, "direction of what uses it")

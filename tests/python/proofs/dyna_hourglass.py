@@ -8,7 +8,8 @@ from .pieces import DENSITY, YOUNG, deck, elastic, part, shell_section, square
 # A square shell of edge a bends in its plane by u_x = X h, h = 1, -1, 1, -1. By beam theory it stores E t (4/3) X^2 / 2, its nodes hold
 # rho a^2 t X'^2 / 2: the square of its angular frequency is 4 E / (3 rho a^2), and QM times that with *HOURGLASS.
 SHARE = 0.02
-EIGHTH = math.pi / 4 / math.sqrt(SHARE * 4 * YOUNG / (3 * DENSITY * 10.0**2))  # of a period: half of the energy is kinetic still
+# An eighth of a period, when half of the energy is still kinetic, in a field of ten columns.
+EIGHTH = float(f"{math.pi / 4 / math.sqrt(SHARE * 4 * YOUNG / (3 * DENSITY * 10.0**2)):.4g}")
 MODE = "*INITIAL_VELOCITY_NODE\n" + "".join(f"{i},{1.0 if i % 2 else -1.0}\n" for i in range(1, 5))
 KEPT = [(lambda h: h["kinetic"][-1] / h["kinetic"][0], LAST, 0.5, 1e-2)]
 

@@ -94,7 +94,7 @@ PROOFS = [
           ("DEFINE_COORDINATE_NODES: FLAG", "*DEFINE_COORDINATE_NODES\n4,2,3,1,1\n"),
           ("DEFINE_COORDINATE_NODES: DIR", "*DEFINE_COORDINATE_NODES\n4,2,3,1,0,Y\n"))),
     Proof("DEFINE_VECTOR: CID", deck(cube(), "*SET_NODE_LIST_GENERATE\n5\n1,8\n*DEFINE_VECTOR\n2,0,0,0,0,0,1,4\n*BOUNDARY_PRESCRIBED_MOTION_SET\n5,4,0,7,6.0,2\n",
-                                     "*DEFINE_COORDINATE_VECTOR\n4,0,2,0,-1,1,0\n", ONE), refused="BOUNDARY_PRESCRIBED_MOTION.DOF"),
+                                     "*DEFINE_COORDINATE_VECTOR\n4,0,2,0,-1,1,0\n", ONE), refused="no such vector in global axes"),
     Proof("DEFINE_COORDINATE_VECTOR", deck(cube(), "*DEFINE_COORDINATE_VECTOR\n4,0,2,0,0,1,0\n"), refused="along one line"),
     Proof("DEFINE_VECTOR: VID XT YT ZT XH YH ZH; BOUNDARY_PRESCRIBED_MOTION_SET: VID",
           deck(cube(), velocity(), "*SET_NODE_LIST_GENERATE\n5\n1,8\n*DEFINE_VECTOR\n2,1,1,1,1,1,-4\n*BOUNDARY_PRESCRIBED_MOTION_SET\n5,4,0,7,6.0,2\n", ONE),
