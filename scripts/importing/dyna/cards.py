@@ -293,7 +293,10 @@ def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
     shift = card.change.shift_of(card.keyword, field)
     while lines:
         line = lines.take()
-        for text in card.split(line, (10,) * per_line)[:per_line]:
+        texts = card.split(line, (10,) * per_line)
+        if any(parse_integer(text) for text in texts[per_line:]):
+            raise BadInput(card.at(line[0]), f"a line of *{card.keyword} has more than {per_line} ids (no more are read): put the others on the next line")
+        for text in texts[:per_line]:
             value = parse_integer(text) if text else 0
             if value is None:
                 raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{shift_hint(text)}: correct it")

@@ -61,6 +61,7 @@ PROOFS = [
     moving("*SET_NODE_COLUMN\n5\n1,0.5\n2,0.5\n", 2, proves="SET_NODE_COLUMN: SID NID"),
     moving("*SET_NODE_LIST_COLLECT\n5\n1,2\n*SET_NODE_LIST_COLLECT\n5\n2,3\n", 3, proves="SET_NODE_LIST_COLLECT: SID"),
     moving(BOX, 4, start="*INITIAL_VELOCITY\n0,0,3\n4.0\n", proves="INITIAL_VELOCITY: BOXID"),
+    Proof("SET_NODE_LIST", deck(cube(), "*SET_NODE_LIST\n5\n1,2,3,4,5,6,7,8,1\n"), refused="more than 8 ids"),
     Proof("SET_NODE_GENERAL: SID", deck(cube(), "*SET_NODE_GENERAL\n5\nSET_SHELL,1\n"), refused="SET_NODE_GENERAL.SET_SHELL"),
     parts("*SET_PART\n5\n1,3\n", 2, "SET_PART: SID"),
     parts("*SET_PART_LIST_GENERATE\n5\n2,9\n", 2, "SET_PART_LIST_GENERATE: SID"),
