@@ -39,7 +39,7 @@ struct EndMotion {
 std::vector<Warning> check_flown_bodies(const CheckedScene& scene, const EndMotion& end);
 
 /// Forces of the history that were 0 in every row of such a run. has_acted: [Deck::output.forces].
-std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<char>& has_acted);
+std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<unsigned char>& has_acted);
 
 // Units (unit_rules.cpp)
 std::vector<Warning> check_unit_system(const CheckedScene& scene);

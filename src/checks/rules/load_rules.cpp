@@ -192,7 +192,7 @@ std::vector<Warning> check_idle_forces(const CheckedScene& scene) {
   return warnings;
 }
 
-std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<char>& has_acted) {
+std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<unsigned char>& has_acted) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   for (std::size_t f = 0; f < deck.output.forces.size(); ++f) {

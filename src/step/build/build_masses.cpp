@@ -85,6 +85,7 @@ Rows3<double> sum_by_node(const Model& model, const Elements& elements,
 std::vector<double> assemble_masses(const Model& model, const Elements& elements,
                                     const std::vector<double>& element_mass) {
   std::vector<std::array<double, 1>> values;
+  values.reserve(element_mass.size());
   for (const double mass : element_mass) values.push_back({mass});
   const auto host = to_host(sum_by_node(model, elements, values));
   std::vector<double> mass(host.extent(0));

@@ -153,7 +153,7 @@ std::vector<double> ForceBooks::take(const State& state) {
     else
       append_mean(take_sums(f), per_time, false, row);
     const bool acts = std::any_of(row.begin() + first, row.end(), [](double value) { return value != 0; });
-    has_acted_[f] = static_cast<char>(has_acted_[f] != 0 || acts);
+    has_acted_[f] = static_cast<unsigned char>(has_acted_[f] != 0 || acts);
   }
   return row;
 }

@@ -42,7 +42,7 @@ class ForceBooks {
   std::vector<double> take(const State& state);
 
   /// Whether each force of the deck has been other than 0 in a row so far, those before a restart included.
-  const std::vector<char>& has_acted() const { return has_acted_; }
+  const std::vector<unsigned char>& has_acted() const { return has_acted_; }
 
  private:
   std::array<ExactSum, 6>& find_sums(std::size_t force);
@@ -55,7 +55,7 @@ class ForceBooks {
   std::vector<SectionForce> sections_;
   std::vector<std::array<ExactSum, 6>> sums_;  // of the supports, then of the sections; this rank's share
   std::vector<double> since_;                  // [forces of the deck] when each began, or was last in a row
-  std::vector<char> has_acted_;                // [forces of the deck]
+  std::vector<unsigned char> has_acted_;       // [forces of the deck]
 };
 
 }  // namespace percuss

@@ -87,7 +87,8 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
 /// Modes of the corners of an element at the start.
 KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const HexChunks& chunks, int c, int element,
                                                             const Rows3<double>& x) {
-  const auto pack = static_cast<std::size_t>(chunks.first_pack(c) + element / pack_width);
+  const int number = chunks.first_pack(c) + element / pack_width;
+  const auto pack = static_cast<std::size_t>(number);
   double corners[3][8];
   for (int i = 0; i < 8; ++i) {
     const auto place =
