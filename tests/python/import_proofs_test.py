@@ -4,19 +4,20 @@ import contextlib
 import csv
 import io
 import json
+import multiprocessing
 import os
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
-from concurrent.futures import ThreadPoolExecutor
 
 ROOT, PERCUSS, *CHOSEN = sys.argv[1:]
 sys.argv[1:] = []
 sys.dont_write_bytecode = True
 sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.dirname(os.path.realpath(__file__))]
 import proofs  # noqa: E402
+from import_command import call_command, load_command  # noqa: E402
 from importing.abaqus import read as abaqus  # noqa: E402
 from importing.abaqus.options import KNOWN  # noqa: E402
 from importing.dyna import read as dyna  # noqa: E402
@@ -30,8 +31,9 @@ from importing.ledger import BadInput, Ledger, Status  # noqa: E402
 TRIALS = (1, 2, 7)
 TABLE, NOT_PHYSICS = proofs.load()
 PROOFS = [proof for proof in TABLE if not CHOSEN or proof.family in CHOSEN]
-# The system's Python, which has PyYAML, first; others continue in it and start twice.
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", PATH=f"/usr/bin:{os.environ.get('PATH', '')}")
+COMMAND = load_command(ROOT)
+# One element needs one thread, and a run alone no messages between computers.
+os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self", "PERCUSS_PROGRAM": PERCUSS}
 
 
 def write(folder, proof, text=None):
@@ -46,29 +48,36 @@ def write(folder, proof, text=None):
     return path
 
 
-def call(folder, *words):
-    done = subprocess.run([PERCUSS, *words], capture_output=True, text=True, errors="replace", timeout=120, cwd=folder, env=ENVIRONMENT, check=False)
+def run_deck(folder):
+    words = [PERCUSS, "run", "m/deck.yaml", "--out", "r", "--quiet"]
+    done = subprocess.run(words, capture_output=True, text=True, errors="replace", timeout=120, cwd=folder, check=False)
     return done.returncode, done.stdout + done.stderr
 
 
-def prove(proof):
-    """Imports, runs and compares; what is wrong, or an empty text."""
+def prove_row(number):
+    """A row of PROOFS, by a process of the pool."""
     with tempfile.TemporaryDirectory() as folder:
-        path = write(folder, proof)
-        options = [*(["--allow", proof.allow] if proof.allow else []), *([] if proof.refused else ["--no-check"])]  # the run checks
-        code, text = call(folder, "import", os.path.basename(path), "--out", "m", "--quiet", *options)
-        if proof.refused:
-            count = text.count(": error: ")
-            if code == 2 and proof.refused in text and proof.messages in (0, count):
-                return ""
-            return f"import ends with {code} and {count} errors, and should say '{proof.refused}':\n{text}"
-        if code:
-            return f"import ends with {code}:\n{text}"
-        code, text = call(folder, "run", "m/deck.yaml", "--out", "r", "--quiet")
-        if code:
-            return f"run ends with {code}:\n{text}"
-        history = read_history(folder)
-        return "\n".join(filter(None, (compare(right, history) for right in proof.rights)))
+        return prove(PROOFS[number], folder)
+
+
+def prove(proof, folder):
+    """Imports, runs and compares; what is wrong, or an empty text."""
+    path = write(folder, proof)
+    options = [*(["--allow", proof.allow] if proof.allow else []), *([] if proof.refused else ["--no-check"])]  # the run checks
+    done = call_command(COMMAND, [os.path.basename(path), "--out", "m", "--quiet", *options], folder)
+    code, text = done.returncode, done.stdout + done.stderr
+    if proof.refused:
+        count = text.count(": error: ")
+        if code == 2 and proof.refused in text and proof.messages in (0, count):
+            return ""
+        return f"import ends with {code} and {count} errors, and should say '{proof.refused}':\n{text}"
+    if code:
+        return f"import ends with {code}:\n{text}"
+    code, text = run_deck(folder)
+    if code:
+        return f"run ends with {code}:\n{text}"
+    history = read_history(folder)
+    return "\n".join(filter(None, (compare(right, history) for right in proof.rights)))
 
 
 def read_history(folder):
@@ -237,8 +246,8 @@ def find_unproven_cards():
 
 class Proofs(unittest.TestCase):
     def test_every_row_gives_its_values(self):
-        with ThreadPoolExecutor(2) as pool:
-            for proof, wrong in zip(PROOFS, pool.map(prove, PROOFS)):
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            for proof, wrong in zip(PROOFS, pool.imap(prove_row, range(len(PROOFS)), 4)):
                 with self.subTest(family=proof.family, proves=proof.proves):
                     self.assertFalse(wrong, f"{proof.why}\n{wrong}")
 

@@ -14,6 +14,7 @@ import yaml
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 sys.path[:0] = [os.path.join(ROOT, "scripts")]
 import import_decks as decks  # noqa: E402
+from import_command import call_command, load_command  # noqa: E402
 from importing.abaqus.read import read_abaqus_deck  # noqa: E402
 from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
 from importing.deck_text import ORDER, format_section, write_deck  # noqa: E402
@@ -26,6 +27,8 @@ from importing.proof import find_card, find_path  # noqa: E402
 from importing.shapes import solid_volume, tet_volume  # noqa: E402
 from importing.solids import collapse  # noqa: E402
 
+COMMAND = load_command(ROOT)
+os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "PERCUSS_PROGRAM": PERCUSS}
 HERE = Place("deck.k", 1)
 PROGRAM_SCENE = """\
 parts: {block: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}
@@ -70,14 +73,9 @@ class InFolder(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
 
     def percuss(self, *words):
-        return subprocess.run(
-            [PERCUSS, *words],
-            capture_output=True,
-            text=True,
-            timeout=300,
-            cwd=self.folder,
-            env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"),
-        )
+        if words[0] == "import":
+            return call_command(COMMAND, words[1:], self.folder)
+        return subprocess.run([PERCUSS, *words], capture_output=True, text=True, timeout=300, cwd=self.folder, check=False)
 
 
 class Numbers(unittest.TestCase):

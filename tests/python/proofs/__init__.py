@@ -1,7 +1,7 @@
 """The table of proofs of percuss import: what each translated card and field gives in a run.
 
 A row is a smallest deck (one to eight elements) and what its run must give by mechanics, never by an earlier result of percuss.
-import_proofs_test.py imports each deck through the command line, runs it, and compares history.csv and summary.json.
+import_proofs_test.py imports each deck as the command does, runs what was written, and compares history.csv and summary.json.
 
 HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py, ...; a new module is found by its name), and add
 
