@@ -46,7 +46,6 @@ REASONS = {
     "unused": "not used by LS-DYNA with these options",
     "sampling": "how LS-DYNA samples curves again: percuss keeps their rows",
     "damping": "how dynamic relaxation is steered: percuss finds its damping and its end by itself",
-    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities instead",
     "shells": "numerics of shells: percuss has one shell",
     "solids": "numerics of solids: percuss has its own",
     "joints": "how joints and rigid bodies are solved: joints of percuss are exact",
@@ -55,7 +54,7 @@ REASONS = {
     "storage": "how data are stored",
     "attribute": "of members of a set, which only cards use that are refused",
     "default": "the defaults of what another card gives",
-    "penalty": "of a penalty method: percuss holds joints and walls without springs",
+    "penalty": "of the penalty method, its stiffness and search: percuss corrects velocities, and holds joints and walls without springs",
 }
 
 

@@ -1,5 +1,6 @@
 """*ELEMENT_BEAM and *SECTION_BEAM: beams and trusses."""
 
+from ..fields import Row
 from ..ledger import BadInput, missing
 from ..model import Block, Deck, Vector
 from ..shapes import cross, dot, normalise, section_area, subtract
@@ -52,6 +53,8 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     row.finish(deck.ledger, "it is left out")
     if form == 1:
         return make_shape(deck, reader, kind)
+    if form == 9:
+        return make_weld(deck, reader)
     if form == 2:
         return make_general(deck, reader)
     if form == 3:
@@ -60,13 +63,25 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
         more.finish(deck.ledger, "it begins without a stress")
         deck.ledger.translated(card.keyword, row.place, "trusses")
         return {"truss": {"area": area}} if area > 0 else more.fail("A", "must be positive")
-    deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2 and 3 are read)", LEFT_OUT)
+    deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2, 3 and 9 are read)", LEFT_OUT)
     return None
+
+
+def make_weld(deck: KeywordDeck, reader) -> Deck | None:
+    """ELFORM 9, a spot weld: a tube whatever CST says."""
+    more = reader.row("TS1 TS2 TT1 TT2 PRINT~output UNUSED~unused ITOFF")
+    if more.integer("ITOFF"):
+        deck.ledger.refuse("SECTION_BEAM.ITOFF", more.place, "spot welds that turn freely about their axis", "they resist torsion")
+    return make_widths(deck, more, 1)
 
 
 def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
     """CST 0: a rectangle TS by TT; 1: a tube of these diameters."""
-    more = reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC ITORM")
+    return make_widths(deck, reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC ITORM"), kind)
+
+
+def make_widths(deck: KeywordDeck, more: Row, kind: int) -> Deck | None:
+    """The section of the widths of a row."""
     s, s2, t, t2 = more.numbers("TS1", "TS2", "TT1", "TT2")
     more.finish(deck.ledger, "the nodes are in the middle of the section")
     if (s2 and s2 != s) or (t2 and t2 != t):

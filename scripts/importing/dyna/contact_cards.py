@@ -7,6 +7,7 @@ from ..ledger import Place
 from ..model import Deck
 from .cards import Card, Lines
 from .deck import KeywordDeck
+from .reaches import find_reach
 
 SINGLE, PAIR, TIE, INTERIOR, TRANSDUCER = "single", "pair", "tie", "interior", "transducer"
 # What the name of a contact begins with, behind CONTACT_, and what it is.
@@ -48,6 +49,7 @@ SCALE_OF = {
     TRANSDUCER: "SFS~unused SFM~unused SST~unused MST~unused SFST~unused SFMT~unused FSF~unused VSF~unused",
 }
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
+TURNS = ("TIED_SHELL_EDGE", "SPOTWELD")  # ties that hold rotations, too
 INSTEAD = "it is left out"
 # Optional cards A to G.
 OPTIONAL = (
@@ -349,14 +351,23 @@ def find_strengths(contact: Contact) -> Deck:
     return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
 
 
-def nodes_of_side(deck: KeywordDeck, contact: Contact) -> set[int]:
-    """Nodes of side a of a tie: of a node set, or of parts."""
-    id, kind = contact.sides.integer("SSID"), contact.sides.integer("SSTYP")
+def nodes_of_side(deck: KeywordDeck, contact: Contact, side: str = "S") -> set[int]:
+    """Nodes of a side of a tie."""
+    id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
     if kind == 4:
         return set(deck.list_members("NODE", id, contact.place))
-    if kind in (2, 3):
-        return deck.model.nodes_of_blocks([id] if kind == 3 else deck.list_members("PART", id, contact.place))
-    return set()
+    if kind == 0 and id:
+        return {node for face in deck.find_set("SEGMENT", id, contact.place).segments for node in face}
+    parts = list_side_parts(deck, contact, side)
+    return deck.model.nodes_of_blocks(deck.blocks_of(parts)) if parts is not None else set()
+
+
+def tied_name(deck: KeywordDeck, contact: Contact) -> str | None:
+    """Side a of a tie: of parts with beams their nodes, since beams have no faces."""
+    parts = list_side_parts(deck, contact, "S") or []
+    if contact.sides.integer("SSTYP") in (2, 3) and any(block.beams and block.part in parts for block in deck.model.blocks):
+        return deck.make_node_set(f"tied_{contact.sides.integer('SSID')}", sorted(nodes_of_side(deck, contact)), contact.place) or None
+    return side_name(deck, contact, "S", for_tie=True)
 
 
 def tie(deck: KeywordDeck, contact: Contact) -> None:
@@ -366,7 +377,7 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         )
         add_pairs(deck, contact, is_single=False)
         return
-    a, b = side_name(deck, contact, "S", for_tie=True), side_name(deck, contact, "M")
+    a, b = tied_name(deck, contact), side_name(deck, contact, "M")
     thicknesses = contact.scale.numbers("SST", "MST")
     contact.law.skip("FS", "FD")
     if 0 < contact.law.number("DT") < deck.end_time:
@@ -378,10 +389,10 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
         return
     entry: Deck = {"a": a, "b": b}
-    reach = 0.6 * sum(abs(t) for t in thicknesses)
+    reach = find_reach(deck, nodes_of_side(deck, contact), nodes_of_side(deck, contact, "M"), thicknesses)
     if reach:
         entry["distance"] = reach
-    if "SHELL_EDGE" in contact.keyword and nodes_of_side(deck, contact) & deck.model.turning_nodes():
+    if contact.keyword.removeprefix("CONTACT_").startswith(TURNS) and nodes_of_side(deck, contact) & deck.model.turning_nodes():
         entry["rotations"] = True
     if strengths:
         entry["failure"] = strengths
@@ -390,7 +401,7 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.approximated("CONTACT_TIED.empty", contact.place, "a tie in reach of nothing is told by the run, and ignored")
     deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
     deck.ledger.approximated(
-        contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is percuss', or 0.6 (SST + MST)"
+        contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is 0.6 of both thicknesses, or percuss' if that is larger"
     )
 
 

@@ -1,6 +1,8 @@
 """Contacts and ties, with the friction of parts and controls."""
 
-from . import LAST, MIN, Proof
+import math
+
+from . import LAST, MAX, MIN, Proof
 from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell_section, solid_section, square, two_cubes
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
@@ -35,6 +37,20 @@ def tied(contact, *more, gap=0.0, poisson=0.0):
     return deck(text, node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n", moves, contact, *more, end=2e-5, rows=200)
 
 
+def sheets(gap, scale=""):
+    """A sheet of 1 mm above a held one begins to move away; its nodes are tied to the other."""
+    lower = square() + part() + shell_section() + elastic() + node_set(1, 1, 2, 3, 4) + "*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
+    upper = square(2, 11, (1.0, 1.0, gap), 8.0, of=2) + part(2) + node_set(7, 11, 12, 13, 14) + "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,1.0\n0\n"
+    return deck(lower, upper, f"*CONTACT_TIED_NODES_TO_SURFACE\n7,1,4,3\n\n{scale}\n", end=1e-5)
+
+
+# A weld of four beams stands on a held sheet, and is pushed along x at its end, which has a mass.
+WELD_INERTIA = math.pi * 4.0**4 / 64
+WELD_SAG = 10.0 * (20.0**3 / (3 * 2.1e5 * WELD_INERTIA) + 20.0 / (0.9 * 2.1e5 / 2.6 * math.pi * 4.0))
+WELDED = deck(square(), part(), shell_section(), elastic(), node_set(1, 1, 2, 3, 4), "*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n",
+              nodes(*((11 + i, 5.0, 5.0, 5.0 * i) for i in range(5))), "*ELEMENT_BEAM\n" + "".join(f"{11 + i},2,{11 + i},{12 + i},0\n" for i in range(4)),
+              part(2, 2, 2), "*SECTION_BEAM\n2,9,1.0,2,1\n4.0,4.0,0,0\n", "*MAT_SPOTWELD\n2,7.8e-9,2.1e5,0.3,1e5,0\n0\n", "*ELEMENT_MASS\n1,15,1e-4\n",
+              "*LOAD_NODE_POINT\n15,1,7,10.0\n*DEFINE_CURVE\n7\n0,1.0\n1.0,1.0\n*DATABASE_HISTORY_NODE\n15\n", "{}", end=1.5e-3, rows=300)  # fmt: skip
 HALF = 100.0 * CUBE_MASS / 2
 SETS = "*SET_PART_LIST\n1\n1\n*SET_PART_LIST\n2\n2\n"
 LIST = node_set(1, 1, 2, 3, 4) + "*SET_SEGMENT\n5\n1,2,3,4\n"
@@ -62,6 +78,12 @@ FAMILIES = [
     Proof("CONTROL_CONTACT: SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n\n\n\n0,0,0,0,0,0,0.5\n"), refused="SHLTRW"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED\n2,1,3,3\n\n\n"), [("momentum_z", MIN, -HALF, 5e-2)], "a tie"),
     Proof("CONTACT_SPOTWELD", tied("*CONTACT_SPOTWELD\n7,1,4,3\n\n\n", node_set(7, 11, 12, 13, 14)), [("momentum_z", MIN, -HALF, 5e-2)], "a tie of nodes"),
+    Proof("CONTACT_SPOTWELD; SECTION_BEAM: ELFORM TS1 TT1", WELDED.format("*CONTACT_SPOTWELD\n2,1,3,3\n\n\n"), [("node_15_x", MAX, 5.0 + 2 * WELD_SAG, 2e-2)],
+          "a clamped beam of diameter 4, pushed at its end: twice F L^3 / 3 E I + F L / 0.9 G A, which a hinge at the sheet would not hold"),
+    Proof("SECTION_BEAM: ITOFF", WELDED.format("").replace("4.0,4.0,0,0", "4.0,4.0,0,0,0,0,1"), refused="turn freely"),
+    Proof("CONTACT_TIED_NODES_TO_SURFACE; CONTACT_TIED: SST", sheets(1.1, "0,0,1.0,1.0"), [("momentum_z", LAST, 0.0, 1e-12)], "within 0.6 of both thicknesses they are tied, to a sheet that is held"),
+    Proof("CONTACT_TIED_NODES_TO_SURFACE; CONTACT_TIED: SST", sheets(1.8, "0,0,1.0,1.0"), [("momentum_z", LAST, 64.0 * 7.8e-9, 1e-9)], "beyond it they fly on", allow="CONTACT_TIED.empty"),
+    Proof("CONTACT_TIED_NODES_TO_SURFACE; CONTACT_TIED: SST MST", sheets(1.1, "0,0,-0.8,-0.9"), [("momentum_z", LAST, 64.0 * 7.8e-9, 1e-9)], "of negative values 0.6 of their sum alone", allow="CONTACT_TIED.empty"),
     *[Proof(f"CONTACT_TIED_SHELL_EDGE_TO_{word}", tied(f"*CONTACT_TIED_SHELL_EDGE_TO_{word}\n7,1,4,3\n\n\n", node_set(7, 11, 12, 13, 14)), [("momentum_z", MIN, -HALF, 5e-2)],
             "a tie of nodes; those of solids have no rotations") for word in ("SURFACE", "SOLID")],
 ]  # fmt: skip
