@@ -73,7 +73,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"friction", "coefficient of friction that no surface has"},
       {"tie_distance", "tie that reaches beyond an element"},
       {"tie_hinge", "tie that holds one row of shell nodes, without rotations"},
-      {"contact_tolerance", "tolerance that leaves contact undone"},
+      {"contact_tolerance", "contact tolerance that is too loose"},
       {"idle_force", "force of the history that stays 0"},
       {"key_without_effect", "setting that has no effect because of other settings"},
       // time and output (src/checks/rules/output_rules.cpp)
@@ -111,7 +111,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"unsettled_welds", "welds in a chain whose nodes do not yet move as one"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact adds"},
-      {"element_energy", "elements that give more energy than they took"},
+      {"element_energy", "elements that return more energy than was put into them"},
       {"hourglass_energy", "hourglass modes with much of the internal energy"},
       {"energy_error", "energy balance with a large error at the end"},
   };

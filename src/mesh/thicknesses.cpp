@@ -60,8 +60,8 @@ void check_thicknesses(const Deck& deck, const Thicknesses& found) {
                                    where, found.wrong[p], part.name));
     if (found.missing[p] != none)
       throw InputError(
-          fmt::format("{}: error: the file gives element {} of part '{}' no thickness: add otherwise, "
-                      "which such shells have",
+          fmt::format("{}: error: the file has no thickness for element {} of part '{}': give thickness.otherwise, "
+                      "the value for such shells",
                       where, found.missing[p], part.name));
   }
 }

@@ -119,9 +119,9 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
       scale <= stiffest ? fmt::format("use enforcement kinematic, or a penalty_scale of {:.3g} at least", scale)
                         : std::string("use enforcement kinematic");
   return {warn_at(scene.deck, "penalty_speed", "contact.enforcement",
-                  fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (springs alone would let them "
-                              "penetrate by about {:.2g} of an element; beyond {:g} they are stopped "
-                              "without springing back): {}",
+                  fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (penalty contact would allow a "
+                              "penetration of about {:.2g} of an element; beyond {:g} the impact becomes "
+                              "inelastic): {}",
                               closing, closing / slowest, depth, cushion, remedy))};
 }
 
@@ -147,8 +147,8 @@ std::vector<Warning> check_inside_wall(const CheckedScene& scene) {
     warnings.push_back(
         warn_at(scene.deck, "inside_wall", join_path("walls", static_cast<std::size_t>(-1 - overlap.other)),
                 fmt::format("{} nodes of part '{}' begin inside this cylinder, up to {:.3g} deep (a cylinder with an "
-                            "end lets pass what is deeper in it than half an element edge): move the part or the "
-                            "wall, or leave out length",
+                            "end does not stop nodes that begin more than half an element edge inside it): move the "
+                            "part or the wall, or leave out length",
                             overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest)));
   }
   return warnings;

@@ -12,8 +12,8 @@ std::int64_t BreakingTies::judge(const Array<const double>& uses, double time) {
     failing_ += counts[t];
     const TieDeck& tie = deck_.contact.ties[t];
     warnings_.push_back({"tie_failure",
-                         fmt::format("nodes of the tie of '{}' and '{}' let go (the stress on them has come to what "
-                                     "failure says): failed_ties in history.csv counts them",
+                         fmt::format("nodes of the tie of '{}' and '{}' have failed (their stress has reached the "
+                                     "strength in failure): failed_ties in history.csv counts them",
                                      tie.a.name, tie.b.name),
                          deck_.where(tie.place), time, static_cast<long>(counts[t])});
   }

@@ -213,9 +213,8 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
   check_rigid_sets(deck, root, reading);
   check_ignored_masses(deck, root, reading);
   if (!deck.rigid_sets.empty() && deck.time.step_estimate == TimeDeck::StepEstimate::global) {
-    reading.errors.add(
-        root.find("time")->find("step_estimate")->spot,
-        "time.step_estimate is global (the estimate of the mesh does not know rigid_sets): leave it out");
+    reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                       "time.step_estimate is global (the global estimate does not support rigid_sets): leave it out");
   }
   const auto rigid =
       std::find_if(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });

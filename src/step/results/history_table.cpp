@@ -41,7 +41,7 @@ constexpr HistoryEntry before_pairs[] = {
      [](const From& s) { return static_cast<double>(s.state.step); }},
     {"dt", dim::time, "time step, the one that ended at this row", always, [](const From& s) { return s.state.dt; }},
     {"dt_element", no_dimension,
-     "id of the element that limits the next step, 0 where the approach of bodies or of a wall does", always,
+     "id of the element that limits the next step; 0 if approaching bodies or a wall limit it", always,
      [](const From& s) { return s.is_approach_limiting ? 0.0 : static_cast<double>(s.state.bound.element_id); }},
     {"kinetic", dim::energy, "kinetic energy", always, [](const From& s) { return s.audit.energy.kinetic; }},
     {"internal", dim::energy, "internal energy, the work of the stresses", always,

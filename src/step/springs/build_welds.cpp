@@ -47,8 +47,8 @@ void set_normal(const WeldDeck& deck, const NodePair& pair, const WeldLaw& law, 
   const bool needs_one = deck.normal_strength || deck.shear_strength;
   if (deck.normal || weld.is_normal_its_line || !needs_one) return;
   throw InputError(
-      fmt::format("{}: error: weld '{}' connects nodes at one place (its forces along and across its "
-                  "normal cannot be told apart): give normal",
+      fmt::format("{}: error: weld '{}' connects nodes at one place (the nodes coincide, so the weld has no "
+                  "direction): give normal",
                   law.place, weld.name));
 }
 

@@ -202,7 +202,7 @@ void WeldStage::judge(State& state, double dt, double dt_mean) {
     if (reached < 1 && state.time + dt < law.time) continue;
     now.is_broken = 1;
     warnings_.push_back({"weld_failure",
-                         fmt::format("welds of '{}' fail (their forces or their time have come to what failure says): "
+                         fmt::format("welds of '{}' fail (their force or their time has reached the limit in failure): "
                                      "history.csv has the forces of each",
                                      law.name),
                          law.place, state.time + dt, 1});

@@ -47,7 +47,7 @@ std::vector<WrongDeck> missing_keys() {
        "section has 2 kinds in part 'rod' (must be one of truss, round, tube, rectangle, box, general)"},
       {"UnknownSection", change_to_line(", section: {rectangel: {size: [1, 2]}}"), "3:69", "did you mean 'rectangle'?"},
       {"RectangleWithoutDirection", change_to_line(", section: {rectangle: {size: [1, 2]}}"), "3:59",
-       "part 'rod' has no toward (its section is not the same all around"},
+       "part 'rod' needs toward (the section is not round): give the direction of its y axis"},
       {"DirectionOfATruss", change_to_line(", section: {truss: {area: 1}}, toward: y"), "3:88",
        "toward has no effect in part 'rod' (a truss does not bend)"},
       {"DirectionWithoutSection", change_to_line(", toward: y"), "3:3", "part 'rod' has no section"},

@@ -142,8 +142,7 @@ bool check_beam_section(const Reader& reader, const Node& node, const PartDeck& 
     return false;
   }
   if (toward != nullptr || !has_axes(*part.section)) return true;
-  reader.error(section->key, fmt::format("{} has no toward (its section is not the same all around; toward says where "
-                                         "y of the section points)",
+  reader.error(section->key, fmt::format("{} needs toward (the section is not round): give the direction of its y axis",
                                          reader.self()));
   return false;
 }

@@ -121,7 +121,7 @@ TEST(Thicknesses, OfAKeywordFileAreMeansOfCorners) {
       EXPECT_DOUBLE_EQ(mesh.thickness_of(e), id == 10 ? 0.2 : id == 11 ? 0.5 : id == 12 ? 0.3 : 0.9);
     }
     EXPECT_THAT(refuse(shape + ", thickness: {file: true}"),
-                HasSubstr("the file gives element 13 of part 'p' no thickness: add otherwise"));
+                HasSubstr("the file has no thickness for element 13 of part 'p': give thickness.otherwise"));
     const Mesh unused = build(shape + ", thickness: 0.4");
     EXPECT_EQ(unused.thickness_of(0), 0.4);
     EXPECT_THAT(unused.warnings,
