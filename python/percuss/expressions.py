@@ -34,13 +34,25 @@ class Value:
         return self.powers in (PLAIN, None)
 
 
+def compute(history, text):
+    """The Value, with an array [rows] or one number. BadExpression with the reason."""
+    tree, columns = _parse(text, history.everything)
+    with np.errstate(all="ignore"):
+        return _Reader(history, columns, text).read(tree, 0)
+
+
 def evaluate(history, text):
     """(values [rows], powers of length, mass and time, or None). BadExpression with the reason."""
-    names = history.everything
-    tree, columns = _parse(text, names)
-    with np.errstate(all="ignore"):
-        value = _Reader(history, columns, text).read(tree, 0)
+    value = compute(history, text)
     return np.broadcast_to(np.asarray(value.values, dtype=float), (len(history),)).copy(), value.powers
+
+
+def split_label(text):
+    """('crush', 'max(a)') of 'crush = max(a)'; the text twice where there is no label."""
+    label, equals, rest = text.partition("=")
+    if not equals or not label.strip():
+        label, rest = text, text
+    return label.strip(), rest.strip()
 
 
 def clip(text):
@@ -236,7 +248,10 @@ def _resultant(reader, name):
     for trial in trials:
         if all(trial % axis in reader.history for axis in "xyz"):
             return _norm(reader, *[reader.column(trial % axis) for axis in "xyz"])
-    return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x")
+    known = [x.replace("fx:", "", 1).removesuffix("_x") for x in reader.history.everything if x.startswith("fx:") or x.endswith("_x")]
+    near = difflib.get_close_matches(name, known, 1, 0.5)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x{hint}")
 
 
 def _distance(reader, one, other):

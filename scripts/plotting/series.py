@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from percuss.expressions import evaluate, is_expression
+from percuss.expressions import evaluate, is_expression, split_label
 from percuss.filters import filter_cfc, resample
 
 MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
@@ -80,10 +80,7 @@ def add_expressions(words, histories, options, known=()):
     known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
     named = []
     for word in words:
-        label, equals, text = word.partition("=")
-        if not equals or not label.strip():
-            label, text = word, word
-        label, text = label.strip(), text.strip()
+        label, text = split_label(word)
         names = [name for history in histories for name in history.everything]
         is_column = label == text and (word in known or all(piece in names or piece in known for piece in word.split(",")))
         if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):

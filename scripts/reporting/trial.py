@@ -4,7 +4,6 @@ import json
 import math
 import os
 import re
-import shutil
 import subprocess
 
 import percuss
@@ -24,16 +23,6 @@ class Refused(Exception):
     def __init__(self, text, code):
         super().__init__(text)
         self.text, self.code = text, code
-
-
-def find_program(scripts):
-    """The percuss that belongs to these scripts: of $PERCUSS, of the checkout, of the installation, of PATH."""
-    root = os.path.dirname(scripts)
-    for path in (os.environ.get("PERCUSS_PROGRAM"), os.path.join(root, "build/release/percuss"),
-                 os.path.join(root, "../../bin/percuss"), shutil.which("percuss")):
-        if path and os.access(path, os.X_OK):
-            return os.path.abspath(path)
-    raise Refused("there is no percuss: build it (scripts/build), or name it in the environment variable PERCUSS_PROGRAM", 2)
 
 
 class Trial:

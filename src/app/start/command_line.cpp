@@ -64,6 +64,7 @@ struct Parser {
     info = add("info", "Describe a results file or a mesh", help_texts::info);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
+    add_tool("sweep", "Run designs of a deck, and tell how results depend on them", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
@@ -208,7 +209,7 @@ Answer refuse_command(const std::vector<std::string>& words) {
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
   return wrong(fmt::format("unknown command '{}'{}", word,
                            name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
-                                            "watch", "stop", "render", "help", "version"})));
+                                            "watch", "stop", "render", "sweep", "help", "version"})));
 }
 
 /// `extras`: the words that were not understood, at least one.

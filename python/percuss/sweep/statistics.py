@@ -1,0 +1,42 @@
+"""How outputs depend on inputs: correlation and main effects."""
+
+import numpy as np
+
+MOST_LEVELS = 8  # of an input whose designs are grouped by its values; others by equal counts
+GROUPS = 5
+
+
+def place_inputs(texts):
+    """(numbers [designs], labels): labels None of numbers, else the words whose places the numbers are."""
+    try:
+        numbers = np.array([float(text) for text in texts])
+        if np.isfinite(numbers).all():
+            return numbers, None
+    except ValueError:
+        pass
+    words = list(dict.fromkeys(texts))
+    return np.array([float(words.index(text)) for text in texts]), words
+
+
+def correlate(x, y):
+    """Pearson's coefficient; NaN of what does not vary."""
+    x, y = x - np.mean(x), y - np.mean(y)
+    size = np.sqrt(np.sum(x * x) * np.sum(y * y))
+    return float(np.sum(x * y) / size) if len(x) > 1 and size > 0 else float("nan")
+
+
+def rank(values):
+    """Ranks from 0; equal values have the mean of theirs."""
+    _, inverse, counts = np.unique(values, return_inverse=True, return_counts=True)
+    return (np.cumsum(counts) - (counts + 1) / 2)[inverse]
+
+
+def find_main_effect(x, y):
+    """(x, mean of y, number of designs) of each level of x, or of groups of neighbours."""
+    levels, inverse = np.unique(x, return_inverse=True)
+    if len(levels) > MOST_LEVELS:
+        order = np.argsort(x, kind="stable")
+        inverse = np.empty(len(x), dtype=int)
+        inverse[order] = np.arange(len(x)) * min(GROUPS, len(x)) // len(x)
+    groups = [inverse == group for group in range(inverse.max() + 1)]
+    return [(float(np.mean(x[group])), float(np.mean(y[group])), int(group.sum())) for group in groups]

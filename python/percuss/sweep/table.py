@@ -1,0 +1,53 @@
+"""The table of a sweep: a row for each design."""
+
+import csv
+import io
+import os
+
+from ..errors import NotResults
+from ..files import make_mark
+from .outputs import read_outputs
+
+
+class Row:
+    """inputs {factor: text}, outputs {column: (number, unit)}, and of the run: state, error, energy_error, seconds, folder."""
+
+    def __init__(self, result, outputs, base):
+        self.number, self.inputs, self.state, self.error = result.design.number, result.design.inputs, result.state, result.error
+        self.outputs, self.energy_error, self.seconds, run = {}, None, None, result.run
+        self.folder = os.path.relpath(result.folder, base) if result.folder else ""
+        if run is None or not run.summary:
+            return
+        self.energy_error = run.summary["energy"]["error"]
+        self.seconds = run.summary["setup_s"] + run.summary["loop_s"]
+        if self.state != "completed":
+            return
+        if not run.has_history:
+            raise NotResults(f"{result.folder}: there is no history.csv to tell outputs from (output.history of the deck)")
+        self.outputs = read_outputs(run, outputs)
+
+
+class Table:
+    """Attributes: rows, inputs (names), outputs {column: unit}."""
+
+    def __init__(self, results, outputs, base):
+        self.rows = [Row(result, outputs, base) for result in results]
+        self.inputs = list(dict.fromkeys(name for row in self.rows for name in row.inputs))
+        self.outputs = {name: unit for row in self.rows for name, (_, unit) in row.outputs.items()}
+
+    def heading(self):
+        named = [f"{name} [{unit}]" if unit else name for name, unit in self.outputs.items()]
+        return ["design", *self.inputs, *named, "state", "energy_error", "seconds", "folder", "error"]
+
+    def cells(self, row):
+        """Texts; empty where there is no value."""
+        values = [row.outputs[name][0] if name in row.outputs else None for name in self.outputs]
+        numbers = ["" if value is None else f"{value:.10g}" for value in values]
+        rest = [row.state, *("" if value is None else f"{value:.4g}" for value in (row.energy_error, row.seconds)), row.folder, row.error]
+        return [str(row.number), *(row.inputs.get(name, "") for name in self.inputs), *numbers, *rest]
+
+    def write_csv(self):
+        stream = io.StringIO()
+        stream.write(f"# {make_mark('sweep')}\n")
+        csv.writer(stream, lineterminator="\n").writerows([self.heading(), *(self.cells(row) for row in self.rows)])
+        return stream.getvalue()

@@ -1,0 +1,1 @@
+"""The page of a sweep: what scripts/sweep adds to percuss.sweep."""
