@@ -26,7 +26,7 @@ def choose_reader(path: str):
     """By the extension, then by the first keyword."""
     name = path.lower()
     if name.endswith(ABAQUS_ENDINGS):
-        return lambda ledger: read_abaqus_deck(path, ledger)
+        return lambda ledger: read_abaqus_deck(path, refuse_case(path, ledger))
     if name.endswith(KEYWORD_ENDINGS):
         return lambda ledger: read_keyword_deck(path, ledger)
     with open(path, "rb") as file:
@@ -36,9 +36,15 @@ def choose_reader(path: str):
     raise BadInput(clean(path), "not a keyword deck and not an Abaqus deck (by its ending and its first lines): name it .k, .key, .dyn or .inp")
 
 
-def make_ledger(patterns: list[str], fits_rates: bool) -> Ledger:
+def refuse_case(path: str, ledger: Ledger) -> Ledger:
+    if ledger.case:
+        raise BadInput(clean(path), "--case is for decks of LS-DYNA with *CASE (this is one of Abaqus): leave it out")
+    return ledger
+
+
+def make_ledger(patterns: list[str], fits_rates: bool, case: str = "") -> Ledger:
     words = [word.strip().lstrip("*").upper() if word.strip() != "*" else "ALL" for text in patterns for word in text.split(",")]
-    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates)
+    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates, case=case.strip())
 
 
 def import_model(arguments: argparse.Namespace) -> int:
@@ -46,7 +52,7 @@ def import_model(arguments: argparse.Namespace) -> int:
     if not os.path.isfile(arguments.model):
         raise BadInput(clean(arguments.model), "is not a file: check the name")
     earlier.refuse_to_overwrite(arguments, [DECK, MESH], set())
-    ledger = make_ledger(arguments.allow, arguments.fit_rates)
+    ledger = make_ledger(arguments.allow, arguments.fit_rates, arguments.case)
     try:
         model = choose_reader(arguments.model)(ledger)
     except BadInput as error:

@@ -79,7 +79,7 @@ def try_mutant(text: str, folder: str, ending: str) -> str:
     path = os.path.join(folder, "mutant" + ending)
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(text)
-    arguments = argparse.Namespace(model=path, out=os.path.join(folder, "out"), units="", allow=["all"], check=False, force=True, quiet=False, fit_rates=False)
+    arguments = argparse.Namespace(model=path, out=os.path.join(folder, "out"), units="", allow=["all"], check=False, force=True, quiet=False, fit_rates=False, case="")
     signal.signal(signal.SIGALRM, stop)
     signal.alarm(LIMIT)
     output, errors = io.StringIO(), io.StringIO()

@@ -63,7 +63,7 @@ def prove_row(number):
 def prove(proof, folder):
     """Imports, runs and compares; what is wrong, or an empty text."""
     path = write(folder, proof)
-    options = [*(["--allow", proof.allow] if proof.allow else []), *([] if proof.refused else ["--no-check"])]  # the run checks
+    options = [*(["--allow", proof.allow] if proof.allow else []), *(["--case", proof.case] if proof.case else []), *([] if proof.refused else ["--no-check"])]  # the run checks
     done = call_command(COMMAND, [os.path.basename(path), "--out", "m", "--quiet", *options], folder)
     code, text = done.returncode, done.stdout + done.stderr
     if proof.refused:
@@ -142,7 +142,7 @@ class Layouts:
 
 def read_in_process(proof, folder, text=None):
     """Model or error, and the ledger, without a process."""
-    ledger = Ledger(allowed=[word.strip().upper() for word in proof.allow.split(",") if word.strip()])
+    ledger = Ledger(allowed=[word.strip().upper() for word in proof.allow.split(",") if word.strip()], case=proof.case)
     reader = abaqus.read_abaqus_deck if proof.is_abaqus() else dyna.read_keyword_deck
     try:
         reader(write(folder, proof, text), ledger)

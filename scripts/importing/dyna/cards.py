@@ -9,6 +9,7 @@ from ..fields import Row, clip, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..text_files import read_lines
+from .cases import Cases, find_owner
 from .parameters import Parameters
 from .transforms import UNCHANGED, FileChange, Transformation, read_include
 
@@ -30,6 +31,7 @@ class Card:
     parameters: Parameters
     has_title: bool = False
     has_id: bool = False
+    owner: int = 0  # the inner case whose alone it is
     lines: list[tuple[int, str]] = field(default_factory=list)
 
     @property
@@ -123,7 +125,7 @@ class CardReader:
         self._included: set[str] = set()
         self._bytes = 0
         self.transformations: dict[int, Transformation] = {}
-        self._case, self._other_case = "", ""  # the case that acts; one whose cards are passed over
+        self._cases = Cases(ledger)
 
     def read(self) -> Iterator[Card]:
         self._included.add(os.path.realpath(self._main))
@@ -140,14 +142,18 @@ class CardReader:
 
     def _read_file(self, path: str, shown: str, parameters: Parameters, depth: int, place: "Place | str" = "") -> Iterator[Card]:
         width = "standard"
-        for card in self._cut_cards(self._read_lines(path, place or shown), shown, parameters):
+        lines = self._read_lines(path, place or shown)
+        if depth == 1:
+            heads = (line.upper() for line in lines if line[:8].upper() == "*KEYWORD")
+            self._cases.scan(lines, shown, 20 if find_width(next(heads, ""), "") == "long" else 10)
+        for card in self._cut_cards(lines, shown, parameters):
             name, width_of_card = strip_width(card.keyword, width)
             card.keyword, card.least_width = name, WIDTH[width_of_card]
             if name == "END":
                 return
-            if name == "CASE" or name.startswith("CASE_"):
-                self._read_case(card)
-            elif self._other_case:
+            if self._cases.pass_bound(name, card.place):
+                continue
+            if not self._cases.acts(card.owner):
                 self._ledger.ignored(f"CASE.{name}", card.place, "of a case that does not act")
             elif name == "KEYWORD" or name.startswith("KEYWORD_"):
                 width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
@@ -174,7 +180,7 @@ class CardReader:
             if line.startswith("*"):
                 if card:
                     yield card
-                card = Card(find_keyword(line), Place(shown, number), 0, parameters)
+                card = Card(find_keyword(line), Place(shown, number), 0, parameters, owner=find_owner(line))
                 if card.keyword.startswith("KEYWORD"):
                     card.lines.append((number, line.upper()))
             elif card:
@@ -183,16 +189,6 @@ class CardReader:
                 raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword (a deck begins with one): remove it")
         if card:
             yield card
-
-    def _read_case(self, card: Card) -> None:
-        """*CASE, and _BEGIN_n to _END_n around the cards of a case: those of the first case that begins act."""
-        self._ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of the first case act")
-        if card.keyword.startswith("CASE_BEGIN_"):
-            number = card.keyword.removeprefix("CASE_BEGIN_")
-            self._case = self._case or number
-            self._other_case = number if number != self._case else ""
-        elif card.keyword.startswith("CASE_END_"):
-            self._other_case = ""
 
     def _include(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
         if card.keyword == "INCLUDE_TRANSFORM":

@@ -18,7 +18,7 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
   Have a value that no other reading of the card gives: numbers that differ from 0, 1 and from each other.
 - `why`: the mechanics of the value in a line.
 - `refused`: for a row of what must be refused: words of the message, such as the name of the field. It has no rights. `messages`: how many.
-- `allow`: patterns for --allow. `files`: further files of the deck, by name.
+- `allow`: patterns for --allow. `case`: for --case. `files`: further files of the deck, by name.
 
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
 - each name of DEFINITIONS and ACTIONS of dyna/read.py, each keyword of abaqus/read.py and each of its options in KNOWN, but what
@@ -54,6 +54,7 @@ class Proof:
     refused: str = ""
     messages: int = 0  # how many refusals there are; 0: any number
     allow: str = ""
+    case: str = ""
     files: dict[str, str] = field(default_factory=dict)
     family: str = ""
 

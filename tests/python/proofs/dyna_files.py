@@ -26,6 +26,9 @@ def twice(offsets: str, row: str = "1,1,1") -> str:
 
 
 TRANSLATE = "DEFINE_TRANSFORMATION: TRANID OPTION A1 A2 A3 A4 A5 A6 A7; INCLUDE_TRANSFORM: TRANID"
+CASES = deck("*CASE\n       101 slow\nMEMORY=20M\n1,3\n*CASE\n       102 fast\n\n         2\n*CASE\n       103\n", cube(), velocity(2.0), "*CASE_BEGIN_1\n", velocity(3.0), "*CASE_END_1\n*CASE_BEGIN_2\n",
+             velocity(5.0), "*CASE_END_2\n", velocity(8.0).replace("VELOCITY", "VELOCITY CID=3"))  # fmt: skip
+
 PROOFS = [
     Proof(TRANSLATE, moved("TRANSL,1,2,3\n"), at(11, 2, 3), "(10, 0, 0) + (1, 2, 3)", files=CENTER),
     Proof(TRANSLATE, moved("SCALE,2,3,4\n"), at(20, 0, 0), "(2 10, 0, 0)", files=CENTER),
@@ -78,6 +81,11 @@ PROOFS = [
     Proof("CASE: TITLE; INITIAL_VELOCITY: VX",
           deck(cube(), "*CASE_BEGIN_1\n", velocity(3.0), "*CASE_END_1\n*CASE_BEGIN_2\n*TITLE\nother\n*PARAMETER\nRv,5.0\n", velocity(5.0), "*CASE_END_2\n"),
           [("momentum_x", ALL, 3.0 * CUBE_MASS, 1e-9)], "the first case acts", allow="CASE"),
+    *(Proof("CASE; INITIAL_VELOCITY: VX", CASES, [("momentum_x", ALL, total * CUBE_MASS, 1e-9)], why, case=case) for case, total, why in
+      (("101", 8.0, "inner cases 1 and 3 act, the later velocity counts"), ("102", 5.0, "inner case 2 acts"), ("103", 2.0, "no inner case acts: what is outside does"))),
+    Proof("CASE", CASES, refused="--case N imports one: 101 slow, 102 fast, 103"),
+    Proof("CASE", CASES, refused="there is no case 7 (there are 101", case="7"),
+    Proof("CASE; INITIAL_VELOCITY: VX", deck(cube(), "*CASE_BEGIN_1\n", velocity(3.0), "*CASE_END_1\n"), [("momentum_x", ALL, 3.0 * CUBE_MASS, 1e-9)], "the only case acts"),
     Proof("CONTROL_TERMINATION", deck(cube()).replace("TERMINATION", "TERMINATON"), refused="did you mean *CONTROL_TERMINATON in line 2?"),
     Proof("PART: TITLE", deck(cube().replace("part_1", "null"), velocity(3.0)), [("momentum_x", ALL, 3.0 * CUBE_MASS, 1e-9)], "a name is a name"),
     *(Proof("PART: TITLE", deck(cube().replace("part_1", name), velocity(3.0)), [("momentum_x", FIRST, 3.0 * CUBE_MASS, 1e-9)], "a name is a name")
