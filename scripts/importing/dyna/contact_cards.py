@@ -452,8 +452,19 @@ def read_defaults(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.ignored(card.keyword, card.place, REASONS["penalty"])
 
 
+def check_part_thicknesses(deck: KeywordDeck) -> None:
+    """OPTT of *PART_CONTACT: shells touch at half their own thickness, and beams not at all."""
+    for block in deck.model.blocks:
+        wanted = deck.parts[block.part].contact_thickness
+        own = set(block.thicknesses.values()) or {block.thickness or 0.0}
+        if wanted and deck.contacts and (block.solids or (block.shells and own != {wanted})):
+            text = f"a thickness of contact of {wanted:g}, which its {'solids' if block.solids else 'shells'} do not have"
+            deck.ledger.refuse("PART_CONTACT.OPTT", deck.parts[block.part].place, text, "parts touch at half the thickness of their shells")
+
+
 def finish_contacts(deck: KeywordDeck) -> None:
     """The section of contact. Pairs come before all surfaces, since the first that names a node has its friction."""
+    check_part_thicknesses(deck)
     section = deck.model.deck.setdefault("contact", {})
     pairs = [c for c in deck.contacts if c["a"] != "all" or c["b"] != "all"]
     general = [c for c in deck.contacts if c not in pairs]

@@ -45,6 +45,7 @@ class PartCard:
     state: int
     hourglass: int
     friction: float | None = None
+    contact_thickness: float = 0.0  # OPTT
     inertia: dict | None = None  # of *PART_INERTIA: mass, center, inertia
     motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
 

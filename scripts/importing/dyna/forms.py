@@ -82,6 +82,9 @@ OPTIONS: dict[str, str] = {
     "DATABASE_CROSS_SECTION_PLANE": "",
     "DATABASE_": ANY,
     "SENSOR_": ANY,
+    "TERMINATION_NODE": "",
+    "TERMINATION_BODY": "",
+    "TERMINATION_SENSOR": "",
 }  # fmt: skip
 
 

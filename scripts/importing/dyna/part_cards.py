@@ -56,6 +56,7 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
             part.friction = row.number("FS") if row.has("FS") else None
             tell_decay(deck, row, "PART_CONTACT")
             row.card = "PART_CONTACT"
+            part.contact_thickness = row.number("OPTT")
             row.finish(deck.ledger, "it is left out")
             continue
         if option == "INERTIA":

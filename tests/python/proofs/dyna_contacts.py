@@ -74,6 +74,8 @@ FAMILIES = [
     Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n0,0,0.3\n", SHEET), refused="thickness of contact other than"),
     Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n0,0,0.3\n"), [(friction, LAST, -0.2, 5e-2)], "without shells it does nothing"),
     Proof("PART_CONTACT: FD DC", slide(PAIR + "-1.0\n\n", parts=("*PART_CONTACT", "0.35,0.2,0.0\n")), [(friction, LAST, -0.35, 5e-2)], "FS of the parts, where DC is 0"),
+    Proof("PART_CONTACT: OPTT", slide(PAIR + "0.2\n\n", parts=("*PART_CONTACT", "0,0,0,0,0.7\n")), refused="a thickness of contact of 0.7"),
+    Proof("PART_CONTACT: OPTT", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n", SHEET.replace("*PART\npart_3\n3,3,1\n", "*PART_CONTACT\nsheet\n3,3,1\n0,0,0,0,0.5\n")), [(friction, LAST, -0.2, 5e-2)], "that of its shells changes nothing"),
     Proof("CONTROL_CONTACT: TH_SF SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n0,0,0,0,0,0.5\n"), refused="TH_SF"),
     Proof("CONTROL_CONTACT: SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n\n\n\n0,0,0,0,0,0,0.5\n"), refused="SHLTRW"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED\n2,1,3,3\n\n\n"), [("momentum_z", MIN, -HALF, 5e-2)], "a tie"),

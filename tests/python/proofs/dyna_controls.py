@@ -4,7 +4,7 @@ import math
 
 from . import ALL, FIRST, LAST, MAX, Proof
 from .dyna_laws import END, FOLLOW, POISSON, SHEAR, STIFF, STRAIN, UP, YOUNG, erosion_time, stretched, stretched_shell
-from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, shell, shell_section, solid_section, square, two_cubes, velocity
+from .pieces import CUBE_MASS, DENSITY, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
 
 STEEL = elastic(1, DENSITY, YOUNG, POISSON)
 SPEED = math.sqrt(STIFF / DENSITY)
@@ -237,4 +237,31 @@ STARTS = [
 NOT_PHYSICS = {f"SECTION_{kind}": "sections of elements that are refused themselves"
                for kind in ("ALE1D", "ALE2D", "FPD", "POINT_SOURCE", "POINT_SOURCE_MIXTURE", "SEATBELT", "SPH", "TSHELL")}  # fmt: skip
 
-PROOFS = STARTS + MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS
+FLIES = deck(cube(), velocity(100.0))  # node 2 is at x = 10
+BODY = deck(hexahedron() + part() + solid_section() + rigid(), velocity(0.0, -100.0))
+
+
+def ended(card, scene=FLIES):
+    return scene.replace("*END\n", card + "*CONTROL_TIMESTEP\n0,0.05\n*END\n")
+
+
+SWITCH = "*SENSOR_DEFINE_NODE\n5,2,{second},{axis},0,{what}\n*SENSOR_SWITCH\n6,SENSOR,5,{logic},{value}\n*TERMINATION_SENSOR\n6\n"
+ENDS = [
+    Proof("TERMINATION_NODE: NID STOP MAXC", ended("*TERMINATION_NODE\n2,1,10.00062\n"), [("time", LAST, 6.2e-6, 3e-2)], "x of the node reaches MAXC after 6.2 us"),
+    Proof("TERMINATION_NODE: MINC", ended("*TERMINATION_NODE\n2,2,0,-0.00041\n", deck(cube(), velocity(0.0, -100.0))), [("time", LAST, 4.1e-6, 3e-2)], "y of the node reaches MINC"),
+    Proof("TERMINATION_NODE: STOP", ended("*TERMINATION_NODE\n2,4\n"), refused="force of contact"),
+    Proof("TERMINATION_NODE: MAXC MINC", ended("*TERMINATION_NODE\n2,1,11.0,9.0\n"), refused="a further event"),
+    Proof("TERMINATION_BODY: PID STOP MINC", ended("*TERMINATION_BODY\n1,2,0,-0.00037\n", BODY), [("time", LAST, 3.7e-6, 3e-2)], "the displacement of the mass centre, which begins at y = 5"),
+    Proof("TERMINATION_BODY: MAXC", ended("*TERMINATION_BODY\n1,2,0.00053\n", BODY.replace("-100.0", "100.0")), [("time", LAST, 5.3e-6, 3e-2)], "likewise"),
+    Proof("TERMINATION_BODY: STOP", ended("*TERMINATION_BODY\n1,4,0.1\n", BODY), refused="in any direction"),
+    Proof("TERMINATION_BODY: PID", ended("*TERMINATION_BODY\n1,1,0.1\n"), refused="not rigid"),
+    Proof("TERMINATION_SENSOR: SWID", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6\n*TERMINATION_SENSOR\n6\n"), [("time", LAST, 7.3e-6, 3e-2)], "a switch of the time"),
+    Proof("TERMINATION_SENSOR: SWID; SENSOR_DEFINE_NODE: SENSID NODE1 VID CTYPE; SENSOR_SWITCH: SWITID TYPE SENSID LOGIC VALUE",
+          ended(SWITCH.format(second=0, axis="X", what="COORD", logic="GT", value=10.00044)), [("time", LAST, 4.4e-6, 3e-2)], "a place of a node"),
+    Proof("SENSOR_SWITCH: LOGIC", ended(SWITCH.format(second=0, axis="Y", what="COORD", logic="LT", value=-0.00024), deck(cube(), velocity(0.0, -100.0))), [("time", LAST, 2.4e-6, 3e-2)], "below a value"),
+    Proof("SENSOR_DEFINE_NODE: CTYPE", ended(SWITCH.format(second=0, axis="X", what="ACC", logic="GT", value=7.0)), refused="another kind than of the time"),
+    Proof("SENSOR_DEFINE_NODE: NODE2", ended(SWITCH.format(second=3, axis="", what="COORD", logic="LT", value=9.99), deck(cube(), "*INITIAL_VELOCITY_NODE\n2,0,20000.0\n6,0,20000.0\n3,0,-20000.0\n7,0,-20000.0\n", rows=1000)).replace("0,0.05", "0,0.005"),
+          [("time", LAST, 2.5e-7, 5e-2)], "the distance of two nodes that approach with 40 m/s"),
+    Proof("SENSOR_SWITCH: TIMWIN", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6,0,1e-6\n*TERMINATION_SENSOR\n6\n"), refused="TIMWIN"),
+]
+PROOFS = STARTS + MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS + ENDS
