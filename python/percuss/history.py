@@ -1,5 +1,6 @@
 """history.csv as arrays, one a column, with their units and meanings."""
 
+import copy
 import re
 
 import numpy as np
@@ -102,6 +103,12 @@ class History:
         if powers:
             words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
             self._sidecar[name]["dimension"] = " ".join(words) or "1"
+
+    def copy(self):
+        """The same history, to add() to."""
+        copied = copy.copy(self)
+        copied._columns, copied.computed = dict(self._columns), set(self.computed)
+        return copied
 
     def in_units(self, units):
         """The same history in another system of units. Columns whose dimension is not known stay as they are."""

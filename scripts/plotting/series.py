@@ -92,6 +92,17 @@ def add_expressions(words, histories, options, known=()):
     return named
 
 
+def choose_abscissa(word, histories, options):
+    """The name of the column; that of a new one for an expression."""
+    from .panels import choose_columns
+
+    (name,) = add_expressions([word], histories, options)
+    if not all(name in history for history in histories):
+        choose_columns(name, histories)  # says what there is
+        raise ValueError(f"'{name}' is no single column of every run (--x needs one)")
+    return name
+
+
 def is_too_short(history, channel_class):
     """Whether a filter of this class takes the whole history for less than a period of the frequency that it weakens by 3 dB."""
     seconds = history.units.time[1] if history.units else 1.0

@@ -15,6 +15,7 @@ from rendering.colors import CATEGORIES, label_of
 
 from . import comparison, scene
 from .answers import make_answers
+from .curves import make_curves
 from .findings import find_findings, find_peaks
 from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
@@ -33,7 +34,7 @@ def note(text):
 
 
 def make_page(runs, options):
-    """The text of the page. options: field, view, pictures, interactive."""
+    """The text of the page. options: field, view, pictures, interactive, plot, x."""
     labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
     title = runs[0].title if len(runs) == 1 else "Comparison: " + ", ".join(labels)
     parts = [f"<h1>{escape(title)}</h1>", _make_subtitle(runs)]
@@ -43,6 +44,10 @@ def make_page(runs, options):
     first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run) for label, run in zip(labels, runs))
     if len(runs) == 1:
         sections.append(("short", "In short", make_answers(runs[0], find_findings(runs[0]))))
+    chosen = [(run, label) for run, label in zip(runs, labels) if run.has_history and len(run.history)]
+    if options.plot and not chosen:
+        raise ValueError("there is no history to plot from (output.history of the deck)")
+    sections.append(("curves", "Chosen curves", make_curves([run for run, _ in chosen], [label for _, label in chosen], options.plot, options.x)))
     sections.append(("first", "What to look at first", first))
     sections.append(("pictures", "Start, worst and end", _make_pictures(runs, labels, options)))
     sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""), _make_view(runs[0], options)))

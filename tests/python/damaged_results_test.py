@@ -45,7 +45,7 @@ ROUNDS = int(os.environ.get("PERCUSS_DAMAGES", 8))
 
 def show(folder, other):
     """What report, plot, watch and the Python module do with a folder, but for pictures."""
-    options = argparse.Namespace(field=None, view=None, pictures=False, interactive=False)
+    options = argparse.Namespace(field=None, view=None, pictures=False, interactive=False, plot=[], x="time")
     text = page.make_page([percuss.Run(folder)], options)
     page.make_page([percuss.Run(other), percuss.Run(folder)], options)
     run = percuss.Run(folder)

@@ -161,6 +161,24 @@ class Report(OfARun):
         self.assertTrue(differ(pictures[-2], pictures[-1]))
         self.assertFalse(differ(pictures[0], pictures[0]))
 
+    def test_begins_with_the_curves_and_numbers_that_are_asked_for(self):
+        text = self.make(self.out, "--no-pictures", "--no-view", "--plot", "lost = first(kinetic) - last(kinetic)", "--plot", "momentum_?",
+                         "--plot", "speed of <it> = sqrt(2 * kinetic / 0.0628 / 1)", "--x", "change(time)")
+        kinetic = percuss.read(self.out).history["kinetic"]
+        start = text.index("id=curves")
+        self.assertLess(text.index("id=short"), start)
+        self.assertLess(start, text.index("id=first"))
+        section = text[start : text.index("id=first")]
+        self.assertIn(f"{kinetic[0] - kinetic[-1]:.6g} J", section)
+        self.assertEqual(section.count("<figure>"), 2)
+        self.assertIn("peed of &lt;it&gt;", section)
+        self.assertNotIn("id=curves", self.make(self.out, "--no-pictures", "--no-view"))
+        for words, near in (("--plot kinetik", "did you mean kinetic?"), ("--plot mex(kinetic)", "did you mean max?"),
+                            ("--plot kinetic --x tyme", "did you mean time?")):
+            done = self.report(self.out, "--no-pictures", "--no-view", *words.split(), "--out", os.path.join(self.folder.name, "none.html"))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(near, done.stderr)
+
     def test_says_what_is_missing_and_goes_on(self):
         old = self.copy("old")
         change_summary(old, lambda summary: summary.pop("deck"))
