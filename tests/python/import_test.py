@@ -635,7 +635,9 @@ class Scene(InFolder):
     def test_forms_of_sets_ties_and_spins(self):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
-        self.assertEqual(model.deck["contact"]["ties"], [{"a": "nodes_2", "b": "block_of_steel", "distance": 0.6}])
+        tie = model.deck["contact"]["ties"][0]
+        self.assertEqual((tie["a"], tie["b"]), ("nodes_2", "block_of_steel"))
+        self.assertAlmostEqual(tie["distance"], 0.6 - 0.1 / 2)  # percuss measures from the surface of the shells
         edge, _ = self.read(decks.FORMS.replace("TIED_NODES_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET"))
         self.assertEqual(edge.deck["contact"]["ties"][0]["rotations"], True)
         self.assertEqual(
