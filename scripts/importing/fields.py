@@ -66,6 +66,7 @@ class Row:
     """
 
     change: Any = None  # of the file that holds it: offsets of ids, factors of units
+    columns: Callable[[int], str] = staticmethod(lambda index: "")  # what is wrong with the columns of a field
 
     def __init__(self, card: str, place: Place, layout: str, texts: list[str]):
         self.card, self.place = card, place
@@ -141,13 +142,26 @@ class Row:
             return float(self._defaults[name])
         value = parse(text)
         if value is None:
-            self.fail(name, f"{wanted} is expected{shift_hint(text)}")
+            self.fail(name, f"{wanted} is expected{self.columns(list(self._texts).index(name)) or shift_hint(text)}")
         return value  # type: ignore[return-value]
 
 
 def shift_hint(text: str) -> str:
     """What to add to a message on a field of fixed width that is blank, or that the end of a column has cut."""
     return "; are the columns of its line shifted?" if not text.strip() or " " in text.strip() else ""
+
+
+def tell_columns(line: str, first: int, width: int) -> str:
+    """What to add to a message on a field of fixed width that has no number: which of its columns cut a word, or hold two."""
+    last = min(first + width, len(line))
+    for border in (first, last):
+        if 0 < border < len(line) and not line[border - 1].isspace() and not line[border].isspace():
+            start = len(line[:border]) - len(line[:border].split()[-1])
+            word = line[start:].split()[0]
+            return f"; column {border} ends a field of {width} and cuts '{clip(word)}': shift it"
+    if len(line[first:last].split()) > 1:
+        return f"; columns {first + 1} to {first + width} are one field, and hold '{clip(line[first:last].strip())}': shift it"
+    return ""
 
 
 def clip(text: str, most: int = 40) -> str:

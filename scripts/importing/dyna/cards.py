@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from ..fields import Row, clip, parse_integer, shift_hint
+from ..fields import Row, clip, parse_integer, shift_hint, tell_columns
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..text_files import read_lines
@@ -69,9 +69,16 @@ class Card:
     def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         """A line as named fields."""
         row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
+        if "," not in line[1]:
+            row.columns = lambda index: self.tell_columns(line[1], widths, index)
         if self.change is not UNCHANGED:
             row.change = self.change
         return row
+
+    def tell_columns(self, text: str, widths: tuple[int, ...], index: int) -> str:
+        """What is wrong with the columns of a field; an empty text where nothing is."""
+        real = [max(width, self.least_width) for width in widths[: index + 1]]
+        return tell_columns(text, sum(real[:-1]), real[-1]) if index < len(widths) else ""
 
     def reader(self) -> "Lines":
         return Lines(self)
@@ -292,10 +299,11 @@ def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
         texts = card.split(line, (10,) * per_line)
         if any(parse_integer(text) for text in texts[per_line:]):
             raise BadInput(card.at(line[0]), f"a line of *{card.keyword} has more than {per_line} ids (no more are read): put the others on the next line")
-        for text in texts[:per_line]:
+        for index, text in enumerate(texts[:per_line]):
             value = parse_integer(text) if text else 0
             if value is None:
-                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{shift_hint(text)}: correct it")
+                hint = "" if "," in line[1] else card.tell_columns(line[1], (10,) * per_line, index)
+                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{hint or shift_hint(text)}: correct it")
             if value:
                 ids.append(value + shift)
     return ids
