@@ -101,7 +101,9 @@ struct HardeningLayer {
     const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
                                  T(3) * stress[2] * stress[2]);
     const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
-    const T multiplier = find_plane_multiplier(rates, trial, one.start_flow(history, dt));
+    const auto flow = one.start_flow(history, dt);
+    const T multiplier = find_plane_multiplier(rates, trial, flow);
+    const T secant = find_secant_share(elasticity, T(flow.at_rest), history[0]);
     const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, stress);
     const T dp = multiplier * to.equivalent;
     history[0] = history[0] + dp;
@@ -109,6 +111,7 @@ struct HardeningLayer {
       one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
     }
     LayerResponse<T> response = to.response;
+    response.secant = secant;
     if constexpr (moves) {
       const T move = T(one.kinematic_modulus()) * multiplier;
       // What the change of b adds to the elastic strain across.

@@ -10,6 +10,7 @@ template <class T>
 struct LayerResponse {
   T across;  // increment of the strain across the layer, which changes the thickness
   T share;   // what plastic flow has left of the shear stress that elasticity would give; 1: no flow
+  T secant;  // modulus of the secant of the stress-strain curve over Young's; 1: has never flowed
 };
 
 /// Isotropic elastic constants of a layer.
@@ -27,6 +28,13 @@ struct PlaneElasticity {
     stress[2] = stress[2] + T(shear_modulus) * de[2];
   }
 };
+
+/// LayerResponse::secant of the static flow stress at the plastic strain p: exactly 1 where p is 0.
+template <class T>
+PERCUSS_FORCE_INLINE T find_secant_share(const PlaneElasticity& elasticity, const T& flow_stress, const T& p) {
+  const T flow = larger(flow_stress, T(1e-300));
+  return flow / (flow + T(elasticity.youngs_modulus) * p);
+}
 
 inline PlaneElasticity find_plane_elasticity(double youngs_modulus, double poissons_ratio) {
   return {youngs_modulus, poissons_ratio, youngs_modulus / (2 * (1 + poissons_ratio))};
@@ -63,7 +71,7 @@ PERCUSS_FORCE_INLINE PlaneReturnRates find_return_rates(const PlaneElasticity& e
   return {e.youngs_modulus / (2 * (1 - e.poissons_ratio)), 3 * e.shear_modulus};
 }
 
-/// The response, and the equivalent stress at n+1.
+/// The response but for its secant, and the equivalent stress at n+1.
 template <class T>
 struct PlaneReturn {
   LayerResponse<T> response;
@@ -83,7 +91,7 @@ PERCUSS_FORCE_INLINE PlaneReturn<T> return_in_plane(const PlaneElasticity& elast
   const T equivalent =
       square_root(T(0.25) * sum * sum + T(0.75) * difference * difference + T(3) * stress[2] * stress[2]);
   const T elastic = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * (sum - trial.before);
-  return {{elastic - T(0.5) * multiplier * sum, share}, equivalent};
+  return {{elastic - T(0.5) * multiplier * sum, share, T(1)}, equivalent};
 }
 
 /// Linear elasticity in plane stress; no history.
@@ -98,7 +106,7 @@ struct ElasticLayer {
   PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* /*history*/, const T (&de)[3],
                                                const T& /*dt*/) const {
     elasticity.add_stress(stress, de);
-    return {T(-elasticity.poissons_ratio / (1 - elasticity.poissons_ratio)) * (de[0] + de[1]), T(1)};
+    return {T(-elasticity.poissons_ratio / (1 - elasticity.poissons_ratio)) * (de[0] + de[1]), T(1), T(1)};
   }
 };
 
@@ -120,8 +128,9 @@ struct J2Layer {
     const T yield = T(yield_stress) + T(hardening_modulus) * history[0];
     T multiplier = T(0);
     if (any(trial.normal + trial.shear > yield * yield)) multiplier = find_multiplier(trial, yield);
-    const PlaneReturn<T> to = return_in_plane(elasticity, find_return_rates(elasticity), trial, multiplier, stress);
+    PlaneReturn<T> to = return_in_plane(elasticity, find_return_rates(elasticity), trial, multiplier, stress);
     history[0] = history[0] + multiplier * to.equivalent;
+    to.response.secant = find_secant_share(elasticity, T(yield_stress) + T(hardening_modulus) * history[0], history[0]);
     return to.response;
   }
 

@@ -51,7 +51,7 @@ template <class T, class Material, class Lives>
 PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ShellRates<T>& rate,
                                                  const T& dt, const T& half_thickness, T* layer,
                                                  [[maybe_unused]] const Lives& lives) {
-  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {T(0), T(0)}, {T(1), T(1), T(1), T(1)}};
+  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {}, {T(1), T(1), T(1), T(1)}};
   const T half = T(0.5);
   for (int p = 0; p < par.points.count; ++p, layer += 3 + par.material.count_history()) {
     const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
@@ -62,7 +62,7 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
     }
     const LayerResponse<T> response = par.material.update(stress, layer + 3, de, dt);
     sums.across = sums.across + weight * response.across;
-    if constexpr (Material::can_yield) sums.flow.add(par.points, p, response.share);
+    if constexpr (Material::can_yield) sums.flow.add(par.points, p, response);
     T acting = weight, working = weight;
     if constexpr (Lives::can_fail) {
       acting = weight * lives.force_share(p);

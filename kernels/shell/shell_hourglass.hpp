@@ -28,15 +28,19 @@ PERCUSS_FORCE_INLINE T find_membrane_fade(const ShellGeometry<T>& g, const T& th
 /// only has to tell them apart: more of it would hinder bending in the plane.
 inline constexpr double shell_drilling = 0.1, triangle_corner_drilling = 0.01;
 
-/// What plastic flow leaves of stored forces: the mean of the layers' radial returns, in proportion to what each
-/// contributes to the membrane and to bending.
+/// What plastic flow leaves of stored forces and of the stiffness against new ones: the means of the layers' radial
+/// returns and secant moduli, in proportion to what each contributes to the membrane and to bending.
 template <class T>
 struct FlowShares {
-  T membrane, bending;
+  T membrane = T(0), bending = T(0);
+  T membrane_secant = T(1), bending_secant = T(1);  // to the last bit where no layer has flowed
 
-  PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const T& share) {
-    membrane = membrane + T(points.weight[p]) * share;
-    bending = bending + T(points.bending[p]) * share;
+  PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const LayerResponse<T>& response) {
+    const T weight = T(points.weight[p]), of_bending = T(points.bending[p]), lost = T(1) - response.secant;
+    membrane = membrane + weight * response.share;
+    bending = bending + of_bending * response.share;
+    membrane_secant = membrane_secant - weight * lost;
+    bending_secant = bending_secant - of_bending * lost;
   }
 };
 
@@ -145,17 +149,21 @@ struct ShellStep {
 
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), and that against drilling, with what the
-/// flow of its layers leaves of it. Returns their work.
+/// flow of its layers leaves of both (deformation theory of plasticity: its secant modulus). Returns their work.
 template <bool CanYield, bool CanFail, class T, class Shapes>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellStep<T>& step,
                                          StoredForces<CanYield, CanFail, T> stored, const Shapes& shapes,
                                          ShellState<T>& state) {
   const ShellGeometry<T>& g = step.middle;
   const ShellRates<T>& rate = step.rate;
-  const T& dt = step.stiffening_dt;
-  const T t = state.thickness, volume_dt = t * g.area * dt;
-  const ModeChanges<T> membrane = find_membrane_changes(e, g, rate, t, dt, shapes);
-  const ModeChanges<T> bending = find_bending_changes(e, g, rate, t, dt);
+  T in_plane_dt = step.stiffening_dt, bending_dt = step.stiffening_dt;
+  if constexpr (CanYield) {
+    in_plane_dt = stored.flow.membrane_secant * in_plane_dt;
+    bending_dt = stored.flow.bending_secant * bending_dt;
+  }
+  const T t = state.thickness, volume_dt = t * g.area * in_plane_dt;
+  const ModeChanges<T> membrane = find_membrane_changes(e, g, rate, t, in_plane_dt, shapes);
+  const ModeChanges<T> bending = find_bending_changes(e, g, rate, t, bending_dt);
   for (int k = 0; k < 2; ++k) {
     stored.advance_in_plane(state.membrane_hourglass[k], membrane.change[k], membrane.along[k]);
     stored.advance_in_bending(state.bending_hourglass[k], bending.change[k], bending.along[k]);
