@@ -182,8 +182,14 @@ TEST(Shell4, PlasticFlowLeavesOfDrillingWhatItLeavesOfTheMembrane) {
   ShellCorners v;  // uniform shear: the trial stress is 2 G v, ten times what flows
   const double shear = young / (2 * (1 + poisson)), rate = 10 * yield / std::sqrt(3.0) / (2 * shear * dt);
   for (std::size_t i = 0; i < 4; ++i) v[i] = {rate * x[i].y, rate * x[i].x, 0};
-  shell.advance(move(x, v, dt), v, {}, dt);
+  const ShellCorners sheared = move(x, v, dt);
+  shell.advance(sheared, v, {}, dt);
   EXPECT_NEAR(shell.state.drilling / before, 0.1, 1e-6);
+
+  // The stiffness is now that of the secant: 9 of the 10 parts of the strain are plastic, p = 9 yield / 3 G.
+  const double left = shell.state.drilling, p = 9 * yield / (3 * shear);
+  shell.advance(sheared, {}, {turn, turn, turn, turn}, dt);
+  EXPECT_NEAR((shell.state.drilling - left) / before, yield / (yield + young * p), 1e-4);
 }
 
 }  // namespace percuss::test

@@ -1,6 +1,6 @@
 // A square tube of coarse elements folds under the mean force of theory.
 
-#include "tests/verification/support/square_tube.hpp"
+#include "tests/verification/shells/square_tube.hpp"
 
 namespace percuss::test {
 

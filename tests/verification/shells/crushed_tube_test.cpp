@@ -1,6 +1,6 @@
 // A square tube with a trigger folds under the mean force of theory, also with mass scaling during the run.
 
-#include "tests/verification/support/square_tube.hpp"
+#include "tests/verification/shells/square_tube.hpp"
 
 namespace percuss::test {
 
