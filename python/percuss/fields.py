@@ -45,7 +45,7 @@ class Fields:
 
     Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
     (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
-    (counts), hexahedra [elements][8]. Wedges, pyramids and tetrahedra stand there as hexahedra with collapsed edges. The
+    (counts), kinds [elements] (VTK's types of cells), hexahedra [elements][8]. Wedges, pyramids and tetrahedra stand there as hexahedra with collapsed edges. The
     four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces. Of a beam the second node stands
     for the others too."""
 
@@ -81,7 +81,8 @@ class Fields:
         self.steps = own["step"][:count] if "step" in own else np.arange(count)
         self.nodes = int(root["NumberOfPoints"][0])
         self.elements = int(root["NumberOfCells"][0])
-        self.hexahedra = _pad_cells(root["Connectivity"][:], root["Offsets"][: self.elements], root["Types"][: self.elements])
+        self.kinds = root["Types"][: self.elements]
+        self.hexahedra = _pad_cells(root["Connectivity"][:], root["Offsets"][: self.elements], self.kinds)
         self.part = root["CellData/part"][: self.elements]
         self.part_names = [_text(name) for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])

@@ -1,0 +1,1 @@
+"""Fields of a run in the formats of other programs: what scripts/export is made of."""

@@ -1,0 +1,60 @@
+"""Which frames and fields are written."""
+
+import difflib
+
+from ..errors import NotResults
+
+TENSOR = ("xx", "yy", "zz", "xy", "yz", "zx")  # the order of six components in fields.vtkhdf
+VECTOR = ("x", "y", "z")
+
+
+class Selection:
+    """Attributes: fields (a Fields), frames (numbers), names {field: 'node' or 'element'}, of those that were chosen."""
+
+    def __init__(self, fields, frames="all", names=None):
+        self.fields = fields
+        self.frames = parse_frames(frames, len(fields.times))
+        known = {name: place for name, place in fields.names().items() if name != "part"}  # every file has the part
+        for name in names or ():
+            if name not in known:
+                near = difflib.get_close_matches(name, known, 1, 0.5)
+                raise NotResults(f"there is no field '{name}' in {fields.path}"
+                                 + (f"; did you mean {near[0]}?" if near else "") + f" (it has {', '.join(sorted(known))})")
+        self.names = {name: known[name] for name in (names or known)}
+
+    @property
+    def title(self):
+        return self.fields.title or "percuss"
+
+    def data(self, name, frame):
+        return self.fields.data(name, frame)
+
+
+def parse_frames(text, count):
+    """Numbers of 'all', '0,5,-1' and '0..20:5' (from, to, each fifth), ascending."""
+    if text == "all":
+        return list(range(count))
+    found = set()
+    for word in text.split(","):
+        try:
+            first, dots, rest = word.partition("..")
+            last, _, step = rest.partition(":") if dots else (first, "", "")
+            low, high = (_find_frame(int(w), count) for w in (first, last))
+            found.update(range(low, high + 1, int(step or 1)))
+        except ValueError:
+            raise NotResults(f"'{text}' names no frames (all, 0,5,-1 or 0..20:5; there are {count}, from 0 to {count - 1})") from None
+    if not found:
+        raise NotResults(f"'{text}' names no frame")
+    return sorted(found)
+
+
+def _find_frame(number, count):
+    if not -count <= number < count:
+        raise ValueError
+    return number % count
+
+
+def name_components(name, width):
+    """['velocity_x', ...]; the name itself of a number."""
+    endings = {1: ("",), 3: VECTOR, 6: TENSOR}.get(width) or range(width)
+    return [f"{name}_{ending}" if ending != "" else name for ending in endings]
