@@ -163,6 +163,15 @@ def apply_viscosity(deck: KeywordDeck, card: Card) -> None:
     deck.ledger.approximated(card.keyword, card.place, "linear = Q2, quadratic = sqrt(Q1), of shells too")
 
 
+def check_shells(deck: KeywordDeck, card: Card) -> None:
+    """*CONTROL_CHECK_SHELL: limits of what LS-DYNA tells, but for the elements that it changes."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("PSID~output IFAUTO CONVEX~output ADPT~adaptive ARATIO~output ANGLE~output SMIN~output")
+        row.finish(deck.ledger, "bad elements stay as they are")
+    deck.ledger.ignored(card.keyword, card.place, "percuss check tells of bad elements")
+
+
 def apply_relaxation(deck: KeywordDeck, card: Card) -> None:
     """Explicit dynamic relaxation. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
     row = card.reader().row("NRCYCK~damping=250 DRTOL=0.001 DRFCTR~damping=0.995 DRTERM~damping TSSFDR~damping IRELAL~damping EDTTL~damping=0.04 IDRFLG")

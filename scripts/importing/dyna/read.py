@@ -17,7 +17,7 @@ from .contact_cards import finish_contacts, read_contact, read_defaults
 from .constraint_cards import add_node_sets, read_node_sets
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .control_cards import (
-    apply_relaxation, apply_timestep, apply_viscosity, is_known_control, read_general_hourglass, read_other_control, read_rigid_control, read_shell_control, read_solid_control,
+    apply_relaxation, apply_timestep, apply_viscosity, check_shells, is_known_control, read_general_hourglass, read_other_control, read_rigid_control, read_shell_control, read_solid_control,
     read_solution, read_termination,
 )  # fmt: skip
 from .damping_cards import read_damping
@@ -75,7 +75,7 @@ DEFINITIONS: dict[str, Handler] = {
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
-    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
+    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
     "CONTROL_": read_other_control,
     "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
@@ -88,7 +88,15 @@ ACTIONS: dict[str, Handler] = {
 }  # fmt: skip
 OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
 # Harmless whatever they say.
-IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output"}
+LISTENED = "what refers to it is refused by its own name"
+IGNORED = {
+    "COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "CONTROL_STRUCTURED_TERM": "output", "CONTROL_NONLOCAL": "storage",
+    "INTERFACE_COMPONENT_FILE": "output", "INTERFACE_COMPONENT_NODE": "output", "INTERFACE_COMPONENT_SEGMENT": "output",
+    "INTERFACE_SPRINGBACK_LSDYNA": "output at the end of the run", "INTERFACE_SPRINGBACK_NASTRAN": "output at the end of the run",
+    "INTERFACE_SPRINGBACK_NIKE3D": "output at the end of the run", "INTERFACE_SPRINGBACK_EXCLUDE": "output at the end of the run",
+    "DEFINE_PLANE": LISTENED, "DEFINE_REGION": LISTENED, "DEFINE_SD_ORIENTATION": LISTENED, "DEFINE_FRICTION": LISTENED,
+    "DEFINE_STOCHASTIC_VARIATION": LISTENED,
+}  # fmt: skip
 # Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
 MODIFIERS_READ = ("MAT_ADD_EROSION",)

@@ -245,8 +245,13 @@ def ended(card, scene=FLIES):
     return scene.replace("*END\n", card + "*CONTROL_TIMESTEP\n0,0.05\n*END\n")
 
 
+LISTENED_TO = "*DEFINE_PLANE\n7,0,0,0,1,0,0\n0,1,0\n*DEFINE_REGION\n7,1\n*DEFINE_SD_ORIENTATION\n7,0,1,0,0\n*DEFINE_FRICTION\n7,0.5,0.5\n*DEFINE_STOCHASTIC_VARIATION\n7,1,1,0,0.1\n"
+WRITTEN = "*INTERFACE_SPRINGBACK_LSDYNA\n1,7\n*INTERFACE_COMPONENT_NODE\n1\n*INTERFACE_COMPONENT_SEGMENT\n1\n*CONTROL_NONLOCAL\n7\n*CONTROL_CHECK_SHELL\n0,0,1,0,20.0\n"
 SWITCH = "*SENSOR_DEFINE_NODE\n5,2,{second},{axis},0,{what}\n*SENSOR_SWITCH\n6,SENSOR,5,{logic},{value}\n*TERMINATION_SENSOR\n6\n"
 ENDS = [
+    Proof("CONTROL_CHECK_SHELL", ended(LISTENED_TO + WRITTEN), [("momentum_x", ALL, 100.0 * CUBE_MASS, 1e-9)], "output, storage and what nothing refers to"),
+    Proof("CONTROL_CHECK_SHELL: IFAUTO", ended("*CONTROL_CHECK_SHELL\n0,1\n"), refused="IFAUTO"),
+    Proof("DEFINE_FRICTION", ended(LISTENED_TO + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-2.0\n\n"), refused="friction by a table"),
     Proof("TERMINATION_NODE: NID STOP MAXC", ended("*TERMINATION_NODE\n2,1,10.00062\n"), [("time", LAST, 6.2e-6, 3e-2)], "x of the node reaches MAXC after 6.2 us"),
     Proof("TERMINATION_NODE: MINC", ended("*TERMINATION_NODE\n2,2,0,-0.00041\n", deck(cube(), velocity(0.0, -100.0))), [("time", LAST, 4.1e-6, 3e-2)], "y of the node reaches MINC"),
     Proof("TERMINATION_NODE: STOP", ended("*TERMINATION_NODE\n2,4\n"), refused="force of contact"),
