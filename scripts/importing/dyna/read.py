@@ -35,7 +35,7 @@ from .set_cards import read_box, read_set, read_system, read_vector, resolve_seg
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .starting import balance_bodies
 from .stress_cards import read_stresses
-from .termination_cards import read_body_limit, read_node_limit, read_sensor_end
+from .termination_cards import read_body_limit, read_node_limit, read_other_end, read_sensor_end
 from .wall_cards import read_wall
 from .weld_cards import add_welds, read_welds
 
@@ -84,7 +84,7 @@ ACTIONS: dict[str, Handler] = {
     "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_RIGID_BODY": read_body_force,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
-    "TERMINATION_NODE": read_node_limit, "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end,
+    "TERMINATION_NODE": read_node_limit, "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
 }  # fmt: skip
 OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
 # Harmless whatever they say.

@@ -8,7 +8,7 @@ from .deck import KeywordDeck
 
 AXES = {1: "x", 2: "y", 3: "z"}
 NO_LIMIT = 1e21
-GOES_ON = "the run goes on to ENDTIM"
+GOES_ON = "; the run goes on to ENDTIM, and is the same until then"
 LEVELS = {"GT": "rises_above", "LT": "falls_below"}
 
 
@@ -24,7 +24,7 @@ def read_node_limit(deck: KeywordDeck, card: Card) -> None:
             end_at_limits(deck, row, {"value": f"{follow(deck, node, row.place)}_{AXES[axis]}"})
         else:
             row.skip("MAXC", "MINC")
-            deck.ledger.refuse("TERMINATION_NODE.STOP", row.place, f"STOP is {axis} (the end by a force of contact on a node is not known)" if axis == 4 else f"STOP is {axis}", GOES_ON)
+            deck.ledger.approximated("TERMINATION_NODE.STOP", row.place, ("a force of contact on a node ends no run" if axis == 4 else f"STOP {axis} ends no run") + GOES_ON)
 
 
 def read_body_limit(deck: KeywordDeck, card: Card) -> None:
@@ -40,8 +40,13 @@ def read_body_limit(deck: KeywordDeck, card: Card) -> None:
             end_at_limits(deck, row, {"value": f"body_{AXES[axis]}:{body}", "from_start": True})
         else:
             row.skip("MAXC", "MINC")
-            problem = f"STOP is {axis}, a displacement in any direction" if body else f"part {part} is not rigid"
-            deck.ledger.refuse("TERMINATION_BODY.STOP", row.place, problem, GOES_ON)
+            problem = "a displacement in any direction" if body else "a part that is not rigid"
+            deck.ledger.approximated("TERMINATION_BODY.STOP", row.place, f"{problem} ends no run{GOES_ON}")
+
+
+def read_other_end(deck: KeywordDeck, card: Card) -> None:
+    """*TERMINATION_CONTACT, _CURVE, _DELETED_SHELLS and others."""
+    deck.ledger.approximated(card.keyword, card.place, f"this event ends no run{GOES_ON}")
 
 
 def end_at_limits(deck: KeywordDeck, row: Row, value: Deck) -> None:
@@ -56,7 +61,7 @@ def end_at(deck: KeywordDeck, card: str, place: Place, sensor: Deck) -> None:
     """The run ends by this sensor."""
     time = deck.model.deck["time"]
     if "until" in time:
-        deck.ledger.refuse("TERMINATION.several", place, "a further event that ends the run (percuss has one)", "the first alone ends it")
+        deck.ledger.approximated(f"{card}.several", place, "of several events the first one of the deck alone ends the run")
         return
     time["until"] = deck.model.names.take("stop")
     deck.model.deck.setdefault("sensors", {})[time["until"]] = sensor
@@ -88,7 +93,7 @@ def read_sensor_end(deck: KeywordDeck, card: Card) -> None:
         if sensor:
             end_at(deck, "TERMINATION_SENSOR", row.place, sensor)
         else:
-            deck.ledger.refuse("TERMINATION_SENSOR", row.place, "a sensor of another kind than of the time, or of a place or velocity of one node (percuss has no counterpart)", GOES_ON)
+            deck.ledger.approximated("TERMINATION_SENSOR", row.place, f"a sensor of another kind than of the time, or of places and velocities of nodes, ends no run{GOES_ON}")
 
 
 def find_card(deck: KeywordDeck, keyword: str, id: int) -> Card | None:

@@ -248,23 +248,26 @@ def ended(card, scene=FLIES):
 LISTENED_TO = "*DEFINE_PLANE\n7,0,0,0,1,0,0\n0,1,0\n*DEFINE_REGION\n7,1\n*DEFINE_SD_ORIENTATION\n7,0,1,0,0\n*DEFINE_FRICTION\n7,0.5,0.5\n*DEFINE_STOCHASTIC_VARIATION\n7,1,1,0,0.1\n"
 WRITTEN = "*INTERFACE_SPRINGBACK_LSDYNA\n1,7\n*INTERFACE_COMPONENT_NODE\n1\n*INTERFACE_COMPONENT_SEGMENT\n1\n*CONTROL_NONLOCAL\n7\n*CONTROL_CHECK_SHELL\n0,0,1,0,20.0\n"
 SWITCH = "*SENSOR_DEFINE_NODE\n5,2,{second},{axis},0,{what}\n*SENSOR_SWITCH\n6,SENSOR,5,{logic},{value}\n*TERMINATION_SENSOR\n6\n"
+TO_THE_END = [("time", LAST, 1e-5, 1e-9)]
 ENDS = [
     Proof("CONTROL_CHECK_SHELL", ended(LISTENED_TO + WRITTEN), [("momentum_x", ALL, 100.0 * CUBE_MASS, 1e-9)], "output, storage and what nothing refers to"),
     Proof("CONTROL_CHECK_SHELL: IFAUTO", ended("*CONTROL_CHECK_SHELL\n0,1\n"), refused="IFAUTO"),
     Proof("DEFINE_FRICTION", ended(LISTENED_TO + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-2.0\n\n"), refused="friction by a table"),
     Proof("TERMINATION_NODE: NID STOP MAXC", ended("*TERMINATION_NODE\n2,1,10.00062\n"), [("time", LAST, 6.2e-6, 3e-2)], "x of the node reaches MAXC after 6.2 us"),
     Proof("TERMINATION_NODE: MINC", ended("*TERMINATION_NODE\n2,2,0,-0.00041\n", deck(cube(), velocity(0.0, -100.0))), [("time", LAST, 4.1e-6, 3e-2)], "y of the node reaches MINC"),
-    Proof("TERMINATION_NODE: STOP", ended("*TERMINATION_NODE\n2,4\n"), refused="force of contact"),
-    Proof("TERMINATION_NODE: MAXC MINC", ended("*TERMINATION_NODE\n2,1,11.0,9.0\n"), refused="a further event"),
+    Proof("TERMINATION_NODE: STOP", ended("*TERMINATION_NODE\n2,4\n"), TO_THE_END, "it goes on"),
+    Proof("TERMINATION_NODE: MAXC MINC", ended("*TERMINATION_NODE\n2,1,10.00062,9.9\n"), [("time", LAST, 6.2e-6, 3e-2)], "the first event of two"),
     Proof("TERMINATION_BODY: PID STOP MINC", ended("*TERMINATION_BODY\n1,2,0,-0.00037\n", BODY), [("time", LAST, 3.7e-6, 3e-2)], "the displacement of the mass centre, which begins at y = 5"),
     Proof("TERMINATION_BODY: MAXC", ended("*TERMINATION_BODY\n1,2,0.00053\n", BODY.replace("-100.0", "100.0")), [("time", LAST, 5.3e-6, 3e-2)], "likewise"),
-    Proof("TERMINATION_BODY: STOP", ended("*TERMINATION_BODY\n1,4,0.1\n", BODY), refused="in any direction"),
-    Proof("TERMINATION_BODY: PID", ended("*TERMINATION_BODY\n1,1,0.1\n"), refused="not rigid"),
+    Proof("TERMINATION_BODY: STOP", ended("*TERMINATION_BODY\n1,4,1e-6\n", BODY), TO_THE_END, "it goes on"),
+    Proof("TERMINATION_BODY: PID", ended("*TERMINATION_BODY\n1,1,1e-6\n"), TO_THE_END, "the part is not rigid: it goes on"),
     Proof("TERMINATION_SENSOR: SWID", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6\n*TERMINATION_SENSOR\n6\n"), [("time", LAST, 7.3e-6, 3e-2)], "a switch of the time"),
     Proof("TERMINATION_SENSOR: SWID; SENSOR_DEFINE_NODE: SENSID NODE1 VID CTYPE; SENSOR_SWITCH: SWITID TYPE SENSID LOGIC VALUE",
           ended(SWITCH.format(second=0, axis="X", what="COORD", logic="GT", value=10.00044)), [("time", LAST, 4.4e-6, 3e-2)], "a place of a node"),
     Proof("SENSOR_SWITCH: LOGIC", ended(SWITCH.format(second=0, axis="Y", what="COORD", logic="LT", value=-0.00024), deck(cube(), velocity(0.0, -100.0))), [("time", LAST, 2.4e-6, 3e-2)], "below a value"),
-    Proof("SENSOR_DEFINE_NODE: CTYPE", ended(SWITCH.format(second=0, axis="X", what="ACC", logic="GT", value=7.0)), refused="another kind than of the time"),
+    Proof("SENSOR_DEFINE_NODE: CTYPE", ended(SWITCH.format(second=0, axis="X", what="ACC", logic="GT", value=7.0)), TO_THE_END, "it goes on"),
+    *(Proof(f"TERMINATION_{word}", ended(f"*TERMINATION_{word}\n1,1\n"), TO_THE_END, "it goes on")
+      for word in ("CONTACT", "CURVE", "DELETED_SHELLS", "DELETED_SHELLS_SET", "DELETED_SOLIDS", "DELETED_SOLIDS_SET")),
     Proof("SENSOR_DEFINE_NODE: NODE2", ended(SWITCH.format(second=3, axis="", what="COORD", logic="LT", value=9.99), deck(cube(), "*INITIAL_VELOCITY_NODE\n2,0,20000.0\n6,0,20000.0\n3,0,-20000.0\n7,0,-20000.0\n", rows=1000)).replace("0,0.05", "0,0.005"),
           [("time", LAST, 2.5e-7, 5e-2)], "the distance of two nodes that approach with 40 m/s"),
     Proof("SENSOR_SWITCH: TIMWIN", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6,0,1e-6\n*TERMINATION_SENSOR\n6\n"), refused="TIMWIN"),

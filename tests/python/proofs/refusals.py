@@ -1,7 +1,7 @@
 """Refusals: one cause, one message."""
 
 from . import Proof
-from .pieces import abaqus, abaqus_cube, curve, deck, node_set, part, shell, square, elastic, shell_section
+from .pieces import abaqus, abaqus_cube, cube, curve, deck, node_set, part, shell, square, elastic, shell_section
 
 LEANING = (
     "*ELEMENT_MASS\n1,3,1e-6\n", node_set(5, 1, 2), "*LOAD_NODE_SET\n5,3,7,1.0\n*SET_SEGMENT\n6\n1,2,3,4\n*LOAD_SEGMENT_SET\n6,7,1.0\n",
@@ -13,6 +13,7 @@ PROOFS = [
     Proof("MAT_ELASTIC", deck(shell().replace("MAT_ELASTIC", "MAT_ELASTICS"), *LEANING), refused="did you mean *MAT_ELASTIC?", messages=1),
     Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
           refused="ELEMENT_SHELL_DOF", messages=1),
+    Proof("MAT_NULL", deck(cube("*MAT_NULL\n1,7.8e-9\n*EOS_TABULATED\n1,0,0\n").replace("*PART\npart_1\n1,1,1", "*PART\npart_1\n1,1,1,1")), refused="EOS_TABULATED", messages=1),
     Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
     Proof("ELEMENT", abaqus(abaqus_cube()).replace("1, 1, 2, 3, 4", "2, 3, 4\n1, 1, 2, 3, 4"), refused="has 11 nodes (8 are expected)"),
     Proof("STEP", abaqus(abaqus_cube()) + "*STEP\n*DLOAD\n, GRAV, 9810., 0., 0., -1.\n*END STEP\n", refused="a step without a procedure"),

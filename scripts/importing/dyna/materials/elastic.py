@@ -45,6 +45,8 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row = reader.row("MID RO PC MU TEROD CEROD YM~absent PR~absent")
     row.skip("MID")
     state = translate_state(deck, use)
+    if state is None and use.state:  # which is refused
+        return None
     if state is None:
         deck.ledger.refuse(
             f"{card.keyword}.skin",
