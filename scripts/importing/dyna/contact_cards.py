@@ -406,15 +406,21 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
 
 
 def transduce(deck: KeywordDeck, contact: Contact) -> None:
-    """A force transducer: the force of contact on parts."""
-    kind, id = contact.sides.integer("SSTYP"), contact.sides.integer("SSID")
-    parts = [id] if kind == 3 else deck.list_members("PART", id, contact.place) if kind == 2 and id else []
-    names = deck.part_names(parts)
-    if names and contact.sides.integer("MSID") == 0:
-        deck.forces.append({"name": deck.model.names.take(contact.title or "force"), "contact": [names, "all"]})
+    """A force transducer: the force of contact on parts, by all others or by those of side M."""
+    if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
+        deck.ledger.refuse("CONTACT_FORCE_TRANSDUCER.SBOXID", contact.place, "a force in a box", "it is that of the whole side")
+    names, others = name_parts(deck, contact, "S"), name_parts(deck, contact, "M") if contact.sides.integer("MSID") else "all"
+    if names and others:
+        deck.forces.append({"name": deck.model.names.take(contact.title or "force"), "contact": [names, others]})
         deck.ledger.translated(contact.keyword, contact.place, "output.history.forces")
     else:
         deck.ledger.ignored(contact.keyword, contact.place, "output of a force, of surfaces that percuss cannot name")
+
+
+def name_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[str]:
+    """Parts of a side that is one part or a set of them; none of another side."""
+    kind, id = contact.sides.integer(side + "STYP"), contact.sides.integer(side + "SID")
+    return deck.part_names([id] if kind == 3 else deck.list_members("PART", id, contact.place) if kind == 2 and id else [])
 
 
 def make_pair(contact: dict) -> Deck:

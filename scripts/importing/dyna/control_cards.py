@@ -50,7 +50,7 @@ def read_termination(deck: KeywordDeck, card: Card) -> None:
 def apply_timestep(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     row = reader.row("DTINIT~step TSSFAC ISDO~step TSLIMT DT2MS LCTM ERODE MS1ST")
-    more = reader.row("DT2MSF DT2MSLC IMSCL UNUSED~unused UNUSED~unused RMSCL EMSCL IHDO~step")
+    more = reader.row("DT2MSF DT2MSLC IMSCL UNUSED~unused UNUSED~unused RMSCL~unused EMSCL IHDO~step")
     factor = row.number("TSSFAC") or 0.9
     if factor > 1:
         row.fail("TSSFAC", "above 1 no run is stable")
@@ -67,12 +67,20 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
         scale_masses(deck, card, abs(step), bool(row.integer("MS1ST")), row)
     if more.integer("IMSCL"):
         deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling", "mass counts in all motions")
-    more.skip("EMSCL", "RMSCL")
+    share_gravity(deck, more, bool(step))
     row.skip("MS1ST")
     erode_short_steps(deck, card, row.integer("ERODE"))
     row.finish(deck.ledger, "it is left out")
     more.finish(deck.ledger, "it is left out")
     deck.ledger.translated(card.keyword, card.place, "time.step_scale")
+
+
+def share_gravity(deck: KeywordDeck, more: Row, is_scaled: bool) -> None:
+    """EMSCL: the share of the added mass on which gravity acts; in percuss it is all of it."""
+    if is_scaled and more.number("EMSCL") not in (0.0, 1.0):
+        text = f"EMSCL: gravity on {more.number('EMSCL'):g} of the added mass"
+        deck.ledger.refuse("CONTROL_TIMESTEP.EMSCL", more.place, text, "gravity acts on all of it")
+    more.skip("EMSCL")
 
 
 def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
@@ -216,9 +224,9 @@ def read_shell_control(deck: KeywordDeck, card: Card) -> None:
     if second.integer("INTGRD"):
         deck.ledger.approximated("CONTROL_SHELL.INTGRD", second.place, "Gauss points in place of Lobatto's")
     if any(fourth.numbers("NFAIL1", "NFAIL4")):
-        deck.erodes_folded_shells = True
-        deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of all shells: one with a corner that has folded over is eroded")
-        fourth.skip("PSNFAIL")
+        deck.erodes_folded_shells, deck.folded_shells = True, fourth.integer("PSNFAIL")
+        deck.ledger.approximated("CONTROL_SHELL.NFAIL1", fourth.place, "failure.inverted of shells, all or those of PSNFAIL: one with a corner that has folded over is eroded")
+    fourth.skip("PSNFAIL")  # of effect with these, and with W_MODE, alone
     for row in rows:
         row.finish(deck.ledger, "it is left out")
     deck.ledger.approximated(card.keyword, card.place, "percuss has one shell, whose thickness follows the strain")

@@ -189,6 +189,7 @@ class KeywordDeck:
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
         self.material_titles: dict[int, str] = {}
+        self.names_of_laws: dict[int, list[str]] = {}  # in the deck of percuss: one for each way in which parts use it
         self.logarithmic_materials: set[int] = set()  # with the option _LOG_INTERPOLATION
         self.states: dict[int, Card] = {}
         self.hourglass: dict[int, Row] = {}
@@ -207,6 +208,7 @@ class KeywordDeck:
         self.keeps_eroded_nodes = False  # ENMASS
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4
+        self.folded_shells = 0  # PSNFAIL: a set of the parts for which they count; 0: all
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
         self.detonations: list[tuple[int, Vector, Place]] = []  # part or 0 for all, point
         self.masses: list[tuple[int, float, Place]] = []  # node, mass

@@ -177,8 +177,8 @@ def read_accelerometers(deck: KeywordDeck, card: Card) -> None:
         else:
             text = "output.history.accelerometers; the velocity change is that along the moving axes, as of INTOPT = 1"
             deck.ledger.approximated(card.keyword, row.place, text)
-        if mass:
-            deck.masses.append((nodes[0], mass, row.place))
+        if mass:  # in equal shares
+            deck.masses += [(node, mass / 3, row.place) for node in nodes]
         deck.output.accelerometers.append((row.integer("SBACID"), nodes, gravity == 1, row.place))
 
 

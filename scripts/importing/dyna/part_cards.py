@@ -10,6 +10,7 @@ from .beam_cards import divide_beams
 from .cards import Card
 from .contact_cards import tell_decay
 from .deck import Element, Elements, KeywordDeck, PartCard
+from .materials.shared import COROTATIONAL
 from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
 
@@ -84,8 +85,8 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         if card.has_title:
             reader.take()
         lines = [reader.take()]
-        row = card.row(lines[0], "SECID ELFORM")
-        if 100 < row.integer("ELFORM") < 106:  # a user's element has lines of its own
+        row = card.row(lines[0], "SECID" if kind == "DISCRETE" else "SECID ELFORM")
+        if kind != "DISCRETE" and 100 < row.integer("ELFORM") < 106:  # a user's element has lines of its own
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
         elif kind in ("DISCRETE", "BEAM") and reader:
             lines.append(reader.take())
@@ -310,7 +311,8 @@ def translate_integration(deck: KeywordDeck) -> None:
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
         row.finish(deck.ledger)
-        kind = judge_solid_form(deck, form, row)
+        is_corotational = form in COROTATIONAL and deck.materials[deck.parts[block.part].material].keyword == "MAT_MODIFIED_HONEYCOMB"
+        kind = "one_point" if is_corotational else judge_solid_form(deck, form, row)
         if count:
             kinds[block.id] = kind
             counts[kind] += count

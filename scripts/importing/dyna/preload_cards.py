@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..curves import Points
-from ..ledger import Place
+from ..ledger import BadInput, Place, missing
 from ..model import Block, Model, Vector
 from ..shapes import cross, dot, normalise, subtract
 from .cards import Card
@@ -112,14 +112,26 @@ def read_section_stress(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         row = reader.row("ISSID CSID LCID PSID VID IZSHEAR ISTIFF")
-        row.skip("ISSID", "VID")
+        row.skip("ISSID")
         plane = deck.planes.get(row.integer("CSID"))
         if row.integer("IZSHEAR") or row.integer("ISTIFF"):
             deck.ledger.refuse("INITIAL_STRESS_SECTION.IZSHEAR", row.place, "IZSHEAR or ISTIFF", "shear stresses stay free")
         if plane is None:
             deck.ledger.refuse("INITIAL_STRESS_SECTION.CSID", row.place, "a section that is no *DATABASE_CROSS_SECTION_PLANE", "the preload is left out")
         else:
+            check_normal(deck, row, plane)
             tighten_plane(deck, row, plane)
+
+
+def check_normal(deck: KeywordDeck, row, plane: Plane) -> None:
+    """VID gives the normal in place of the plane."""
+    id = row.integer("VID")
+    if not id:
+        return
+    if id not in deck.vectors:
+        raise BadInput(row.place, missing(f"*DEFINE_VECTOR {id}"))
+    if abs(dot(normalise(deck.vectors[id]), plane.normal)) < 1 - 1e-6:
+        deck.ledger.refuse("INITIAL_STRESS_SECTION.VID", row.place, "VID: a normal other than that of the plane", "the plane's own normal is used")
 
 
 def tighten_plane(deck: KeywordDeck, row, plane: Plane) -> None:

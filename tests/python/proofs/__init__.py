@@ -18,6 +18,7 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
   Have a value that no other reading of the card gives: numbers that differ from 0, 1 and from each other.
 - `why`: the mechanics of the value in a line.
 - `refused`: for a row of what must be refused: words of the message, such as the name of the field. It has no rights. `messages`: how many.
+- `fails`: for a row whose run must end with exit code 3: words of its message, beside or in place of rights.
 - `allow`: patterns for --allow. `case`: for --case. `files`: further files of the deck, by name.
 
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
@@ -27,8 +28,6 @@ WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list 
   that no row names is set to 1, 2 and 7, one after the other, in such a
   deck: the import must refuse each, and name the field, unless its layout has a reason: `NAME~output`. Reasons are the keys of
   REASONS in scripts/importing/fields.py: add one there if none fits. A bare `NAME~` is one that nobody has audited.
-
-to_be_proven.txt has what still lacks a row. It may only shrink: the test fails where it names what has a row.
 """
 
 import importlib
@@ -52,6 +51,7 @@ class Proof:
     rights: list[Right] = field(default_factory=list)
     why: str = ""
     refused: str = ""
+    fails: str = ""  # words of the error with which the run ends
     messages: int = 0  # how many refusals there are; 0: any number
     allow: str = ""
     case: str = ""
@@ -81,8 +81,3 @@ def load() -> tuple[list[Proof], dict[str, str]]:
             proofs.append(proof)
         explained |= getattr(module, "NOT_PHYSICS", {})
     return proofs, explained
-
-
-def read_to_be_proven() -> set[str]:
-    with open(os.path.join(os.path.dirname(__file__), "to_be_proven.txt"), encoding="utf-8") as file:
-        return {line.strip() for line in file if line.strip() and not line.startswith("#")}

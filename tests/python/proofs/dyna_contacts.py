@@ -2,8 +2,8 @@
 
 import math
 
-from . import LAST, MAX, MIN, Proof
-from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell_section, solid_section, square, two_cubes
+from . import ALL, LARGEST, LAST, MAX, MIN, Proof
+from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell_section, solid_section, square, two_cubes, velocity
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
 MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
@@ -113,6 +113,13 @@ PROOFS = FAMILIES + [
           slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-1.0\n\n*CONTROL_CONTACT\n0.1\n\n0.3\n", parts=("*PART_CONTACT", "0.1\n")), [(friction, LAST, -0.1, 5e-2)],
           "parts with a smaller FS keep it among each other"),
     Proof("CONTACT_FORCE_TRANSDUCER: SSID SSTYP", slide(PAIR + "\n\n*CONTACT_FORCE_TRANSDUCER\n1,0,3\n\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the force makes the change of momentum"),
+    Proof("CONTACT_FORCE_TRANSDUCER: MSID MSTYP", slide(PAIR + "\n\n*CONTACT_FORCE_TRANSDUCER\n1,2,3,3\n\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the floor makes all of the force"),
+    Proof("CONTACT_FORCE_TRANSDUCER: MSID MSTYP", slide(PAIR + "\n\n*CONTACT_FORCE_TRANSDUCER\n1,3,3,3\n\n\n", SHEET), [("fz:force", LARGEST, 0.0, 1e-12)], "a sheet that touches nothing"),
+    Proof("CONTACT_FORCE_TRANSDUCER: SBOXID MBOXID", slide(PAIR + "\n\n*CONTACT_FORCE_TRANSDUCER\n1,0,3,0,7\n\n\n"), refused="a force in a box"),
+    Proof("PART_CONTACT: SFT", slide(PAIR + "\n\n", parts=("*PART_CONTACT", "0.35,0,0,0,0,2.0\n")), refused="SFT"),
+    Proof("CONTROL_CONTACT: SPOTDEL SPOTHIN",
+          deck(square(), part(), square(2, 11, (0.0, 0.0, 0.8), of=2), part(2), shell_section(), elastic(), velocity(100.0), "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n\n*CONTROL_CONTACT\n0.1\n\n\n0,0,0,0,0,1,0.8\n"),
+          [("momentum_x", ALL, 100.0 * 2 * 7.8e-7, 1e-9), ("internal", MAX, 0.0, 1e-12)], "sheets of a weld, closer than their thickness, do not press each other apart"),
     Proof("DATABASE_RCFORC: DT", slide(PAIR + "\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the force makes the change of momentum"),
     *[Proof(f"CONTACT: {name}", slide(PAIR + lines), refused=words) for name, (lines, words) in REFUSED.items()],
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: SBOXID MBOXID", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3,7\n\n\n"), refused="contact in a box"),

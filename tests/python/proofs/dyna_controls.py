@@ -52,11 +52,21 @@ def largest_moment(history):
 AXIAL = "element_1_axial_force"
 
 
+# So that something moves: balances are relative.
+FLYING_CUBE = hexahedron(3, 31, (50.0, 0.0, 0.0), of=3) + part(3, 3) + solid_section(3) + "*INITIAL_VELOCITY_GENERATION\n3,2,0,1000.0,0,0\n0\n"
+
+
 def weld(card, direction, *more, keyword="SPOTWELD"):
     """A node of a cube, welded to one of a held cube, is pulled by a force that grows by 1e6 N/s: it does not move, the weld carries it all."""
     load = f"*LOAD_NODE_POINT\n11,{direction},7,1.0\n" + curve(7, (0.0, 0.0), (1.0, 1e6))
-    flying = hexahedron(3, 31, (50.0, 0.0, 0.0), of=3) + part(3) + "*INITIAL_VELOCITY_GENERATION\n3,2,0,1000.0,0,0\n0\n"  # so that something moves
-    return deck(two_cubes(), flying, node_set(1, *range(1, 9)), f"*BOUNDARY_SPC_SET\n1,0,1,1,1\n*CONSTRAINED_{keyword}\n{card}\n", load, *more, end=1e-4, rows=1000)
+    return deck(two_cubes(), FLYING_CUBE, node_set(1, *range(1, 9)), f"*BOUNDARY_SPC_SET\n1,0,1,1,1\n*CONSTRAINED_{keyword}\n{card}\n", load, *more, end=1e-4, rows=1000)
+
+
+def welded_sheets(card):
+    """A node of a sheet, welded to one of a held sheet below, is pulled along the sheets by a force that grows by 1e6 N/s: the weld carries it all."""
+    load = "*LOAD_NODE_POINT\n11,1,7,1.0\n" + curve(7, (0.0, 0.0), (1.0, 1e6)) + FLYING_CUBE
+    return deck(shell(1.0), square(2, 11, (0.0, 0.0, 1.0), of=2), part(2), node_set(1, 1, 2, 3, 4), f"*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n*CONSTRAINED_SPOTWELD\n{card}\n", load,
+                end=1e-4, rows=1000)  # fmt: skip
 
 
 def flying_weld(card):
@@ -127,6 +137,8 @@ FLAT = deck(hexahedron(size=(10.0, 10.0, 1.0)), part(), solid_section(), STEEL, 
             "*BOUNDARY_SPC_SET\n2,0,1,1,0\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,2,7\n", curve(7, (0.0, 0.0), (END, -0.5)),
             "*CONTROL_BULK_VISCOSITY\n1e-9,1e-9\n*CONTROL_TIMESTEP\n0,0.5,0,0,0,0,1\n", end=END, rows=1000).replace(f"{END!r}\n*DATABASE", f"{END!r},0,0.9\n*DATABASE")  # fmt: skip
 
+LOADED = node_set(9, *range(1, 9)) + "*LOAD_NODE_SET\n9,1,7,2.0\n9,3,7,3.0\n" + curve(7, (0.0, 1.0), (1.0, 1.0))
+
 CONTROLS = [
     Proof("CONTROL_TERMINATION: ENDTIM", deck(cube(), velocity(100.0), end=3e-5), [("time", LAST, 3e-5, 1e-12)], "the end"),
     Proof("CONTROL_TERMINATION: ENDCYC", deck(cube(), velocity(100.0)).replace("1e-05\n*DATABASE", "1e-05,4\n*DATABASE"), [("step", LAST, 4.0, 0.0)], "four steps"),
@@ -137,6 +149,12 @@ CONTROLS = [
           deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.9,0,0,-9e-6\n").replace("1e-05\n*DATABASE", "1e-05,0,0,0,50.0\n*DATABASE"), refused="max_added"),
     Proof("CONTROL_TIMESTEP: ERODE; CONTROL_TERMINATION: DTMIN", FLAT, [(lambda h: 1 - 0.5 * erosion_time(h) / END, LAST, 0.9, 5e-2)],
           "the step of a flat element is in proportion to its height, and falls to 0.9 of the first one; the bound of percuss is 3 % below height over speed"),
+    *[Proof("CONTROL_TERMINATION: ENDENG", deck(cube(), velocity(0, 0, -1000.0), "*RIGIDWALL_PLANAR_ID\n1,wall\n0\n0,0,-0.001,0,0,1.0\n").replace("1e-05\n*DATABASE", f"1e-05,0,0,{percent}\n*DATABASE"),
+            [("time", LAST, 1e-5, 1e-9)] if not words else [], "an impact balances to a percent, and not to 1e-14 of its energy", fails=words)
+      for percent, words in (("1.0", ""), ("1e-12", "energy balance is off"))],
+    Proof("CONTROL_TIMESTEP: EMSCL", deck(cube(), "*CONTROL_TIMESTEP\n0,0.5,0,0,-9e-6,0,0,1\n0,0,0,0,0,0,1.0\n*LOAD_BODY_Z\n7,1e6\n*DATABASE_HISTORY_NODE\n1\n", curve(7, (0.0, 1.0), (1.0, 1.0)), end=9e-5),
+          [("node_1_z", LAST, -0.5 * 1e6 * 9e-5**2, 1e-2)], "gravity acts on all of the mass: free fall"),
+    Proof("CONTROL_TIMESTEP: EMSCL", deck(cube(), "*CONTROL_TIMESTEP\n0,0.5,0,0,-9e-6,0,0,1\n0,0,0,0,0,0,0.5\n"), refused="EMSCL"),
     Proof("CONTROL_TIMESTEP: TSLIMT", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9,0,1e-6\n"), refused="TSLIMT"),
     Proof("CONTROL_TIMESTEP: DT2MSF DT2MSLC IMSCL", deck(cube(), "*CONTROL_TIMESTEP\n0,0.9\n0.5\n"), refused="DT2MSF"),
     Proof("CONTROL_BULK_VISCOSITY: Q1 Q2", stretched(STEEL, 1 / UP, "*CONTROL_BULK_VISCOSITY\n0.0,0.3\n"),
@@ -162,7 +180,7 @@ OUTPUTS = [
           [("fz:supports", LAST, -16.0, 1e-9)], "what holds eight loads of 2 N"),
     Proof("DATABASE_RWFORC: DT", deck(cube(), velocity(0, 0, -1000.0), "*RIGIDWALL_PLANAR_ID\n1,wall\n0\n0,0,-0.001,0,0,1.0\n*DATABASE_RWFORC\n1e-7\n"), [(impulse_of("fz:force_wall"), LAST, 1.0, 1e-6)], "force and momentum"),
     Proof("DATABASE_HISTORY_NODE; DATABASE_NODOUT: DT", deck(cube(), velocity(100.0), "*DATABASE_HISTORY_NODE\n2\n*DATABASE_NODOUT\n1e-7\n"), [("node_2_x", LAST, 10.0 + 100.0 * 1e-5, 1e-9)], "v t"),
-    Proof("DATABASE_HISTORY_NODE_LOCAL", deck(cube(), velocity(100.0), "*DATABASE_HISTORY_NODE_LOCAL\n2,0,0,0\n"), [("node_2_x", LAST, 10.0 + 100.0 * 1e-5, 1e-9)], "v t, along global axes"),
+    Proof("DATABASE_HISTORY_NODE_LOCAL: ID", deck(cube(), velocity(100.0), "*DATABASE_HISTORY_NODE_LOCAL\n2,0,0,0\n"), [("node_2_x", LAST, 10.0 + 100.0 * 1e-5, 1e-9)], "v t, along global axes"),
     Proof("DATABASE_HISTORY_BEAM", beam("*SECTION_BEAM\n1,3\n5.0\n", PULLED, end=END), [("element_1_stress_xx", LAST, YOUNG * math.log(1.01), 1e-2)], "E ln(1.01)"),
     Proof("DATABASE_RBDOUT: DT", deck(cube("*MAT_RIGID\n1,7.8e-9,2.1e5,0.3\n0\n\n"), velocity(100.0), "*DATABASE_RBDOUT\n1e-7\n"), [("body_x:part_1", LAST, 5.0 + 100.0 * 1e-5, 1e-9)], "v t"),
     Proof("DATABASE_MATSUM: DT", deck(two_cubes(), "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,100.0\n0\n*DATABASE_MATSUM\n1e-7\n"), [("momentum_z:part_2", ALL, 100.0 * CUBE_MASS, 1e-9)], "of one part"),
@@ -175,8 +193,10 @@ SPRINGS = [
     Proof("MAT_SPRING_NONLINEAR_ELASTIC: MID LCD", spring("9,5,5,11", "*MAT_SPRING_NONLINEAR_ELASTIC\n5,9", curve(9, (0.0, 0.0), (0.05, 4.0), (0.2, 10.0))), [(FORCE, LAST, 6.0, 1e-6)], "the curve at 0.1"),
     Proof("MAT_SPRING_NONLINEAR_ELASTIC: LCR", spring("9,5,5,11", "*MAT_SPRING_NONLINEAR_ELASTIC\n5,9,8", curve(9, (0.0, 0.0), (0.2, 10.0))), refused="LCR"),
     Proof("ELEMENT_DISCRETE: VID OFFSET", spring("9,5,5,11,3", "*MAT_SPRING_ELASTIC\n5,30.0"), refused="VID"),
+    Proof("SECTION_DISCRETE: SECID", spring("9,5,5,11", "*MAT_SPRING_ELASTIC\n5,30.0"), [(FORCE, LAST, 30.0 * 0.1, 1e-6)], "K times 0.1"),
     Proof("SECTION_DISCRETE: DRO KD CL FD", spring("9,5,5,11", "*MAT_SPRING_ELASTIC\n5,30.0").replace("*SECTION_DISCRETE\n5\n", "*SECTION_DISCRETE\n5,1\n"), refused="torsional"),
     Proof("CONSTRAINED_SPOTWELD: N1 N2 SN", weld("5,11,70.0,1e20", 3), [(failure_time, LAST, 7e-5, 3e-2), ("weld_normal:weld_1", MAX, 70.0, 3e-2)], "the force reaches SN"),
+    Proof("CONSTRAINED_SPOTWELD: SS", welded_sheets("1,11,1e20,70.0"), [(failure_time, LAST, 7e-5, 3e-2), ("weld_shear:weld_1", MAX, 70.0, 3e-2)], "the force across the line of the nodes reaches SS"),
     Proof("CONSTRAINED_SPOTWELD: N M", weld("5,11,70.0,1e20,1.0,1.0", 3), [(failure_time, LAST, 7e-5, 3e-2)], "alone, exponents change nothing"),
     Proof("CONSTRAINED_SPOTWELD: TF", flying_weld("SPOTWELD\n5,11,0,0,0,0,6e-5"), [(failure_time, LAST, 6e-5, 3e-2)], "it fails at TF"),
     Proof("CONSTRAINED_SPOTWELD: EP", weld("5,11,20.0,30.0,2,2,0,0.1", 3), refused="plastic strain"),
@@ -192,11 +212,16 @@ MORE = [
             "a corner that moves behind the diagonal folds the shell") for name, line in (("NFAIL1", "1"), ("NFAIL4", "0,1"))],
     *[Proof(f"CONTROL_SHELL: {name}", deck(shell(1.0, STEEL), f"*CONTROL_SHELL\n{lines}\n"), refused=name)
       for name, lines in (("ROTASCL", "\n2.0"), ("DELFR", "\n\n\n0,0,0,0,1"), ("LISPSID", "\n\n\n\n0,7"), ("STRETCH", "\n\n0,0,0,0,0,0,2.0"))],
+    *[Proof("CONTROL_SHELL: PSNFAIL", deck(shell(1.0, STEEL), square(2, 11, (50.0, 0.0, 0.0), of=2), part(2), "*SET_PART_LIST\n9\n", f"{set_part}\n", FOLDED, "*CONTROL_SHELL\n\n\n\n1,0,9\n", end=END),
+            [("eroded_elements", LAST, count, 0.0)], "part 1 folds; the set has it or has it not") for set_part, count in ((1, 1.0), (2, 0.0))],
+    Proof("CONTROL_SHELL: INTGRD", stretched_shell(STEEL, 1.05, "*CONTROL_SHELL\n20.0,0,-1,1\n0,1\n"), [("internal", LAST, thinning_energy(1.05), 5e-3)], "all rules have the same stress of a membrane"),
     Proof("CONTROL_SHELL: THEORY", deck(square(), part(), "*SECTION_SHELL\n1\n1.0\n", STEEL, "*CONTROL_SHELL\n20.0,0,-1,0,12\n"), refused="formulation 12"),
     Proof("CONTROL_SHELL: CNTCO; SECTION_SHELL: NLOC", deck(square(), part(), "*SECTION_SHELL\n1,2\n1.0,1.0,1.0,1.0,1.0\n", STEEL, "*CONTROL_SHELL\n\n\n0,0,1\n"), refused="CNTCO"),
     Proof("SECTION_SHELL: QR", plate("*SECTION_SHELL\n1,2,0,0,0,-7\n1.0\n"), refused="rule of integration"),
     Proof("SECTION_BEAM: TS2 TT2", beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.5,3.0,3.0\n"), refused="differ between the ends"),
     Proof("SECTION_BEAM: QR", beam("*SECTION_BEAM\n1,1,1.0,-7,0\n2.0,2.0,3.0,3.0\n"), refused="rule of integration"),
+    Proof("SECTION_BEAM: SHRF", beam("*SECTION_BEAM\n1,1,0.8333333333,2,0\n2.0,2.0,3.0,3.0\n", SHEARED.format(axis="2"), end=END),
+          [(largest_shear, LAST, SHEAR * 6.0 * 5 / 6 * 0.001, 1e-2)], "of a rectangle it is 5/6"),
     Proof("SECTION_BEAM: SA SAT", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0,0,0,2.0\n", SHEARED.format(axis="2"), end=END),
           [(largest_shear, LAST, SHEAR * 2.0 * 0.001, 1e-2)], "across the plane of N3: along t, with SAT"),
     Proof("SECTION_BEAM: SA", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0,0,0,2.0\n", SHEARED.format(axis="3"), end=END),
@@ -212,15 +237,30 @@ MORE = [
 ]  # fmt: skip
 
 HELD_ENDS = node_set(1, *range(1, 9)) + "*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
-LOADED = node_set(9, *range(1, 9)) + "*LOAD_NODE_SET\n9,1,7,2.0\n9,3,7,3.0\n" + curve(7, (0.0, 1.0), (1.0, 1.0))
+PRELOADED = deck(cube(STEEL), hexahedron(2, 11, (20.0, 0.0, 0.0), of=2), part(2), HELD_ENDS, node_set(2, *range(11, 19)), "*BOUNDARY_SPC_SET\n2,0,1,1,1\n*SET_PART_LIST\n9\n1\n",
+                 "*DEFINE_VECTOR\n6,0,0,0,{vector}\n*DATABASE_CROSS_SECTION_PLANE_ID\n3,cut\n0,5.0,5.0,4.0,5.0,5.0,9.0\n\n*INITIAL_STRESS_SECTION\n1,3,7,9,6\n",
+                 curve(7, (0.0, 0.0), (1e-6, 60.0), (1.0, 60.0)), FOLLOW.replace("1\n", "1,2\n", 1))  # fmt: skip
 STARTS = [
-    Proof("INITIAL_AXIAL_FORCE_BEAM: BSID LCID SCALE",
+    Proof("INITIAL_AXIAL_FORCE_BEAM: BSID LCID SCALE; SET_BEAM: SID",
           beam("*SECTION_BEAM\n1,3\n5.0\n", "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n2,0,1,1,1\n*SET_BEAM\n7\n1\n*INITIAL_AXIAL_FORCE_BEAM\n7,7,2.0\n", curve(7, (0.0, 0.0), (1e-6, 40.0), (1.0, 40.0)), BEAM_OUT,
                nodes((31, 50.0, 0.0, 0.0), (32, 60.0, 0.0, 0.0), (33, 50.0, 0.0, 10.0)), "*ELEMENT_BEAM\n2,1,31,32,33\n"),
           [(AXIAL, FIRST, 80.0, 1e-3)], "SCALE times the curve"),
     Proof("INITIAL_STRESS_SECTION: ISSID CSID LCID",
           deck(cube(STEEL), HELD_ENDS, "*DATABASE_CROSS_SECTION_PLANE_ID\n3,cut\n0,5.0,5.0,4.0,5.0,5.0,9.0\n\n*INITIAL_STRESS_SECTION\n1,3,7\n", curve(7, (0.0, 0.0), (1e-6, 60.0), (1.0, 60.0)), FOLLOW),
           [("element_1_stress_zz", FIRST, 60.0, 1e-3)], "the stress of the section at time 0"),
+    Proof("INITIAL_STRESS_SECTION: PSID VID", PRELOADED.format(vector="0,0,3.0"), [("element_1_stress_zz", FIRST, 60.0, 1e-3), ("element_2_stress_zz", FIRST, 0.0, 1e-9)],
+          "of the part of the set alone, along the normal of the plane"),
+    Proof("INITIAL_STRESS_SECTION: VID", PRELOADED.format(vector="0,3.0,3.0"), refused="VID"),
+    Proof("ELEMENT_SEATBELT_ACCELEROMETER: IGRAV", deck(cube(), LOADED, "*LOAD_BODY_Z\n7,1e6\n*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,5,4,1,1\n", end=1e-3),
+          [("local_dvx:accelerometer_7", LAST, 24.0 * 1e-3 / CUBE_MASS, 2e-3)], "without the acceleration of gravity"),
+    Proof("ELEMENT_SEATBELT_ACCELEROMETER: IGRAV", deck(cube(), LOADED, "*LOAD_BODY_Z\n7,1e6\n*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,5,4,0,1\n", end=1e-3),
+          [("local_dvx:accelerometer_7", LAST, (24.0 / CUBE_MASS - 1e6) * 1e-3, 2e-3)], "with it"),
+    Proof("ELEMENT_SEATBELT_ACCELEROMETER: INTOPT",
+          deck(cube("*MAT_RIGID\n1,7.8e-9,2.1e5,0.3\n0\n\n"), "*INITIAL_VELOCITY_GENERATION\n1,2,1000.0\n5.0,5.0,5.0,0,0,1.0\n*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,2,4,0,1\n", end=1e-3, rows=1000),
+          [("local_dvx:accelerometer_7", LAST, 1000.0**2 * 5.0 * 1e-3, 1e-2), ("local_dvy:accelerometer_7", LAST, 1000.0**2 * 5.0 * 1e-3, 1e-2)],
+          "of a turning body the integral of the acceleration to its centre along the axes that turn with it"),
+    Proof("ELEMENT_SEATBELT_ACCELEROMETER: MASS", deck(cube(), "*INITIAL_VELOCITY_NODE\n1,100.0\n*ELEMENT_SEATBELT_ACCELEROMETER\n7,1,5,4,0,1,6e-6\n"),
+          [("momentum_x", FIRST, 100.0 * (CUBE_MASS / 8 + 2e-6), 1e-9)], "a third of it at each of the three nodes"),
     Proof("CONTROL_DYNAMIC_RELAXATION: IDRFLG DRTOL",
           deck(cube(elastic(1, DENSITY, YOUNG, 0.0)), node_set(1, 1, 2, 3, 4), node_set(2, 5, 6, 7, 8), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n*LOAD_NODE_SET\n2,3,7,50.0\n", curve(7, (0.0, 1.0), (1.0, 1.0), more=",2"),
                "*CONTROL_DYNAMIC_RELAXATION\n250,1e-6,0,0,0,0,0,1\n", FOLLOW),

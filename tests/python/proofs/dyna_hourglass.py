@@ -20,5 +20,6 @@ def hourglass(card: str, id: int = 0) -> str:
 
 PROOFS = [
     Proof("HOURGLASS: HGID IHQ QM", hourglass(f"*HOURGLASS\n7,4,{SHARE}\n", 7), KEPT, "an eighth of a period after its start the mode has half of its energy left"),
+    Proof("CONTROL_HOURGLASS_936: IHQ QH", hourglass(f"*CONTROL_HOURGLASS_936\n4,{SHARE}\n"), KEPT, "likewise, of all parts"),
     Proof("CONTROL_HOURGLASS: IHQ QH", hourglass(f"*CONTROL_HOURGLASS\n4,{SHARE}\n"), KEPT, "likewise, of all parts"),
 ]  # fmt: skip

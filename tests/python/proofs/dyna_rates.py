@@ -61,6 +61,8 @@ PROOFS = [
          flow(0.1 / (1 + 728 / YOUNG)), "SFA (VALUE + OFFA) = 0 and 100 / s"),
     pull(50.0, metal("024", "250.0,697.6744186\n0,0,0,53,1.0\n0\n0\n") + curve(53, (0.0, 1.0), (100.0, 1.4)), f"{MAT}: LCSR SIGY ETAN",
          flow(0.0, 1.2), "the factor half way between 1 and 1.4"),
+    *[pull(50.0, metal(number, f"250.0,697.6744186\n0,0,0,53,{vp}\n0\n0\n") + curve(53, (0.0, 1.0), (100.0, 1.4)), f"{word}: LCSR", flow(0.0, 1.2), "the factor half way between 1 and 1.4")
+      for number, word, vp in (("123", "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "1.0"), ("081", "MAT_PLASTICITY_WITH_DAMAGE", ",1.0"))],
     pull(10.0, metal("123", BY_TABLE) + table((0.0, 51), (100.0, 52)) + CURVES, "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY: LCSS",
          flow(0.1 / (1 + 728 / YOUNG)), "as *MAT_024"),
 ]  # fmt: skip

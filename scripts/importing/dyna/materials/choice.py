@@ -10,7 +10,7 @@ from .crushable import CRUSHABLE
 from ..deck import KeywordDeck, PartCard
 from .elastic import ELASTIC
 from .erosion import add_erosion
-from .shared import Use
+from .shared import COROTATIONAL, Use
 from .metals import METALS
 from .rigid import translate_rigid
 
@@ -102,11 +102,11 @@ def read_state(deck: KeywordDeck, card: Card) -> None:
 
 def build_materials(deck: KeywordDeck) -> None:
     """The material of each block. Blocks whose material is left out go out of the model."""
-    made: dict[tuple[int, int, str, float], tuple[str, Deck] | None] = {}
+    made: dict[tuple[int, int, int, float, int], tuple[str, Deck] | None] = {}
     kept: list[Block] = []
     for block in deck.model.blocks:
         part = deck.parts[block.part]
-        key = (part.material, part.state, "beam" if block.beams else "shell" if block.shells else "solid", block.more_density)
+        key = (part.material, part.state, block.part, block.more_density, block.keys.get("points", 1))
         if key not in made:
             made[key] = make_material(deck, part, block)
         if made[key]:
@@ -133,6 +133,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
     use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1), bool(block.beams))
+    use.is_corotational = bool(block.solids) and read_form(deck, part) in (0, *COROTATIONAL)
     use.density = card.row(card.lines[0], "MID RO").number("RO")
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
@@ -152,19 +153,27 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail", "they do not")
     law["density"] += block.more_density
     deck.ledger.translated(card.keyword, card.place, law["model"])
+    same = next((name for name in deck.names_of_laws.get(part.material, []) if deck.model.materials[name] == law), None)
+    if same:
+        return same, law
     name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
     deck.model.materials[name] = law
+    deck.names_of_laws.setdefault(part.material, []).append(name)
     return name, law
+
+
+def read_form(deck: KeywordDeck, part: PartCard) -> int:
+    """ELFORM of solids."""
+    return deck.sections[part.section].reader().row("SECID ELFORM").integer("ELFORM")
 
 
 def invert_when_asked(deck: KeywordDeck, part: PartCard, law: Deck, use: Use) -> None:
     """NFAIL1 of *CONTROL_SHELL and PSFAIL of *CONTROL_SOLID: what has folded over is eroded."""
     if law_name_is_rigid(deck, part) or use.is_beam:
         return
-    asked = deck.erodes_folded_shells if use.is_shell else False
-    if not use.is_shell and deck.eroded_when_inverted:
-        asked = part.id in deck.list_members("PART", deck.eroded_when_inverted, part.place)
-    if asked:
+    asked = deck.erodes_folded_shells if use.is_shell else deck.eroded_when_inverted != 0
+    set_id = deck.folded_shells if use.is_shell else deck.eroded_when_inverted
+    if asked and (not set_id or part.id in deck.list_members("PART", set_id, part.place)):
         law.setdefault("failure", {})["inverted"] = True
 
 

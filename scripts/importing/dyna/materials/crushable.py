@@ -1,5 +1,7 @@
 """Soil, foam and honeycomb."""
 
+import math
+
 from ...curves import Points, order_points, thin_rows
 from ...fields import Row
 from ...ledger import BadInput
@@ -8,6 +10,7 @@ from ..cards import Card
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, tell_viscosity
 
+LINE = 64  # rows of a line over a logarithm, before they are thinned
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
 
 
@@ -120,7 +123,7 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 
 def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
-    """*MAT_HONEYCOMB: six curves over the crush; the axes of percuss are those of space."""
+    """*MAT_HONEYCOMB and _MODIFIED_HONEYCOMB: six curves over the crush or the strain; the axes of percuss are those of space."""
     reader = card.reader()
     row, curves = reader.row("MID RO E PR SIGY VF MU BULK~default"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
     moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT MACF=1"), reader.row("XP YP ZP A1 A2 A3 RFAC~unused PRU"), reader.row("D1 D2 D3 TSEF SSEF VREF TREF SHDFLG~unused")
@@ -140,8 +143,9 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     }
     law |= {"yield_stress": row.positive("SIGY"), "compacted_volume": row.positive("VF")}
     law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"), "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
+    read = read_strains if card.keyword == "MAT_MODIFIED_HONEYCOMB" else read_crush
     for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
-        law[f"crush_{name}"] = read_crush(deck, card, curves, id)
+        law[f"crush_{name}"] = read(deck, card, curves, id, use, name)
     tell_viscosity(deck, row, "MU")
     for found, instead in ((row, ""), (curves, "the strength does not depend on it"), (moduli, ""), (axes, ""), (plane, "nothing fails")):
         found.finish(deck.ledger, instead or "it is left out")
@@ -149,11 +153,39 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
-def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int) -> list[list[float]]:
+def read_strains(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, name: str) -> list[list[float]]:
+    """Strength of *MAT_126 over the strain of its own direction, positive in compression: engineering strains where the element is
+    corotational, else logarithms. Where one direction crushes alone, its strain gives the crush 1 - V; a shear strain does not."""
+    if id < 0:
+        deck.ledger.refuse(f"{card.keyword}.angle", row.place, "curves below 0: strength by the angle off the axis", "the curve of that id is used over the strain")
+    points = order_points(deck.material_curve(abs(id), row.place))
+    if name in ("xy", "yz", "zx"):
+        if len({y for _, y in points}) > 1:
+            deck.ledger.refuse(f"{card.keyword}.LCS", row.place, "a shear strength that changes with the shear strain", "it changes with the crush")
+    else:
+        text = "the strain of a direction is taken as the crush 1 - V: right where one direction crushes at a time"
+        deck.ledger.approximated(f"{card.keyword}.LCA", row.place, text)
+        if not use.is_corotational:
+            points = [(1 - math.exp(-x), y) for x, y in refine(points)]
+    return make_crush(deck, card, row, id, [point for point in points if point[0] >= 0] or points[-1:])
+
+
+def refine(points: Points) -> Points:
+    """More rows on the same lines."""
+    between = [(a[0] + i / LINE * (b[0] - a[0]), a[1] + i / LINE * (b[1] - a[1])) for a, b in zip(points, points[1:]) for i in range(LINE)]
+    return [*between, points[-1]]
+
+
+def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, name: str) -> list[list[float]]:
     """Strength over the crush 1 - V; a curve over V ends at 1 and falls."""
     points = order_points(deck.material_curve(id, row.place))
     if points[-1][0] == 1.0 and points[0][1] > points[-1][1]:
         points = order_points([(1 - x, y) for x, y in points])
+    return make_crush(deck, card, row, id, points)
+
+
+def make_crush(deck: KeywordDeck, card: Card, row: Row, id: int, points: Points) -> list[list[float]]:
+    """Rows of a deck."""
     points = [(x, y) for x, y in points if y > 0]
     if not points:
         raise BadInput(row.place, f"curve {id} has no strength above 0: correct its rows")

@@ -1,9 +1,11 @@
 """*MAT_ADD_EROSION: criteria of failure on top of those of a material."""
 
+from ...fields import Row
 from ...model import Deck
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, set_failure
 
+POINTS = 1  # NUMFIP where it is 0
 YIELDING = {"j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "combined_hardening", "johnson_cook"}
 
 
@@ -38,10 +40,23 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     if strain < 0 and law["model"] not in YIELDING and strain != excluded:
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain of a law without it", "it is left out")
         del limits["plastic_strain"]
-    set_failure(law, **{key: value for key, value in limits.items() if value not in (excluded, -excluded)})
-    layers = row.number("NUMFIP")
-    if use.is_shell and "failure" in law and layers != 1:
-        law["failure"]["layers"] = min(layers / use.points, 1.0) if layers > 0 else min(-layers / 100, 1.0)
+    own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook"} & law.get("failure", {}).keys() else None
+    added = {key: value for key, value in limits.items() if value not in (excluded, -excluded)}
+    set_failure(law, **added)
+    if use.is_shell and any(value > 0 for value in added.values()):
+        set_layers(deck, law, row, use, own)
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     deck.ledger.translated("MAT_ADD_EROSION", card.place, "failure of the material")
+
+
+def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:
+    """NUMFIP: how many points of a shell must fail, or below 0 their share in percent. own: the share that the law has for its own criteria."""
+    count = row.number("NUMFIP") or POINTS
+    share = min(count / use.points if count > 0 else -count / 100, 1.0)
+    if own is not None and own != share:
+        text = f"NUMFIP: {share:.3g} of the points must fail, and {own:.3g} by the law's own criteria"
+        deck.ledger.refuse("MAT_ADD_EROSION.NUMFIP", row.place, text, "the smaller share counts for both")
+        share = min(own, share)
+    if share < 1:
+        law["failure"]["layers"] = share

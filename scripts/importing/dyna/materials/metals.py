@@ -30,6 +30,7 @@ from .shared import (
 from .states import initial_bulk_modulus, translate_state
 
 EIGHT = " ".join("ABCDEFGH")
+SMALL = 1e-6  # EFMIN where it is blank
 COLD = 70.0  # Kelvin, below which a temperature is that of another scale
 SOFTENING = 8  # rows of a table that falls
 
@@ -327,7 +328,6 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     set_failure(law, step=row.number("DTF"))
     read_layers(deck, card, law, last, use)
     tell_rate(deck, row)
-    last.skip("EFMIN")
     for found in (row, flow, heat, last):
         found.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -366,8 +366,13 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
     """D1 to D5. LS-DYNA's triaxiality is that of pressure, so D3 changes its sign."""
     d1, d2, d3, d4 = heat.numbers("D1", "D2", "D3", "D4")
     d5, keeps = last.number("D5"), last.integer("EROD")
+    least = last.number("EFMIN")
     if not (d1 or d2):
         return
+    if d2 == d4 == d5 == 0:  # one failure strain
+        d1 = max(d1, least)
+    elif least > max(d1, SMALL):  # which the formula may fall below
+        deck.ledger.refuse(f"{card.keyword}.EFMIN", last.place, f"EFMIN: a lower limit of the failure strain of {least:g}", "there is no limit")
     if keeps:
         deck.ledger.refuse(f"{card.keyword}.EROD", last.place, "failed elements that are not eroded", "failed elements are eroded")
     if d3 < 0:
@@ -381,7 +386,7 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
         deck.ledger.refuse(f"{card.keyword}.D1", heat.place, "D1 or D2 below 0", "0 is used")
     damage = {"d1": max(d1, 0.0), "d2": max(d2, 0.0), "d3": -abs(d3), "d4": d4, "d5": d5, "reference_rate": rate}
     law.setdefault("failure", {})["johnson_cook"] = damage
-    deck.ledger.approximated(f"{card.keyword}.D1", heat.place, "damage by percuss' form, without the lower limit EFMIN")
+    deck.ledger.approximated(f"{card.keyword}.D1", heat.place, "damage by percuss' form")
 
 
 def simplified_johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck:

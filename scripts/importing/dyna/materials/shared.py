@@ -10,6 +10,7 @@ from ..cards import Card, Lines
 from ..deck import KeywordDeck
 
 FAR = 1.0  # plastic strain by which a table goes on with its last slope
+COROTATIONAL = {9}  # ELFORM of solids of *MAT_MODIFIED_HONEYCOMB, beside 0
 NEVER = 1e15  # a specific heat, a melting point, a failure strain that nothing reaches
 
 
@@ -24,6 +25,7 @@ class Use:
     is_beam: bool = False
     has_used_state: bool = False
     density: float = 0.0
+    is_corotational: bool = False  # ELFORM 0 and 9 of solids of *MAT_MODIFIED_HONEYCOMB
 
 
 def tangent_to_hardening(row: Row, youngs: float, tangent: float) -> float:
