@@ -109,7 +109,7 @@ def note_wall_pair(deck: AbaqusDeck, block: Block, names: tuple[str, str], place
     if not name:
         deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
         return
-    pair = (names[1].strip().strip('"').upper(), name, friction)
+    pair = (deck.tidy(names[1]), name, friction)
     if pair not in deck.wall_pairs:
         refuse_late(deck, block)
         deck.wall_pairs.append(pair)

@@ -47,6 +47,7 @@ class AbaqusDeck:
         self.mesh = Scope()
         self.parts: dict[str, Scope] = {}
         self.assembly = Scope()
+        self.assembly_name = ""
         self.left_elements: set[int] = set()  # whose section or material is refused
         self.rigid_material = ""  # of elements without a section
         self.controls: dict[str, Block] = {}  # *SECTION CONTROLS
@@ -57,6 +58,7 @@ class AbaqusDeck:
         self.amplitudes: dict[str, Amplitude] = {}
         self.steps: list[StepTime] = []
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)
+        self.scaled: set[tuple] = set()  # keywords of mass scaling with their options
         self.renewed: set[tuple[str, int]] = set()  # keyword and step of OP=NEW
         self.condition_lines: list = []
         self.load_writers: dict[tuple, Callable] = {}
@@ -98,9 +100,14 @@ class AbaqusDeck:
         sets = {**part.element_sets, **own.element_sets}
         return Scope(nodes={**part.nodes, **own.nodes}, elements={**part.elements, **own.elements}, element_sets=sets)
 
+    def tidy(self, name: str) -> str:
+        """A name in capitals; blanks around points and the name of the assembly in front do not count."""
+        words = [word.strip() for word in name.strip().strip('"').upper().split(".")]
+        return ".".join(words[1:] if len(words) > 1 and words[0] == self.assembly_name else words)
+
     def resolve(self, table: dict, name: str, place: Place, what: str):
         """What a name means: NAME, or INSTANCE.NAME where one instance alone has it."""
-        name = name.strip().strip('"').upper()
+        name = self.tidy(name)
         if name in table:
             return table[name]
         fits = [key for key in table if key.endswith("." + name)]
@@ -112,7 +119,7 @@ class AbaqusDeck:
 
     def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
         """Ids of a set, or one id: of the assembly, or as INSTANCE.ID."""
-        instance, _, label = name.strip().strip('"').rpartition(".")
+        instance, _, label = self.tidy(name).rpartition(".")
         id = parse_integer(label)
         if id is None:
             return self.resolve(table, name, place, what)
@@ -206,11 +213,11 @@ class AbaqusDeck:
         """Whether a surface has nodes or edges alone."""
         if self.find_node_surface(name) is not None:
             return True
-        sides = self.mesh.surfaces.get(name.strip().strip('"').upper(), [])
+        sides = self.mesh.surfaces.get(self.tidy(name), [])
         return bool(sides) and all(is_edge(label) for _, label in sides)
 
     def find_node_surface(self, name: str) -> list[str] | None:
-        name = name.strip().strip('"').upper()
+        name = self.tidy(name)
         fits = [key for key in self.mesh.node_surfaces if key == name or key.endswith("." + name)]
         return self.mesh.node_surfaces[fits[0]] if len(fits) == 1 or name in fits else None
 
@@ -277,7 +284,7 @@ class AbaqusDeck:
         if not faces:
             return ""
         taken = self.model.names.take(name)
-        self.model.side_sets[taken] = faces
+        self.model.side_sets[taken] = list(dict.fromkeys(faces))
         return taken
 
     def _name_elements(self, name: str, ids: list[int]) -> str:

@@ -1,7 +1,8 @@
 """Meshes by rule: *NGEN, *NFILL, *NCOPY, *ELGEN, *ELCOPY, and the systems of *NODE and *SYSTEM."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from operator import mul
 
 from ..fields import MOST_ID, clip
 from ..ledger import BadInput, Place, missing
@@ -78,9 +79,7 @@ def add_set(sets: dict[str, list[int]], name: str, ids: Iterable[int]) -> None:
 
 
 def read_ngen(scope: Scope, block: Block) -> None:
-    """Nodes on a straight line between two: first, last, increment of the ids."""
-    if block.option("LINE"):
-        raise BadInput(block.place, f"*NGEN, LINE={clip(block.option('LINE'))} (straight lines alone are read): write the nodes out")
+    """Nodes on a line between two: first, last, increment of the ids; of a curve its extra point."""
     for line in block.lines:
         first, last, step = block.id(line, 0), block.id(line, 1), abs(block.integer(line, 2, 1)) or 1
         a, b = find_node(scope, block, line, first), find_node(scope, block, line, last)
@@ -88,9 +87,37 @@ def read_ngen(scope: Scope, block: Block) -> None:
         if abs(last - first) % step or not count:
             raise BadInput(block.at(line[0]), f"ids {first} to {last} are not a whole number of increments of {step}: correct it")
         ids = [first + (step if last > first else -step) * i for i in range(min(count, MOST_MEMBERS) + 1)]
+        curve = choose_curve(scope, block, line, a, b)
         for i, id in enumerate(ids[1:-1], 1):
-            add_node(scope, block, id, between(a, b, i / count))
+            add_node(scope, block, id, curve(i / count))
         add_set(scope.node_sets, block.option("NSET"), ids)
+
+
+def choose_curve(scope: Scope, block: Block, line: tuple[int, list[str]], a: Vector, b: Vector) -> Callable[[float], Vector]:
+    """Places by their share of a straight line, a parabola (P, its midpoint is given) or an arc (C, its centre)."""
+    kind, system = block.option("LINE"), block.option("SYSTEM") or "R"
+    if not kind:
+        return lambda share: between(a, b, share)
+    if kind not in ("P", "C") or system not in ("R", "RC", "C", "S"):
+        raise BadInput(block.place, f"*NGEN, LINE={clip(kind)}, SYSTEM={clip(system)} (P or C, and RC, C or S are expected): correct it")
+    values = (block.number(line, 4), block.number(line, 5), block.number(line, 6))
+    extra = find_node(scope, block, line, block.id(line, 3)) if block.text(line, 3) else place_node(scope, system[0], values)
+    if kind == "P":
+        return lambda s: tuple((1 - s) * (1 - 2 * s) * p + 4 * s * (1 - s) * m + s * (2 * s - 1) * q for p, m, q in zip(a, extra, b))  # type: ignore[return-value]
+    return turn_about(extra, a, b, (block.number(line, 7), block.number(line, 8), block.number(line, 9)), block.at(line[0]))
+
+
+def turn_about(center: Vector, a: Vector, b: Vector, normal: Vector, place: Place) -> Callable[[float], Vector]:
+    """An arc from a to b; with a normal around it, else the shorter way."""
+    first, last = subtract(a, center), subtract(b, center)
+    sizes = math.hypot(*first), math.hypot(*last)
+    axis = normalise(normal if any(normal) else cross(first, last))
+    if min(sizes) <= 0 or not any(axis) or not math.isclose(*sizes, rel_tol=1e-3):
+        raise BadInput(place, "this arc has no centre at one distance from both of its ends, or no normal: correct it")
+    third = cross(axis, first)
+    angle = math.degrees(math.atan2(sum(map(mul, last, third)), sum(map(mul, last, first)))) % 360
+    tip: Vector = (center[0] + axis[0], center[1] + axis[1], center[2] + axis[2])
+    return lambda share: rotate(a, center, tip, angle * share)
 
 
 def between(a: Vector, b: Vector, share: float) -> Vector:

@@ -17,6 +17,8 @@ def read_initial(deck: AbaqusDeck, block: Block) -> None:
     kind = block.option("TYPE")
     if kind in READERS:
         READERS[kind](deck, block)
+    elif kind == "SOLUTION" and "USER" not in block.options:
+        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code: the laws that are read have none")
     else:
         deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"initial conditions of type {clip(kind)}", INSTEAD)
 

@@ -9,7 +9,7 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..text_files import read_lines
 from .parameters import Parameters
 
-MOST_OPEN, MOST_INCLUDED = 20, 1000
+MOST_OPEN, MOST_INCLUDED, SIZE_OF_NONE = 20, 2 << 30, 1 << 20  # files; bytes; what an empty file counts as
 
 
 @dataclass
@@ -90,11 +90,24 @@ class BlockReader:
     def __init__(self, path: str, ledger: Ledger):
         self._main, self._ledger = path, ledger
         self._folder = os.path.dirname(os.path.realpath(path))
-        self._included: set[str] = set()
+        self._included = 0
         self._parameters = Parameters()
 
     def read(self) -> Iterator[Block]:
-        yield from self._read_file(self._main, self._main, 1)
+        """Data lines of an included file, and those behind its *INCLUDE, go on with the keyword that stands before it."""
+        held: Block | None = None
+        for block in self._read_file(self._main, self._main, 1):
+            if block.keyword:
+                if held:
+                    yield held
+                held = block
+            elif held:
+                held.lines += [(block.place.line, words) for _, words in block.lines]
+            else:
+                words = ", ".join(block.lines[0][1])
+                raise BadInput(block.at(block.lines[0][0]), f"'{clip(words)}' stands before any keyword (a deck begins with one): remove it")
+        if held:
+            yield held
 
     def _read_file(self, path: str, shown: str, depth: int) -> Iterator[Block]:
         for block in self._cut(path, shown):
@@ -121,7 +134,7 @@ class BlockReader:
             elif block:
                 block.lines.append((number, [word.strip() for word in text.split(",")]))
             else:
-                raise BadInput(Place(shown, number), f"'{clip(text)}' stands before any keyword (a deck begins with one): remove it")
+                block = Block("", {}, Place(shown, number), lines=[(number, [word.strip() for word in text.split(",")])])
         if block:
             yield block
 
@@ -132,9 +145,9 @@ class BlockReader:
         if os.path.commonpath([path, self._folder]) != self._folder and not self._ledger.allows("INCLUDE.outside"):
             raise BadInput(place, f"'{clip(name, 100)}' lies outside of the folder of the first file "
                                   "(--allow INCLUDE.outside reads it, if you trust the deck)")  # fmt: skip
-        if path in self._included or len(self._included) >= MOST_INCLUDED:
-            raise BadInput(place, f"'{clip(name, 100)}' is included twice: remove one *INCLUDE")
-        self._included.add(path)
+        self._included += os.path.getsize(path) + SIZE_OF_NONE
+        if self._included > MOST_INCLUDED:
+            raise BadInput(place, f"the included files have more than {MOST_INCLUDED >> 30} GiB in all (the limit of the importer): divide the deck")
         self._ledger.files.add(path)
         return path
 
@@ -143,7 +156,10 @@ class BlockReader:
             raise BadInput(block.place, "files include each other too deeply: remove the loop")
         path = self._find(block.options.get("INPUT", ""), block.place)
         self._ledger.translated("INCLUDE", block.place, "the file is read")
-        yield from self._read_file(path, os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder)), depth + 1)
+        for found in self._read_file(path, os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder)), depth + 1):
+            yield found if found.keyword else Block("", {}, block.place, lines=found.lines)
+        if block.lines:
+            yield Block("", {}, block.place, lines=block.lines)
 
     def _read_data(self, block: Block) -> list[tuple[int, list[str]]]:
         """Data lines of a file of their own."""

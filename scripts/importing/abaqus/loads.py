@@ -113,6 +113,8 @@ def read_distributed(deck: AbaqusDeck, block: Block) -> None:
             read_surface_load(deck, block, line, label)
         elif block.keyword == "DLOAD" and label[:1] == "P" and label[1:] in ("", "1", "2", "3", "4", "5", "6"):
             read_element_pressure(deck, block, line, label)
+        elif block.keyword == "DLOAD" and label[:5] == "TRVEC" and label[5:] in ("", "1", "2", "3", "4", "5", "6"):
+            read_element_pressure(deck, block, line, "P" + label[5:], read_direction(deck, block, line))
         elif block.keyword == "DLOAD" and label in BODY_FORCES:
             read_body_force(deck, block, line, BODY_FORCES[label])
         else:
@@ -167,14 +169,26 @@ def read_body_force(deck: AbaqusDeck, block: Block, line: Line, direction: int) 
     add_gravity(deck, block, line, block.number(line, 2) / densities.pop(), axis, "loads.gravity: the force per volume over the density")
 
 
-def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str) -> None:
-    """P of shells pushes along their normal, P1 to P6 of solids into the face."""
+def read_direction(deck: AbaqusDeck, block: Block, line: Line) -> list[float]:
+    """Of a traction, which percuss lets act on the area at the start."""
+    direction = [block.number(line, i) for i in (3, 4, 5)]
+    if not any(direction):
+        raise BadInput(block.at(line[0]), "the direction of the traction is zero: correct it")
+    if block.option("FOLLOWER") != "NO":
+        deck.ledger.approximated(f"{block.keyword}.TRVEC", block.at(line[0]), "a traction in a fixed direction: it does not turn with its surface")
+    if block.option("CONSTANT RESULTANT") != "YES":
+        deck.ledger.approximated(f"{block.keyword}.CONSTANT RESULTANT", block.at(line[0]), "a traction acts on the area at the start")
+    return direction
+
+
+def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str, direction: list[float] | None = None) -> None:
+    """P of shells pushes along their normal, P1 to P6 of solids into the face; with a direction it is a traction."""
     place = block.at(line[0])
     name = deck.add_faces(block.text(line, 0), label, place)
     if not name:
         deck.ledger.refuse(f"DLOAD.{clip(label)}", place, "a pressure on elements without such a face", LEFT_OUT)
         return
-    add_pressure(deck, block, line, name, None)
+    add_pressure(deck, block, line, name, direction)
 
 
 def read_surface_load(deck: AbaqusDeck, block: Block, line: Line, label: str) -> None:
@@ -183,14 +197,7 @@ def read_surface_load(deck: AbaqusDeck, block: Block, line: Line, label: str) ->
     if not name:
         deck.ledger.ignored(block.keyword, place, "its surface has no element")
         return
-    direction = None
-    if label == "TRVEC":
-        direction = [block.number(line, i) for i in (3, 4, 5)]
-        if not any(direction):
-            raise BadInput(place, "the direction of the traction is zero: correct it")
-        if block.option("FOLLOWER") != "NO":
-            deck.ledger.approximated("DSLOAD.TRVEC", place, "a traction in a fixed direction: it does not turn with its surface")
-    add_pressure(deck, block, line, name, direction)
+    add_pressure(deck, block, line, name, read_direction(deck, block, line) if label == "TRVEC" else None)
 
 
 def add_pressure(deck: AbaqusDeck, block: Block, line: Line, name: str, direction: list[float] | None) -> None:

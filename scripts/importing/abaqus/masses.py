@@ -17,6 +17,11 @@ def read_mass_scaling(deck: AbaqusDeck, block: Block) -> None:
     factor, step = block.number(line, 0), block.number(line, 1)
     if min(factor, step) < 0 or factor == step == 0:
         raise BadInput(block.place, f"*{block.keyword} has no positive FACTOR or DT: add one")
+    what = (block.keyword, *sorted((name, value.upper()) for name, value in block.options.items()))
+    if what in deck.scaled:
+        deck.ledger.ignored(f"{block.keyword}.again", block.place, "it goes on as in the step before")
+        return
+    deck.scaled.add(what)
     if block.step > 1:
         deck.ledger.refuse(f"{block.keyword}.step", block.place, "mass scaling that begins in a later step", "it acts from the start")
     kind = block.option("TYPE") or "UNIFORM"

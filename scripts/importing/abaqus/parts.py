@@ -18,14 +18,30 @@ from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Inst
 MOST_NODES = 20_000_000
 
 
-def read_section(scope: Scope, block: Block) -> None:
+def read_layers(section: Section, block: Block, ledger: Ledger) -> None:
+    """Thickness, points, material and angle of each layer. Of one material, which is isotropic, they are one layer."""
+    lines = [line for line in block.lines if any(line[1])]
+    names = {block.text(line, 2).strip('"').upper() for line in lines}
+    if not lines:
+        raise BadInput(block.place, f"*{block.keyword}, COMPOSITE has no layers: add them")
+    section.is_layered = len(names) != 1
+    times = 2 if "SYMMETRIC" in block.options else 1
+    section.material = section.material if section.is_layered else names.pop()
+    section.thickness = times * sum(block.number(line, 0) for line in lines)
+    section.points = times * sum(block.integer(line, 1, 3) for line in lines)
+    if not section.is_layered:
+        ledger.translated(f"{block.keyword}.COMPOSITE", block.place, "layers of one material are one layer")
+
+
+def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
     """*SOLID SECTION, *SHELL SECTION and *BEAM SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     section.controls = block.option("CONTROLS")
-    if {"COMPOSITE", "STACK DIRECTION"} & block.options.keys():
-        section.is_layered = True
-    if section.kind in ("SHELL", "MEMBRANE") and block.lines:
+    if "COMPOSITE" in block.options:
+        read_layers(section, block, ledger)
+    elif section.kind in ("SHELL", "MEMBRANE") and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
+    if section.kind in ("SHELL", "MEMBRANE") and block.lines:
         section.is_nodal = "NODAL THICKNESS" in block.options
         section.distribution = block.option("SHELL THICKNESS")
         offset = block.option("OFFSET")

@@ -29,6 +29,7 @@ IGNORED = {
     "CONTACT FORMULATION": "contact works both ways", "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
     "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
     "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
+    "PHYSICAL CONSTANTS": "constants of radiation and of gases: the laws that are read have none",
 }  # fmt: skip
 
 
@@ -86,7 +87,7 @@ class Reader:
 
     def begin_assembly(self, block: Block) -> None:
         self.scope = self.assembly
-        self.assembly.place = block.place
+        self.assembly.place, self.deck.assembly_name = block.place, block.option("NAME")
 
     def begin_instance(self, block: Block) -> None:
         self.deck.instances.append(read_instance(block))
@@ -137,7 +138,7 @@ class Reader:
         self.deck.ledger.translated("SURFACE", block.place, "a side set, where something uses it")
 
     def section(self, block: Block) -> None:
-        read_section(self.scope, block)
+        read_section(self.scope, block, self.deck.ledger)
 
     def controls(self, block: Block) -> None:
         self.deck.controls[block.option("NAME")] = block
@@ -333,6 +334,9 @@ def read_assembly(reader: Reader) -> None:
         else:
             read_assembly_set(deck, block)
             deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
+    for sets in (deck.mesh.node_sets, deck.mesh.element_sets):
+        for name, ids in sets.items():  # what a set names twice is one member
+            sets[name] = list(dict.fromkeys(ids))
     deck.transformed = {node for name, place in deck.mesh.transforms for node in deck.nodes_of(name, place)}
 
 

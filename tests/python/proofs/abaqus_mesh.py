@@ -1,6 +1,6 @@
 """Nodes, elements, sets, instances and sections: the momentum of what moves is its mass."""
 
-from . import ALL, FIRST, Proof
+from . import ALL, FIRST, LAST, Proof
 from .pieces import CORNERS, CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
 
 STEEL = f"*MATERIAL, NAME=steel\n*DENSITY\n{DENSITY!r}\n*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
@@ -33,6 +33,20 @@ def instances(sets: str, where: str, second: str = "") -> str:
     return abaqus(part, assembly, STEEL, f"*INITIAL CONDITIONS, TYPE=VELOCITY\n{where}, 1, 100.\n", second)
 
 
+def strip(ends: str, count: int, *generators: str) -> str:
+    """Shells between nodes 1, 2, ... and 11, 12, ..., 1 mm thick, of generated nodes."""
+    lines = "".join(f"*NGEN{text}\n" for text in generators)
+    return moved(f"*NODE\n{ends}{lines}*ELEMENT, TYPE=S4R\n1, 1, 2, 12, 11\n*ELGEN, ELSET=sheet\n1, {count}, 1, 1\n*NSET, NSET=all, ELSET=sheet\n",
+                 "*SHELL SECTION, ELSET=sheet, MATERIAL=steel\n1., 5\n" + STEEL)  # fmt: skip
+
+
+def twice(*scalings: str) -> str:
+    """Two steps, each with its mass scaling."""
+    steps = "".join(f"*STEP\n*DYNAMIC, EXPLICIT\n, 1e-5\n*FIXED MASS SCALING, {text}\n*END STEP\n" for text in scalings)
+    return f"*HEADING\nproof\n{abaqus_cube()}{MOVING}{steps}"
+
+
+ARC = ", 5., 53.13010235415598, 0."  # the centre (3, 4, 0) in cylindrical coordinates
 PROOFS = [
     Proof("NODE: NSET; ELEMENT: TYPE ELSET; SOLID SECTION: ELSET MATERIAL; MATERIAL: NAME; DENSITY; INITIAL CONDITIONS: TYPE",
           abaqus(abaqus_cube(), "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 100.\nall, 2, -20.\n"),
@@ -43,6 +57,10 @@ PROOFS = [
     Proof("NODE: INPUT; ELEMENT: INPUT", moved("*NODE, NSET=all, INPUT=n.txt\n*ELEMENT, TYPE=C3D8R, ELSET=cube, INPUT=e.txt\n"), ALL_MOVE, "a cube of 1000 mm3",
           files={"n.txt": ROWS, "e.txt": "1, 1, 2, 3, 4, 5, 6, 7, 8\n"}),
     Proof("INCLUDE", abaqus("*INCLUDE, INPUT=mesh.txt\n", SOLID, MOVING), ALL_MOVE, "a cube of 1000 mm3", files={"mesh.txt": f"*NODE, NSET=all\n{ROWS}{HEX}"}),
+    Proof("INCLUDE", moved("*NODE, NSET=all\n*INCLUDE, INPUT=n.txt\n8, 0., 10., 10.\n*ELEMENT, TYPE=C3D8R, ELSET=cube\n*INCLUDE, INPUT=e.txt\n*ELSET, ELSET=again, GENERATE\n*INCLUDE, INPUT=e.txt\n"), ALL_MOVE,
+          "data lines in files, the last node behind them, and a file that comes twice", files={"n.txt": "".join(ROWS.splitlines(True)[:7]), "e.txt": "1, 1, 2, 3, 4, 5, 6, 7, 8\n"}),
+    Proof("INCLUDE", abaqus("*INCLUDE, INPUT=again.txt\n"), refused="include each other too deeply", files={"again.txt": "*INCLUDE, INPUT=again.txt\n"}),
+    Proof("INITIAL CONDITIONS: TYPE", moved("*NODE, NSET=all\n" + ROWS + HEX + "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.1, 0.2\n"), ALL_MOVE, "state variables of user code change nothing"),
     Proof("PARAMETER", moved("*PARAMETER\nwidth = 5.\nlength = 2*width\n*NODE, NSET=all\n" + ROWS.replace("10.0", "<length>") + HEX), ALL_MOVE, "edges of 2 times 5 mm"),
     Proof("NODE: SYSTEM", moved("*NODE, NSET=all, SYSTEM=C\n1, 0., 0., 0.\n2, 10., 0., 0.\n3, 14.142135624, 45., 0.\n4, 10., 90., 0.\n5, 0., 0., 10.\n6, 10., 0., 10.\n7, 14.142135624, 45., 10.\n"
                                 "8, 10., 90., 10.\n" + HEX), ALL_MOVE, "a cube by radius and angle"),
@@ -57,7 +75,15 @@ PROOFS = [
                  "*ELEMENT, TYPE=C3D8R\n1, 1, 2, 12, 11, 51, 52, 62, 61\n*ELGEN, ELSET=cube\n1, 2, 1, 1, 1, 1, 1, 2, 50, 10\n",
                  "*ELSET, ELSET=some, GENERATE\n1, 12, 1\n*NSET, NSET=all,\nGENERATE\n1, 113, 1\n", SOLID.replace("ELSET=cube", "ELSET=some"), MOVING),
           [("momentum_x", FIRST, 400.0 * CUBE_MASS, 1e-9)], "2 x 1 x 2 cubes"),
-    Proof("NGEN: LINE", moved("*NODE, NSET=all\n" + ROWS + "*NGEN, LINE=C\n1, 2, 1\n" + HEX), refused="LINE=C"),
+    Proof("NGEN: LINE", strip("1, 0., -10.\n5, 8., -10.\n11, 0., 0.\n15, 8., 0.\n9, 4., 4.\n", 4, "\n1, 5, 1", ", LINE=P\n11, 15, 1, 9"), of(100.0), "a parabola: heights of 0, 3, 4, 3, 0"),
+    Proof("NGEN: LINE SYSTEM", strip("1, 8., 4.\n4, 3., 9.\n11, 13., 4.\n14, 3., 14.\n", 3, f", LINE=C, SYSTEM=C\n1, 4, 1, {ARC}\n11, 14, 1, {ARC}"), of(3 * 0.5 * 75.0 * 0.5),
+          "three pieces of 30 degrees between radii of 5 and 10"),
+    Proof("NGEN: LINE", strip("1, 5., 0.\n4, 0., 5.\n11, 10., 0.\n14, 0., 10.\n9, 0., 0.\n", 3, ", LINE=C\n1, 4, 1, 9, , , , 0., 0., -2.\n11, 14, 1, 9, , , , 0., 0., -2."), of(3 * 0.5 * 75.0),
+          "three pieces of 90 degrees, the long way round, by the normal"),
+    Proof("NGEN: LINE", moved("*NODE, NSET=all\n" + ROWS + "*NGEN, LINE=B\n1, 2, 1\n" + HEX), refused="LINE=B"),
+    Proof("ELGEN: ELSET; ELEMENT: ELSET", abaqus("*NODE, NSET=all\n1, 0., 0.\n2, 10., 0.\n3, 20., 0.\n11, 0., 10.\n12, 10., 10.\n13, 20., 10.\n*ELEMENT, TYPE=S4R, ELSET=sheet\n1, 1, 2, 12, 11\n"
+          "*ELGEN, ELSET=sheet\n1, 2, 1, 1\n*SHELL SECTION, ELSET=sheet, MATERIAL=steel\n2., 5\n" + STEEL + MOVING, end=1e-4, step="*DLOAD\nsheet, P, 0.05\n"),
+          [("momentum_x", FIRST, 100.0 * DENSITY * 400.0, 1e-9), ("momentum_z", LAST, 10.0 * 1e-4, 1e-2)], "element 1 stands in its set twice, and counts once"),
     Proof("NCOPY: CHANGE_NUMBER OLD_SET NEW_SET SHIFT; ELCOPY: ELEMENT_SHIFT OLD_SET SHIFT_NODES NEW_SET",
           abaqus(f"*NODE, NSET=all\n{ROWS}{HEX}*NCOPY, CHANGE NUMBER=100, OLD SET=all, NEW SET=more, SHIFT\n20., 0., 0.\n0., 0., 0., 0., 0., 1., 90.\n"
                  "*ELCOPY, ELEMENT SHIFT=10, OLD SET=cube, SHIFT NODES=100, NEW SET=second\n", "*ELSET, ELSET=both\ncube, second\n", SOLID.replace("ELSET=cube", "ELSET=both"),
@@ -70,6 +96,8 @@ PROOFS = [
           "a reference point of the assembly is not node 1 of an instance"),
     Proof("INSTANCE", instances("", "two.own").replace("*INITIAL CONDITIONS, TYPE=VELOCITY\ntwo.own, 1, 100.\n", "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\ntwo.own, 5., 0., 0., 0.\n0., 0., 0., 0., 0., 1.\n"),
           [("momentum_x", FIRST, -25.0 * CUBE_MASS, 1e-6), ("momentum_y", FIRST, 125.0 * CUBE_MASS, 1e-6)], "its centre lies at (25, 5)"),
+    Proof("ASSEMBLY", instances("*NSET, NSET=s, INSTANCE=two\nown\n", "a. s"), ALL_MOVE, "the name of the assembly in front, and a blank"),
+    Proof("INSTANCE", instances("", "A.two .own"), ALL_MOVE, "the names of the assembly and of an instance in front"),
     Proof("ELSET: ELSET INSTANCE", instances("*ELSET, ELSET=e, INSTANCE=two\n1,\n*SURFACE, NAME=s\ne, S1\n", "one.own", "").replace("*OUTPUT", "*DSLOAD\ns, P, 0.1\n*OUTPUT"),
           [("momentum_z", 1e-5, 10.0 * 1e-5, 6e-2)], "10 N on the lower face of the second cube"),
     Proof("ELEMENT: TYPE", moved(f"*NODE, NSET=all\n{ROWS}*ELEMENT, TYPE=C3D8, ELSET=cube\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"), ALL_MOVE, "a cube of eight points"),
@@ -83,8 +111,13 @@ PROOFS = [
     Proof("DISTRIBUTION: INPUT", sheet("*SHELL SECTION, ELSET=sheet, MATERIAL=steel, SHELL THICKNESS=d\n1., 5\n*DISTRIBUTION, NAME=d, LOCATION=ELEMENT, TABLE=t, INPUT=d.txt\n"), of(300.0), "3 mm of element 1",
           files={"d.txt": ", 1.\n1, 3.\n"}),
     Proof("MEMBRANE SECTION: ELSET MATERIAL", sheet("*MEMBRANE SECTION, ELSET=sheet, MATERIAL=steel\n0.5,\n", "M3D4R"), of(50.0), "100 mm2 of 0.5 mm"),
-    Proof("SHELL SECTION: COMPOSITE", sheet("*SHELL SECTION, ELSET=sheet, COMPOSITE\n0.5, 3, steel\n"), refused="layers of several materials"),
-    Proof("SOLID SECTION: COMPOSITE", moved(f"*NODE, NSET=all\n{ROWS}{HEX}", "*SOLID SECTION, ELSET=cube, COMPOSITE\n1., 1, steel\n" + STEEL), refused="layers of several materials"),
+    Proof("SHELL SECTION: COMPOSITE", sheet("*SHELL SECTION, ELSET=sheet, COMPOSITE\n0.5, 3, steel, 0., a\n0.75, 3, steel, 90., b\n"), of(125.0), "two layers of one material"),
+    Proof("SHELL SECTION: COMPOSITE SYMMETRIC", sheet("*SHELL SECTION, ELSET=sheet, COMPOSITE, SYMMETRIC\n0.5, 3, steel\n0.75, 3, steel\n"), of(250.0), "and the same again"),
+    Proof("SHELL SECTION: COMPOSITE", sheet("*SHELL SECTION, ELSET=sheet, COMPOSITE\n0.5, 3, steel\n0.5, 3, glue\n"), refused="layers of several materials"),
+    Proof("SHELL SECTION: COMPOSITE", sheet("*SHELL SECTION, ELSET=sheet, COMPOSITE\n"), refused="has no layers"),
+    Proof("SHELL SECTION: POISSON", sheet("*SHELL SECTION, ELSET=sheet, MATERIAL=steel, POISSON=0.\n2.5, 5\n"), refused="POISSON=0."),
+    Proof("SOLID SECTION: COMPOSITE", moved(f"*NODE, NSET=all\n{ROWS}{HEX}", "*SOLID SECTION, ELSET=cube, COMPOSITE\n1., 1, steel\n" + STEEL), ALL_MOVE, "a layer of one material"),
+    Proof("SOLID SECTION: COMPOSITE SYMMETRIC", moved(f"*NODE, NSET=all\n{ROWS}{HEX}", "*SOLID SECTION, ELSET=cube, COMPOSITE, SYMMETRIC\n1., 1, steel\n1., 1, glue\n" + STEEL), refused="layers of several materials"),
     Proof("SHELL SECTION: CONTROLS; SECTION CONTROLS: NAME", sheet("*SHELL SECTION, ELSET=sheet, MATERIAL=steel, CONTROLS=c\n2., 5\n"), refused="there is no *SECTION CONTROLS 'C'"),
     Proof("SECTION CONTROLS: HOURGLASS; SOLID SECTION: CONTROLS",
           abaqus(f"*NODE, NSET=all\n{ROWS}{HEX}", SOLID.replace("ELSET=cube,", "CONTROLS=c, ELSET=cube,"), "*SECTION CONTROLS, NAME=c, HOURGLASS=VISCOUS\n",
@@ -100,17 +133,21 @@ PROOFS = [
     Proof("FIXED MASS SCALING: FACTOR ELSET", abaqus(abaqus_cube(), MOVING, "*ELSET, ELSET=e\ncube\n", step="*FIXED MASS SCALING, ELSET=e, FACTOR=4.\n"), [("momentum_x", FIRST, 400.0 * CUBE_MASS, 1e-9)], "four times the mass"),
     Proof("FIXED MASS SCALING: DT ELSET TYPE", abaqus(abaqus_cube(), MOVING, end=1e-4, step="*FIXED MASS SCALING, ELSET=cube, DT=4e-6, TYPE=BELOW MIN\n"),
           [(lambda h: h["dt"][1], ALL, 0.9 * 4e-6, 6e-2)], "0.9 of the time asked for, in a whole number of steps"),
+    Proof("FIXED MASS SCALING: FACTOR", twice("FACTOR=4.", "FACTOR=4."), [("momentum_x", ALL, 400.0 * CUBE_MASS, 1e-9)], "the second step asks for the same: it goes on"),
+    Proof("FIXED MASS SCALING: FACTOR", twice("FACTOR=4.", "FACTOR=5."), refused="mass scaling that begins in a later step"),
     Proof("FIXED MASS SCALING: TYPE", abaqus(abaqus_cube(), step="*FIXED MASS SCALING, DT=4e-6, TYPE=SET EQUAL DT\n"), refused="SET EQUAL DT"),
     Proof("VARIABLE MASS SCALING: DT ELSET TYPE FREQUENCY", abaqus(abaqus_cube(), MOVING, end=1e-4, step="*VARIABLE MASS SCALING, ELSET=cube, DT=4e-6, TYPE=BELOW MIN, FREQUENCY=5\n"),
           [(lambda h: h["dt"][1], ALL, 0.9 * 4e-6, 6e-2)], "0.9 of the time asked for, in a whole number of steps"),
 ]  # fmt: skip
 
 AXES = "axes of an isotropic material"
+OF_TEMPERATURES = "how temperatures of the section are given, each of which has a card of its own"
 NUMERICS = "numerics of elements: percuss has its own"
 NOT_PHYSICS = {
     "HEADING": "a title", "NSET.INTERNAL": "hides it in a user interface", "ELSET.INTERNAL": "hides it in a user interface", "ELSET.UNSORTED": "an order",
     "SURFACE.INTERNAL": "hides it in a user interface", "SOLID SECTION.ORIENTATION": AXES, "SHELL SECTION.ORIENTATION": AXES, "MEMBRANE SECTION.ORIENTATION": AXES,
     "MEMBRANE SECTION.CONTROLS": "hourglass control of shells is that of percuss", "BEAM SECTION.CONTROLS": "beams have no hourglass modes",
+    "SOLID SECTION.STACK DIRECTION": AXES, "SHELL SECTION.TEMPERATURE": OF_TEMPERATURES, "BEAM SECTION.TEMPERATURE": OF_TEMPERATURES,
     "SHELL SECTION.SECTION INTEGRATION": "the report says that percuss has Gauss points", "SECTION CONTROLS.MAX DEGRADATION": "elements keep their stress until they fail, as the report says",
     "SECTION CONTROLS.DISTORTION CONTROL": NUMERICS, "SECTION CONTROLS.LENGTH RATIO": NUMERICS, "SECTION CONTROLS.KINEMATIC SPLIT": NUMERICS,
     "SECTION CONTROLS.SECOND ORDER ACCURACY": NUMERICS, "VARIABLE MASS SCALING.NUMBER INTERVAL": "how often mass is looked at",
