@@ -184,7 +184,12 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
 
 
 def list_side_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
-    """Parts that a side names; None where it names something else."""
+    """Parts that a side names, solids in place of their skins; None where it names something else."""
+    parts = list_named_parts(deck, contact, side)
+    return None if parts is None else deck.without_skins(parts)
+
+
+def list_named_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
     id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
     if kind == 5 or (kind in (0, 2) and id == 0):
         return list(deck.parts)
@@ -222,16 +227,18 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
     if kind == 0:
         return deck.segment_set_name(id, place)
     if kind == 1:
+        if tell_skins(deck, id, place):
+            return None
         return deck.element_set_name("SHELL", id, place)
     if kind == 2:
         parts = deck.list_members("PART", id, place)
-        if not any(block.beams and block.part in parts for block in deck.model.blocks):
+        if not deck.skins.keys() & set(parts) and not any(block.beams and block.part in parts for block in deck.model.blocks):
             return deck.part_set_name(id, place)
         deck.used.add(("PART", id))
-        return deck.name_blocks(without_beams(deck, parts), f"surface_{id}") or None
+        return deck.name_blocks(without_beams(deck, deck.without_skins(parts)), f"surface_{id}") or None
     if kind == 3:
         deck.find_part(id, place)
-        return deck.name_blocks([id], f"surface_{id}") or None
+        return deck.name_blocks(deck.without_skins([id]), f"surface_{id}") or None
     if kind == 4 and for_tie:
         return deck.node_set_name(id, place)
     if kind == 4:
@@ -241,6 +248,15 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return deck.name_blocks(without_beams(deck, [part for part in deck.parts if part not in gone]), f"all_but_{id}") or None
     deck.ledger.refuse("CONTACT.SSTYP", place, f"a surface of type {kind}", "it is left out")
     return None
+
+
+def tell_skins(deck: KeywordDeck, id: int, place: Place) -> bool:
+    """Whether a set of shells has some of a skin: they are no elements of percuss."""
+    gone = {shell.id for part in deck.skins for shell in deck.elements[part].shells}
+    is_of_skin = not gone.isdisjoint(deck.list_members("SHELL", id, place))
+    if is_of_skin:
+        deck.ledger.refuse("CONTACT.SSTYP", place, "a set of shells of *MAT_NULL on solids (percuss takes the solids, by parts): name their part", INSTEAD)
+    return is_of_skin
 
 
 def without_beams(deck: KeywordDeck, parts: list[int]) -> list[int]:

@@ -212,6 +212,7 @@ class KeywordDeck:
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
         self.detonations: list[tuple[int, Vector, Place]] = []  # part or 0 for all, point
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
+        self.skins: dict[int, list[Any]] = {}  # materials.skins.Skin, by the part whose shells they are
         self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
         self.springs: list[SpringElement] = []
         self.part_of_spring: set[int] = set()
@@ -385,6 +386,13 @@ class KeywordDeck:
     def blocks_of(self, parts: Iterable[int]) -> list[int]:
         wanted = set(parts)
         return [block.id for block in self.model.blocks if block.part in wanted]
+
+    def without_skins(self, parts: Iterable[int]) -> list[int]:
+        """Parts that touch: the solids in place of the skins on them."""
+        found: dict[int, None] = {}
+        for part in parts:
+            found.update(dict.fromkeys(solid for skin in self.skins[part] for solid in skin.solids) if part in self.skins else {part: None})
+        return list(found)
 
     def held_as_bodies(self) -> bool:
         """Whether rigid bodies have nodes of elements that deform: beside them percuss adds mass at the start alone."""

@@ -26,6 +26,7 @@ from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
 from .load_cards import apply_part_gravity, read_body_force, read_body_load, read_node_load, read_part_gravity, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
+from .materials.skins import add_skin_masses
 from .mass_cards import add_masses_of_sets, read_masses
 from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
@@ -235,7 +236,7 @@ LAST: tuple[tuple[Callable[[KeywordDeck], None], str], ...] = (
     (add_preloads, "INITIAL_"), (apply_part_gravity, "LOAD_GRAVITY_PART"),
     (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"), (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
     (balance_bodies, "INITIAL_VELOCITY"), (apply_body_holds, "BOUNDARY_"),
-    (add_joints, "CONSTRAINED_JOINT"), (start.add_masses, "ELEMENT_MASS"), (add_masses_of_sets, "ELEMENT_MASS"),
+    (add_joints, "CONSTRAINED_JOINT"), (start.add_masses, "ELEMENT_MASS"), (add_skin_masses, "MAT_NULL"), (add_masses_of_sets, "ELEMENT_MASS"),
     (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_NODE_SET"),
     (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"), (check_relaxation, "DEFINE_CURVE"),
     (keep_sets, "SET_"), (note_unused, "DEFINE_CURVE"),

@@ -2,8 +2,8 @@
 
 import math
 
-from . import ALL, LARGEST, LAST, MAX, MIN, Proof
-from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell_section, solid_section, square, two_cubes, velocity
+from . import ALL, FIRST, LARGEST, LAST, MAX, MIN, Proof
+from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
 MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
@@ -64,6 +64,15 @@ WITH_NODES = ("NODES_TO_SURFACE", "FORMING_NODES_TO_SURFACE")
 FOURTH_CARD = ("ERODING_NODES_TO_SURFACE", "CONSTRAINT_NODES_TO_SURFACE")
 SHEET = square(3, 21, (0.0, 0.0, 30.0), of=3) + part(3, 3) + shell_section(3, 0.5) + "*INITIAL_VELOCITY_GENERATION\n3,2,0,0,0,-1000.0\n0\n"
 
+SKIN = 3e-9 * 100.0 * 0.5  # density, area, thickness
+
+
+def skinned(contact):
+    """The sliding cube with a skin below, which alone is in contact with the floor."""
+    sheet = "*ELEMENT_SHELL\n3,3,1,2,3,4\n" + part(3, 3, 3) + shell_section(3, 0.5) + "*MAT_NULL\n3,3e-9\n"
+    return slide(contact, sheet)
+
+
 FAMILIES = [
     *[Proof(f"CONTACT_{word}", slide(f"*CONTACT_{word}\n1,2,3,3\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "a pair") for word in PAIRS],
     Proof("CONTACT_CONSTRAINT_SURFACE_TO_SURFACE", slide("*CONTACT_CONSTRAINT_SURFACE_TO_SURFACE\n1,2,3,3\n0.2\n\n\n"), [(friction, LAST, -0.2, 5e-2)], "a pair, with a fourth card"),
@@ -74,6 +83,11 @@ FAMILIES = [
     Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n0,0,0.3\n", SHEET), refused="thickness of contact other than"),
     Proof("CONTACT: SST MST", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n0,0,0.3\n"), [(friction, LAST, -0.2, 5e-2)], "without shells it does nothing"),
     Proof("PART_CONTACT: FD DC", slide(PAIR + "-1.0\n\n", parts=("*PART_CONTACT", "0.35,0.2,0.0\n")), [(friction, LAST, -0.35, 5e-2)], "FS of the parts, where DC is 0"),
+    Proof("MAT_NULL: RO", skinned("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n3,2,3,3\n0.2\n\n"), [("momentum_x", FIRST, 2000.0 * (CUBE_MASS + SKIN), 1e-9), (friction, LAST, -0.2, 5e-2)],
+          "shells of no strength below the cube: their mass counts, and they touch"),
+    Proof("MAT_NULL", skinned("*SET_PART_LIST\n8\n2,3\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n8,0,2\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "likewise, as one of a set of parts"),
+    Proof("MAT_NULL", skinned("*SET_SHELL_LIST\n8\n3\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n8,2,1,3\n0.2\n\n"), refused="a set of shells of *MAT_NULL on solids"),
+    Proof("MAT_NULL", deck(shell(material="*MAT_NULL\n1,7.8e-9\n")), refused="without strength"),
     Proof("PART_CONTACT: OPTT", slide(PAIR + "0.2\n\n", parts=("*PART_CONTACT", "0,0,0,0,0.7\n")), refused="a thickness of contact of 0.7"),
     Proof("PART_CONTACT: OPTT", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n", SHEET.replace("*PART\npart_3\n3,3,1\n", "*PART_CONTACT\nsheet\n3,3,1\n0,0,0,0,0.5\n")), [(friction, LAST, -0.2, 5e-2)], "that of its shells changes nothing"),
     Proof("CONTROL_CONTACT: TH_SF SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n0,0,0,0,0,0.5\n"), refused="TH_SF"),

@@ -11,6 +11,7 @@ from ..deck import KeywordDeck, PartCard
 from .elastic import ELASTIC
 from .erosion import add_erosion
 from .shared import COROTATIONAL, Use
+from .skins import cover
 from .metals import METALS
 from .rigid import translate_rigid
 
@@ -138,6 +139,8 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
         law = translate_rigid(deck, card)
+    elif law_name == "NULL" and use.is_shell and not use.state and cover(deck, block, use.density):
+        return None
     elif law_name in LAWS:
         law = translate(deck, card, use, LAWS[law_name])
     else:
