@@ -101,6 +101,7 @@ def write_page(options, cases, results):
     text += f"; outside: {', '.join('`' + name + '`' for name in wrong)}.\n\n" if wrong else ".\n\n"
     text += write_overview(cases, results) + "\n"
     text += f"All together: {sum(r['runs'] for r in measured)} runs, {sum(r['cpu'] for r in measured) / 60:.1f} minutes.\n\n"
+    text += (here / "public_models.md").read_text() + "\n"
     text += (here / "open_points.md").read_text() + "\n"
     for group, title in GROUPS.items():
         text += f"## {title}\n\n"
