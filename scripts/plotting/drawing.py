@@ -23,12 +23,22 @@ STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
 SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths, millionths ...
 SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 ROUND_OFF, FLAT_MARGIN = 1e-9, 0.1  # of the largest value: below it a curve is constant; what its panel shows around it
+SAME_CURVE = 1e-9  # of the largest value: curves that differ by less are one
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
             "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True, "grid.color": GRID,
             "svg.fonttype": "none", "svg.hashsalt": "percuss", "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
             "path.simplify": True}
+
+
+def _coincide(history, one, other):
+    """Whether two columns have the same values but for round-off, and are not zero."""
+    if one not in history or other not in history:
+        return one not in history and other not in history
+    a, b = history[one], history[other]
+    size = max(find_size(a), find_size(b))
+    return size > 0 and bool(np.all(np.abs(a - b) <= SAME_CURVE * size))
 
 
 class Plot:
@@ -70,9 +80,12 @@ class Plot:
 
     def _draw(self, axes, panel: Panel):
         unit, factor = self._choose_unit(panel)
+        hidden = self._find_copies(panel)
         several = len(self.runs) > 1
         for number, (label, run, history) in enumerate(self.runs):
-            for curve, name in enumerate(name for name in panel.columns if name in history):
+            for curve, name in enumerate(panel.columns):
+                if name not in history or name in hidden:
+                    continue
                 time, values = make_curve(history, name, self.options)
                 time, values = thin(time, values)
                 color = COLORS[(number if len(panel.columns) == 1 else curve) % len(COLORS)]
@@ -82,16 +95,29 @@ class Plot:
                 self._color_by_part(axes, run, history, factor)
         if self.test is not None:
             self.test.draw(axes, self.x_factor, factor)
-        self._add_legend(axes, panel)
+        self._add_legend(axes, panel, hidden)
         self._finish(axes, panel, unit)
 
-    def _add_legend(self, axes, panel):
-        """Columns by their colours and runs by their styles: not a line for each pair of them."""
+    def _find_copies(self, panel):
+        """{column: an earlier one of the panel that has the same curve in every run}: it is drawn once."""
+        copies = {}
+        for place, name in enumerate(panel.columns):
+            for earlier in panel.columns[:place]:
+                if earlier not in copies and all(_coincide(history, earlier, name) for _, _, history in self.runs):
+                    copies[name] = earlier
+                    break
+        return copies
+
+    def _add_legend(self, axes, panel, hidden):
+        """Columns by their colours and runs by their styles: not a line for each pair of them. Curves that coincide have one line."""
         entries = list(axes.get_legend_handles_labels()[0])
         if len(panel.columns) > 1:
             for curve, name in enumerate(panel.columns):
+                if name in hidden:
+                    continue
                 owner = next(history for _, _, history in self.runs if name in history)
-                entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=owner.label(name)))
+                label = " =\n".join([owner.label(name), *(owner.label(copy) for copy, shown in hidden.items() if shown == name)])
+                entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=label))
         if len(self.runs) > 1 or self.test is not None:
             for number, (label, _, _) in enumerate(self.runs):
                 color = COLORS[number % len(COLORS)] if len(panel.columns) == 1 else INK

@@ -16,10 +16,11 @@ def directions(azimuth, elevation):
     return right, np.cross(right, forward), forward
 
 
-def sample_positions(fields, nodes, frames, limit=400_000):
-    """Positions of nodes over the frames, thinned evenly to about `limit`: [n][3], finite ones only."""
+def sample_positions(fields, nodes, frames, limit=400_000, shift=None):
+    """Positions of nodes over the frames, thinned evenly to about `limit`: [n][3], finite ones only. shift(frame) [3]: what is taken away,
+    as a camera sees them that goes along."""
     stride = max(1, len(nodes) * len(frames) // limit)
-    samples = np.concatenate([fields.positions(f)[nodes[f % stride :: stride]] for f in frames])
+    samples = np.concatenate([fields.positions(f)[nodes[f % stride :: stride]] - (0 if shift is None else shift(f)) for f in frames])
     return samples[np.isfinite(samples).all(axis=1)]
 
 

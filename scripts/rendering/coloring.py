@@ -4,7 +4,7 @@ import numpy as np
 from percuss.units import choose_unit
 
 from . import colors
-from .ranges import choose_bar, find_ends
+from .ranges import choose_bar, find_ends, find_typical_ends
 from .selection import BadChoice
 
 LABELS_OF_A_GIVEN_RANGE = 5
@@ -22,7 +22,7 @@ class Coloring:
         if self.name not in names:
             raise BadChoice(f"there is no field '{self.name}' in {fields.path} (it has {', '.join(sorted(names))})")
         self.place = names[self.name]
-        self.factor, self.title = 1.0, None
+        self.factor, self.title, self.unit = 1.0, None, ""
         self.categories = 0
         if self.name in colors.CATEGORIES:
             self.categories = int(max(fields.values(self.name, frame).max() for frame in range(len(fields.times)))) + 1
@@ -38,12 +38,14 @@ class Coloring:
 
     def _make_bar(self, arguments, frames):
         ends = find_ends(self._drawn_values(frame) for frame in frames)
-        low, high, self.labels = choose_bar(ends)
+        typical = find_typical_ends((self._drawn_values(frame) for frame in frames), getattr(arguments, "percentile", None))
+        low, high, self.labels = choose_bar(typical)
         if arguments.range:
             (low, high), self.labels = arguments.range, LABELS_OF_A_GIVEN_RANGE
         if not high > low:
             raise BadChoice(f"the range {low:g}:{high:g} is empty")
         unit, self.factor = choose_unit(self.fields.unit_of(self.name), max(abs(low), abs(high)))
+        self.unit, self.ends = unit, (low, high)
         name = arguments.map.removesuffix("-r")
         if name not in colors.MAPS:
             raise BadChoice(f"there is no colour map '{arguments.map}' (there are {', '.join(colors.MAPS)})")

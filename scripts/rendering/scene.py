@@ -29,6 +29,7 @@ FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
 INK = rgb("#2b2f36")
 VEIL = 0.7  # opacity of the white behind texts
+MARK_TO_THE_LEFT = 0.5  # of the width
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 
@@ -68,7 +69,7 @@ class Scene:
     def __init__(self, surface, lut, size, supersampling, edges):
         self.width, self.height = size
         self.scale = supersampling
-        self._walls = []
+        self._walls, self._mark = [], []
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
         self.window = vtkRenderWindow()
@@ -103,6 +104,19 @@ class Scene:
             look.SetEdgeColor(*rgb("#4a4f57"))
             look.SetLineWidth(0.35 * self.scale)
         self.renderer.AddActor(actor)
+        self._surface = actor
+
+    def add_copies(self, copies):
+        """copies: for each the planes (axis, value) that mirror it."""
+        for planes in copies:
+            actor = vtkActor()
+            actor.ShallowCopy(self._surface)
+            scale, place = [1, 1, 1], [0, 0, 0]
+            for axis, value in planes:
+                scale[axis], place[axis] = -1, 2 * value
+            actor.SetScale(*scale)
+            actor.SetPosition(*place)
+            self.renderer.AddActor(actor)
 
     def _add_lights(self):
         """Daylight: much from everywhere (ambient), a warm key light from above the camera's left, a cool fill from its right."""
@@ -141,9 +155,41 @@ class Scene:
         camera.SetPosition(*position)
         camera.SetFocalPoint(*target)
         camera.SetViewUp(*up)
+        self._stand = np.asarray(position), np.asarray(target)
         depth = (sample - position) @ ((target - position) / np.linalg.norm(target - position))
         near = max(depth.min() * 0.8, 1e-3 * depth.max())
         camera.SetClippingRange(near, depth.max() * 1.2)
+
+    def shift_camera(self, by):
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(*(self._stand[0] + by))
+        camera.SetFocalPoint(*(self._stand[1] + by))
+
+    def mark(self, point, text):
+        """A ring at a point with a text beside it, over all that is drawn. None: no mark in this picture."""
+        if not self._mark:
+            ring, label = (self.add_text("", 0, 0, points, bold=True) for points in (0.034, 0.022))
+            ring.GetTextProperty().SetBackgroundOpacity(0)
+            ring.GetTextProperty().SetJustificationToCentered()
+            ring.GetTextProperty().SetVerticalJustificationToCentered()
+            self._mark = [ring, label]
+            for actor in self._mark:
+                actor.GetPositionCoordinate().SetCoordinateSystemToWorld()
+        for actor in self._mark:
+            actor.SetVisibility(point is not None)
+        if point is None:
+            return
+        ring, label = self._mark
+        for actor in self._mark:
+            actor.GetPositionCoordinate().SetValue(*point)
+        ring.SetInput("\u25cb")
+        share = ring.GetPositionCoordinate().GetComputedViewportValue(self.renderer)[0] / (self.width * self.scale)
+        if share > MARK_TO_THE_LEFT:  # the colour bar stands at the right
+            label.SetInput(f"{text}     ")
+            label.GetTextProperty().SetJustificationToRight()
+        else:
+            label.SetInput(f"     {text}")
+            label.GetTextProperty().SetJustificationToLeft()
 
     def add_color_bar(self, lut, title, labels, note):
         """labels: how many numbers the bar has. note: a line below it."""

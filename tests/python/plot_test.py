@@ -50,6 +50,20 @@ class Plot(unittest.TestCase):
         for warning in self.run_.warnings:
             self.assertIn(warning["rule"], done.stdout)
 
+    def test_curves_that_coincide_are_drawn_once(self):
+        from plotting.drawing import Plot as Drawing
+
+        time = np.linspace(0, 1, 50)
+        table = np.column_stack([time, time, time**2, time**2 * (1 + 1e-12), -(time**2), np.zeros(50), np.zeros(50)])
+        history = History(["time", "dt", "fx:a", "fx:b", "fx:c", "fx:d", "fx:e"], table)
+        run = percuss.Run(self.out)
+        for words, lines in (("fx:a,fx:b,fx:c", 2), ("fx:d,fx:e", 2), ("fx:a,fx:c", 2)):
+            figure = Drawing([("run", run, history)], Options()).draw_one(choose_panels([words], [history])[0])
+            self.assertEqual(len([line for line in figure.axes[0].lines if len(line.get_xdata()) == 50]), lines, words)
+            texts = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+            self.assertEqual(len(texts), lines)
+        self.assertNotIn("fx:b", texts)
+
     def test_panels_show_what_is_large_and_accelerations(self):
         names = ["time", "dt", "fx:hit", "fy:hit", "fz:hit", "tip_x", "tip_vx"]
         table = np.array([[0, 0, 0, 0, 0, 0, 1], [1, 1, 2, 100, 0.5, 0, 5], [2, 1, 0, 9, 0, 0, 9]], dtype=float)

@@ -46,9 +46,9 @@ class Render(unittest.TestCase):
         return subprocess.run([SCRIPT, folder, "--out", self.out.name, "--size", "320x180", "--fast", *arguments],
                               capture_output=True, text=True, timeout=120, env=env)
 
-    def draw(self, *arguments, frame=0, **options):
+    def draw(self, *arguments, frame=0, mark=False, **options):
         """The picture of one frame, without colour bar and legend."""
-        done = self.render("--frame", str(frame), "--edges", "off", *arguments, **options)
+        done = self.render("--frame", str(frame), "--edges", "off", *["--no-mark"] * (not mark), *arguments, **options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return self.picture(f"frame_{frame:04d}.png")[:, :270]
 
@@ -150,6 +150,67 @@ class Render(unittest.TestCase):
         np.testing.assert_array_equal(first[:, 285:], last[:, 285:], "the bar")
         self.assertFalse(is_dark_red(first[:, :270]).any())
         self.assertTrue(is_dark_red(last[:, :270]).any())
+
+    def test_tells_and_marks_the_largest_value(self):
+        folder = self.change_stress(lambda frame, element: np.where(element == 13, 0.03 * (1 + frame), 0.01))
+        with h5py.File(os.path.join(folder, "fields.vtkhdf")) as file:
+            number = int(file["VTKHDF/CellData/element_id"][13])
+        done = self.render("--field", "von_mises", "--frame", "0,2", folder=folder)
+        self.assertIn("largest von Mises stress 90 mPa", done.stdout)
+        self.assertIn(f"element {number} of part", done.stdout)
+        self.assertIn("frame 2", done.stdout)
+        marked, plain = (self.draw("--field", "von_mises", folder=folder, mark=mark) for mark in (True, False))
+        self.assertTrue((marked != plain).any())
+
+    def test_draws_the_mirrored_half(self):
+        def count_columns(picture):
+            drawn = np.flatnonzero((picture.min(axis=2) < 245).any(axis=0))
+            return (picture.min(axis=2) < 245).sum(axis=0)[drawn[0] : drawn[-1] + 1]
+
+        options = ("--view", "-90:0", "--part-colors")  # x to the right
+        with h5py.File(os.path.join(FOLDER, "fields.vtkhdf")) as file:
+            low = float(file["VTKHDF/Points"][: int(file["VTKHDF/NumberOfPoints"][0]), 0].min())
+        half = count_columns(self.draw(*options)[40:-25])
+        whole = count_columns(self.draw(*options, "--mirror", f"x={low}")[40:-25])
+        middle = len(whole) // 2
+        self.assertAlmostEqual(whole[:middle].sum() / whole[-middle:].sum(), 1, delta=0.1)  # in perspective
+        self.assertGreater(len(whole) / whole.max(), 1.6 * len(half) / half.max(), "it is twice as wide")
+        done = self.render("--frame", "0", "--mirror")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--mirror y=0", done.stderr)
+
+    def test_the_camera_follows_what_moves(self):
+        def find_change(*options):
+            middles = []
+            for frame in (0, 2):
+                drawn = np.argwhere(self.draw("--part-colors", *options, frame=frame)[40:-25].min(axis=2) < 245)
+                middles.append(drawn.mean(axis=0))
+            return np.linalg.norm(middles[1] - middles[0])
+
+        with h5py.File(os.path.join(FOLDER, "fields.vtkhdf")) as file:
+            name = file["percuss/part_names"][0].decode()
+        self.assertLess(find_change("--part", name, "--follow", name), 0.5 * find_change("--part", name))
+        done = self.render("--frame", "0", "--follow", "nobody")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(name, done.stderr)
+
+    def test_draws_two_runs_beside_each_other(self):
+        folder = self.change_stress(lambda frame, element: np.full(len(element), 0.5 + frame))
+        done = self.render("--frame", "1", "--field", "von_mises", "--beside", folder, "--no-mark")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        picture = self.picture("frame_0001.png")
+        self.assertEqual(picture.shape, (180, 320, 3))
+        left, right = picture[30:-25, :130], picture[30:-25, 160:290]
+        self.assertTrue((left.min(axis=2) < 245).any() and (right.min(axis=2) < 245).any())
+        np.testing.assert_array_equal(picture[40:120, 142:160], picture[40:120, 302:320], "one bar")
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not here")
+    def test_makes_films(self):
+        self.assertEqual(self.render("--video", "mp4", "--video", "webm", "--fps", "5").returncode, 0)
+        for name, head in (("animation.mp4", b"ftyp"), ("animation.webm", b"webm")):
+            with open(os.path.join(self.out.name, name), "rb") as file:
+                self.assertIn(head, file.read(64))
+        self.assertEqual(self.render("--video", "mp4", "--video", "webm").returncode, 0, "they have the mark")
 
     def test_takes_a_range_that_is_given(self):
         folder = self.change_stress(lambda frame, element: np.where(element == 13, 0.03, 0))

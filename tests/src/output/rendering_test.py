@@ -17,7 +17,7 @@ SCRIPTS = sys.argv.pop()
 sys.path[:0] = [SCRIPTS, os.path.join(os.path.dirname(SCRIPTS), "python")]
 from percuss.units import choose_unit, format_time  # noqa: E402
 from rendering.plates import span_wall  # noqa: E402
-from rendering.ranges import choose_bar, find_ends  # noqa: E402
+from rendering.ranges import choose_bar, find_ends, find_typical_ends  # noqa: E402
 from rendering.selection import Cut, faces_camera  # noqa: E402
 from rendering.skin import Skin  # noqa: E402
 
@@ -83,6 +83,18 @@ class Bar(unittest.TestCase):
         self.assertEqual(find_ends([np.array([0, np.nan, 2]), np.array([-np.inf, 1, 3])]), (0, 3))
         self.assertIsNone(find_ends([np.array([np.nan])]))
         self.assertIsNone(find_ends([]))
+
+    def test_one_peak_does_not_leave_the_rest_pale(self):
+        body = np.linspace(0, 1, 2001)
+        low, high = find_typical_ends([body, np.append(body, 50.0)])
+        self.assertEqual(low, 0)
+        self.assertAlmostEqual(high, 1, delta=0.02)
+        self.assertEqual(find_typical_ends([np.append(body, 1.2)]), (0, 1.2))  # not far above
+        self.assertEqual(find_typical_ends([np.append(np.zeros(2000), [1.0, 2.0])]), (0, 2))  # few that are more than small
+        self.assertEqual(find_typical_ends([body], 100), (0, 1))
+        self.assertAlmostEqual(find_typical_ends([body, body / 2], 90)[1], 0.9)
+        self.assertEqual(find_typical_ends([-body]), (-1, 0))
+        self.assertIsNone(find_typical_ends([np.array([np.nan])]))
 
 
 class Units(unittest.TestCase):
