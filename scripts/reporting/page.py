@@ -173,6 +173,11 @@ _VIEW = """<div id=view><canvas></canvas>
 <button data-view='-50:22'>Default view</button><button data-view='0:0.01'>Along x</button>
 <button data-view='-90:0.01'>Along y</button><button data-view='-90:89.9'>Along z</button>
 <label><input type=checkbox class=edges>Edges</label><label><input type=checkbox class=by-part>Colours by part</label></div>
+<div class='row tools' style='display:none'><label>Field <select class=fields></select></label>
+<label>Deformation <input type=range class=swell min=0 max=20 step=0.5 value=1 style='flex:0 0 120px'> x <span class=factor>1</span></label>
+<label><input type=checkbox class=outline>Start as outline</label><label>Mirror <select class=mirror><option value=''>none</option>
+<option value='0-'>low x</option><option value='0+'>high x</option><option value='1-'>low y</option><option value='1+'>high y</option>
+<option value='2-'>low z</option><option value='2+'>high z</option></select></label><b class=value></b></div>
 <div class='row parts'></div><div class='row layers'></div><div class='row note soft'>Loading ...</div></div>"""
 
 

@@ -29,30 +29,31 @@ def read_library():
         return None
 
 
-def pack_surface(fields, name, frames=None):
+def pack_surface(fields, name, frames=None, more=(), largest=LARGEST_PACK, kept=None):
     """What viewer.js takes: (description, text of base 64), with as many frames as fit. None where not even two do, or not
-    those that are given."""
+    those that are given. more: names of further fields to choose from. largest: bytes, compressed. kept [elements]: which are shown."""
+    names = [name, *more]
     if frames is not None:
-        description, pack = _pack(fields, name, np.asarray(frames))
-        return (description, base64.b64encode(pack).decode("ascii")) if len(pack) <= LARGEST_PACK else None
+        description, pack = _pack(fields, names, np.asarray(frames), kept)
+        return (description, base64.b64encode(pack).decode("ascii")) if len(pack) <= largest else None
     count = len(fields.times)
     wanted = min(count, MOST_FRAMES)
     while True:
         frames = np.unique(np.round(np.linspace(0, count - 1, wanted)).astype(int))
-        description, pack = _pack(fields, name, frames)
-        if len(pack) <= LARGEST_PACK:
+        description, pack = _pack(fields, names, frames, kept)
+        if len(pack) <= largest:
             return description, base64.b64encode(pack).decode("ascii")
         if wanted <= 2:
             return None
-        wanted = max(2, min(wanted - 1, int(wanted * 0.9 * LARGEST_PACK / len(pack))))
+        wanted = max(2, min(wanted - 1, int(wanted * 0.9 * largest / len(pack))))
 
 
-def _find_faces(fields, frames):
+def _find_faces(fields, frames, kept):
     """Every face that is outside in some frame [faces][4], its element, and [frames][faces] whether it is seen then."""
     faces, owners, seen, numbers = [], [], [], {}
     last = None
     for frame in frames:
-        alive = fields.alive(frame)
+        alive = fields.alive(frame) if kept is None else fields.alive(frame) & kept
         if last is None or not np.array_equal(alive, last):
             last = alive
             found, elements = exterior_faces(fields.hexahedra, alive)
@@ -71,27 +72,32 @@ def _find_faces(fields, frames):
     return np.array(faces).reshape(-1, 4), np.array(owners, dtype=int), visible
 
 
-def _pack(fields, name, frames):
-    faces, owners, visible = _find_faces(fields, frames)
+def _pack(fields, names, frames, kept):
+    faces, owners, visible = _find_faces(fields, frames, kept)
     nodes, corners = np.unique(faces, return_inverse=True)
     corners = corners.reshape(-1, 4)
     places = np.nan_to_num(np.stack([fields.positions(frame)[nodes] for frame in frames]))
     low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
     scale = np.where(high > low, high - low, 1.0)
     whole = np.round((places - low) / scale * STEPS).astype(np.uint16)
-    place = fields.names()[name]
-    values = [fields.values(name, frame)[owners if place == "element" else nodes] for frame in frames]
     erodes = bool((visible != visible[0]).any())
     description = {
         "nodes": len(nodes), "faces": len(faces), "frames": len(frames), "low": low.tolist(), "scale": (scale / STEPS).tolist(),
-        "place": place, "erodes": erodes, "parts": fields.part_names,
+        "erodes": erodes, "parts": fields.part_names,
         "partColors": [colors.PART_COLORS[i % len(colors.PART_COLORS)] for i in range(len(fields.part_names))],
         "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames],
         "numbers": [int(f) for f in frames],
     }
-    shades = _add_shades(description, fields, name, values)
+    shades = []
+    for name in names:
+        place = fields.names()[name]
+        values = [fields.values(name, frame)[owners if place == "element" else nodes] for frame in frames]
+        one = {"place": place}
+        shades.append(_add_shades(one, fields, name, values))
+        description.setdefault("fields", []).append(one)
+    description.update(description["fields"][0])
     pieces = [corners.astype(np.uint32), fields.part[owners].astype(np.uint8)]
-    pieces += [_find_differences(whole), shades] + ([visible] if erodes else [])
+    pieces += [_find_differences(whole), *shades] + ([visible] if erodes else [])
     return description, zlib.compress(b"".join(piece.tobytes() for piece in pieces), 9)
 
 

@@ -23,8 +23,8 @@
       for (let i = 0; i < numbers; ++i) now[i] = low[i] + 256 * high[i] + (f ? data.places[f - 1][i] : 0);
       data.places.push(now);
     }
-    const items = about.place === 'element' ? about.faces : about.nodes;
-    data.shades = Array.from({length: about.frames}, () => take(items));
+    data.fields = about.fields.map(field =>
+      Array.from({length: about.frames}, () => take(field.place === 'element' ? about.faces : about.nodes)));
     data.visible = about.erodes ? Array.from({length: about.frames}, () => take(about.faces)) : null;
     return data;
   }
@@ -84,21 +84,27 @@
   lines.frustumCulled = false;
   scene.add(mesh, lines);
 
-  const state = {frame: about.frames - 1, byPart: Boolean(about.byPart), hidden: new Set()};
+  const state = {frame: about.frames - 1, byPart: Boolean(about.byPart), hidden: new Set(), field: 0, swell: 1, shown: []};
   const triangles = [0, 1, 2, 0, 2, 3], sides = [0, 1, 1, 2, 2, 3, 3, 0];
 
   function fill() {
-    const now = data.places[state.frame], shade = data.shades[state.frame], seen = data.visible && data.visible[state.frame];
+    const field = about.fields[state.field], start = data.places[0];
+    const now = data.places[state.frame], shade = data.fields[state.field][state.frame], seen = data.visible && data.visible[state.frame];
     let corner = 0, end = 0;
     const put = (array, at, node) => {
-      for (let i = 0; i < 3; ++i) array[3 * at + i] = about.low[i] - middle[i] + about.scale[i] * now[3 * node + i];
+      for (let i = 0; i < 3; ++i) {
+        const k = 3 * node + i;
+        array[3 * at + i] = about.low[i] - middle[i] + about.scale[i] * (start[k] + state.swell * (now[k] - start[k]));
+      }
     };
+    state.shown = [];
     for (let f = 0; f < about.faces; ++f) {
       if ((seen && !seen[f]) || state.hidden.has(data.parts[f])) continue;
+      state.shown.push(f);
       for (const t of triangles) {
         const node = data.corners[4 * f + t];
         put(places, corner, node);
-        const color = state.byPart ? partColors[data.parts[f]] : table[shade[about.place === 'element' ? f : node]];
+        const color = state.byPart ? partColors[data.parts[f]] : table[shade[field.place === 'element' ? f : node]];
         shades.set(color, 3 * corner++);
       }
       for (const s of sides) put(edgePlaces, end++, data.corners[4 * f + s]);
@@ -234,17 +240,95 @@
   box.querySelector('.by-part').checked = state.byPart;
   if (about.still) box.querySelector('.time').style.display = 'none';
   lines.visible = box.querySelector('.edges').checked = about.faces <= 30000;
-  box.querySelector('.bar-title').textContent = about.label;
-  box.querySelector('.bar i').style.background = `linear-gradient(to right, ${about.map.join(',')})`;
-  box.querySelector('.bar-labels').append(...about.labels.map(text => {
-    const label = document.createElement('span');
-    label.textContent = text;
-    return label;
-  }));
+  function showBar() {
+    const field = about.fields[state.field];
+    box.querySelector('.bar-title').textContent = field.label;
+    box.querySelector('.bar i').style.background = `linear-gradient(to right, ${field.map.join(',')})`;
+    box.querySelector('.bar-labels').replaceChildren(...field.labels.map(text => {
+      const label = document.createElement('span');
+      label.textContent = text;
+      return label;
+    }));
+  }
+  showBar();
+  if (about.tools) addTools();
+  // What `percuss view` has besides: fields, deformation, outline, mirrors, the value under the pointer, keys.
+  function addTools() {
+    const row = box.querySelector('.tools'), find = name => row.querySelector(name);
+    row.style.display = '';
+    about.fields.forEach((field, number) => find('.fields').add(new Option(field.label, number)));
+    find('.fields').addEventListener('change', event => { state.field = +event.target.value; showBar(); choose(state.frame); });
+    find('.swell').addEventListener('input', event => {
+      state.swell = +event.target.value;
+      find('.factor').textContent = state.swell;
+      choose(state.frame);
+    });
+    const outline = new THREE.BufferGeometry(), ends = new Float32Array(24 * about.faces);
+    for (let f = 0, at = 0; f < about.faces; ++f) {
+      for (const s of sides) {
+        for (let i = 0; i < 3; ++i) ends[at++] = about.low[i] - middle[i] + about.scale[i] * data.places[0][3 * data.corners[4 * f + s] + i];
+      }
+    }
+    outline.setAttribute('position', new THREE.BufferAttribute(ends, 3));
+    const start = new THREE.LineSegments(outline, new THREE.LineBasicMaterial({color: 0x1f6fb2, transparent: true, opacity: 0.25}));
+    start.visible = false;
+    start.frustumCulled = false;
+    scene.add(start);
+    find('.outline').addEventListener('change', event => { start.visible = event.target.checked; draw(); });
+    const copies = [];
+    find('.mirror').addEventListener('change', event => {
+      scene.remove(...copies.splice(0));
+      const [axis, side] = event.target.value ? [+event.target.value[0], event.target.value[1] === '-' ? -1 : 1] : [-1, 0];
+      for (const one of axis < 0 ? [] : [mesh, lines]) {
+        const copy = one.clone();
+        copy.scale.setComponent(axis, -1);
+        copy.position.setComponent(axis, side * size[axis]);
+        copies.push(copy);
+      }
+      if (copies.length) scene.add(...copies);
+      draw();
+    });
+    const ray = new THREE.Raycaster(), spot = new THREE.Vector2();
+    canvas.addEventListener('pointermove', event => {
+      if (event.buttons) return;
+      const frame = canvas.getBoundingClientRect();
+      spot.set(2 * (event.clientX - frame.left) / frame.width - 1, 1 - 2 * (event.clientY - frame.top) / frame.height);
+      surface.computeBoundingSphere();
+      ray.setFromCamera(spot, camera);
+      const hit = ray.intersectObject(mesh)[0];
+      find('.value').textContent = hit ? tell(state.shown[Math.floor(hit.faceIndex / 2)], hit) : '';
+    });
+    window.addEventListener('keydown', event => {
+      if (event.target.tagName === 'INPUT' || event.target.tagName === 'SELECT') return;
+      const step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      if (step) choose((state.frame + step + about.frames) % about.frames);
+      else if (event.key === ' ') { event.preventDefault(); play.click(); }
+    });
+  }
+  // The part and the value of a face, to one 254th of the range: at an element, or at the nearest corner.
+  function tell(face, hit) {
+    const field = about.fields[state.field], shade = data.fields[state.field][state.frame];
+    let item = face;
+    if (field.place !== 'element') {
+      const now = data.places[state.frame], start = data.places[0];
+      const far = [0, 1, 2, 3].map(c => {
+        const node = data.corners[4 * face + c];
+        return [0, 1, 2].reduce((sum, i) => {
+          const k = 3 * node + i, x = about.low[i] - middle[i] + about.scale[i] * (start[k] + state.swell * (now[k] - start[k]));
+          return sum + (x - hit.point.getComponent(i)) ** 2;
+        }, 0);
+      });
+      item = data.corners[4 * face + far.indexOf(Math.min(...far))];
+    }
+    const low = +field.labels[0], high = +field.labels[field.labels.length - 1];
+    const value = shade[item] === 255 ? 'no number' : (low + (high - low) * shade[item] / 254).toPrecision(3);
+    return `${about.parts[data.parts[face]]}: ${value}`;
+  }
+
   fill();
   resize();
   look(-50, 22);
   window.addEventListener('resize', resize);
-  show('Drag turns, wheel or pinch zooms, right button moves.');
+  show('Drag turns, wheel or pinch zooms, right button moves.' + (about.tools ? ' Arrow keys choose the frame, space plays.' : ''));
   box.dataset.ready = 'yes';
 })();

@@ -71,6 +71,7 @@ struct Parser {
     add_tool("watch", "Follow a run in the terminal", of_results);
     add_tool("stop", "Ask an active run to stop, or for a frame or a checkpoint", of_results);
     add_tool("render", "Draw pictures and an animation of the fields", of_results);
+    add_tool("view", "Write the surface over time as a page to turn with the mouse", of_results);
     add_tool("export", "Write fields in formats of other programs", of_results);
     add_deck(run);
     add_deck(check);
@@ -210,7 +211,7 @@ Answer refuse_command(const std::vector<std::string>& words) {
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
   return wrong(fmt::format("unknown command '{}'{}", word,
                            name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
-                                            "watch", "stop", "render", "export", "sweep", "help", "version"})));
+                                            "watch", "stop", "render", "view", "export", "sweep", "help", "version"})));
 }
 
 /// `extras`: the words that were not understood, at least one.

@@ -43,8 +43,8 @@ bool is_tool(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& tool_names() {
-  static const std::vector<std::string> names = {"import", "plot",   "report", "watch",
-                                                 "stop",   "render", "export", "sweep"};
+  static const std::vector<std::string> names = {"import", "plot", "report", "watch", "stop",
+                                                 "render", "view", "export", "sweep"};
   return names;
 }
 

@@ -138,7 +138,7 @@ TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"rnu", "deck.yaml"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
   EXPECT_THAT(
       answer({"simulate"}).text,
-      HasSubstr("(known: run, check, plan, info, schema, import, plot, report, watch, stop, render, export, ...)"));
+      HasSubstr("(known: run, check, plan, info, schema, import, plot, report, watch, stop, render, view, ...)"));
   EXPECT_THAT(answer({"run", "d", "--ouT", "x"}).text, HasSubstr("unknown option '--ouT' (did you mean '--out'?)"));
   EXPECT_THAT(answer({"--hepl"}).text, HasSubstr("unknown option '--hepl' (did you mean '--help'?)"));
   EXPECT_THAT(answer({"run"}).text, HasSubstr("percuss run needs a deck"));
