@@ -22,6 +22,7 @@ class Curve:
     expression: str = ""
     relaxation: int = 0  # SIDR: 0 in the run, 1 in the dynamic relaxation before it, 2 in both
     is_of_time: bool = False  # something takes its value over time
+    units: tuple[float, float, float] = (1.0, 1.0, 1.0)  # factors of mass, length and time of its file
 
 
 def order_points(points: Points) -> Points:

@@ -93,7 +93,7 @@ class Row:
     def number(self, name: str) -> float:
         """The field as a number; its default where it is blank."""
         value = self._parse(name, parse_real, "a number")
-        return value * self.change.factor_of(name) if self.change else value
+        return value * self.change.factor_of(self.card, name) if self.change else value
 
     def integer(self, name: str) -> int:
         """The field as a whole number; its default where it is blank."""
@@ -102,6 +102,10 @@ class Row:
 
     def numbers(self, *names: str) -> list[float]:
         return [self.number(name) for name in names]
+
+    def raw(self, name: str) -> float:
+        """The number as it is written, in the units of its file."""
+        return self._parse(name, parse_real, "a number")
 
     def positive(self, name: str) -> float:
         """A number that must be above 0."""

@@ -168,6 +168,8 @@ class CardReader:
                 yield from self._include(card, path, depth)
             elif name.startswith("DEFINE_TRANSFORMATION"):
                 strip_options(card)
+                if card.change is not UNCHANGED:
+                    card.change.check(card, self._ledger)
                 found = Transformation(card)
                 self.transformations[found.id] = found
                 self._ledger.translated(card.keyword, card.place, "moves the files and nodes that name it")

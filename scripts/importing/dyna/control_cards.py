@@ -130,7 +130,7 @@ def limit_step(deck: KeywordDeck, row: Row) -> None:
     """LCTM: an upper bound of the step, which percuss has as a number."""
     if not row.integer("LCTM"):
         return
-    points = deck.material_curve(row.integer("LCTM"), row.place)
+    points = deck.material_curve(row.integer("LCTM"), row.place, "time", "time")
     least = min((y for _, y in points), default=0.0)
     if least > 0:
         deck.model.deck["time"]["max_step"] = least

@@ -32,7 +32,7 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
         raise BadInput(row.place, f"there are two curves {id} (ids must be unique): renumber one")
     if row.integer("DATTYP") not in (0, 1, -100) or row.integer("DATTYP") == 1 and (offset_a or offset_o):
         deck.ledger.refuse("DEFINE_CURVE.DATTYP", row.place, f"DATTYP is {row.integer('DATTYP')}", "the rows are taken as they are")
-    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"))
+    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"), units=card.change.factors)
     row.finish(deck.ledger)
     deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
     if deck.waiting_table:
@@ -64,7 +64,7 @@ def check_relaxation(deck: KeywordDeck) -> None:
     """percuss relaxes with the values of all loads at time 0: those of SIDR = 1 are not among them, those of SIDR = 0 should not be."""
     if "relaxation" not in deck.model.deck.get("start", {}) or "preload" in deck.model.deck["start"]:
         return
-    for curve in deck.curves.values():
+    for curve in (*deck.curves.values(), *deck.converted_curves.values()):
         if not curve.is_of_time or curve.relaxation not in (0, 1):
             continue
         if curve.relaxation == 1:
@@ -81,6 +81,7 @@ def read_table(deck: KeywordDeck, card: Card) -> None:
     row = reader.row("TBID SFA=1 OFFA")
     id, scale, offset = row.integer("TBID"), row.number("SFA") or 1.0, row.number("OFFA")
     deck.waiting_table = []
+    deck.units_of_tables[id] = card.change.factors
     while reader.skip_blank():
         point = reader.row("VALUE LCID", (20, 20))
         value = scale * (point.number("VALUE") + offset)

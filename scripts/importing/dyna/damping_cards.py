@@ -91,7 +91,7 @@ def read_stiffness_damping(deck: KeywordDeck, card: Card) -> None:
 
 def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float, otherwise: float) -> None:
     """An entry; an empty name means all, and stands before those of parts. otherwise: the coefficient without a curve."""
-    value = make_time_value(deck.curve(curve, row.place), scale, deck.end_time) if curve else scale * otherwise
+    value = make_time_value(deck.curve(curve, row.place, "time", "rate"), scale, deck.end_time) if curve else scale * otherwise
     check_sign(value, row.place)
     entry = {"nodes": name, "coefficient": value} if name else {"coefficient": value}
     entries = deck.model.deck.setdefault("damping", [])

@@ -3,7 +3,7 @@
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..curves import Curve, Points
@@ -13,6 +13,7 @@ from ..model import Model, Vector
 from ..shapes import FaceOwners, dot, subtract
 from ..solids import FACES
 from .cards import Card
+from .dimensions import SAME, Factors, scale
 from .output import Output
 
 MOST_SETS = 200  # that one set may be made of
@@ -186,6 +187,7 @@ class KeywordDeck:
         self.parts: dict[int, PartCard] = {}
         self.sets: dict[tuple[str, int], SetCard] = {}
         self.curves: dict[int, Curve] = {}
+        self.converted_curves: dict[tuple[int, str, str], Curve] = {}  # of files in other units, by what their rows are
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
         self.material_titles: dict[int, str] = {}
@@ -201,6 +203,7 @@ class KeywordDeck:
         self.erosions: dict[int, Card] = {}
         self.additions: list[Card] = []  # other cards that add to a material
         self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
+        self.units_of_tables: dict[int, Factors] = {}
         self.unknown: list[tuple[str, Place]] = []  # cards that may be misspelt
         self.usual_friction = 0.0  # SFRIC of *CONTROL_CONTACT
         self.most_added_mass = 0.0  # ENDMAS: as a share; 0: no limit
@@ -264,14 +267,22 @@ class KeywordDeck:
 
     # --- references
 
-    def curve(self, id: int, place: Place) -> Curve:
+    def curve(self, id: int, place: Place, across: str, up: str) -> Curve:
+        """A curve, whose abscissae and ordinates have these dimensions."""
         if id not in self.curves:
             raise BadInput(place, missing(f"curve {id}"))
         self.used.add(("curve", id))
-        return self.curves[id]
+        found = self.curves[id]
+        if found.units == SAME:
+            return found
+        key = (id, across, up)
+        if key not in self.converted_curves:
+            x, y = scale(across, found.units), scale(up, found.units)
+            self.converted_curves[key] = replace(found, points=[(a * x, b * y) for a, b in found.points], units=SAME)
+        return self.converted_curves[key]
 
-    def material_curve(self, id: int, place: Place) -> Points:
-        curve = self.curve(id, place)
+    def material_curve(self, id: int, place: Place, across: str, up: str) -> Points:
+        curve = self.curve(id, place, across, up)
         if not curve.points:
             raise BadInput(place, f"curve {id} is a function of time (a table is needed here): give it rows")
         return curve.points

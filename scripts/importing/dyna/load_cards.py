@@ -24,7 +24,7 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
         return
     row = card.reader().row("LCID SF=1 LCIDDR XC~unused YC~unused ZC~unused CID")
     factors, scale = find_factors(deck, row, form.lower()), row.number("SF") or 1.0
-    curve = deck.curve(row.integer("LCID"), row.place)
+    curve = deck.curve(row.integer("LCID"), row.place, "time", "acceleration")
     if row.integer("LCIDDR") and "relaxation" in deck.model.deck.get("start", {}):
         deck.ledger.refuse(f"{card.keyword}.LCIDDR", row.place, "LCIDDR, a load of the relaxation alone", "the relaxation has LCID at time 0")
     row.skip("LCIDDR")
@@ -74,7 +74,7 @@ def apply_part_gravity(deck: KeywordDeck) -> None:
             told = f"gravity of some parts (part {min(missed)} has none along {axis})"
             if not deck.ledger.refuse(first.card.keyword, first.place, told, "gravity acts on all parts"):
                 continue
-        value = make_time_value(deck.curve(curve, first.place), -acceleration, deck.end_time) if curve else -acceleration
+        value = make_time_value(deck.curve(curve, first.place, "time", "none"), -acceleration, deck.end_time) if curve else -acceleration
         add_gravity(deck, first.card, axis, value, first.place)
         for entry in entries:
             deck.ledger.translated(entry.card.keyword, entry.place, "loads.gravity of all parts, with the opposite sign")
@@ -102,9 +102,9 @@ def read_node_load(deck: KeywordDeck, card: Card) -> None:
 
 def make_load(deck: KeywordDeck, row: Row, direction: str) -> Deck:
     """force or moment of a row, along the axes of space."""
-    curve, scale = deck.curve(row.integer("LCID"), row.place), row.number("SF") or 1.0
-    factors = find_factors(deck, row, direction)
     kind = "force" if direction in AXES else "moment"
+    curve, scale = deck.curve(row.integer("LCID"), row.place, "time", kind), row.number("SF") or 1.0
+    factors = find_factors(deck, row, direction)
     return {kind: {d[-1]: make_time_value(curve, scale * factor, deck.end_time) for d, factor in factors.items()}}
 
 
@@ -221,7 +221,7 @@ def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float
             is_lost = is_lost or sign is None
             if sign is not None:
                 by_sign.setdefault(sign, []).append(face)
-        curve = deck.curve(curve_id, card.place)
+        curve = deck.curve(curve_id, card.place, "time", "stress")
         for sign, members in by_sign.items():
             name = deck.model.names.take(f"pressed_{card.keyword.lower().removeprefix('load_')}")
             deck.model.side_sets[name] = members

@@ -46,11 +46,17 @@ def scale_curve(curve: Curve, scale: float, end: float) -> Curve:
     return Curve(curve.place, [(x, scale * y) for x, y in curve.points], curve.expression and f"{scale!r} * ({curve.expression})")
 
 
+def name_dimension(kind: int, turns: bool) -> str:
+    """Of a curve of VAD kind."""
+    names = {VELOCITY: ("speed", "rate"), ACCELERATION: ("acceleration", "angular_acceleration")}
+    return names.get(kind, ("length", "none"))[turns]
+
+
 def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float, start: float | None = 0.0) -> Deck | None:
     """A condition of percuss without what it acts on. start: velocity at time 0 in the direction; None: not known."""
     kind, birth = row.integer("VAD"), max(row.number("BIRTH"), 0.0)
-    curve = scale_curve(deck.curve(row.integer("LCID"), row.place), (row.number("SF") or 1.0) * sign, deck.end_time)
     turns = direction.startswith("r")
+    curve = scale_curve(deck.curve(row.integer("LCID"), row.place, "time", name_dimension(kind, turns)), (row.number("SF") or 1.0) * sign, deck.end_time)
     if kind not in (VELOCITY, ACCELERATION, DISPLACEMENT) or (curve.expression and (kind == ACCELERATION or (turns and kind == DISPLACEMENT) or birth)):
         deck.ledger.refuse(f"{CARD}.VAD", row.place, f"VAD {kind} in direction {direction}, of this curve", "the motion is left out")
         return None

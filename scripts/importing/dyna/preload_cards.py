@@ -74,7 +74,7 @@ def add_preload(model: Model, block: Block, keys: dict) -> None:
 
 def find_held_value(deck: KeywordDeck, card: str, row) -> float:
     """The largest value of a curve, which it holds. Told where it does not."""
-    points = deck.material_curve(row.integer("LCID"), row.place)
+    points = deck.material_curve(row.integer("LCID"), row.place, "time", "force" if card.endswith("BEAM") else "stress")
     value = max((y for _, y in points), key=abs)
     if not holds(points, value):
         deck.ledger.refuse(f"{card}.LCID", row.place, "a curve that leaves its largest value", "that value is the preload, and free after time 0")

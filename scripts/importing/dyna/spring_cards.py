@@ -66,7 +66,7 @@ def make_law(deck: KeywordDeck, part: PartCard) -> Deck | None:
         law = {"damping": row.positive("DC")}
     elif name == "SPRING_NONLINEAR_ELASTIC":
         row = reader.row("MID LCD LCR")
-        points = deck.material_curve(row.integer("LCD"), row.place)
+        points = deck.material_curve(row.integer("LCD"), row.place, "length", "force")
         if len(points) < 2:
             row.fail("LCD", "a curve of two points or more is expected")
         law = {"table": [list(point) for point in points]}

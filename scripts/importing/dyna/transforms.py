@@ -8,6 +8,7 @@ from ..fields import Row, clip
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..shapes import cross, normalise, subtract
+from .dimensions import SAME as SAME_UNITS, Factors, find_card, find_factor
 
 if TYPE_CHECKING:
     from .cards import Card, Lines
@@ -50,14 +51,6 @@ ID_OF_CARDS = {
     "LOAD_SEGMENT_SET": "IDSOFF", "LOAD_SHELL_SET": "IDSOFF", "LOAD_SHELL_ELEMENT": "IDEOFF", "DAMPING_PART_MASS": "IDPOFF",
     "DAMPING_PART_MASS_SET": "IDSOFF",
 }  # fmt: skip
-# Powers of mass, length and time of the fields of cards whose units can be changed.
-DENSITY, STRESS, LENGTH, MASS = (1, -3, 0), (1, -1, -2), (0, 1, 0), (1, 0, 0)
-UNITS = {
-    "RO": DENSITY, "E": STRESS, "SIGY": STRESS, "ETAN": STRESS, "MASS": MASS, "ADDMASS": MASS, "FINMASS": MASS, "MAREA": (1, -2, 0), "SRC": (0, 0, -1),
-    **dict.fromkeys(("T1", "T2", "T3", "T4", "OFFSET"), LENGTH),
-}  # fmt: skip
-CONVERTED = ("NODE", "ELEMENT_SOLID", "ELEMENT_SHELL", "ELEMENT_MASS", "PART", "SECTION_SOLID", "SECTION_SHELL", "MAT_ELASTIC", "MAT_001", "MAT_1",
-             "MAT_RIGID", "MAT_020", "MAT_20", "MAT_PLASTIC_KINEMATIC", "MAT_003", "MAT_3", "SET_", "TITLE")  # fmt: skip
 
 
 @dataclass
@@ -65,7 +58,7 @@ class FileChange:
     """What is done to a file that is included: offsets of ids, factors of units, a motion of its nodes."""
 
     offsets: dict[str, int] = field(default_factory=dict)
-    factors: tuple[float, float, float] = (1.0, 1.0, 1.0)  # mass, length, time
+    factors: Factors = SAME_UNITS  # of mass, length, time
     transform: Affine = SAME
 
     def inside(self, outer: "FileChange") -> "FileChange":
@@ -82,11 +75,9 @@ class FileChange:
         kind = SHIFTS.get(name) if name != "ID" else ID_OF_CARDS.get(card)
         return self.offsets.get(kind, 0) if kind else 0
 
-    def factor_of(self, name: str) -> float:
+    def factor_of(self, card: str, name: str) -> float:
         """By what the number of a field is multiplied."""
-        if self.factors == (1.0, 1.0, 1.0) or name not in UNITS:
-            return 1.0
-        return math.prod(factor**power for factor, power in zip(self.factors, UNITS[name]))
+        return find_factor(card, name, self.factors) if self.factors != SAME_UNITS else 1.0
 
     def move(self, x: Vector) -> Vector:
         """A node of the file in the axes and units of the model."""
@@ -102,11 +93,12 @@ class FileChange:
         """Refuses cards of the file with places, ids or numbers that are not changed with it."""
         kind = card.keyword
         is_directed = self.transform[0] == SAME[0] and (kind.startswith(DIRECTED) or kind in ALONE)
-        if self.transform != SAME and not (is_directed or kind.startswith(MOVABLE)):
+        has_places = kind.startswith(MOVABLE) and "INERTIA" in kind  # centres and axes
+        if self.transform != SAME and not (is_directed or (kind.startswith(MOVABLE) and not has_places)):
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved", "it acts where it stands")
         if self.offsets and not kind.startswith(SHIFTED) and kind not in ALONE:
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose ids get offsets", "its ids stay as they are")
-        if self.factors != (1.0, 1.0, 1.0) and not kind.startswith(CONVERTED):
+        if self.factors != SAME_UNITS and find_card(kind) is None:
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose units are changed", "its numbers stay as they are")
 
 
@@ -260,10 +252,9 @@ def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int
     offsets = {kind: ids.integer(kind) for kind in ("IDNOFF", "IDEOFF", "IDPOFF", "IDMOFF", "IDSOFF", "IDFOFF", "IDDOFF")}
     offsets["IDROFF"] = others.integer("IDROFF")
     others.skip("PREFIX", "SUFFIX")
-    units = reader.row("FCTMAS=1 FCTTIM=1 FCTLEN=1 FCTTEM~thermal INCOUT1~output")
+    units = reader.row("FCTMAS=1 FCTTIM=1 FCTLEN=1 FCTTEM INCOUT1~output")
     factors = tuple(units.number(kind) or 1.0 for kind in ("FCTMAS", "FCTLEN", "FCTTIM"))
-    units.skip("FCTTEM")
-    units.finish(ledger)
+    units.finish(ledger, "temperatures stay as they are")
     last = reader.row("TRANID")
     id = last.integer("TRANID")
     if id and id not in known:

@@ -17,9 +17,10 @@ MOST_ROWS = 200_000  # of all tables of a card
 
 def list_angles(deck: KeywordDeck, row: Row) -> Points | None:
     """The angle over time from time 0 to the end of the run, in steps that show an arc; None: refused."""
-    curve, scale = deck.curve(row.integer("LCID"), row.place), row.number("SF") or 1.0
+    kind = row.integer("VAD")
+    curve, scale = deck.curve(row.integer("LCID"), row.place, "time", "none" if kind else "rate"), row.number("SF") or 1.0
     curve.is_of_time = True
-    kind, points = row.integer("VAD"), [(x, scale * y) for x, y in order_points(curve.points)]
+    points = [(x, scale * y) for x, y in order_points(curve.points)]
     if curve.expression or curve.relaxation == 1 or kind not in (0, 2) or row.number("BIRTH") > 0 or len(points) < 2:
         deck.ledger.refuse(f"{CARD}.VAD", row.place, f"DOF {row.integer('DOF')} with VAD {kind}, BIRTH or this curve", "the motion is left out")
         return None

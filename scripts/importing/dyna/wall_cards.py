@@ -89,7 +89,8 @@ def read_wall_motion(deck: KeywordDeck, card: Card, reader: Lines, wall: Deck) -
     """Speed or way over time along a direction; False if it has none."""
     row = reader.row("LCID OPT VX VY VZ")
     way = normalise(tuple(row.numbers("VX", "VY", "VZ")))  # type: ignore[arg-type]
-    curve, kind = deck.curve(row.integer("LCID"), row.place), row.integer("OPT")
+    kind = row.integer("OPT")
+    curve = deck.curve(row.integer("LCID"), row.place, "time", "length" if kind else "speed")
     row.finish(deck.ledger)
     if way == (0.0, 0.0, 0.0) or kind not in (0, 1) or (kind == 1 and len(curve.points) < 2):
         deck.ledger.refuse(f"{card.keyword}.MOTION", row.place, "a motion without a direction or a table", "the wall is left out")

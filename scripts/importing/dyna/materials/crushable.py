@@ -8,7 +8,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, tell_viscosity
+from .shared import Use, finish_lines, scale_stresses, tell_viscosity
 
 LINE = 64  # rows of a line over a logarithm, before they are thinned
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
@@ -21,7 +21,7 @@ def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row.skip("MID")
     points = [(x, y) for x, y in read_soil_points(reader)]
     if more.integer("LCID"):
-        points = deck.material_curve(more.integer("LCID"), more.place)
+        points = deck.material_curve(more.integer("LCID"), more.place, "none", "stress")
     a0, a1, a2 = row.numbers("A0", "A1", "A2")
     law: Deck = {
         "model": "soil_and_foam",
@@ -49,7 +49,7 @@ def read_soil_points(reader) -> Points:
     """Ten strains on two lines, ten pressures on two lines."""
     xs = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())
     ys = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())
-    points = list(zip(xs, ys))
+    points = list(zip(xs, scale_stresses(reader, ys)))
     while points and points[-1] == (0.0, 0.0):
         points.pop()
     return points
@@ -73,7 +73,7 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row, more = reader.row("MID RO E LCID TC=1e20 HU=1 BETA DAMP"), reader.row("SHAPE=1 FAIL BVFLAG~default ED BETA1 KCON~penalty REF~absent")
     row.skip("MID")
-    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place)) if point[0] > 0]
+    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress")) if point[0] > 0]
     if not points:
         row.fail("LCID", "a curve over strains above 0 is expected")
     points = [(0.0, 0.0), *points]
@@ -104,7 +104,7 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO E PR LCID TSC DAMP")
     row.skip("MID")
     youngs = row.positive("E")
-    points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place)) if y > 0 and x >= 0]
+    points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place, "none", "stress")) if y > 0 and x >= 0]
     if not points:
         row.fail("LCID", "a curve with stresses above 0 is expected")
     rows = [list(point) for point in thin_rows(points)[0]]
@@ -158,7 +158,7 @@ def read_strains(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, nam
     corotational, else logarithms. Where one direction crushes alone, its strain gives the crush 1 - V; a shear strain does not."""
     if id < 0:
         deck.ledger.refuse(f"{card.keyword}.angle", row.place, "curves below 0: strength by the angle off the axis", "the curve of that id is used over the strain")
-    points = order_points(deck.material_curve(abs(id), row.place))
+    points = order_points(deck.material_curve(abs(id), row.place, "none", "stress"))
     if name in ("xy", "yz", "zx"):
         if len({y for _, y in points}) > 1:
             deck.ledger.refuse(f"{card.keyword}.LCS", row.place, "a shear strength that changes with the shear strain", "it changes with the crush")
@@ -178,7 +178,7 @@ def refine(points: Points) -> Points:
 
 def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int, use: Use, name: str) -> list[list[float]]:
     """Strength over the crush 1 - V; a curve over V ends at 1 and falls."""
-    points = order_points(deck.material_curve(id, row.place))
+    points = order_points(deck.material_curve(id, row.place, "none", "stress"))
     if points[-1][0] == 1.0 and points[0][1] > points[-1][1]:
         points = order_points([(1 - x, y) for x, y in points])
     return make_crush(deck, card, row, id, points)

@@ -19,31 +19,35 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         reader.take()
     row = reader.row("MID EXCL MXPRES MNEPS EFFEPS VOLEPS NUMFIP=1 NCS=1")
     more = reader.row("MNPRES SIGP1 SIGVM MXEPS EPSSH SIGTH IMPULSE FAILTM")
-    excluded = row.number("EXCL")
-    row.skip("MID", "EXCL")
+    excluded = row.raw("EXCL")
+    row.skip("MID")
+
+    def limit(found: Row, name: str) -> float:
+        """0 for none, as a value of EXCL is."""
+        return 0.0 if found.raw(name) == excluded else found.number(name)
+
     for found, names in ((row, "MXPRES MNEPS VOLEPS"), (more, "SIGVM EPSSH SIGTH IMPULSE")):
         for name in names.split():
-            if found.number(name) not in (0.0, excluded):
+            if limit(found, name):
                 deck.ledger.refuse(f"MAT_ADD_EROSION.{name}", found.place, "this failure criterion", "it is left out")
     for name in ("SIGP1", "MXEPS", "MNPRES"):
-        wrong = more.number(name) > 0 if name == "MNPRES" else more.number(name) < 0
-        if wrong and more.number(name) != excluded:
-            deck.ledger.refuse(f"MAT_ADD_EROSION.{name}", more.place, f"{name} of {more.number(name):g}, a curve or a limit in compression", "it is left out")
-    strain = row.number("EFFEPS")
-    if strain > 0 and strain != excluded:
+        value = limit(more, name)
+        if value > 0 if name == "MNPRES" else value < 0:
+            deck.ledger.refuse(f"MAT_ADD_EROSION.{name}", more.place, f"{name} of {value:g}, a curve or a limit in compression", "it is left out")
+    strain = limit(row, "EFFEPS")
+    if strain > 0:
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by the effective strain", "it is left out")
-    if 0 < abs(more.number("FAILTM")) < deck.end_time and more.number("FAILTM") != excluded:
+    if 0 < abs(limit(more, "FAILTM")) < deck.end_time:
         deck.ledger.refuse("MAT_ADD_EROSION.FAILTM", more.place, "failure at a time", "it is left out")
-    limits = {"principal_stress": more.number("SIGP1"), "principal_strain": more.number("MXEPS"), "pressure": -more.number("MNPRES")}
+    limits = {"principal_stress": limit(more, "SIGP1"), "principal_strain": limit(more, "MXEPS"), "pressure": -limit(more, "MNPRES")}
     if strain < 0:
         limits["plastic_strain"] = -strain
-    if strain < 0 and law["model"] not in YIELDING and strain != excluded:
+    if strain < 0 and law["model"] not in YIELDING:
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain of a law without it", "it is left out")
         del limits["plastic_strain"]
     own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook"} & law.get("failure", {}).keys() else None
-    added = {key: value for key, value in limits.items() if value not in (excluded, -excluded)}
-    set_failure(law, **added)
-    if use.is_shell and any(value > 0 for value in added.values()):
+    set_failure(law, **limits)
+    if use.is_shell and any(value > 0 for value in limits.values()):
         set_layers(deck, law, row, use, own)
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)

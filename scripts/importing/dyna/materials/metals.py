@@ -9,6 +9,7 @@ from ...model import Deck
 from ...rates import MOST_ROWS, Curves, add_rates, order_curves, scale_curve
 from ..cards import Card
 from ..deck import KeywordDeck
+from ..dimensions import SAME, scale
 from .shared import (
     FAR,
     NEVER,
@@ -76,13 +77,13 @@ def list_curves(deck: KeywordDeck, more: Row, id: int) -> tuple[Curves, bool]:
     with _LOG_INTERPOLATION, stresses are straight over the logarithm of the rate.
     """
     rows = deck.tables[id]
-    is_log = rows[0][0] < 0
+    is_log, unit = rows[0][0] < 0, scale("rate", deck.units_of_tables.get(id, SAME))
     curves = []
     for value, curve in rows:
-        points = clean_curve(deck.material_curve(curve, more.place))
+        points = clean_curve(deck.material_curve(curve, more.place, "none", "stress"))
         if not points:
             raise BadInput(more.place, f"curve {curve} has no stress above 0 at a plastic strain: give it rows")
-        curves.append((math.exp(min(value, 700.0)) if is_log else value, extend_curve(points)))
+        curves.append((unit * (math.exp(min(value, 700.0)) if is_log else value), extend_curve(points)))
     return order_curves(more.place, curves), is_log
 
 
@@ -105,7 +106,7 @@ def add_table(deck: KeywordDeck, card: Card, more: Row, law: Deck, id: int) -> N
 
 def add_scaled(deck: KeywordDeck, card: Card, more: Row, law: Deck, points: Points) -> None:
     """LCSR: a factor of the yield stress over the rate."""
-    factors = [(rate, factor) for rate, factor in deck.material_curve(abs(more.integer("LCSR")), more.place) if rate >= 0]
+    factors = [(rate, factor) for rate, factor in deck.material_curve(abs(more.integer("LCSR")), more.place, "rate", "none") if rate >= 0]
     base = extend_curve(clean_curve(points))
     if not base:
         stress, slope = law["yield_stress"], law["hardening_modulus"]
@@ -123,7 +124,7 @@ def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck,
         add_table(deck, card, more, law, id)
         return
     if id:
-        points = deck.material_curve(id, more.place)
+        points = deck.material_curve(id, more.place, "none", "stress")
     table = make_hardening(deck, points, card.keyword, more.place)
     if table:
         law["hardening"] = table

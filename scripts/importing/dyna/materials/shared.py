@@ -7,6 +7,7 @@ from ...fields import Row
 from ...ledger import Place
 from ...model import Deck
 from ..cards import Card, Lines
+from ..dimensions import scale
 from ..deck import KeywordDeck
 
 FAR = 1.0  # plastic strain by which a table goes on with its last slope
@@ -80,10 +81,16 @@ def read_points(reader: Lines, layout_x: str, layout_y: str, lines: int = 1) -> 
     """Points from lines of abscissae and as many of ordinates; those behind the last abscissa are left out."""
     xs = [value for row in [reader.row(layout_x) for _ in range(lines)] for value in row.numbers(*layout_x.split())]
     ys = [value for row in [reader.row(layout_y) for _ in range(lines)] for value in row.numbers(*layout_y.split())]
-    points = list(zip(xs, ys))
+    points = list(zip(xs, scale_stresses(reader, ys)))
     while points and points[-1] == (0.0, 0.0):
         points.pop()
     return points
+
+
+def scale_stresses(reader: Lines, values: list[float]) -> list[float]:
+    """Numbers of rows whose fields have the names of those of strains, in the units of the model."""
+    factor = scale("stress", reader.card.change.factors)
+    return [factor * value for value in values]
 
 
 def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
