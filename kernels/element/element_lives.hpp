@@ -38,6 +38,7 @@ struct FailureLimits {
   double room_temperature = 0, melt_temperature = 0;  // where T is 0 and 1; equal: T is 0
   double least_step = 0;        // a smaller bound of its own takes an element out at once; 0: none
   bool takes_inverted = false;  // so does no positive volume
+  bool of_element = false;      // of one element of the size that it has: the next row is that of the next element
   int fade_steps = 1;           // evaluations until a failed element, or layer of a shell, has no force
   double layers = 1;            // of a shell: share of the thickness that has to fail
 
@@ -45,6 +46,16 @@ struct FailureLimits {
     return tension < none || principal_stress < none || johnson_cook.any();
   }
   KOKKOS_INLINE_FUNCTION bool reads_stretch() const { return principal_strain < none; }
+
+  /// With failure strains times a factor.
+  KOKKOS_INLINE_FUNCTION FailureLimits scale_strains(double factor) const {
+    FailureLimits scaled = *this;
+    scaled.plastic_strain *= factor;
+    scaled.principal_strain *= factor;
+    scaled.johnson_cook.d1 *= factor;
+    scaled.johnson_cook.d2 *= factor;
+    return scaled;
+  }
 };
 
 /// The chunks that can fail; const after set-up.
@@ -52,7 +63,7 @@ struct FailingChunks {
   Array<int> list;        // chunks, ascending
   Array<int> first_pack;  // [chunks of the rank] place of its first pack among those that can fail, -1: cannot; empty:
                           // no chunk can
-  Array<int> row;         // [chunks of the rank] of `limits`
+  Array<int> row;         // [chunks of the rank] of `limits`: of the material, or of the first element
   Kokkos::View<FailureLimits*, MemSpace> limits;
   int pack_count = 0;
   Array<std::size_t> first_layer;  // [chunks of the rank] place in ElementLives::layers of shells; empty: none can fail
@@ -60,6 +71,12 @@ struct FailingChunks {
 
   KOKKOS_INLINE_FUNCTION int find_pack(int chunk) const {
     return first_pack.extent(0) == 0 ? -1 : first_pack(static_cast<std::size_t>(chunk));
+  }
+
+  /// Of element i of a chunk that can fail.
+  KOKKOS_INLINE_FUNCTION const FailureLimits& find_limits(int chunk, int i) const {
+    const int first = row(chunk);
+    return limits(first + (limits(first).of_element ? i : 0));
   }
 };
 

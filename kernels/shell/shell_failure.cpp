@@ -160,15 +160,15 @@ struct JudgeShells {
   KOKKOS_INLINE_FUNCTION void operator()(const int place, int& sum_failing, int& sum_died) const {
     const int c = failing.list(place);
     if (chunks.is_shell(c) == 0) return;
-    const FailureLimits limits = failing.limits(failing.row(c));
     const FailingRecords of = find_records(chunks, failing, elements, c);
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     if (results.is_settled(c) != 0 && !is_ending(of, c, count)) return;  // as it was judged last
-    const ShellCriteria by{rules(chunks.points(c)), limits, dt};
+    const ThicknessPoints& rule = rules(chunks.points(c));
     FailureCounts here;
     bool changed = false;
     for (int i = 0; i < count; ++i) {
       if (lives.steps_left(of.first_lane + i) == 0) continue;
+      const ShellCriteria by{rule, failing.find_limits(c, i), dt};
       if (judge(find(of, c, i), by, lives, of.first_lane + i, here)) changed = true;
     }
     if (changed) results.is_settled(c) = 0;

@@ -81,13 +81,6 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
   }
 }
 
-/// Edge of a cube of this volume, of a square of a shell's area, or the length of a beam.
-double find_element_size(const Mesh& mesh, std::size_t element, double volume) {
-  const Topology& topology = mesh.topology_of(element);
-  if (topology.is_surface()) return std::sqrt(volume / mesh.thickness_of(element));
-  return topology.is_line() ? volume / mesh.block_of(element).section.area : std::cbrt(volume);
-}
-
 /// Masses by exact sums, which have no order, and sizes of elements.
 void measure_masses(const Deck& deck, const Mesh& mesh, std::vector<PartMeasures>& parts) {
   std::vector<ExactSum> masses(parts.size());

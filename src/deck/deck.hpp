@@ -219,11 +219,12 @@ struct FailureDeck {
   std::optional<double> principal_strain;  // largest, logarithmic
   std::optional<double> pressure;          // below minus this
   std::optional<JohnsonCookDamageDeck> johnson_cook;
-  std::optional<double> yield_time;  // at yield, in all
-  std::optional<double> step;        // the step that the element allows falls below this
-  bool inverted = false;             // no positive volume: the element fails, and the run continues
-  int fade_steps = 1;                // steps in which its force falls to zero
-  double layers = 1;                 // of shells: share of the thickness that has to fail
+  std::optional<double> yield_time;         // at yield, in all
+  std::optional<double> step;               // the step that the element allows falls below this
+  bool inverted = false;                    // no positive volume: the element fails, and the run continues
+  int fade_steps = 1;                       // steps in which its force falls to zero
+  double layers = 1;                        // of shells: share of the thickness that has to fail
+  std::vector<std::array<double, 2>> size;  // rows [size of an element, factor of the failure strains]; none: 1
 };
 /// Treatment of nodes whose elements are all eroded.
 struct ErosionDeck {

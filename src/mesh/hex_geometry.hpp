@@ -80,6 +80,14 @@ inline double find_element_volume(const Mesh& mesh, std::size_t element) {
   return find_solid_volume(mesh.topology_of(element), x);
 }
 
+/// Size of an element with this volume at time 0 [length]: the edge of a cube of it, of a square of a shell's area, or
+/// the length of a beam.
+inline double find_element_size(const Mesh& mesh, std::size_t element, double volume) {
+  const Topology& topology = mesh.topology_of(element);
+  if (topology.is_surface()) return std::sqrt(volume / mesh.thickness_of(element));
+  return topology.is_line() ? volume / mesh.block_of(element).section.area : std::cbrt(volume);
+}
+
 /// Jacobian at a corner: the triple product of its three edges [length^3], and that of their lengths for comparison.
 struct CornerJacobian {
   double value = 0;

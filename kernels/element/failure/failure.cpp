@@ -72,7 +72,6 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
       KOKKOS_LAMBDA(const int i, int& sum_failing, int& sum_died) {
         const int c = failing.list(i);
         if (is_shell(chunks, c)) return;  // kernels/shell/shell_failure.hpp
-        const FailureLimits limits = failing.limits(failing.row(c));
         const FailingRecords of = find_records(chunks, failing, records, c);
         const int count = chunks.first_element(c + 1) - chunks.first_element(c);
         if (results.is_settled(c) != 0 && !is_any_ending(lives, of.first_lane, count)) return;  // as it was judged last
@@ -80,6 +79,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
         bool changed = false;
         for (int e = 0; e < count; ++e) {
           if (lives.steps_left(of.first_lane + e) == 0) continue;
+          const FailureLimits& limits = failing.find_limits(c, e);
           if (judge(lives, of.first_lane + e, limits, read_load(chunks, c, limits, of.find(e)), dt, here))
             changed = true;
         }

@@ -171,21 +171,32 @@ std::vector<Warning> check_join_glue(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_failure_size(const CheckedScene& scene) {
-  constexpr double most = 3;  // times: so much does the energy of a crack depend on the place where it runs
+  constexpr double most = 3;         // times: so much does the energy of a crack depend on the place where it runs
+  constexpr double rounding = 1e-3;  // of sizes that the table is meant to reach
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     if (!fails_by_strain(material)) continue;
     const ElementRange range = find_elements(scene, material);
-    if (range.largest <= most * range.smallest) continue;
-    const std::string where = range.fine == range.coarse
-                                  ? "of part '" + range.fine + "'"
-                                  : fmt::format("of parts '{}' and '{}'", range.fine, range.coarse);
-    warnings.push_back(warn_at(
-        scene.deck, "failure_size", "materials." + material.name + ".failure",
-        fmt::format("material '{}' fails at one strain in elements {} that are {:.3g} to {:.3g} large (necks and "
-                    "cracks are one element wide, so that the largest take {:.2g} times the energy of the "
-                    "smallest): fit the strain to one size, or mesh evenly where the material fails",
-                    material.name, where, range.smallest, range.largest, range.largest / range.smallest)));
+    const auto& rows = material.failure->size;
+    const std::string what =
+        fmt::format("elements {} that are {:.3g} to {:.3g} large",
+                    range.fine == range.coarse ? "of part '" + range.fine + "'"
+                                               : fmt::format("of parts '{}' and '{}'", range.fine, range.coarse),
+                    range.smallest, range.largest);
+    if (rows.empty() && range.largest > most * range.smallest)
+      warnings.push_back(warn_at(
+          scene.deck, "failure_size", "materials." + material.name + ".failure",
+          fmt::format("material '{}' fails at one strain in {} (necks and cracks are one element wide, so that the "
+                      "largest take {:.2g} times the energy of the smallest): give the factors of the strain over the "
+                      "size as failure.size, or mesh evenly where the material fails",
+                      material.name, what, range.largest / range.smallest)));
+    else if (!rows.empty() && range.largest > 0 &&
+             (range.smallest < (1 - rounding) * rows.front()[0] || range.largest > (1 + rounding) * rows.back()[0]))
+      warnings.push_back(
+          warn_at(scene.deck, "failure_size", "materials." + material.name + ".failure.size",
+                  fmt::format("the sizes of material '{}' go from {:.3g} to {:.3g}, but it has {} (beyond its rows the "
+                              "factor is constant): add rows, each fitted to a mesh of that size",
+                              material.name, rows.front()[0], rows.back()[0], what)));
   }
   return warnings;
 }

@@ -2,6 +2,7 @@
 
 #include "src/deck/make_material.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/table_value.hpp"
 
 namespace percuss {
 namespace {
@@ -39,11 +40,19 @@ const Keys<FailureDeck>& failure_keys() {
       may("inverted", &FailureDeck::inverted, BooleanValue{}),
       may("fade_steps", &FailureDeck::fade_steps, IntegerValue{1, 1000000}),
       may("layers", &FailureDeck::layers, NumberValue{{"above 0, at most 1", 0, 1, true}}),
+      may("size", &FailureDeck::size, TableValue{positive}),
   };
   return keys;
 }
 
 bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure) {
+  if (!failure.size.empty() && !(failure.plastic_strain || failure.principal_strain || failure.johnson_cook)) {
+    reader.error(node.find("size")->spot,
+                 fmt::format("{} scales failure strains (there are none): give plastic_strain, principal_strain or "
+                             "johnson_cook",
+                             reader.name_of("size")));
+    return false;
+  }
   if (failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.pressure ||
       failure.johnson_cook || failure.yield_time || failure.step || failure.inverted)
     return true;

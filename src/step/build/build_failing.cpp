@@ -9,6 +9,7 @@
 #include "kernels/shell/layer_lives.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/model/pack_width.hpp"
 
@@ -53,6 +54,18 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
                   failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
 }
 
+/// Appends the limits of each element of a chunk, whose strains depend on its size.
+void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const FailureLimits& material,
+                        const ChunkedMesh& chunked, const Chunk& chunk, std::vector<FailureLimits>& limits) {
+  const MaterialTable factor = make_table(size);
+  for (int e = 0; e < chunk.element_count; ++e) {
+    const auto element = static_cast<std::size_t>(chunk.first_element + e);
+    limits.push_back(material.scale_strains(
+        factor(find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element))).y));
+    limits.back().of_element = true;
+  }
+}
+
 /// Where the layers of the chunks of shells are that can fail.
 void build_failing_layers(Model& model) {
   if (!model.has_rotations) return;
@@ -92,6 +105,12 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     first.push_back(row.back() < 0 ? -1 : failing.pack_count);
     if (row.back() < 0) continue;
     list.push_back(static_cast<int>(c));
+    const auto& size = deck.materials[static_cast<std::size_t>(material)].failure->size;
+    if (!size.empty()) {
+      const FailureLimits of_material = limits[static_cast<std::size_t>(row.back())];
+      row.back() = static_cast<int>(limits.size());
+      add_limits_by_size(size, of_material, chunked, chunked.chunks[c], limits);
+    }
     failing.pack_count += first_pack(c + 1) - first_pack(c);
   }
   failing.list = to_view("percuss::failing_chunks", list);

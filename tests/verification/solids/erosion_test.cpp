@@ -72,6 +72,36 @@ Summary run(const std::string& deck, const std::string& folder, int steps, const
 
 }  // namespace
 
+TEST(Failure, StrainsAreScaledByTheSizeOfTheElement) {
+  // Boxes of edge 1 and 2 and shells of edge 3 that are pulled at the same strain rate: ln(1 + t / 10) is the principal
+  // strain; the factors are 1, 0.75 (half way) and 0.5.
+  const HistoryTable h = run_deck(R"(
+title: elements of three sizes
+time: {end: 4, max_step: 0.0078125}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}
+  b: {box: {size: [2, 2, 2], cells: [1, 1, 1]}, at: [0, 5, 0], material: m}
+  c: {shell_plate: {size: [3, 3], cells: [1, 1]}, thickness: 0.1, at: [0, 10, 0], material: m}
+materials: {m: {model: elastic, density: 1e-4, youngs_modulus: 100, poissons_ratio: 0, failure: {principal_strain: 0.2, size: [[1, 1], [3, 0.5]]}}}
+conditions:
+  - {nodes: all, fixed: [y, z]}
+  - {nodes: {inside: [[0, 0, 0], [0, 20, 2]]}, fixed: [x]}
+  - {nodes: a/x_max, velocity: {x: 0.1}}
+  - {nodes: b/x_max, velocity: {x: 0.2}}
+  - {nodes: c/x_max, velocity: {x: 0.3}}
+output: {history: {every: 0.0078125, parts: all}}
+audit: {max_energy_error: 10}
+)")
+                             .history;
+  const double rights[] = {0.2, 0.2 * 0.75, 0.2 * 0.5};
+  const char* const columns[] = {"internal:a", "internal:b", "internal:c"};
+  for (int k = 0; k < 3; ++k) {
+    // what it has stored when it fails: E ln^2 / 2 of its volume grows no more
+    const double time = h.time_of_rise(columns[k], 0.999 * h.last(columns[k]));
+    EXPECT_NEAR(time, 10 * (std::exp(rights[k]) - 1), 0.03) << k;
+  }
+}
+
 TEST(Failure, PrincipalStrainIsMetInItsStep) {
   const HistoryTable history = pull_cube(elastic, "principal_strain: 0.2");
   expect_death(history, [&](std::size_t row) { return std::log1p(speed * history["time"][row]) >= 0.2; });

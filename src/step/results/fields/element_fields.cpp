@@ -38,7 +38,7 @@ struct Lives {
     const int lane = find_lane(c, i);
     if (lane < 0) return 0;
     if (lives.steps_left(lane) != ElementLives::whole) return 1;
-    const FailureLimits& limits = failing.limits(failing.row(c));
+    const FailureLimits& limits = failing.find_limits(c, i);
     const double strain = lives.plastic_strain(lane) / limits.plastic_strain,
                  time = lives.time_at_yield(lane) / limits.yield_time;
     return larger(lives.damage(lane), larger(strain, time));
