@@ -1,8 +1,8 @@
 // Keys of `failure` in a material, of `erosion`, and of `start`: dynamic relaxation and preloads.
 
+#include "src/deck/keys/table_value.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/deck/reading/deck_keys.hpp"
-#include "src/deck/reading/table_value.hpp"
 
 namespace percuss {
 namespace {

@@ -3,9 +3,9 @@
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/keys/habits.hpp"
+#include "src/deck/keys/table_value.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/deck/reading/deck_keys.hpp"
-#include "src/deck/reading/table_value.hpp"
 
 namespace percuss {
 namespace {
