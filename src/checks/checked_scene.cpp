@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "src/deck/make_material.hpp"
@@ -38,6 +39,19 @@ std::vector<std::size_t> find_parts_of_body(const Deck& deck, const std::string&
 }
 
 }  // namespace
+
+bool may_act_after(const Deck& deck, const SwitchDeck& when, double time) {
+  const auto is_at_most = [&](const std::string& name, double limit) {
+    const auto sensor =
+        std::find_if(deck.sensors.begin(), deck.sensors.end(), [&](const SensorDeck& s) { return s.name == name; });
+    return sensor != deck.sensors.end() && sensor->time && *sensor->time + sensor->delay <= limit;
+  };
+  const auto is_of_time = [&](const std::string& name) {
+    return is_at_most(name, std::numeric_limits<double>::infinity());
+  };
+  if (is_of_time(when.from) && !is_at_most(when.from, deck.time.end)) return false;
+  return !is_at_most(when.until, time);
+}
 
 std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& selector) {
   if (const std::string body = find_body(selector); !body.empty()) return find_parts_of_body(deck, body);

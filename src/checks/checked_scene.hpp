@@ -42,6 +42,9 @@ std::string find_shape_path(const PartDeck& part);
 /// The parts that a selector may mean, by its name alone: one, or all for a set that several parts may have.
 std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& selector);
 
+/// Whether an entry that sensors switch may act after a time of the run, as far as sensors of time alone say it.
+bool may_act_after(const Deck& deck, const SwitchDeck& when, double time);
+
 /// Whether a condition holds or moves all nodes of a part in all directions.
 bool is_driven(const Deck& deck, const PartDeck& part);
 

@@ -134,8 +134,7 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   const StartOverlap& found = stage.start_overlap;
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
-  const std::int64_t deepest = found.deepest_node < 0 ? -1 : stage.find_user_id(found.deepest_node);
-  std::string line = describe_overlap(found, overlap, stage.mesh, deepest);
+  std::string line = stage.describe(found, "at the start");
   if (overlap == ContactDeck::Overlap::refuse && !line.empty())
     throw InputError(fmt::format("{}: error: {}: move the parts apart, or set contact.overlap to accept or push_out",
                                  stage.deck.where(stage.deck.places.find("contact.overlap")), line));
@@ -182,6 +181,7 @@ void ContactStage::end_relaxation(Rows3<const double> x) {
 
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
+  if (stage.archive_active(archive)) restore_surface();
   if (stage.breaking.archive(archive, stage.ties_of_start)) restore_surface();
   if (stage.folds.archive(archive, stage.share)) restore_surface();
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);

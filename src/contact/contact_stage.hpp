@@ -49,6 +49,14 @@ class ContactStage {
   /// Whether apply() does less if it knows the largest speeds, ContactMotion::fastest and fastest_before.
   bool wants_speeds() const;
 
+  /// What sensors have seen at the start, before prepare(): which pairs and walls act. Collective.
+  void set_switches(const std::vector<char>& happened);
+
+  /// The same between steps, with x and v of the state. What overlaps where a pair or a wall begins to act is taken as
+  /// that of the start. Returns what is to be said, the same on all ranks; throws RunError with it where the deck
+  /// refuses overlap. Collective.
+  std::vector<std::string> switch_now(const std::vector<char>& happened, Rows3<const double> x, Rows3<const double> v);
+
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Throws
   /// InputError with it where the deck refuses overlap. Call once before the loop.

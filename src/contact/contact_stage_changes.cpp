@@ -1,4 +1,12 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "comm/gather_items.hpp"
 #include "src/contact/contact_stage_impl.hpp"
+#include "src/error.hpp"
 
 namespace percuss {
 
@@ -7,7 +15,7 @@ void ContactStage::Impl::redefine_surface() {
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   breaking.use(ties);
   tie_rows = TieRows(seen(), ties, contact);
-  share = build_surface_share(chunks, deck, ties, exchange, folds.folds());
+  share = build_surface_share(chunks, deck, ties, exchange, folds.folds(), active);
   walls = build_walls(chunks, deck, share);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
   follow_share();
@@ -65,12 +73,81 @@ void ContactStage::Impl::redefine_folds(const SurfaceMotion& here) {
   seed_edges(look_for_overlap(*finder), here, {before, share.edges, {}}, history.edges);
 }
 
-void ContactStage::restore_surface() {
+void ContactStage::Impl::restore_surface() {
+  folds.redefine();
+  redefine_surface();
+  history = make_history(share, walls);
+  history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
+}
+
+void ContactStage::restore_surface() { impl_->restore_surface(); }
+
+/// What acts now and did not before.
+BornContact ContactStage::Impl::list_born(const ActiveContact& before) const {
+  const auto is_born = [](const std::vector<char>& then, const std::vector<char>& now, std::size_t i) {
+    return now[i] != 0 && then[i] == 0;
+  };
+  BornContact born;
+  for (std::size_t w = 0; w < active.walls.size(); ++w)
+    born.walls.push_back(is_born(before.walls, active.walls, w) ? 1 : 0);
+  std::vector<char> is_class_born;
+  for (const SurfaceSet& set : share.classes.sets)
+    is_class_born.push_back(std::any_of(set.begin(), set.end(), [&](int surface) {
+      const auto pair = static_cast<std::size_t>(surface / 2);
+      return pair < active.pairs.size() && is_born(before.pairs, active.pairs, pair);
+    }));
+  for (const FaceTopology& face : share.faces) {
+    if (is_class_born[static_cast<std::size_t>(face.surface_class)] == 0) continue;
+    born.faces.push_back(face.number);
+    born.nodes.insert(born.nodes.end(), std::begin(face.corners), std::end(face.corners));
+  }
+  for (std::vector<std::int64_t>* const list : {&born.faces, &born.nodes}) {
+    *list = gather_items(ranks, *list);
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  return born;
+}
+
+std::string ContactStage::Impl::describe(const StartOverlap& found, const std::string& when) const {
+  const std::int64_t deepest = found.deepest_node < 0 ? -1 : find_user_id(found.deepest_node);
+  return describe_overlap(found, contact.overlap, mesh, deepest, when);
+}
+
+/// Loading: whether other pairs and walls act than at the start of the scene.
+bool ContactStage::Impl::archive_active(CheckpointArchive& archive) {
+  const ActiveContact before = active;
+  const auto archive_all = [&](const char* kind, const auto& entries, std::vector<char>& acts) {
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      if (entries[i].when.any()) archive.integer(fmt::format("contact/{}/{}/acts", kind, i), acts[i]);
+  };
+  archive_all("pairs", deck.contact.pairs, active.pairs);
+  archive_all("walls", deck.walls, active.walls);
+  return active != before;
+}
+
+void ContactStage::set_switches(const std::vector<char>& happened) {
   Impl& stage = *impl_;
-  stage.folds.redefine();
-  stage.redefine_surface();
-  stage.history = make_history(stage.share, stage.walls);
-  stage.history.ties = Rows3<double>("contact::history_ties", stage.tie_rows.keys().size());
+  const ActiveContact now = find_active_contact(stage.deck, happened);
+  if (now == stage.active) return;
+  stage.active = now;
+  stage.restore_surface();
+}
+
+std::vector<std::string> ContactStage::switch_now(const std::vector<char>& happened, Rows3<const double> x,
+                                                  Rows3<const double> v) {
+  Impl& stage = *impl_;
+  const ActiveContact before = std::exchange(stage.active, find_active_contact(stage.deck, happened));
+  if (stage.active == before) return {};
+  const SurfaceMotion here{x, v, 0};
+  stage.redefine(here, nullptr);
+  const StartOverlap found = seed_born(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap,
+                                       stage.list_born(before), stage.history);
+  const std::string line = stage.describe(found, "as contact begins");
+  if (line.empty()) return {};
+  if (stage.contact.overlap == ContactDeck::Overlap::refuse)
+    throw RunError(fmt::format("{}: move the parts apart, or set contact.overlap to accept or push_out", line));
+  return {line};
 }
 
 void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine({x, v, 0}, nullptr); }

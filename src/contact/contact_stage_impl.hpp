@@ -31,7 +31,8 @@ struct ContactStage::Impl {
         exchange(world),
         ties_of_start(find_ties(chunked, deck, world)),
         ties(ties_of_start),
-        share(build_surface_share(chunked, deck, ties, exchange)),
+        active(find_active_contact(deck, std::vector<char>(deck.sensors.size(), 0))),
+        share(build_surface_share(chunked, deck, ties, exchange, {}, active)),
         breaking(chunked, deck, ties, world),
         tie_rows(seen(), ties, deck.contact),
         walls(build_walls(chunked, deck, share)),
@@ -46,7 +47,7 @@ struct ContactStage::Impl {
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
     forces.set_surface(seen(), share);
-    is_active = has_pairs() || has_walls || ties.any();
+    is_active = has_pairs() || has_switched_pairs(deck.contact) || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
   }
 
@@ -70,6 +71,10 @@ struct ContactStage::Impl {
   void search_changed(const SurfaceMotion& here);
   void redefine(const SurfaceMotion& here, const ReleasedTies* ties_let_go);
   void redefine_folds(const SurfaceMotion& here);
+  void restore_surface();
+  BornContact list_born(const ActiveContact& before) const;
+  std::string describe(const StartOverlap& found, const std::string& when) const;
+  bool archive_active(CheckpointArchive& archive);
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
 
   const Communicator ranks;
@@ -80,6 +85,7 @@ struct ContactStage::Impl {
   UnstructuredExchange exchange;
   TiedSurfaces ties_of_start;  // but those that have failed
   TiedSurfaces ties;           // those that erosion has left
+  ActiveContact active;
   SurfaceShare share;
   BreakingTies breaking;
   TieRows tie_rows;

@@ -343,6 +343,7 @@ struct WallDeck {
   std::vector<Selector> nodes;  // empty: every contact node of the scene
   bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
+  SwitchDeck when;
 
   bool moves() const { return speed || mass; }
   bool is_round() const { return cylinder || sphere; }
@@ -351,6 +352,7 @@ struct WallDeck {
 struct SurfacePairDeck {
   Selector a, b;  // parts or sides; a == b: self-contact of that surface
   std::optional<double> friction;
+  SwitchDeck when;
 };
 
 /// Friction of a pair of surfaces, or of one with everything.

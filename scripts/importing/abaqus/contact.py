@@ -55,12 +55,12 @@ def refuse_late(deck: AbaqusDeck, block: Block) -> None:
 
 def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
     """slave, master; one alone touches itself."""
+    if block.option("OP") == "DELETE":
+        end_pairs(deck, block)
+        return
     if not block.option("INTERACTION"):
         raise BadInput(block.place, "*CONTACT PAIR has no INTERACTION (it says how the surfaces touch): add the name of a *SURFACE INTERACTION")
     friction = deck.friction(block.option("INTERACTION"), block.place)
-    if block.option("OP") == "DELETE":
-        deck.ledger.refuse("CONTACT PAIR.OP", block.place, "contact that ends with a step", "it goes on")
-        return
     for line in block.lines:
         add_pair(deck, block, line, friction)
 
@@ -80,12 +80,44 @@ def add_pair(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], fricti
         deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
         return
     pair = {"a": a, "b": b, **({} if friction is None else {"friction": friction})}
-    if pair in deck.pairs:
+    acting = find_acting(deck, a, b)
+    if acting is not None and {key: acting[key] for key in acting if key != "from"} == pair:
         return  # again in a later step
-    refuse_late(deck, block)
-    deck.pairs.append(pair)
+    start = deck.step_of(block).start
+    if acting is not None:
+        end_pair(deck, acting, start)
+    deck.pairs.append(pair | ({"from": deck.sensor_at(start)} if start > 0 else {}))
     deck.contact_names[(first.upper(), (second or first).upper())] = (a, b)
     deck.ledger.translated(block.keyword, place, "contact.surfaces")
+
+
+def find_acting(deck: AbaqusDeck, a: str, b: str) -> Deck | None:
+    """The pair of two surfaces that no later step has ended."""
+    return next((pair for pair in deck.pairs if {pair["a"], pair["b"]} == {a, b} and "until" not in pair), None)
+
+
+def end_pair(deck: AbaqusDeck, pair: Deck, time: float) -> None:
+    """With the step before; one that no step has is gone."""
+    if time > 0 and pair.get("from") != deck.sensor_at(time):
+        pair["until"] = deck.sensor_at(time)
+    else:
+        deck.pairs.remove(pair)
+
+
+def end_pairs(deck: AbaqusDeck, block: Block) -> None:
+    """OP=DELETE: the pairs of the lines end."""
+    for line in block.lines:
+        place = block.at(line[0])
+        names = [block.text(line, 0), block.text(line, 1) or block.text(line, 0)]
+        if any(is_profile(deck, name) for name in names):
+            deck.ledger.refuse("CONTACT PAIR.OP", place, "contact with an analytical surface that ends with a step", "it goes on")
+            continue
+        sides = [name_side(deck, block, name, place) for name in names]
+        pair = find_acting(deck, *sides)
+        if pair is None:
+            raise BadInput(place, f"*CONTACT PAIR, OP=DELETE: there is no pair of '{clip(names[0])}' and '{clip(names[1])}' to end")
+        end_pair(deck, pair, deck.step_of(block).start)
+        deck.ledger.translated("CONTACT PAIR", place, "contact.surfaces.N.until")
 
 
 def name_side(deck: AbaqusDeck, block: Block, name: str, place: Place) -> str:

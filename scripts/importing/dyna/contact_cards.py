@@ -8,6 +8,7 @@ from ..model import Deck
 from .cards import Card, Lines
 from .deck import KeywordDeck
 from .reaches import find_reach
+from .windows import Window, switch
 
 SINGLE, PAIR, TIE, INTERIOR, TRANSDUCER = "single", "pair", "tie", "interior", "transducer"
 # What the name of a contact begins with, behind CONTACT_, and what it is.
@@ -51,6 +52,7 @@ SCALE_OF = {
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
 TURNS = ("TIED_SHELL_EDGE", "SPOTWELD")  # ties that hold rotations, too
 INSTEAD = "it is left out"
+BY_TABLE = -9999  # DT: BT is a curve of births and deaths
 # Optional cards A to G.
 OPTIONAL = (
     "SOFT~penalty SOFSCL~penalty=0.1 LCIDAB MAXPAR~search=1.025 SBOPT~penalty=2 DEPTH~search=2 BSORT~search FRCFRQ~step=1",
@@ -307,8 +309,6 @@ def tell_decay(deck: KeywordDeck, row: Row, card: str) -> None:
 
 def check_fields(deck: KeywordDeck, contact: Contact) -> None:
     """What else the cards say."""
-    if contact.law.number("BT") > 0 or 0 < contact.law.number("DT") < deck.end_time or contact.law.number("DT") < 0:
-        deck.ledger.refuse("CONTACT.BT", contact.place, "contact with a birth or death time", "it acts during the whole run")
     if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
         deck.ledger.refuse("CONTACT.SBOXID", contact.place, "contact in a box", "it acts everywhere")
     for side, sign in (("S", "S"), ("M", "M")):
@@ -320,6 +320,18 @@ def check_fields(deck: KeywordDeck, contact: Contact) -> None:
     contact.law.finish(deck.ledger)
     for row in (contact.sides, contact.scale):
         row.finish(deck.ledger)
+
+
+def find_times(deck: KeywordDeck, contact: Contact) -> Deck:
+    """`from` and `until` of a pair: of negative times the size counts, DT < 0 takes it out of a relaxation."""
+    birth, death = contact.law.numbers("BT", "DT")
+    if death == BY_TABLE:
+        deck.ledger.refuse("CONTACT.DT", contact.place, "contact with several births and deaths by a table", "it acts during the whole run")
+        return {}
+    if death < 0 and "relaxation" in deck.model.deck.get("start", {}):
+        deck.ledger.refuse("CONTACT.DT", contact.place, "contact that does not act in dynamic relaxation", "it acts as at time 0")
+    birth, death = abs(birth), abs(death)
+    return switch(deck, Window(birth, death if 0 < death < deck.end_time else None))
 
 
 def check_thickness(deck: KeywordDeck, contact: Contact, side: str, field: str, factor_field: str) -> None:
@@ -351,7 +363,8 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
     if a is None or b is None:
         deck.ledger.ignored(contact.keyword, contact.place, "one of its sides has no element")
         return
-    deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title, "by_part": by_part})
+    times = find_times(deck, contact)
+    deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title, "by_part": by_part, "times": times})
     text = "contact.surfaces: a surface with itself" if is_single else "contact.surfaces: a pair, both ways"
     if "AUTOMATIC" in contact.keyword or "ERODING" in contact.keyword:
         deck.ledger.translated(contact.keyword, contact.place, text)
@@ -441,7 +454,7 @@ def name_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[str]:
 
 def make_pair(contact: dict) -> Deck:
     """A pair of contact.surfaces; without a coefficient where those of its parts count."""
-    pair = {"a": contact["a"], "b": contact["b"]}
+    pair = {"a": contact["a"], "b": contact["b"], **contact["times"]}
     return pair if contact["by_part"] else {**pair, "friction": contact["friction"]}
 
 
@@ -490,12 +503,13 @@ def finish_contacts(deck: KeywordDeck) -> None:
     section = deck.model.deck.setdefault("contact", {})
     pairs = [c for c in deck.contacts if c["a"] != "all" or c["b"] != "all"]
     general = [c for c in deck.contacts if c not in pairs]
-    if general and not pairs:
+    general = [c for c in general if not c["times"]] or general
+    if general and not pairs and not general[0]["times"]:
         section["surfaces"] = "all"
         if general[0]["friction"] and not general[0]["by_part"]:
             section["friction"] = general[0]["friction"]
     elif deck.contacts:
-        section["surfaces"] = [make_pair(c) for c in pairs + general[:1]]
+        section["surfaces"] = [make_pair(c) for c in pairs + (general if general and general[0]["times"] else general[:1])]
     elif "ties" in section:
         section["surfaces"] = "none"
     else:

@@ -6,6 +6,7 @@ from ..model import Deck
 from ..shapes import dot, normalise, subtract
 from .cards import Card, Lines
 from .deck import KeywordDeck
+from .windows import Window, switch
 
 OPTIONS = ("ORTHO", "FINITE", "MOVING", "FORCES", "DISPLAY")
 STICK = 100.0  # a coefficient of friction that no node slips under
@@ -185,8 +186,9 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     """Which nodes the wall stops; False if none has an element."""
     id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
     birth, death = row.numbers("BIRTH", "DEATH")
-    if birth > 0 or 0 < death < deck.end_time:
-        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall with a birth or death time", "it acts during the whole run")
+    if birth > 0 and wall.keys() & {"speed", "mass"}:
+        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall that moves with a birth time", "it moves from time 0 on")
+    wall |= switch(deck, Window(max(birth, 0.0), death if 0 < death < deck.end_time else None))
     row.finish(deck.ledger)
     if not (id or exempt or box or offset):
         return True

@@ -197,6 +197,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   ContactStage contact(chunked, deck, ranks);
   StartState start = make_checked_state(deck, chunked, model);
   State& state = start.state;
+  contact.set_switches(state.happened);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);

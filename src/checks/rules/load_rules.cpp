@@ -50,6 +50,8 @@ class PossibleContact {
   template <class Pairs>
   bool meets(const Pairs& pairs, const ForceDeck& force) const {
     return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      if constexpr (requires { pair.when; })
+        if (!may_act_after(deck_, pair.when, 0)) return false;
       return (names(pair.a, force.on) && names(pair.b, force.from)) ||
              (names(pair.b, force.on) && names(pair.a, force.from));
     });

@@ -25,15 +25,16 @@ Marks mark_named(const Deck& deck, const Entries& entries) {
   return marks;
 }
 
-/// The parts that have someone to touch, by the deck: a surface or a tie.
-Marks mark_touching(const Deck& deck) {
+/// The parts that have someone to touch after a time, by the deck: a surface or a tie.
+Marks mark_touching(const Deck& deck, double time = 0) {
   const ContactDeck& contact = deck.contact;
   Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
   const auto mark_both = [&](const auto& pair) {
     mark(deck, pair.a, marks);
     mark(deck, pair.b, marks);
   };
-  std::for_each(contact.pairs.begin(), contact.pairs.end(), mark_both);
+  for (const SurfacePairDeck& pair : contact.pairs)
+    if (may_act_after(deck, pair.when, time)) mark_both(pair);
   std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
   return marks;
 }
@@ -150,10 +151,10 @@ class FirstMeetings {
                  find_gap(own.find_box(0), flights_[other].find_box(0)));
     }
     for (std::size_t w = 0; w < deck_.walls.size(); ++w) {
+      if (!stopped_[w][part]) continue;
       const bool separate = do_separate(own, deck_.walls[w], deck_.time.end);
-      if (stopped_[w][part])
-        first.take(find_meeting(own, deck_.walls[w], end, separate ? overlapping_share : touching_share),
-                   find_gap(own, deck_.walls[w], 0));
+      const double time = find_meeting(own, deck_.walls[w], end, separate ? overlapping_share : touching_share);
+      if (may_act_after(deck_, deck_.walls[w].when, time)) first.take(time, find_gap(own, deck_.walls[w], 0));
     }
     return first;
   }
@@ -379,6 +380,15 @@ bool are_jointed(const Deck& deck, const Meeting& meeting) {
                      [&](const JointDeck& joint) { return holds(joint, meeting.a) && holds(joint, meeting.b); });
 }
 
+/// Of joined parts one that has a surface may lie on the others.
+Marks mark_touching_with_joined(const CheckedScene& scene, double time) {
+  Marks touching = mark_touching(scene.deck, time);
+  for (std::size_t p = 0; p < touching.size(); ++p)
+    for (std::size_t q = 0; q < touching.size() && !touching[p]; ++q)
+      touching[p] = touching[q] && scene.measures->are_joined(p, q);
+  return touching;
+}
+
 std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   constexpr std::size_t most = 1;  // one pair says it all
   const Deck& deck = scene.deck;
@@ -393,19 +403,20 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
     }
   }
   if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return warnings;
-  Marks touching = mark_touching(deck);
-  for (std::size_t p = 0; p < touching.size(); ++p) {  // of joined parts one that has a surface may lie on the others
-    for (std::size_t q = 0; q < touching.size() && !touching[p]; ++q)
-      touching[p] = touching[q] && scene.measures->are_joined(p, q);
-  }
+  const Marks ever = mark_touching_with_joined(scene, 0);
+  const bool is_switched = std::any_of(deck.contact.pairs.begin(), deck.contact.pairs.end(),
+                                       [](const SurfacePairDeck& pair) { return pair.when.any(); });
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
     if (are_jointed(deck, meeting)) continue;
+    const Marks touching = is_switched ? mark_touching_with_joined(scene, meeting.time) : ever;
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
       if (touching[part]) continue;
-      warnings.push_back(warn_at(deck, "no_contact", "contact.surfaces",
-                                 fmt::format("part '{}' is in no pair of contact.surfaces, but its bounding box meets "
-                                             "that of part '{}' (from t = {:.2g} on): add a pair",
-                                             deck.parts[part].name, deck.parts[other].name, meeting.time)));
+      warnings.push_back(
+          warn_at(deck, "no_contact", "contact.surfaces",
+                  fmt::format("part '{}' is in no pair of contact.surfaces{}, but its bounding box "
+                              "meets that of part '{}' (from t = {:.2g} on): {}",
+                              deck.parts[part].name, ever[part] ? " that acts then" : "", deck.parts[other].name,
+                              meeting.time, ever[part] ? "let one act longer" : "add a pair")));
     }
   }
   return warnings;

@@ -30,11 +30,10 @@ const char* name_others(const std::vector<PartOverlap>& parts) {
   return std::all_of(parts.begin(), parts.end(), is_wall) ? "a wall" : "another body or a wall";
 }
 
-std::string describe_nodes(const StartOverlap& found, const char* treatment, const Mesh& mesh,
-                           std::int64_t deepest_id) {
-  std::string line = fmt::format("{} contact node{} overlap{} {} at the start, deepest {:.4g} at node {}: {}",
-                                 found.nodes, found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "",
-                                 name_others(found.parts), found.deepest, deepest_id, treatment);
+/// what_follows: "at the start, deepest ...: accepted".
+std::string describe_nodes(const StartOverlap& found, const std::string& what_follows, const Mesh& mesh) {
+  std::string line = fmt::format("{} contact node{} overlap{} {} {}", found.nodes, found.nodes == 1 ? "" : "s",
+                                 found.nodes == 1 ? "s" : "", name_others(found.parts), what_follows);
   line += describe_parts(found.parts, mesh);
   if (found.too_deep > 0)
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
@@ -52,16 +51,16 @@ double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overla
 }
 
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
-                             std::int64_t deepest_id) {
+                             std::int64_t deepest_id, const std::string& when) {
   if (found.nodes == 0 && found.edge_pairs == 0) return "";
   const char* const treatment = overlap == ContactDeck::Overlap::accept     ? "accepted as the reference"
                                 : overlap == ContactDeck::Overlap::push_out ? "pushed out slowly"
                                                                             : "refused";
   const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
                                         found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
-  if (found.nodes == 0)
-    return fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, treatment);
-  const std::string nodes = describe_nodes(found, treatment, mesh, deepest_id);
+  if (found.nodes == 0) return fmt::format("{} {}, deepest {:.4g}: {}", edges, when, found.deepest_edges, treatment);
+  const std::string nodes = describe_nodes(
+      found, fmt::format("{}, deepest {:.4g} at node {}: {}", when, found.deepest, deepest_id, treatment), mesh);
   if (found.edge_pairs == 0) return nodes;
   return fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges);
 }

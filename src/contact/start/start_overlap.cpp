@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
@@ -85,6 +86,31 @@ struct HostWalls {
   decltype(to_host(WallPairs().size)) size, offset;
   decltype(to_host(Rows3<const double>())) x;
 };
+
+/// What acts of the walls named, or of all, for records from `first` on.
+void seed_walls(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const std::vector<char>& only,
+                StartOverlap& found, const HostMirror<Array<double>>& reference) {
+  const HostWalls host(search.walls, motion.x);
+  const int first = contact_limits::max_touches * search.share.nodes.count();
+  for (int p = 0; p < host.count(); ++p) {
+    if (!only.empty() && only[static_cast<std::size_t>(host.wall(p))] == 0) continue;
+    if (host.is_lost(p)) add({host.part(p), -1 - host.wall(p), 1, host.depth_inside(p)}, found.lost);
+    if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
+    note(found, host.number(p), {host.part(p), -1 - host.wall(p), 1, host.depth(p)}, true);
+    reference(first + p) = accept ? host.depth(p) : 0;
+  }
+}
+
+/// Where a node's record of a face goes that it does not have yet; -1: it has one, or all its records are in use.
+int find_free_record(const HostMirror<Array<std::int64_t>>& history_face, const Penetration& p) {
+  int free = -1;
+  for (int i = contact_limits::max_touches - 1; i >= 0; --i) {
+    const int record = contact_limits::max_touches * p.node + i;
+    if (history_face(record) == p.face) return -1;
+    if (history_face(record) < 0) free = record;
+  }
+  return free;
+}
 
 /// Overlap of edges, by (a, b), into a history of its own.
 EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool accept, StartOverlap& found) {
@@ -170,6 +196,40 @@ std::vector<EdgeRecord> list_records(const EdgeHistory& history) {
   return records;
 }
 
+/// Records that are there stay. accept: the depth of what is added is its reference.
+void add_records(const std::vector<EdgePenetration>& found, bool accept, EdgeHistory& history) {
+  if (found.empty()) return;
+  std::vector<EdgeRecord> records = list_records(history);
+  for (const EdgePenetration& p : found)
+    records.push_back({p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, accept ? p.depth : 0}});
+  history = make_edge_history(join_records(records));
+}
+
+/// Of the pairs of edges that a history does not have, those with an end of `nodes`.
+void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
+                     const std::vector<std::int64_t>& nodes, StartOverlap& found, EdgeHistory& history) {
+  std::vector<std::int64_t> own;
+  const auto has = [](const std::vector<std::int64_t>& sorted, std::int64_t n) {
+    return std::binary_search(sorted.begin(), sorted.end(), n);
+  };
+  for (const EdgeTopology& edge : search.share.edges)
+    if (has(nodes, edge.ends[0]) || has(nodes, edge.ends[1])) own.push_back(edge.number);
+  std::vector<std::int64_t> edges = gather_items(search.ranks, own);
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::pair<std::int64_t, std::int64_t>> known;
+  for (const EdgeRecord& record : list_records(history)) known.emplace_back(record.a, record.b);
+  std::sort(known.begin(), known.end());
+  std::vector<EdgePenetration> born;
+  for (const EdgePenetration& p : search.finder.find_edge_penetrations(motion)) {
+    if ((!has(edges, p.a) && !has(edges, p.b)) || p.depth <= contact_limits::overlap * p.size) continue;
+    if (std::binary_search(known.begin(), known.end(), std::pair(p.a, p.b))) continue;
+    ++found.edge_pairs;
+    found.deepest_edges = std::max(found.deepest_edges, p.depth);
+    if (p.depth <= p.limit) born.push_back(p);
+  }
+  add_records(born, accept, history);
+}
+
 }  // namespace
 
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
@@ -187,20 +247,42 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     history_face(contact_limits::max_touches * p.node) = p.face;
     reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
   }
-  const HostWalls host(search.walls, motion.x);
-  const int first = contact_limits::max_touches * search.share.nodes.count();
-  for (int p = 0; p < host.count(); ++p) {
-    if (host.is_lost(p)) add({host.part(p), -1 - host.wall(p), 1, host.depth_inside(p)}, found.lost);
-    if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
-    note(found, host.number(p), {host.part(p), -1 - host.wall(p), 1, host.depth(p)}, true);
-    reference(first + p) = accept ? host.depth(p) : 0;
-  }
+  seed_walls(search, motion, accept, {}, found, reference);
   if (search.share.total_searched_faces > 0) {
     history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);
     found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
   }
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
+  reduce(search.ranks, found);
+  return found;
+}
+
+StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                       const BornContact& born, ContactHistory& history) {
+  const auto has = [](const std::vector<std::int64_t>& sorted, std::int64_t number) {
+    return std::binary_search(sorted.begin(), sorted.end(), number);
+  };
+  const auto history_face = to_host(history.face);
+  const auto reference = to_host(history.reference);
+  const bool accept = overlap == ContactDeck::Overlap::accept;
+  const bool has_faces = search.share.total_searched_faces > 0;
+  StartOverlap found;
+  for (const Penetration& p : has_faces ? search.finder.find_penetrations(motion) : std::vector<Penetration>{}) {
+    if (p.depth <= contact_limits::overlap * p.size || !has(born.faces, p.face)) continue;
+    const auto n = static_cast<std::size_t>(p.node);
+    const int record = find_free_record(history_face, p);
+    if (record < 0) continue;  // a contact of another pair that goes on
+    const bool held = p.depth <= p.limit;
+    note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
+    if (!held) continue;
+    history_face(record) = p.face;
+    reference(record) = accept ? p.depth : 0;
+  }
+  seed_walls(search, motion, accept, born.walls, found, reference);
+  Kokkos::deep_copy(history.face, history_face);
+  Kokkos::deep_copy(history.reference, reference);
+  if (has_faces) seed_born_edges(search, motion, accept, born.nodes, found, history.edges);
   reduce(search.ranks, found);
   return found;
 }
@@ -267,11 +349,7 @@ void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
   std::erase_if(found, [&](const EdgePenetration& p) {
     return (!is_fresh(p.a) && !is_fresh(p.b)) || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit;
   });
-  if (found.empty()) return;
-  std::vector<EdgeRecord> records = list_records(history);
-  for (const EdgePenetration& p : found)
-    records.push_back({p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, p.depth}});
-  history = make_edge_history(join_records(records));
+  add_records(found, true, history);
 }
 
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {

@@ -39,6 +39,19 @@ struct OverlapSearch {
   ContactFinder& finder;
 };
 
+/// What may be touched from now on, though nothing there has been taken in by the history.
+struct BornContact {
+  std::vector<std::int64_t> faces;  // numbers of faces of the pairs of surfaces, of all ranks, ascending
+  std::vector<std::int64_t> nodes;  // numbers of their corners, likewise
+  std::vector<char> walls;          // [walls of the deck]
+};
+
+/// Of overlap at the positions of `motion`, whose dt is 0, takes into a history in use what is with these faces, the
+/// edges between these nodes, and these walls, as seed_history() does. Looks at the candidate pairs that the finder
+/// has. Collective.
+StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                       const BornContact& born, ContactHistory& history);
+
 /// Finds overlap at the positions of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or
 /// to be pushed out. Collective.
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
@@ -60,9 +73,9 @@ struct EdgeChange {
 };
 
 /// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
-/// deepest_id: the user's of deepest_node.
+/// deepest_id: the user's of deepest_node. when: "at the start".
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
-                             std::int64_t deepest_id);
+                             std::int64_t deepest_id, const std::string& when);
 
 /// How much of it is left at the end.
 std::string describe_overlap_left(const StartOverlap& left);

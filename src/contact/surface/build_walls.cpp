@@ -176,7 +176,9 @@ WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const Surfac
   const bool sees_thickness =
       std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.sees_thickness; });
   for (const WallDeck& wall : deck.walls) {
-    for (const int node : list_wall_nodes(chunked.mesh, deck, wall, stopped)) {
+    const std::vector<int> nodes = list_wall_nodes(chunked.mesh, deck, wall, stopped);
+    const bool acts = share.active.has_wall(walls.size());
+    for (const int node : acts ? nodes : std::vector<int>{}) {
       pair_wall.push_back(static_cast<int>(walls.size()));
       pair_node.push_back(node);
       pair_size.push_back(stopped[at(node)].size);

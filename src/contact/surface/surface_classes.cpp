@@ -4,6 +4,7 @@
 
 #include "comm/gather_items.hpp"
 #include "src/deck/rigid_bodies.hpp"
+#include "src/deck/start/switches.hpp"
 
 namespace percuss {
 namespace {
@@ -54,13 +55,14 @@ double find_friction(const ContactDeck& contact, const SurfaceSet& node, const S
 }
 
 /// Rule for a node on surfaces `node` and a face on surfaces `face`.
-PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+PairRule find_rule(const ContactDeck& contact, const ActiveContact& active, const SurfaceSet& node,
+                   const SurfaceSet& face) {
   if (share_body(node, face)) return {};
   for (std::size_t t = 0; t < contact.ties.size(); ++t)
     if (are_opposite(node, face, contact.pairs.size() + t)) return {};
   if (contact.surfaces == ContactDeck::Surfaces::all) return {0, find_friction(contact, node, face)};
   for (std::size_t p = 0; p < contact.pairs.size(); ++p)
-    if (are_opposite(node, face, p)) {
+    if (active.has_pair(p) && are_opposite(node, face, p)) {
       const std::optional<double> own = contact.pairs[p].friction;
       return {static_cast<int>(p), own ? *own : find_friction(contact, node, face)};
     }
@@ -83,10 +85,24 @@ int SurfaceClasses::find(const SurfaceSet& set) const {
   return static_cast<int>(std::lower_bound(sets.begin(), sets.end(), set) - sets.begin());
 }
 
-std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact) const {
+ActiveContact find_active_contact(const Deck& deck, const std::vector<char>& happened) {
+  const auto list = [&](const auto& entries) {
+    std::vector<char> active;
+    for (const auto& entry : entries) active.push_back(find_switch(deck.sensors, entry.when).is_on(happened) ? 1 : 0);
+    return active;
+  };
+  return {list(deck.contact.pairs), list(deck.walls)};
+}
+
+bool has_switched_pairs(const ContactDeck& contact) {
+  return std::any_of(contact.pairs.begin(), contact.pairs.end(),
+                     [](const SurfacePairDeck& pair) { return pair.when.any(); });
+}
+
+std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact, const ActiveContact& active) const {
   std::vector<PairRule> rules;
   for (const SurfaceSet& node : sets) {
-    for (const SurfaceSet& face : sets) rules.push_back(find_rule(contact, node, face));
+    for (const SurfaceSet& face : sets) rules.push_back(find_rule(contact, active, node, face));
   }
   return rules;
 }

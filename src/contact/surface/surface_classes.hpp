@@ -19,6 +19,21 @@ struct PairRule {
   double friction = -1;  // Coulomb's coefficient; negative: may not touch
 };
 
+/// Which of the deck's pairs of surfaces and walls act now, by their place in the deck. Empty: all do.
+struct ActiveContact {
+  std::vector<char> pairs, walls;
+
+  bool has_pair(std::size_t pair) const { return pairs.empty() || pairs[pair] != 0; }
+  bool has_wall(std::size_t wall) const { return walls.empty() || walls[wall] != 0; }
+  bool operator==(const ActiveContact&) const = default;
+};
+
+/// happened: State::happened.
+ActiveContact find_active_contact(const Deck& deck, const std::vector<char>& happened);
+
+/// Whether any pair of surfaces may act at another time.
+bool has_switched_pairs(const ContactDeck& contact);
+
 /// The combinations of named surfaces on which nodes or faces lie together, the same on every rank.
 struct SurfaceClasses {
   std::vector<SurfaceSet> sets;  // [classes] ascending
@@ -28,7 +43,7 @@ struct SurfaceClasses {
 
   /// Rules by [class of the node * count() + class of the face]: that of the first pair that fits.
   /// What is tied to a surface may not touch it.
-  std::vector<PairRule> find_rules(const ContactDeck& contact) const;
+  std::vector<PairRule> find_rules(const ContactDeck& contact, const ActiveContact& active) const;
 };
 
 /// Surfaces of each face of the share. Throws InputError for unknown surfaces. Collective over Mesh::ranks.

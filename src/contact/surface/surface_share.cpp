@@ -307,7 +307,7 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const std::ve
   for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
   std::vector<double> friction;
   std::vector<int> pair_number;
-  for (const PairRule& rule : classes.find_rules(deck.contact)) {
+  for (const PairRule& rule : classes.find_rules(deck.contact, share.active)) {
     friction.push_back(rule.friction);
     pair_number.push_back(rule.pair);
   }
@@ -373,9 +373,11 @@ void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share)
 }  // namespace
 
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
-                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
+                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds,
+                                 const ActiveContact& active) {
   const Mesh& mesh = chunked.mesh;
   SurfaceShare share;
+  share.active = active;
   share.has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
   list_faces(chunked, faces, share);
@@ -420,7 +422,7 @@ bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfac
   std::vector<SurfaceSet> all = share.own_sets;
   all.insert(all.end(), edge_sets.begin(), edge_sets.end());
   if (agree_on_classes(chunked.mesh, std::move(all)).sets != share.classes.sets) {  // the same on all ranks
-    share = build_surface_share(chunked, deck, ties, exchange, folds);
+    share = build_surface_share(chunked, deck, ties, exchange, folds, ActiveContact(share.active));
     return false;
   }
   set_edges(chunked.mesh, exchange.ranks(), edges, edge_sets, share);

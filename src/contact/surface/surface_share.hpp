@@ -72,6 +72,8 @@ struct SurfaceShare {
   std::vector<int> searched_faces;  // places in `faces`
   Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset
 
+  ActiveContact active{};  // by which pair_friction was found
+
   /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `told_faces`.
   const FaceTopology& face(int place) const {
     const auto i = static_cast<std::size_t>(place);
@@ -85,18 +87,19 @@ inline bool has_edge_contact(const ContactDeck& contact) {
   return contact.edges && contact.surfaces != ContactDeck::Surfaces::none;
 }
 
-/// (1.1) Define contact surface: finds that of the mesh. folds: of find_feature_edges(). Throws InputError for unknown
-/// surfaces. Collective.
+/// (1.1) Define contact surface: finds that of the mesh. active: which pairs may touch. folds: of
+/// find_feature_edges(). Throws InputError for unknown surfaces. Collective.
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
-                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds = {});
+                                 UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds = {},
+                                 const ActiveContact& active = {});
 
 /// Makes `share`, of the same mesh and ties, what build_surface_share() would make with other folds. Returns whether
 /// all but its edges stayed as it was, as almost always. Collective.
 bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                   UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds, SurfaceShare& share);
 
-/// The deck's rigid walls with the owned nodes that they stop, inside bodies and on their surfaces. Throws InputError,
-/// on all ranks, for unknown selections. Collective over Mesh::ranks.
+/// The deck's rigid walls with the owned nodes that those of them that act stop, inside bodies and on their surfaces.
+/// Throws InputError, on all ranks, for unknown selections. Collective over Mesh::ranks.
 WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const SurfaceShare& share);
 
 }  // namespace percuss

@@ -6,6 +6,7 @@
 
 #include "src/deck/reading/connections/strength_keys.hpp"
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/sensors/sensor_keys.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/deck/text/nearest_name.hpp"
 
@@ -13,11 +14,11 @@ namespace percuss {
 namespace {
 
 const Keys<SurfacePairDeck>& pair_keys() {
-  static const Keys<SurfacePairDeck> keys = {
+  static const Keys<SurfacePairDeck> keys = with_switch<SurfacePairDeck>({
       need("a", &SurfacePairDeck::a, SelectorValue{}),
       need("b", &SurfacePairDeck::b, SelectorValue{}),
       may("friction", &SurfacePairDeck::friction, NumberValue{not_negative}),
-  };
+  });
   return keys;
 }
 
@@ -73,6 +74,10 @@ bool is_same(const std::optional<Selector>& a, const std::optional<Selector>& b)
   return a && b ? is_same(*a, *b) : !a && !b;
 }
 
+/// Of two pairs of the same surfaces each may have its time.
+bool is_switched(const SurfacePairDeck& pair) { return pair.when.any(); }
+bool is_switched(const PairFrictionDeck&) { return false; }
+
 /// Refuses a pair that an earlier one names, either way round: its friction would never act.
 template <class Pair>
 bool are_different(const Reader& reader, const std::string& name, const Node& node, const std::vector<Pair>& pairs) {
@@ -80,6 +85,7 @@ bool are_different(const Reader& reader, const std::string& name, const Node& no
     const std::optional<Selector> a = pairs[i].a, b = pairs[i].b;
     const bool is_repeated =
         std::any_of(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(i), [&](const Pair& other) {
+          if (is_switched(other)) return false;
           const std::optional<Selector> c = other.a, d = other.b;
           return (is_same(a, c) && is_same(b, d)) || (is_same(a, d) && is_same(b, c));
         });

@@ -1,8 +1,10 @@
 #pragma once
-// What sensors switch: loads and conditions that act from one event on, or until another.
+// What sensors switch: loads, conditions, contact and walls that act from one event on, or until another.
 
 #include <algorithm>
 #include <vector>
+
+#include "src/deck/start/sensor_deck.hpp"
 
 namespace percuss {
 
@@ -17,6 +19,16 @@ struct Switch {
   }
   bool any() const { return from != none || until != none; }
 };
+
+/// The switch of an entry of the deck. Its sensors are known.
+inline Switch find_switch(const std::vector<SensorDeck>& sensors, const SwitchDeck& when) {
+  const auto find = [&](const std::string& name) {
+    const auto sensor =
+        std::find_if(sensors.begin(), sensors.end(), [&](const SensorDeck& one) { return one.name == name; });
+    return sensor == sensors.end() ? Switch::none : static_cast<int>(sensor - sensors.begin());
+  };
+  return {find(when.from), find(when.until)};
+}
 
 struct SwitchModel {
   std::size_t sensors = 0;                                 // of the deck

@@ -197,13 +197,8 @@ HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, 
 void build_switches(const Deck& deck, Model& model) {
   SwitchModel& switches = model.switches;
   switches.sensors = deck.sensors.size();
-  const auto find = [&](const std::string& name) {
-    for (std::size_t s = 0; s < deck.sensors.size(); ++s)
-      if (deck.sensors[s].name == name) return static_cast<int>(s);
-    return Switch::none;
-  };
   const auto list = [&](const auto& entries, std::vector<Switch>& out) {
-    for (const auto& entry : entries) out.push_back({find(entry.when.from), find(entry.when.until)});
+    for (const auto& entry : entries) out.push_back(find_switch(deck.sensors, entry.when));
   };
   list(deck.pressures, switches.pressures);
   list(deck.nodal_loads, switches.nodal_loads);

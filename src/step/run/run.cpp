@@ -125,6 +125,7 @@ void Run::restart() {
                     deck_.file, deck_.time.end, state_.time));
   }
   complete_state(chunked_, model_, state_);
+  if (sensors_.any()) switch_contact();
   compute_start_ = compute_seconds();
   stepper_.resume(state_);
   start_step_ = state_.step;

@@ -64,6 +64,7 @@ class Run {
   void start_sensors();
   void look_by_sensors(bool has_new_row);
   void tell_events(const std::vector<char>& happened);
+  void switch_contact();
   void audit();
   void note_contact();
   void note_contact_gain(bool is_last);

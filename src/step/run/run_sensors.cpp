@@ -14,6 +14,7 @@ void Run::start_sensors() {
   tell_events(happened);
   state_.happened = happened;
   set_held_directions(model_, state_);
+  contact_.set_switches(happened);
 }
 
 /// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
@@ -24,6 +25,12 @@ void Run::look_by_sensors(bool has_new_row) {
   if (happened == state_.happened) return;
   tell_events(happened);
   stepper_.switch_now(state_, happened);
+  switch_contact();
+}
+
+/// Also after a restart with other times than those of the checkpoint.
+void Run::switch_contact() {
+  if (contact_.is_active()) say(contact_.switch_now(state_.happened, state_.x, state_.v));
 }
 
 void Run::tell_events(const std::vector<char>& happened) {

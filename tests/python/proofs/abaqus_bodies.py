@@ -32,9 +32,22 @@ def sliding(contact: str, more: str = "", before: str = "") -> str:
     return abaqus(two(0.01), more, before, "*INITIAL CONDITIONS, TYPE=VELOCITY\nnb, 1, 3000.\nnb, 3, -2000.\n*BOUNDARY\nna, 1, 3\n", end=2e-5, step=contact + history)
 
 
+def in_two(first: str, second: str, at: float) -> str:
+    """The same in two steps; b comes to a at 5e-6."""
+    history = "*OUTPUT, HISTORY, TIME INTERVAL=1e-6\n*ENERGY OUTPUT, ELSET=b\nALLKE\n"
+    start = "*INITIAL CONDITIONS, TYPE=VELOCITY\nnb, 1, 3000.\nnb, 3, -2000.\n*BOUNDARY\nna, 1, 3\n"
+    next_step = f"*END STEP\n*STEP\n*DYNAMIC, EXPLICIT\n, {2e-5 - at!r}\n"
+    return abaqus(two(0.01), start, end=at, step=first + history + next_step + second + history)
+
+
 def ratio(history):
     """Change of momentum along the slide over that along the normal, of b."""
     return (history["momentum_x:B"][-1] - history["momentum_x:B"][0]) / (history["momentum_z:B"][-1] - history["momentum_z:B"][0])
+
+
+def untouched(history):
+    """The largest change of the momentum of b in the first 7.5e-6."""
+    return max(abs(p - history["momentum_z:B"][0]) for t, p in zip(history["time"], history["momentum_z:B"]) if t < 7.5e-6)
 
 
 def slides(friction: float) -> list:
@@ -111,7 +124,11 @@ PROOFS = [
     Proof("CONTACT PAIR: INTERACTION", sliding(PAIR.replace("=i", "=j")), slides(0.1), "Coulomb's friction of the other interaction"),
     Proof("CONTACT PAIR: INTERACTION", sliding(PAIR.replace("=i", "=none")), refused="there is no *SURFACE INTERACTION"),
     Proof("CONTACT PAIR: INTERACTION", sliding("*CONTACT PAIR\nsb, sa\n"), refused="has no INTERACTION"),
-    Proof("CONTACT PAIR: OP", sliding(PAIR + PAIR.replace("=i", "=i, OP=DELETE")), refused="contact that ends"),
+    Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsb, sa\n", 3e-6), MISSED, "it ends before b comes"),
+    Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsa, sb\n" + PAIR.replace("=i", "=j"), 3e-6), slides(0.1), "another pair of the same surfaces in its place"),
+    Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsa, none\n", 3e-6), refused="none"),
+    Proof("CONTACT PAIR", in_two("", PAIR, 8e-6), [*slides(0.3), (untouched, LAST, 0.0, 1e-9 * 2000.0 * CUBE_MASS)], "it begins with the second step, where b is in a"),
+    Proof("CONTACT PAIR: INTERACTION", in_two(PAIR, PAIR.replace("=i", "=j"), 3e-6), slides(0.1), "another interaction in a later step"),
     Proof("CONTACT; CONTACT INCLUSIONS: ALL_EXTERIOR; CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL), slides(0.3), "Coulomb's friction of all"),
     Proof("CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL + "sb, sa, j\n"), slides(0.1), "that of the two surfaces"),
     Proof("CONTACT INCLUSIONS", sliding("*CONTACT, OP=NEW\n*CONTACT INCLUSIONS\nsb, sa\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"), slides(0.3), "one pair, with the friction of all"),

@@ -22,6 +22,11 @@ def friction(history):
     return change["x"] / change["z"] if change["z"] > 0.5 * CUBE_MASS * 1000.0 else 9.0
 
 
+def untouched(until):
+    """The largest change of the momentum toward the floor before a time."""
+    return lambda h: max(abs(p - h["momentum_z"][0]) for t, p in zip(h["time"], h["momentum_z"]) if t < until)
+
+
 def impulse(history):
     """Of the first force of the history, over the change of momentum that it makes."""
     column = history[next(name for name in history if name.startswith("fz:"))]
@@ -51,12 +56,14 @@ WELDED = deck(square(), part(), shell_section(), elastic(), node_set(1, 1, 2, 3,
               nodes(*((11 + i, 5.0, 5.0, 5.0 * i) for i in range(5))), "*ELEMENT_BEAM\n" + "".join(f"{11 + i},2,{11 + i},{12 + i},0\n" for i in range(4)),
               part(2, 2, 2), "*SECTION_BEAM\n2,9,1.0,2,1\n4.0,4.0,0,0\n", "*MAT_SPOTWELD\n2,7.8e-9,2.1e5,0.3,1e5,0\n0\n", "*ELEMENT_MASS\n1,15,1e-4\n",
               "*LOAD_NODE_POINT\n15,1,7,10.0\n*DEFINE_CURVE\n7\n0,1.0\n1.0,1.0\n*DATABASE_HISTORY_NODE\n15\n", "{}", end=1.5e-3, rows=300)  # fmt: skip
+
+
+BORN = [(friction, LAST, -0.3, 5e-2), (untouched(1.45e-5), LAST, 0.0, 1e-9 * 1000.0 * CUBE_MASS)]
+PASSED = [("momentum_z", LAST, -1000.0 * CUBE_MASS, 1e-6)]
 HALF = 100.0 * CUBE_MASS / 2
 SETS = "*SET_PART_LIST\n1\n1\n*SET_PART_LIST\n2\n2\n"
 LIST = node_set(1, 1, 2, 3, 4) + "*SET_SEGMENT\n5\n1,2,3,4\n"
-REFUSED = {
-    "BT": ("0.3,0,0,0,0,0,1e-6\n\n", "birth"), "DT": ("0.3,0,0,0,0,0,0,1e-6\n\n", "birth"), "VC": ("0.3,0,0,9.0\n\n", "limit on the friction"),
-}  # fmt: skip
+REFUSED = {"BT DT": ("0.3,0,0,0,0,0,7,-9999\n\n", "births and deaths by a table"), "VC": ("0.3,0,0,9.0\n\n", "limit on the friction")}
 PAIR = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n"
 
 PAIRS = ("SURFACE_TO_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE", "FORMING_SURFACE_TO_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE")
@@ -135,6 +142,12 @@ PROOFS = FAMILIES + [
           deck(square(), part(), square(2, 11, (0.0, 0.0, 0.8), of=2), part(2), shell_section(), elastic(), velocity(100.0), "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n\n*CONTROL_CONTACT\n0.1\n\n\n0,0,0,0,0,1,0.8\n"),
           [("momentum_x", ALL, 100.0 * 2 * 7.8e-7, 1e-9), ("internal", MAX, 0.0, 1e-12)], "sheets of a weld, closer than their thickness, do not press each other apart"),
     Proof("DATABASE_RCFORC: DT", slide(PAIR + "\n\n"), [(impulse, LAST, 1.0, 1e-6)], "the force makes the change of momentum"),
+    Proof("CONTACT: BT", slide(PAIR + "0.3,0,0,0,0,0,1.5e-5\n\n"), BORN, "the cube comes to the floor at 1e-5, and is stopped from 1.5e-5 on"),
+    Proof("CONTACT: BT", slide(PAIR + "0.3,0,0,0,0,0,-1.5e-5\n\n"), BORN, "of a negative time the size counts"),
+    Proof("CONTACT: BT", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.3,0,0,0,0,0,1.5e-5\n\n"), BORN, "everything too"),
+    Proof("CONTACT: DT", slide(PAIR + "0.3,0,0,0,0,0,0,5e-6\n\n"), PASSED, "it ends before the cube comes"),
+    Proof("CONTACT: DT", slide(PAIR + "0.3,0,0,0,0,0,0,-5e-6\n\n"), PASSED, "of a negative time the size counts"),
+    Proof("CONTACT: DT", slide(PAIR + "0.3,0,0,0,0,0,0,5e-6\n\n" + PAIR + "0.3,0,0,0,0,0,1.5e-5\n\n"), BORN, "two contacts of the same parts, one after the other"),
     *[Proof(f"CONTACT: {name}", slide(PAIR + lines), refused=words) for name, (lines, words) in REFUSED.items()],
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE; CONTACT: SBOXID MBOXID", slide("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3,7\n\n\n"), refused="contact in a box"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ORTHO_FRICTION", slide(PAIR.replace("FACE\n", "FACE_ORTHO_FRICTION\n") + "0.2\n\n0.1\n0.2\n0.1\n0.2\n"), refused="depends on the direction"),

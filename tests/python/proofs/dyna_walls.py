@@ -14,6 +14,7 @@ def floor(**more: float) -> str:
 
 
 STOPPED = [("momentum_z", LAST, 0.0, 1e-3 * 2e4 * CUBE_MASS)]  # the contact is solved to 1e-3
+BORN = [(lambda h: max(abs(p + 2e4 * CUBE_MASS) for t, p in zip(h["time"], h["momentum_z"]) if t < 6.9e-5), LAST, 0.0, 1e-9 * 2e4 * CUBE_MASS)]
 PASSED = [("momentum_z", LAST, -2e4 * CUBE_MASS, 1e-6)]
 PUSHED = [("momentum_z", LAST, 3e4 * CUBE_MASS, 1e-3)]
 MOTION = "*RIGIDWALL_GEOMETRIC_{shape}_MOTION\n0\n{at}\n{size}\n7,{opt},0,0,1.0\n"
@@ -27,8 +28,12 @@ PROOFS = [
     Proof("RIGIDWALL_PLANAR: BOXID; DEFINE_BOX", deck(*FALLING, "*DEFINE_BOX\n3,-1.0,11.0,-1.0,11.0,9.0,11.0\n", floor(box=3), end=END), PASSED, "the upper nodes alone"),
     Proof("RIGIDWALL_PLANAR: OFFSET", deck(*FALLING, floor(offset=0.5), end=END), PASSED, "no node is so near"),
     Proof("RIGIDWALL_PLANAR: OFFSET", deck(*FALLING, node_set(4, *range(1, 9)), floor(set=4, offset=0.5), end=END), PASSED, "of a set too"),
-    Proof("RIGIDWALL_PLANAR: BIRTH", deck(*FALLING, floor(birth=1e-5), end=END), refused="birth or death"),
-    Proof("RIGIDWALL_PLANAR: DEATH", deck(*FALLING, floor(death=1e-5), end=END), refused="birth or death"),
+    Proof("RIGIDWALL_PLANAR: BIRTH", deck(*FALLING, floor(birth=7e-5), end=END), [*STOPPED, *BORN], "the cube comes to the wall at 5e-5, and is stopped from 7e-5 on"),
+    Proof("RIGIDWALL_PLANAR: DEATH", deck(*FALLING, floor(death=1e-5), end=END), PASSED, "it ends before the cube comes"),
+    Proof("RIGIDWALL_PLANAR: BIRTH DEATH", deck(*FALLING, floor(birth=1e-5, death=7e-5), end=END), STOPPED, "it acts when the cube comes"),
+    Proof("RIGIDWALL_GEOMETRIC_FLAT: BIRTH", deck(*FALLING, "*RIGIDWALL_GEOMETRIC_FLAT\n0,0,0,7e-5\n0,0,-1.0,0,0,9.0\n10.0,0,-1.0,12.0,12.0\n", end=END), [*STOPPED, *BORN], "a rectangle too"),
+    Proof("RIGIDWALL_GEOMETRIC_FLAT: DEATH", deck(*FALLING, "*RIGIDWALL_GEOMETRIC_FLAT\n0,0,0,0,1e-5\n0,0,-1.0,0,0,9.0\n10.0,0,-1.0,12.0,12.0\n", end=END), PASSED, "a rectangle too"),
+    Proof("RIGIDWALL_GEOMETRIC_FLAT_MOTION: BIRTH", deck(cube(rigid(1, 1, 0, 7)), MOTION.format(**RISING).replace("MOTION\n0\n", "MOTION\n0,0,0,7e-5\n"), curve(7, (0, 3e4), (1, 3e4)), end=END), refused="moves with a birth time"),
     Proof("RIGIDWALL_PLANAR: FRIC", deck(cube(rigid(1, 1, 0, 7)), velocity(1e4, 0.0, -2e4), floor(friction=0.25), end=END),
           [("momentum_x", LAST, 0.5e4 * CUBE_MASS, 1e-2)], "the impulse of the impact times 0.25"),
     Proof("RIGIDWALL_PLANAR: FRIC", deck(cube(rigid(1, 1, 0, 7)), velocity(1e4, 0.0, -2e4), floor(friction=1.0), end=END),
@@ -61,8 +66,6 @@ PROOFS = [
           [("momentum_z", ALL, 0.0, 1e-12)], "it ends before the cube"),
     *(Proof(f"RIGIDWALL_GEOMETRIC_FLAT: {name}", deck(*FALLING, cards, f"*RIGIDWALL_GEOMETRIC_FLAT\n{fields}\n0,0,-1.0,0,0,9.0\n10.0,0,-1.0,12.0,12.0\n", end=END), PASSED, "its lower nodes are not stopped")
       for name, fields, cards in (("NSID", "4", node_set(4, 5, 6, 7, 8)), ("NSIDEX", "0,4", node_set(4, 1, 2, 3, 4)), ("BOXID", "0,0,3", "*DEFINE_BOX\n3,-1.0,11.0,-1.0,11.0,9.0,11.0\n"))),
-    *(Proof(f"RIGIDWALL_GEOMETRIC_FLAT: {name}", deck(*FALLING, f"*RIGIDWALL_GEOMETRIC_FLAT\n{fields}\n0,0,-1.0,0,0,9.0\n10.0,0,-1.0,12.0,12.0\n", end=END), refused="birth or death")
-      for name, fields in (("BIRTH", "0,0,0,1e-5"), ("DEATH", "0,0,0,0,1e-5"))),
     Proof("RIGIDWALL_GEOMETRIC_FLAT: FRIC", deck(cube(rigid(1, 1, 0, 7)), velocity(1e4, 0.0, -2e4), "*RIGIDWALL_GEOMETRIC_FLAT\n0\n0,0,-1.0,0,0,9.0,0.25\n10.0,0,-1.0,0,0\n", end=END),
           [("momentum_x", LAST, 0.5e4 * CUBE_MASS, 1e-2)], "the impulse of the impact times 0.25"),
     Proof("RIGIDWALL_GEOMETRIC_CYLINDER_MOTION: NSEGS",

@@ -108,10 +108,15 @@ void check_sensors(const Deck& deck, const Node& root, Reading& reading) {
     return list != nullptr && list->kind == Node::Kind::list && list->items.size() == count;
   };
   const Node *pressures = loads ? loads->find("pressure") : nullptr, *nodal = loads ? loads->find("nodal") : nullptr;
-  for (std::size_t i = 0; is_whole(pressures, deck.pressures.size()) && i < deck.pressures.size(); ++i)
-    check_switch(deck.pressures[i].when, pressures, i, reading);
-  for (std::size_t i = 0; is_whole(nodal, deck.nodal_loads.size()) && i < deck.nodal_loads.size(); ++i)
-    check_switch(deck.nodal_loads[i].when, nodal, i, reading);
+  const auto check_all = [&](const auto& entries, const Node* list) {
+    for (std::size_t i = 0; is_whole(list, entries.size()) && i < entries.size(); ++i)
+      check_switch(entries[i].when, list, i, reading);
+  };
+  const Node* contact = root.find("contact");
+  check_all(deck.pressures, pressures);
+  check_all(deck.nodal_loads, nodal);
+  check_all(deck.walls, root.find("walls"));
+  check_all(deck.contact.pairs, contact ? contact->find("surfaces") : nullptr);
   for (std::size_t i = 0; is_whole(conditions, deck.conditions.size()) && i < deck.conditions.size(); ++i) {
     check_switch(deck.conditions[i].when, conditions, i, reading);
     check_condition(deck, deck.conditions[i], conditions->items[i], reading);

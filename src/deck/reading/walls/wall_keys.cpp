@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/deck/reading/sensors/sensor_keys.hpp"
+
 namespace percuss {
 namespace {
 
@@ -44,7 +46,7 @@ const Keys<SphereWallDeck>& sphere_wall_keys() {
 }
 
 const Keys<WallDeck>& wall_keys() {
-  static const Keys<WallDeck> keys = {
+  static const Keys<WallDeck> keys = with_switch<WallDeck>({
       may("name", &WallDeck::name, NameValue{}),
       may("point", &WallDeck::point, vector3()),
       may("normal", &WallDeck::normal, DirectionValue{}),
@@ -58,7 +60,7 @@ const Keys<WallDeck>& wall_keys() {
       may("friction", &WallDeck::friction, NumberValue{not_negative}),
       may("nodes", &WallDeck::nodes, SelectorsValue{}),
       may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"seen", true}}}),
-  };
+  });
   return keys;
 }
 
