@@ -918,7 +918,7 @@ class Strictness(InFolder):
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
                           ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
                           ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
-                          ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,1e-5\n0\n", "CONTACT.BT")):  # fmt: skip
+                          ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,7,-9999\n0\n", "CONTACT.DT")):  # fmt: skip
             with self.subTest(key):
                 self.assertIn(key, self.refusals(decks.SMALL.replace("*END", card + "*END")))
 
