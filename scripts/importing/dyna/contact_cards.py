@@ -359,11 +359,11 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
     b = a if is_single else name_whole(deck, side_name(deck, contact, "M"))
     by_part = contact.law.number("FS") == -1
     friction = find_friction(deck, contact)
+    times = find_times(deck, contact)
     check_fields(deck, contact)
     if a is None or b is None:
         deck.ledger.ignored(contact.keyword, contact.place, "one of its sides has no element")
         return
-    times = find_times(deck, contact)
     deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title, "by_part": by_part, "times": times})
     text = "contact.surfaces: a surface with itself" if is_single else "contact.surfaces: a pair, both ways"
     if "AUTOMATIC" in contact.keyword or "ERODING" in contact.keyword:

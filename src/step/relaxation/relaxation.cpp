@@ -17,6 +17,10 @@
 namespace percuss {
 namespace {
 
+/// What of the motion is to be that of nodes, at its largest, for spins to be taken as idle.
+constexpr double least_moving = 0.1;
+/// Of the steps so far, the shortest period of spins that count as idle.
+constexpr double idle_periods = 10;
 /// Steps between two looks at the motion.
 constexpr long look_steps = 10;
 /// What an earlier look counts less than the next.
@@ -196,18 +200,36 @@ void Relaxation::look(double dt, double dt_mean) {
   moving_inertia_ = fading * moving_inertia_ + totals.moving_inertia;
   frequency_ = inertia_ > 0 ? std::sqrt(power_ / inertia_) : 0;
   // Spins that nothing brings back would hide the frequency of the rest, and nothing would be damped.
-  const bool is_drift = frequency_ * elapsed_ < 2 * std::numbers::pi && moving_inertia_ > 0;
-  if (is_drift) frequency_ = std::max(frequency_, std::sqrt(moving_power_ / moving_inertia_));
+  const bool is_drift = std::min(frequency_, find_spin_frequency()) * elapsed_ < 2 * std::numbers::pi;
+  if (is_drift && moving_inertia_ > 0) frequency_ = std::max(frequency_, std::sqrt(moving_power_ / moving_inertia_));
   // What nothing brings back has no frequency; it is damped as what moves once in the whole time so far.
   if (!rules_.damping) relaxed_.dampings.front() = Curve::constant(2 * std::max(frequency_, 1 / elapsed_));
   judge(totals);
 }
 
+/// The Rayleigh quotient of the spins alone; without spins endless.
+double Relaxation::find_spin_frequency() const {
+  constexpr double round_off = 1e-12;
+  const double inertia = inertia_ - moving_inertia_;
+  if (!(inertia > round_off * inertia_)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(std::max(power_ - moving_power_, 0.0) / inertia);
+}
+
+/// Whether the spins that are left are such as nothing brings back: no force changes by them. They keep a steady speed
+/// for ever, where a moment of round-off or of warped elements drives them.
+bool Relaxation::has_idle_spins() const {
+  const bool is_of_nodes = largest_moving_ >= least_moving * largest_kinetic_ && moving_inertia_ > 0;
+  return is_of_nodes && find_spin_frequency() * elapsed_ * idle_periods < 2 * std::numbers::pi;
+}
+
 /// At rest is what stays below the tolerance for half a period: a motion that turns back stands still for a moment.
 void Relaxation::judge(const MotionTotals& totals) {
+  const double moving = 0.5 * totals.moving_inertia;
   largest_kinetic_ = std::max(largest_kinetic_, totals.kinetic);
+  largest_moving_ = std::max(largest_moving_, moving);
   report_.scale = std::max(largest_kinetic_, totals.stored);
-  report_.kinetic_ratio = report_.scale > 0 ? totals.kinetic / report_.scale : 0;
+  const double kinetic = has_idle_spins() ? std::min(moving, totals.kinetic) : totals.kinetic;
+  report_.kinetic_ratio = report_.scale > 0 ? kinetic / report_.scale : 0;
   report_.frequency = frequency_ / (2 * std::numbers::pi);
   report_.preload_error = preloads_.largest_lack();
   const bool is_quiet = state_.step >= rules_.ramp && report_.kinetic_ratio <= rules_.tolerance;

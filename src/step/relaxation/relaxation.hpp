@@ -64,6 +64,8 @@ class Relaxation {
   double find_share(long step) const;
   void look(double dt, double dt_mean);
   void judge(const MotionTotals& totals);
+  double find_spin_frequency() const;
+  bool has_idle_spins() const;
   void watch_preloads();
   bool has_moving_layers();
   Warning warn_unreached(std::size_t preload) const;
@@ -80,11 +82,11 @@ class Relaxation {
   MotionSums sums_;
   PreloadStage preloads_;
   RelaxationSummary report_;
-  double elapsed_ = 0;  // of all steps [time]
-  double largest_kinetic_ = 0;
-  double power_ = 0, inertia_ = 0;                // of the last looks, which fade
-  double moving_power_ = 0, moving_inertia_ = 0;  // those of translations
-  double frequency_ = 0;                          // [rad / time]
+  double elapsed_ = 0;                               // of all steps [time]
+  double largest_kinetic_ = 0, largest_moving_ = 0;  // the latter of translations
+  double power_ = 0, inertia_ = 0;                   // of the last looks, which fade
+  double moving_power_ = 0, moving_inertia_ = 0;     // those of translations
+  double frequency_ = 0;                             // [rad / time]
   long quiet_steps_ = 0;
   double least_lack_ = 0;                        // of preloads, until the last check of their progress
   double lack_since_ = 0;                        // the least since then

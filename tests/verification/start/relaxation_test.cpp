@@ -119,6 +119,51 @@ output: {history: {every: 1e-4, nodes: [{name: tip, near: [1, 0.05, 0]}]}}
   expect_rest(run, 1e-7);
 }
 
+TEST(Relaxation, AThinSkewPlateRestsThoughNothingBringsItsSpinsBack) {
+  // Morley's plate, an angle of 30 degrees: 0.408e-3 q L^4 / D in its middle (Skew Plates and Structures, 1963).
+  const Outcome run = run_deck(R"yaml(
+time: {end: 1e-6}
+parts: {plate: {shell_plate: {size: [100, 50], cells: [16, 16]}, thickness: 1, material: m}}
+imperfections: [{nodes: plate, direction: x, mode: "y*tan(pi/3)"}]
+materials: {m: {model: elastic, density: 1e-3, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+start: {relaxation: {tolerance: 1e-9}}
+conditions:
+  - {nodes: plate, fixed: [x, y]}
+  - {nodes: plate/x_min, fixed: [z]}
+  - {nodes: plate/x_max, fixed: [z]}
+  - {nodes: plate/y_min, fixed: [z]}
+  - {nodes: plate/y_max, fixed: [z]}
+loads: {pressure: [{faces: plate/bottom, value: 0.1, direction: z}]}
+output: {history: {every: 0, nodes: [{name: middle, near: [93.3, 25, 0]}]}}
+)yaml");
+  const double exact = 0.408e-3 * 0.1 * 1e8 / (1e7 / (12 * (1 - 0.09)));
+  fmt::print("{} damped steps, {:.4f} of {:.4g}\n", run.summary.relaxation.steps, run.history["middle_z"][0] / exact,
+             exact);
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  EXPECT_LT(run.summary.relaxation.steps, 10000);
+  EXPECT_NEAR(run.history["middle_z"][0], exact, 0.07 * exact);
+}
+
+TEST(Relaxation, ATwistedBeamBendsAsItsTheorySays) {
+  // MacNeal and Harder, A proposed standard set of problems to test finite element accuracy, 1985: 5.424e-3.
+  const Outcome run = run_deck(R"yaml(
+time: {end: 1e-9}
+parts: {beam: {shell_plate: {size: [12, 1.1], cells: [12, 2]}, at: [0, -0.55, 0], thickness: 0.32, material: m}}
+imperfections:
+  - {nodes: beam, direction: y, mode: "y*cos(pi/24*x)-y"}
+  - {nodes: beam, direction: z, mode: "y*sin(pi/24*x)"}
+materials: {m: {model: elastic, density: 1e-3, youngs_modulus: 29e6, poissons_ratio: 0.22}}
+start: {relaxation: {tolerance: 1e-8}}
+conditions: [{nodes: beam/x_min, fixed: [x, y, z, rx, ry, rz]}]
+loads: {nodal: [{nodes: beam/x_max, force: {z: 0.33333333}}]}
+output: {history: {every: 0, nodes: [{name: tip, near: [12, 0, 0]}]}}
+)yaml");
+  fmt::print("{} damped steps, {:.4f} of 5.424e-3\n", run.summary.relaxation.steps, run.history["tip_z"][0] / 5.424e-3);
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  EXPECT_LT(run.summary.relaxation.steps, 16000);
+  EXPECT_NEAR(run.history["tip_z"][0], 5.424e-3, 0.01 * 5.424e-3);
+}
+
 namespace {
 
 /// A bar between two clamps, with a preload of 60 kN.
