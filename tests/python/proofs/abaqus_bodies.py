@@ -126,7 +126,7 @@ PROOFS = [
     Proof("CONTACT PAIR: INTERACTION", sliding("*CONTACT PAIR\nsb, sa\n"), refused="has no INTERACTION"),
     Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsb, sa\n", 3e-6), MISSED, "it ends before b comes"),
     Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsa, sb\n" + PAIR.replace("=i", "=j"), 3e-6), slides(0.1), "another pair of the same surfaces in its place"),
-    Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsa, none\n", 3e-6), refused="none"),
+    Proof("CONTACT PAIR: OP", in_two(PAIR, "*CONTACT PAIR, OP=DELETE\nsa, none\n", 3e-6), refused="NONE"),
     Proof("CONTACT PAIR", in_two("", PAIR, 8e-6), [*slides(0.3), (untouched, LAST, 0.0, 1e-9 * 2000.0 * CUBE_MASS)], "it begins with the second step, where b is in a"),
     Proof("CONTACT PAIR: INTERACTION", in_two(PAIR, PAIR.replace("=i", "=j"), 3e-6), slides(0.1), "another interaction in a later step"),
     Proof("CONTACT; CONTACT INCLUSIONS: ALL_EXTERIOR; CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL), slides(0.3), "Coulomb's friction of all"),
