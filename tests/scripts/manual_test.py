@@ -11,7 +11,7 @@ import unittest
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 SCRIPTS = os.path.join(ROOT, "scripts")
-TOOLS = ("plot", "report", "watch", "stop", "render")
+TOOLS = ("plot", "report", "watch", "stop", "render", "view", "export", "sweep")
 COMMANDS = ("run", "check", "plan", "info", "schema", *TOOLS)
 
 
