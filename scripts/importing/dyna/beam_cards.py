@@ -47,8 +47,8 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     row = reader.row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD")
     form = row.integer("ELFORM") or 1
     kind = row.integer("CST")
-    if row.number("QR") < 0:
-        deck.ledger.refuse("SECTION_BEAM.QR", row.place, "a rule of integration of the user's", "the section of the card is used")
+    if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place, "a rule of integration of the user's", "the section of the card is used"):
+        return None  # the section is that of the rule
     row.skip("SECID", "SHRF", "QR", "NSM")
     row.finish(deck.ledger, "it is left out")
     if form == 1:

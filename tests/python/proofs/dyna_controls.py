@@ -220,6 +220,7 @@ MORE = [
     Proof("SECTION_SHELL: QR", plate("*SECTION_SHELL\n1,2,0,0,0,-7\n1.0\n"), refused="rule of integration"),
     Proof("SECTION_BEAM: TS2 TT2", beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.5,3.0,3.0\n"), refused="differ between the ends"),
     Proof("SECTION_BEAM: QR", beam("*SECTION_BEAM\n1,1,1.0,-7,0\n2.0,2.0,3.0,3.0\n"), refused="rule of integration"),
+    Proof("SECTION_BEAM: QR", beam("*SECTION_BEAM\n1,1,1.0,-7,0\n0,0\n"), refused="rule of integration", messages=1),
     Proof("SECTION_BEAM: SHRF", beam("*SECTION_BEAM\n1,1,0.8333333333,2,0\n2.0,2.0,3.0,3.0\n", SHEARED.format(axis="2"), end=END),
           [(largest_shear, LAST, SHEAR * 6.0 * 5 / 6 * 0.001, 1e-2)], "of a rectangle it is 5/6"),
     Proof("SECTION_BEAM: SA SAT", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0,0,0,2.0\n", SHEARED.format(axis="2"), end=END),
