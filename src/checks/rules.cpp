@@ -88,6 +88,7 @@ const std::vector<CheckRule>& check_rules() {
       {"wall_motion", check_wall_motion, Needs::mesh},
       {"no_contact", check_missing_contact, Needs::mesh},
       {"beam_contact", check_beam_contact, Needs::mesh},
+      {"restitution", check_restitution, Needs::mesh},
       {"deep_overlap", check_deep_overlap, Needs::start},
       {"behind_wall", check_behind_wall, Needs::start},
       {"inside_wall", check_inside_wall, Needs::start},

@@ -112,6 +112,7 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene);
 std::vector<Warning> check_wall_motion(const CheckedScene& scene);
 std::vector<Warning> check_missing_contact(const CheckedScene& scene);
 std::vector<Warning> check_beam_contact(const CheckedScene& scene);
+std::vector<Warning> check_restitution(const CheckedScene& scene);
 
 // Contact (contact_rules.cpp)
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene);

@@ -130,7 +130,8 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
-  stage.start_overlap = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
+  stage.start_overlap =
+      seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.contact.holds_overlap(), stage.history);
   const StartOverlap& found = stage.start_overlap;
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
@@ -149,8 +150,7 @@ std::string ContactStage::describe_overlap_left(Rows3<const double> x) const {
   once.rebalance = ContactDeck::Rebalance::never;
   const auto finder = make_contact_finder(stage.seen(), stage.share, once);
   ContactHistory unused = make_history(stage.share, stage.walls);
-  return percuss::describe_overlap_left(
-      seed_history(stage.look_for_overlap(*finder), {x, x, 0}, ContactDeck::Overlap::accept, unused));
+  return percuss::describe_overlap_left(seed_history(stage.look_for_overlap(*finder), {x, x, 0}, true, unused));
 }
 
 const StartOverlap& ContactStage::start_overlap() const { return impl_->start_overlap; }

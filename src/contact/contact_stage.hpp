@@ -91,7 +91,11 @@ class ContactStage {
   /// touch others, and those that have become smooth again leave them. Collective.
   void watch_folds(Rows3<const double> x, Rows3<const double> v, long step);
 
-  /// Of ties that have let go since this was last called.
+  /// With x and v of the state, now and then and at the end of a run: what lies inside another body without contact is
+  /// a warning, once. Collective.
+  void watch_depth(Rows3<const double> x, Rows3<const double> v, double time);
+
+  /// Of ties that have let go, and of what watch_depth() found, since this was last called.
   std::vector<Warning> take_warnings();
 
   /// The same for a state from a checkpoint, before archive(): the surface alone.

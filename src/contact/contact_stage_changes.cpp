@@ -4,8 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "src/contact/contact_stage_impl.hpp"
+#include "src/contact/start/missed_contact.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -58,7 +60,8 @@ void ContactStage::Impl::redefine(const SurfaceMotion& here, const ReleasedTies*
   const ReleasedTies released = ties_let_go == nullptr ? ReleasedTies{} : *ties_let_go;
   if (ties_let_go != nullptr)
     seed_edges(look_for_overlap(*finder), here, {before.edges, now.edges, released.nodes}, history.edges);
-  seed_opened(look_for_overlap(*finder), here, contact.overlap, {before, now, released.nodes, released.faces}, history);
+  seed_opened(look_for_overlap(*finder), here, contact.holds_overlap(), {before, now, released.nodes, released.faces},
+              history);
 }
 
 /// Nodes, faces, walls and ties are as they were.
@@ -141,7 +144,7 @@ std::vector<std::string> ContactStage::switch_now(const std::vector<char>& happe
   if (stage.active == before) return {};
   const SurfaceMotion here{x, v, 0};
   stage.redefine(here, nullptr);
-  const StartOverlap found = seed_born(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap,
+  const StartOverlap found = seed_born(stage.look_for_overlap(*stage.finder), here, stage.contact.holds_overlap(),
                                        stage.list_born(before), stage.history);
   const std::string line = stage.describe(found, "as contact begins");
   if (line.empty()) return {};
@@ -170,6 +173,29 @@ bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   return true;
 }
 
-std::vector<Warning> ContactStage::take_warnings() { return impl_->breaking.take_warnings(); }
+void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
+  Impl& stage = *impl_;
+  if (!stage.has_pairs() || stage.has_told_missed) return;
+  // Which nodes began inside another body is not in a checkpoint.
+  std::int64_t known = static_cast<std::int64_t>(stage.start_overlap.inside.size());
+  all_reduce(stage.ranks, Reduce::sum, known);
+  if (stage.overlap_at_start > 0 && known == 0) return;
+  ContactDeck once = stage.contact;
+  once.rebalance = ContactDeck::Rebalance::never;
+  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
+  std::vector<std::int64_t> inside = stage.start_overlap.inside;
+  std::sort(inside.begin(), inside.end());
+  const auto missed = find_missed_contact(stage.look_for_overlap(*finder), {x, v, 0}, stage.history, inside);
+  if (!missed) return;
+  stage.has_told_missed = true;
+  const std::string text = describe_missed_contact(*missed, stage.mesh, stage.find_user_id(missed->node));
+  stage.missed.push_back({"missed_contact", text, "", time});
+}
+
+std::vector<Warning> ContactStage::take_warnings() {
+  std::vector<Warning> warnings = impl_->breaking.take_warnings();
+  for (Warning& warning : std::exchange(impl_->missed, {})) warnings.push_back(std::move(warning));
+  return warnings;
+}
 
 }  // namespace percuss

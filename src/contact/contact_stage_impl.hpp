@@ -118,6 +118,8 @@ struct ContactStage::Impl {
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
   Traffic sent_at_start;           // in steps before time 0
   long rebalances_at_start = 0;    // likewise
+  std::vector<Warning> missed;     // of watch_depth()
+  bool has_told_missed = false;
 };
 
 }  // namespace percuss

@@ -388,9 +388,10 @@ struct ContactDeck {
   /// system with complementarity, or by springs on the penetration.
   enum class Enforcement { kinematic, lagrange, penalty };
   Enforcement enforcement = Enforcement::kinematic;
-  double tolerance = 1e-3;     // kinematic: of what is left, as a share of the largest predicted penetration
-  double penalty_scale = 0.5;  // penalty: of the stiffness
-  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it, leave out what is at rest
+  double tolerance = 1e-3;            // kinematic: of what is left, as a share of the largest predicted penetration
+  double penalty_scale = 0.5;         // penalty: of the stiffness
+  std::optional<double> restitution;  // of rigid bodies on rigid ones and on walls; none: find_restitution()
+  bool reuse_search = true;  // keep candidate pairs while a guaranteed bound allows it, leave out what is at rest
   /// How candidate pairs are found. The pairs are the same.
   enum class Search { blocks, points_in_box };
   Search search = Search::blocks;
@@ -399,6 +400,10 @@ struct ContactDeck {
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
 
+  /// Parting over approach of rigid bodies.
+  double find_restitution() const { return restitution.value_or(enforcement == Enforcement::penalty ? 1 : 0); }
+  /// Whether overlap at the start is held at first. Springs that push it out let go of it step by step.
+  bool holds_overlap() const { return overlap != Overlap::push_out || enforcement == Enforcement::penalty; }
   bool ties_rotations() const {
     return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.rotations; });
   }

@@ -66,6 +66,7 @@ const std::vector<WarningRule>& warning_rules() {
       // contact (src/checks/rules/motion_rules.cpp, contact_rules.cpp)
       {"no_contact", "parts without contact whose bounding boxes meet"},
       {"beam_contact", "beams, which have no contact, whose bounding box meets a body or a wall"},
+      {"restitution", "rigid bodies that meet each other without a coefficient of restitution"},
       {"penalty_speed", "penalty contact that is too soft for the impact speed"},
       {"deep_overlap", "overlap at the start that is deep compared with an element or a thickness"},
       {"behind_wall", "nodes that begin behind a wall"},
@@ -107,6 +108,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"deep_penetration", "contact nodes deep in a face during the run"},
       {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
       {"weld_failure", "weld that has failed"},
+      {"missed_contact", "nodes and edges inside another body that no contact holds"},
       {"tie_failure", "ties whose nodes have let go"},
       {"unsettled_welds", "welds in a chain whose nodes do not yet move as one"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},

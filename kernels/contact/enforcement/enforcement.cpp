@@ -9,11 +9,11 @@ PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, R
     const ContactRow& row = rows(r);
     if (is_tie(row)) {
       const double way = max_component({row.gap, row.slide[0], row.slide[1]});
-      s.merge({0, way, row.size, 1});
+      s.merge({0, way, row.size, 1, 0});
       return;
     }
-    const double missing = row.target - row.gap;
-    s.merge({missing > 0 ? missing : 0, 0, row.size, 1});
+    const double missing = row.spring > 0 ? 0 : row.target - row.gap;
+    s.merge({missing > 0 ? missing : 0, 0, row.size, 1, row.is_rigid ? 1 : 0});
   });
 }
 

@@ -71,6 +71,7 @@ void build_rows(const Space& space, const RowInputs& inputs, const RowSources& s
   weigh_bodies(space, system, others);
   sum_stiffness(space, system);
   if (system.bodies.count() > 0) hold_rows_within_bodies(space, system);
+  if (system.bodies.count() > 0 && inputs.restitution >= 0) mark_rigid_rows(space, inputs, system);
 }
 
 /// What an enforcement reads besides the rows; each reads what it needs.
@@ -136,14 +137,14 @@ struct DivergenceWatch {
   }
 };
 
-/// Iterates the impulses of the rows (contact.enforcement: kinematic). The iteration ends when no impulse changes by
-/// more than would close the share `tolerance` of the largest predicted penetration.
+/// Iterates the impulses of the rows, but for those of springs. The iteration ends when no impulse changes by more than
+/// would close the share `tolerance` of the largest predicted penetration.
 template <class Space, class Others>
-SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
-                            Others& others) {
+SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                         Others& others) {
   constexpr int max_iterations = 1000;
+  constexpr double of_rigid = 1e-3;  // of the tolerance: what is left of a rebound stays for good
   SolveReport report{0, 0, false};
-  if (!others.takes_part(system)) return report;
   PredictedGaps gaps = find_predicted_gaps(space, system, memory);  // of all ranks after the first pass
   pack_rows(space, system);
   others.swap_shares(space, system);
@@ -164,7 +165,8 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
     others.swap_shares(space, system, sums);
     if (report.iterations == 0) gaps = sums.gaps;
     ++report.iterations;
-    report.converged = Convergence(query.tolerance, gaps).is_reached(sums);
+    const double tolerance = gaps.rigid > 0 ? of_rigid * query.tolerance : query.tolerance;
+    report.converged = Convergence(tolerance, gaps).is_reached(sums);
     const bool grows = watch.finds_growth(report.iterations, sums.change);
     if (grows) straighten_gaps(space, system);
     const bool is_blind = report.iterations > 1 && !unit.is_known();
@@ -174,6 +176,14 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
   unpack_rows(space, system);
   report.rows = gaps.rows;
   return report;
+}
+
+/// contact.enforcement: kinematic.
+template <class Space, class Others>
+SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                            Others& others) {
+  if (!others.takes_part(system)) return {0, 0, false};
+  return iterate_rows(space, query, system, memory, others);
 }
 
 /// RowSystem::correction of the impulses of all rows, whose shares have been swapped.
@@ -187,26 +197,35 @@ void follow_impulses(const Space& space, RowSystem& system, Others& others) {
   space.fence();
 }
 
-/// The impulses of springs (contact.enforcement: penalty), and of stops where a spring gives way too far.
+/// The impulses of springs (contact.enforcement: penalty), and of stops where a spring gives way too far. Rigid bodies
+/// among themselves have no waves that a spring could stand for: their rows are iterated, with the pushes of all
+/// springs.
 template <class Space, class Others>
 SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                           Others& others) {
-  constexpr int stop_passes = 10;
+  constexpr int max_passes = 20;
+  constexpr double settled = 1e-9;  // of the smallest h
   if (!others.takes_part(system)) return {};
+  const SpringTimes times{query.dt, query.dt_mean};
   PassSums sums;
-  sums.change = push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
+  sums.change = push_springs(space, query.penalty_scale, times, system);
   sums.gaps = find_predicted_gaps(space, system, memory);
   share_impulses(space, system);
   others.swap_shares(space, system, sums);
   follow_impulses(space, system, others);
-  const int passes = sums.change > 0 ? stop_passes : 0;  // of all ranks
-  for (int pass = 0; pass < passes; ++pass) {
-    push_stops(space, query.dt, query.dt_mean, system);
+  const PredictedGaps gaps = sums.gaps;  // of all ranks, as are the changes
+  int passes = 0;
+  for (; passes < max_passes && sums.change > (passes > 0 ? settled * gaps.smallest_size : 0); ++passes) {
+    sums = {};
+    sums.change = settle_springs(space, times, system);
     share_impulses(space, system);
-    others.swap_shares(space, system);
+    others.swap_shares(space, system, sums);
     follow_impulses(space, system, others);
   }
-  return {sums.gaps.rows, 1 + passes, true, 0};
+  if (gaps.rigid == 0) return {gaps.rows, 1 + passes, true, 0};
+  SolveReport report = iterate_rows(space, query, system, memory, others);
+  report.iterations += 1 + passes;
+  return report;
 }
 
 /// The exact impulses of all rows together (contact.enforcement: lagrange).

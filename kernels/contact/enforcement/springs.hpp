@@ -27,14 +27,22 @@ KOKKOS_INLINE_FUNCTION double find_predicted_slide(const ContactRow& row, const 
   return dt * dot(find_slip_velocity(row, TouchedVelocity{at.v, row}), row.tangent[d]);
 }
 
-/// Impulses of all rows. scale: of the stiffness; dt_mean: time from the middle of the last step to that of this one.
-/// Returns by how much the deepest row would leave its cushion without them [length], 0: none would.
-template <class Space>
-double push_springs(const Space& space, double scale, double dt, double dt_mean, const RowSystem& system);
+/// Of the step; the middle of the last step is dt_mean before that of this one.
+struct SpringTimes {
+  double dt = 0, dt_mean = 0;
+  KOKKOS_INLINE_FUNCTION double before() const { return 2 * dt_mean - dt; }  // the last step
+};
 
-/// More push, or less, for rows that end the step beyond their cushion with RowSystem::correction, never less than
-/// their spring has. D counts the rows beside each, so that none is thrown back.
+/// Impulses of all rows. scale: of the stiffness.
+/// Returns by how much the most unsettled row would leave its cushion, or its spring is not pressed throughout
+/// [length], 0: none.
 template <class Space>
-void push_stops(const Space& space, double dt, double dt_mean, const RowSystem& system);
+double push_springs(const Space& space, double scale, const SpringTimes& times, const RowSystem& system);
+
+/// A pass over the rows with RowSystem::correction: springs that begin or end in the step push as energy asks, and rows
+/// that end it beyond their cushion push more, or less, never less than their spring. D counts the rows beside each, so
+/// that none is thrown back. Returns the largest change [length].
+template <class Space>
+double settle_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
 
 }  // namespace percuss

@@ -54,6 +54,20 @@ struct PlaceChange {
   }
 };
 
+KOKKOS_INLINE_FUNCTION bool is_of_bodies(const ContactRow& row, const Array<const int>& of_place) {
+  if (is_tie(row) || row.is_held) return false;
+  for (int slot = 0; slot < count_nodes(row); ++slot)
+    if (of_place(row.place[slot]) < 0) return false;
+  return true;
+}
+
+/// How fast the gap opened at n-1/2; what moves a wall moved it likewise.
+KOKKOS_INLINE_FUNCTION double find_gap_rate_before(const ContactRow& row, const RowNodes& at, double dt) {
+  const double predicted = dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{at.v, row}));
+  const double before = dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{at.v_before, row}));
+  return before + ((row.gap - row.gap_start) / dt - predicted);
+}
+
 KOKKOS_INLINE_FUNCTION double divide(double a, double b) { return b > 0 ? a / b : 0; }
 
 }  // namespace
@@ -152,6 +166,24 @@ void hold_rows_within_bodies(const Space& space, RowSystem& system) {
 }
 
 template <class Space>
+void mark_rigid_rows(const Space& space, const RowInputs& inputs, RowSystem& system) {
+  const Array<ContactRow> rows = system.rows;
+  const Array<const int> of_place = system.bodies.of_place;
+  const RowNodes at = system.at;
+  const double dt = inputs.motion.dt, restitution = inputs.restitution;
+  Kokkos::parallel_for(
+      "contact::mark_rigid_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow& row = rows(r);
+        if (!is_of_bodies(row, of_place)) return;
+        row.is_rigid = true;
+        if (!(row.gap < row.target)) return;
+        const double parting = -restitution * find_gap_rate_before(row, at, dt);
+        const double reflected = row.gap_start + dt * parting;
+        if (parting > 0 && reflected > row.target) row.target = reflected;
+      });
+}
+
+template <class Space>
 std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system) {
   const ShareSums impulses(system);
   const Rows3<const double> x = system.at.x;
@@ -206,6 +238,7 @@ void move_body_places(const Space& space, const RowSystem& system) {
   template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);                 \
   template void spread_body_coefficients(const Space&, const std::vector<ExactSum>&, RowSystem&); \
   template void hold_rows_within_bodies(const Space&, RowSystem&);                                \
+  template void mark_rigid_rows(const Space&, const RowInputs&, RowSystem&);                      \
   template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                     \
   template void move_packed_body_places(const Space&, double, const RowSystem&);                  \
   template void move_body_places(const Space&, const RowSystem&);

@@ -32,6 +32,11 @@ void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& s
 template <class Space>
 void hold_rows_within_bodies(const Space& space, RowSystem& system);
 
+/// Marks the rows between rigid bodies, and of one with a wall: ContactRow::is_rigid. Those that would close in the
+/// step part instead, with the share RowInputs::restitution of the velocity at which they came at n-1/2.
+template <class Space>
+void mark_rigid_rows(const Space& space, const RowInputs& inputs, RowSystem& system);
+
 /// Impulse and moment of all entries on the owned places of each body, from their shares.
 template <class Space>
 std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system);

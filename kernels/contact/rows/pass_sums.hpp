@@ -46,16 +46,18 @@ struct EnergyUnit {
 
 /// What the rows ask for before the iteration.
 struct PredictedGaps {
-  double deepest = 0;        // largest penetration to be closed [length]
+  double deepest = 0;        // largest penetration to be closed, but for springs [length]
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
   double smallest_size = 0;  // smallest h of a row, 0: no rows
   std::int64_t rows = 0;
+  std::int64_t rigid = 0;  // ContactRow::is_rigid among them
 
   KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
     deepest = other.deepest > deepest ? other.deepest : deepest;
     farthest_tied = other.farthest_tied > farthest_tied ? other.farthest_tied : farthest_tied;
     if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
     rows += other.rows;
+    rigid += other.rigid;
   }
 };
 

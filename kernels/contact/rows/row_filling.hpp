@@ -181,7 +181,12 @@ KOKKOS_FORCEINLINE_FUNCTION void complete_rows(const TouchPack& touch, const Sid
   const PackedPoint last = Packed(inputs.impulse_scale) * load_point(touch.impulse);
   const Packed push = dot(last, row.normal), overlap = select(gap_start < zero, -gap_start, zero);
   const Packed reference = load_pack(touch.reference);
-  row.reference = select(goes_on, select(reference < overlap, reference, overlap), overlap);
+  const Packed accepted = select(reference < overlap, reference, overlap);
+  row.reference = select(goes_on, accepted, overlap);
+  if (inputs.releases_overlap) {
+    const Packed left = accepted - recovery * load_pack(touch.size);
+    row.reference = select(goes_on, select(left > zero, left, zero), overlap);
+  }
   row.impulse[0] = select(goes_on && push > zero, push, zero);
   row.force = row.impulse[0] * row.normal;
   for (int d = 0; d < 2; ++d) {

@@ -202,8 +202,28 @@ KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane,
   values[2][lane] = a.z;
 }
 
+/// Whether the iteration leaves the impulse of a row as it is.
+KOKKOS_INLINE_FUNCTION bool is_frozen(const ContactRow& row) { return row.spring > 0; }
+
+/// A row that is frozen: one push along its whole force, which nothing changes.
+KOKKOS_INLINE_FUNCTION void set_frozen(RowPack& pack, int lane, const ContactRow& row) {
+  constexpr double unmoved = 1e300;
+  const double push = norm(row.force);
+  const Point3 normal = push > 0 ? (1 / push) * row.force : Point3{};
+  set_lane(pack.normal, lane, normal);
+  if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, normal);
+  pack.missing[lane] = pack.friction[lane] = 0;
+  for (int d = 0; d < 2; ++d) {
+    pack.stiffness[d][lane] = unmoved;
+    pack.slide[d][lane] = 0;
+  }
+  set_lane(pack.impulse, lane, {push, 0, 0});
+  set_lane(pack.previous, lane, {push, 0, 0});
+}
+
 /// What a row asks for and begins with. In: RowPack::tilted.
 KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
+  if (is_frozen(row)) return set_frozen(pack, lane, row);
   if (pack.tilted != 0) set_lane(pack.gap_gradient, lane, row.gap_gradient);
   pack.missing[lane] = row.gap - row.target;
   pack.friction[lane] = is_tie(row) ? 0 : row.friction;

@@ -173,7 +173,7 @@ void pack_rows(const Space& space, RowSystem& system) {
           const int r = pack.row[lane];
           if (r < 0) continue;
           if (has_bodies) set_state(pack, lane, rows(r));
-          if (wants(r) != 0) p.active(i) = 1;
+          if (wants(r) != 0 || is_frozen(rows(r))) p.active(i) = 1;
         }
         share_pack(pack, shares);
         if (p.active(i) != 0) stir(pack, is_alone, p.stirred);
@@ -245,7 +245,7 @@ void unpack_rows(const Space& space, const RowSystem& system) {
         if (p.active(i) == 0) return;
         const RowPack& pack = p.pack(i);
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
-          if (pack.row[lane] < 0) continue;
+          if (pack.row[lane] < 0 || is_frozen(rows(pack.row[lane]))) continue;
           ContactRow& row = rows(pack.row[lane]);
           row.previous = {pack.previous[0][lane], {pack.previous[1][lane], pack.previous[2][lane]}};
           row.impulse = {pack.impulse[0][lane], {pack.impulse[1][lane], pack.impulse[2][lane]}};

@@ -37,7 +37,7 @@ struct PairFilter {
     int kept = first;
     for (int i = first; i < end; ++i) {
       const int b = hit(i);
-      if ((i == first || b != hit(i - 1)) && !are_joined(surface, a, b)) hit(kept++) = b;
+      if ((i == first || b != hit(i - 1)) && may_meet(surface, a, b) && !are_joined(surface, a, b)) hit(kept++) = b;
     }
     return kept;
   }

@@ -25,7 +25,8 @@ struct EdgeSurface {
   Array<const double> pair_friction;  // [classes * classes] friction; negative: may not touch
   Array<const int> pair_number;       // likewise: which of the deck's pairs
   Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
-  Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; empty: the scene has none
+  Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; 2: likewise, and only features, as
+                                      // a line of a curved surface; empty: the scene has none
   bool has_springs = false;           // contacts give way (penalty)
 };
 
@@ -47,6 +48,11 @@ KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int e
 /// Whether two edges touch only once they have crossed.
 KOKKOS_INLINE_FUNCTION bool is_blunt_pair(const EdgeSurface& surface, int a, int b) {
   return surface.is_blunt.extent(0) > 0 && (surface.is_blunt(a) != 0 || surface.is_blunt(b) != 0);
+}
+
+/// Whether two edges may meet: lines of curved surfaces are kept apart by nodes and faces.
+KOKKOS_INLINE_FUNCTION bool may_meet(const EdgeSurface& surface, int a, int b) {
+  return surface.is_blunt.extent(0) == 0 || surface.is_blunt(a) + surface.is_blunt(b) <= 2;
 }
 
 /// Coulomb friction between two edges, negative if they may not touch.

@@ -422,4 +422,21 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   return warnings;
 }
 
+// Rigid bodies have no waves that would throw them back.
+std::vector<Warning> check_restitution(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  const ContactDeck& contact = deck.contact;
+  if (contact.restitution || contact.surfaces == ContactDeck::Surfaces::none) return {};
+  if (deck.parts.size() > most_compared_parts) return {};
+  for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
+    const PartDeck &a = deck.parts[meeting.a], &b = deck.parts[meeting.b];
+    if (!a.rigid || !b.rigid || are_jointed(deck, meeting)) continue;
+    return {warn_at(deck, "restitution", "contact",
+                    fmt::format("rigid parts '{}' and '{}' meet (from t = {:.2g} on) and part with {:g} times the "
+                                "velocity of approach (the default of contact.enforcement): set contact.restitution",
+                                a.name, b.name, meeting.time, contact.find_restitution()))};
+  }
+  return {};
+}
+
 }  // namespace percuss

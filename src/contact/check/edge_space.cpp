@@ -26,7 +26,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
     if (share.largest_offset > 0) offsets.push_back(edge.offset);
     blunt.push_back(edge.is_blunt);
   }
-  if (std::count(blunt.begin(), blunt.end(), 1) == 0) blunt.clear();
+  if (std::count(blunt.begin(), blunt.end(), 0) == static_cast<std::ptrdiff_t>(blunt.size())) blunt.clear();
   EdgeSurface surface;
   surface.num_edges = static_cast<int>(edges.size());
   surface.numbers = to_view("contact::edge_numbers", numbers);

@@ -274,7 +274,9 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           motion.impulse,
           last_pushes_ != 0,
           motion.bodies,
-          ties_rotations_ ? motion.spins : SpinInputs{}};
+          ties_rotations_ ? motion.spins : SpinInputs{},
+          has_springs || deck_.find_restitution() > 0 ? deck_.find_restitution() : -1,
+          has_springs && deck_.overlap == ContactDeck::Overlap::push_out};
 }
 
 WallWays Enforcer::find_wall_ways(const ContactMotion& motion) const {

@@ -232,11 +232,10 @@ void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, b
 
 }  // namespace
 
-StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
                           ContactHistory& history) {
   const auto history_face = to_host(history.face);
   const auto reference = to_host(history.reference);
-  const bool accept = overlap == ContactDeck::Overlap::accept;
   StartOverlap found;
   for (const Penetration& p : look_everywhere(search, motion)) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
@@ -258,14 +257,13 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   return found;
 }
 
-StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
-                       const BornContact& born, ContactHistory& history) {
+StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const BornContact& born,
+                       ContactHistory& history) {
   const auto has = [](const std::vector<std::int64_t>& sorted, std::int64_t number) {
     return std::binary_search(sorted.begin(), sorted.end(), number);
   };
   const auto history_face = to_host(history.face);
   const auto reference = to_host(history.reference);
-  const bool accept = overlap == ContactDeck::Overlap::accept;
   const bool has_faces = search.share.total_searched_faces > 0;
   StartOverlap found;
   for (const Penetration& p : has_faces ? search.finder.find_penetrations(motion) : std::vector<Penetration>{}) {
@@ -287,8 +285,8 @@ StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion,
   return found;
 }
 
-void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
-                 const SurfaceChange& change, ContactHistory& history) {
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const SurfaceChange& change,
+                 ContactHistory& history) {
   if (search.share.total_searched_faces == 0) return;
   const auto list_new = [](const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
     std::vector<std::int64_t> fresh;
@@ -311,7 +309,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
     if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
     if (history_face(record) >= 0) continue;  // a contact that continues
     history_face(record) = p.face;
-    reference(record) = overlap == ContactDeck::Overlap::accept ? p.depth : 0;
+    reference(record) = accept ? p.depth : 0;
   }
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
@@ -325,7 +323,7 @@ std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change) {
   };
   std::vector<Known> before;
   for (const EdgeTopology& edge : change.before)
-    for (int blunt = edge.is_blunt; blunt < 2; ++blunt) before.push_back({{edge.ends[0], edge.ends[1]}, blunt});
+    for (int blunt = edge.is_blunt; blunt < 3; ++blunt) before.push_back({{edge.ends[0], edge.ends[1]}, blunt});
   std::sort(before.begin(), before.end());
   const auto& released = change.released_nodes;
   const auto is_released = [&](std::int64_t node) {

@@ -23,8 +23,10 @@ struct EdgeSide {
   std::int64_t ends[2]{}, wings[2]{};  // node numbers; the wing of each end
   std::int64_t face = 0;               // number
   int surface_class = 0;
+  int part = 0;
   int rank = 0;
-  int item = -1;  // of ToldSides
+  int item = -1;      // of ToldSides
+  double length = 0;  // of the edge
   double offset = 0;
   Point3 normal{}, inward{};  // of the face, and from the edge into it
 
@@ -32,9 +34,9 @@ struct EdgeSide {
   bool is_shell() const { return offset > 0; }
 };
 
-/// Whether faces with these normals may meet at an edge that touches others.
-inline bool are_at_angle(const Point3& normal, const Point3& other) {
-  return dot(normal, other) < contact_limits::blunt;
+/// Whether faces with these normals may meet at an edge that is sharper than `cosine`.
+inline bool are_at_angle(const Point3& normal, const Point3& other, double cosine) {
+  return dot(normal, other) < cosine;
 }
 
 inline bool is_same_edge(const EdgeSide& a, const EdgeSide& b) {
@@ -82,7 +84,9 @@ struct SidedFace {
     side.wings[1] = of.corners[wing_q];
     side.face = of.number;
     side.surface_class = of.surface_class;
+    side.part = of.part;
     side.rank = rank;
+    side.length = norm(places.corner[q] - places.corner[p]);
     side.offset = of.offset;
     side.normal = normal;
     side.inward = find_inward(places.corner[p], places.corner[q], places.corner[wing_p], places.corner[wing_q]);
@@ -130,15 +134,26 @@ class ToldSides {
 
   std::size_t node_count() const { return by_node_.first.size() - 1; }
 
-  /// Whether some edge of this lower node may be a feature: most nodes lie where the surface is smooth.
-  bool may_have_features(std::size_t node) const {
+  /// Lowers `shortest`, by part, to the shortest edge of this rank's faces.
+  void find_shortest_edges(std::vector<double>& shortest) const {
+    for (const SidedFace& face : faces_) {
+      double& least = shortest[at(face.face->part)];
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (is_repeated(face.face->corners, (k + 1) % 4)) continue;
+        least = std::min(least, norm(face.places.corner[(k + 1) % 4] - face.places.corner[k]));
+      }
+    }
+  }
+
+  /// Whether some edge of this lower node may be sharper than `cosine`: most nodes lie where the surface is smooth.
+  bool may_have_edges(std::size_t node, double cosine) const {
     for (int i = by_node_.first[node]; i < by_node_.first[node + 1]; ++i) {
       const std::size_t item = at(by_node_.items[at(i)]);
       if (item >= own_.size()) return true;
       const SidedFace& face = faces_[at(own_[item].face)];
       if (face.face->offset > 0) return true;
       for (int j = by_node_.first[node]; j < i; ++j)
-        if (are_at_angle(face.normal, faces_[at(own_[at(by_node_.items[at(j)])].face)].normal)) return true;
+        if (are_at_angle(face.normal, faces_[at(own_[at(by_node_.items[at(j)])].face)].normal, cosine)) return true;
     }
     return false;
   }
@@ -239,6 +254,11 @@ inline bool is_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
 /// Whether an edge touches others by the angle at the start, as a feature or once they have crossed.
 inline bool is_blunt_or_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
   return is_sharp(kind, a, b, contact_limits::blunt);
+}
+
+/// Whether an edge is a line of a curved surface, between whose nodes an edge as long as `passing` can pass.
+inline bool is_passed_line(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, double passing) {
+  return contact_limits::passing_edges * a.length < passing && is_sharp(kind, a, b, contact_limits::curved);
 }
 
 }  // namespace percuss

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "comm/all_reduce.hpp"
 #include "comm/merge_reduction.hpp"
 #include "kernels/core/exact_sum.hpp"
 #include "src/contact/surface/edge_sides.hpp"
@@ -40,18 +42,60 @@ bool has_folds(const std::vector<EdgeEnds>& folds, std::int64_t lower) {
   return first != folds.end() && first->lower == lower;
 }
 
+/// By part: the longest feature edge of any other part; 0 where none can pass between the nodes of the part.
+/// Collective.
+std::vector<double> find_passing_lengths(const ToldSides& told, const Mesh& mesh, const Communicator& ranks) {
+  std::vector<double> longest(mesh.parts.size(), 0), passing(longest.size(), 0);
+  if (longest.size() < 2) return passing;
+  std::vector<EdgeSide> sides;
+  for (std::size_t node = 0; node < told.node_count(); ++node) {
+    if (!told.may_have_edges(node, contact_limits::feature)) continue;
+    told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
+      visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
+        if (is_feature(kind, a, b)) longest[at(a.part)] = std::max(longest[at(a.part)], a.length);
+      });
+    });
+  }
+  std::vector<double> shortest(longest.size(), std::numeric_limits<double>::infinity());
+  told.find_shortest_edges(shortest);
+  all_reduce(ranks, Reduce::largest, longest);
+  all_reduce(ranks, Reduce::least, shortest);
+  for (std::size_t p = 0; p < longest.size(); ++p)
+    for (std::size_t q = 0; q < longest.size(); ++q)
+      if (q != p && longest[q] > contact_limits::passing_edges * shortest[p])
+        passing[p] = std::max(passing[p], longest[q]);
+  return passing;
+}
+
+/// What makes an edge of the surface one that touches others.
+struct EdgeRule {
+  const std::vector<EdgeEnds>& folds;
+  const std::vector<double>& passing;  // find_passing_lengths()
+
+  /// EdgeTopology::is_blunt; -1: touches none.
+  int find_bluntness(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) const {
+    if (is_feature(kind, a, b) || is_folded(folds, a)) return 0;
+    if (is_blunt_or_feature(kind, a, b)) return 1;
+    return is_passed_line(kind, a, b, passing[at(a.part)]) ? 2 : -1;
+  }
+};
+
 /// Edges by lower node, numbered.
-std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const std::vector<EdgeEnds>& folds) {
+std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const EdgeRule& rule) {
+  const bool has_lines =
+      std::any_of(rule.passing.begin(), rule.passing.end(), [](double length) { return length > 0; });
+  const double least = has_lines ? contact_limits::curved : contact_limits::blunt;
   std::vector<FoundEdge> edges;
   std::vector<EdgeSide> sides;
   for (std::size_t node = 0; node < told.node_count(); ++node) {
-    if (!told.may_have_features(node) && !has_folds(folds, mesh.node_numbers[node])) continue;
+    if (!told.may_have_edges(node, least) && !has_folds(rule.folds, mesh.node_numbers[node])) continue;
     const std::size_t first_edge = edges.size();
     told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
       visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
-        if (!is_blunt_or_feature(kind, a, b) && !is_folded(folds, a)) return;
+        const int bluntness = rule.find_bluntness(kind, a, b);
+        if (bluntness < 0) return;
         edges.push_back(make_edge(a, b));
-        edges.back().edge.is_blunt = is_feature(kind, a, b) || is_folded(folds, a) ? 0 : 1;
+        edges.back().edge.is_blunt = bluntness;
       });
     });
     if (edges.size() - first_edge > most_edges)
@@ -70,8 +114,9 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std:
                                           const std::vector<std::array<int, 4>>& face_corners,
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
   const ToldSides sides(chunked, faces, face_corners, exchange.ranks());
+  const std::vector<double> passing = find_passing_lengths(sides, chunked.mesh, exchange.ranks());
   std::vector<FoundEdge> numbered;
-  fail_together(exchange.ranks(), [&] { numbered = number_edges(sides, chunked.mesh, folds); });
+  fail_together(exchange.ranks(), [&] { numbered = number_edges(sides, chunked.mesh, {folds, passing}); });
   std::vector<int> homes;
   homes.reserve(numbered.size());
   for (const FoundEdge& found : numbered) homes.push_back(found.edge.home);

@@ -24,7 +24,7 @@ struct EdgeTopology {
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
   int pieces = 1;              // that search sees, each as a point
   double offset = 0;           // half the thickness of its shells, 0 of solids [length]
-  int is_blunt = 0;            // 1: touches only what has crossed it
+  int is_blunt = 0;            // 1: touches only what has crossed it; 2: likewise, and only features
 };
 
 /// An edge of the surface by the numbers of its nodes.
@@ -40,9 +40,10 @@ struct FoundEdge {
   int face_classes[2] = {0, 0};  // FaceTopology::surface_class of its faces
 };
 
-/// The feature edges whose home this rank is, ascending in number. faces: of this rank's elements, with face_corners
-/// their mesh nodes; folds: edges that have become sharp in the run, of all ranks, ascending. Throws InputError, on all
-/// ranks, if more than 128 edges have the same lower node. Collective.
+/// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of curved
+/// surfaces between whose nodes a far longer feature edge of another part can pass. faces: of this rank's elements,
+/// with face_corners their mesh nodes; folds: edges that have become sharp in the run, of all ranks, ascending. Throws
+/// InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
                                           const std::vector<std::array<int, 4>>& face_corners,
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds);

@@ -176,6 +176,7 @@ const Keys<ContactDeck>& contact_keys() {
                                     {"lagrange", Enforcement::lagrange},
                                     {"penalty", Enforcement::penalty}}}),
       may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),
+      may("restitution", &ContactDeck::restitution, NumberValue{{"from 0 to 1", 0, 1}}),
       may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
       may("edges", &ContactDeck::edges, BooleanValue{}),
       may("search", &ContactDeck::search,

@@ -203,6 +203,7 @@ void Run::loop() {
   } else if (checkpoints_.step() != state_.step && checkpoints_.is_wanted_at_end()) {
     write_checkpoint();
   }
+  if (is_finished()) watch_depth();
   observe_last();
   if (is_finished() && contact_.is_active())
     if (const std::string left = contact_.describe_overlap_left(state_.x); !left.empty()) say({left});
@@ -262,9 +263,17 @@ StepWishes Run::find_wishes() {
   return wishes;
 }
 
+void Run::watch_depth() {
+  if (!contact_.is_active()) return;
+  contact_.watch_depth(state_.x, state_.v, state_.time);
+  warnings_.add(contact_.take_warnings());
+}
+
 void Run::note_contact() {
+  constexpr long steps_between_looks = 4096;  // one costs some dozen steps
   warnings_.add(stepper_.take_warnings());
   if (!contact_.is_active()) return;
+  if (state_.step % steps_between_looks == 0) watch_depth();
   warnings_.add(contact_.take_warnings());
   warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(seen()); });
   if (!warnings_.has_told_gain()) note_contact_gain(false);

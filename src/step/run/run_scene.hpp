@@ -67,6 +67,7 @@ class Run {
   void switch_contact();
   void audit();
   void note_contact();
+  void watch_depth();
   void note_contact_gain(bool is_last);
   void check_step_made() const;
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }

@@ -1,0 +1,54 @@
+// Sharp edges of long elements do not pass between the nodes of a fine smooth body.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// A ball of radius 0.03 that comes to rest between the edges of two rigid bodies at x = -0.02 and 0.02. left, right:
+/// their shapes.
+std::string describe_ball(const std::string& left, const std::string& right, double height, const std::string& keys) {
+  return fmt::format(R"(
+time: {{end: 0.45}}
+parts:
+  ball: {{sphere: {{radius: 0.03, cells: 8}}, at: [0.003, 0, {}], material: m}}
+  left: {{{}, material: s, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
+  right: {{{}, material: s, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
+materials:
+  m: {{model: elastic, density: 7800, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+  s: {{model: elastic, density: 7800, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+loads: {{gravity: [0, 0, -9.81]}}
+damping: [{{nodes: ball, coefficient: 10}}]
+contact: {{surfaces: all, friction: 0.2{}}}
+output: {{history: {{every: 2e-3, nodes: [{{name: c, near: [0.003, 0, {}], part: ball}}]}}}}
+)",
+                     height, left, right, keys, height);
+}
+
+}  // namespace
+
+// Round rims of thickness t: the centre rests (r + t/2) from each. Facets lie inside the ball by 0.7 % of its radius.
+TEST(SharpEdges, OfSheetsHoldABallBetweenItsNodes) {
+  const std::string left = "shell_plate: {size: [0.1, 0.2], cells: [2, 4]}, thickness: 0.002, at: [-0.12, -0.1, 0]";
+  const std::string right = "shell_plate: {size: [0.1, 0.2], cells: [2, 3]}, thickness: 0.002, at: [0.02, -0.1, 0]";
+  const Outcome run = run_deck(describe_ball(left, right, 0.0315, ""));
+  EXPECT_NEAR(run.history.last("c_z"), std::sqrt(0.031 * 0.031 - 0.02 * 0.02), 1.5e-3);
+  EXPECT_NEAR(run.history.last("c_x"), 0, 1.5e-3);
+}
+
+// Edges of blocks: the centre rests r from each.
+TEST(SharpEdges, OfBlocksHoldABallBetweenItsNodes) {
+  const std::string left = "box: {size: [0.1, 0.2, 0.1], cells: [1, 3, 1]}, at: [-0.12, -0.1, -0.1]";
+  const std::string right = "box: {size: [0.1, 0.2, 0.1], cells: [1, 2, 1]}, at: [0.02, -0.1, -0.1]";
+  const Outcome run = run_deck(describe_ball(left, right, 0.0305, ""));
+  EXPECT_NEAR(run.history.last("c_z"), std::sqrt(0.03 * 0.03 - 0.02 * 0.02), 1.5e-3);
+  EXPECT_NEAR(run.history.last("c_x"), 0, 1.5e-3);
+}
+
+}  // namespace percuss::test

@@ -1,0 +1,93 @@
+// Springs of contact give back what they took, and no more: bodies that rattle, and overlap that is pushed out.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// Largest sum of what contact has given and what its springs hold.
+double find_largest_gain(const HistoryTable& history) {
+  const std::vector<double>&given = history["contact"], &stored = history["contact_stored"];
+  double largest = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) largest = std::max(largest, given[i] + stored[i]);
+  return largest;
+}
+
+/// A block of `cells` cells an edge that flies between two walls or two rigid bodies, 0.5 apart from it, at `speed`.
+std::string describe_rattle(const std::string& stops, double speed, int cells) {
+  return fmt::format(R"(
+time: {{end: {}}}
+parts:
+  block: {{box: {{size: [1, 1, 1], cells: [{}, {}, {}]}}, at: [0.03, 0.02, 0.2637], material: m}}
+{}
+materials:
+  m: {{model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
+initial: [{{part: block, velocity: [0, 0, {}]}}]
+output: {{history: {{every: 0}}}}
+)",
+                     2 / speed, cells, cells, cells, stops, speed);
+}
+
+const std::string walls = R"(
+walls: [{point: [0, 0, 0], normal: z}, {point: [0, 0, 1.5], normal: -z}]
+contact: {enforcement: penalty}
+)";
+const std::string bodies =
+    "  low: {box: {size: [3, 3, 0.5], cells: [3, 3, 1]}, at: [-1, -1, -0.5], material: m, rigid: {fixed: [x, y, z, rx, "
+    "ry, rz]}}\n"
+    "  high: {box: {size: [3, 3, 0.5], cells: [3, 3, 1]}, at: [-1, -1, 1.5], material: m, rigid: {fixed: [x, y, z, rx, "
+    "ry, rz]}}\n"
+    "contact: {surfaces: all, enforcement: penalty}\n";
+
+}  // namespace
+
+// At 0.03 of the wave speed the springs between bodies of one cell would give way by more than their cushion.
+TEST(PenaltyEnergy, OfABlockThatRattlesStaysAsItIs) {
+  struct Case {
+    const std::string& stops;
+    double speed;
+    int cells;
+  };
+  for (const auto& [stops, speed, cells] :
+       {Case{walls, 0.003, 1}, Case{walls, 0.003, 3}, Case{walls, 0.03, 1}, Case{walls, 0.03, 3},
+        Case{bodies, 0.003, 1}, Case{bodies, 0.003, 3}, Case{bodies, 0.03, 3}}) {
+    const Outcome run = run_deck(describe_rattle(stops, speed, cells));
+    const double start = run.history["kinetic"].front();
+    EXPECT_LT(find_largest_gain(run.history), 2e-3 * start) << speed << " " << cells;
+    EXPECT_NEAR(run.history.last("contact") + run.history.last("contact_stored"), 0, 2e-3 * start)
+        << speed << " " << cells;
+  }
+}
+
+// Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.
+// The work of push-out is less than that of closing 0.02 with both in uniform compression: the springs give way too.
+TEST(PenaltyEnergy, OfOverlapThatIsPushedOutIsThatOfTheOverlap) {
+  const Outcome run = run_deck(R"(
+time: {end: 90}
+parts:
+  a: {box: {size: [1, 1, 0.5], cells: [4, 4, 2]}, material: m}
+  b: {box: {size: [0.8, 0.8, 0.5], cells: [4, 4, 2]}, at: [0.1, 0.1, 0.48], material: m}
+materials:
+  m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}
+conditions:
+  - {nodes: a/z_min, fixed: [z]}
+  - {nodes: b/z_max, fixed: [z]}
+contact: {surfaces: [[a, b]], overlap: push_out, enforcement: penalty}
+output: {history: {every: 0}}
+)");
+  const double between = 0.02 / (0.5 / 1 + 0.5 / 0.64) * 0.02 / 2;  // energy if each is in uniform compression
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
+  EXPECT_LT(find_largest_gain(run.history), between);
+  EXPECT_GT(find_largest_gain(run.history), 0.3 * between);
+  EXPECT_LT(run.history.largest("kinetic"), 0.2 * between);
+  EXPECT_GT(run.summary.steps, 300);
+}
+
+}  // namespace percuss::test
