@@ -88,7 +88,7 @@ def try_mutant(text: str, folder: str, ending: str) -> str:
             code = import_model(arguments)
         return "" if code == 0 or (code == 2 and "error:" in errors.getvalue()) else f"exit code {code} without a message"
     except BadInput as error:
-        return "" if path in str(error) or ".k" in str(error) or ".inp" in str(error) else f"no place: {error}"
+        return "" if path in str(error) or folder in str(error) or ".k" in str(error) or ".inp" in str(error) else f"no place: {error}"
     except Exception:  # noqa: BLE001  (any other is a finding)
         return traceback.format_exc()
     finally:

@@ -131,6 +131,8 @@ class BlockReader:
                 if block:
                     yield block
                 block = Block(*split_keyword(text), place=Place(shown, number))
+                if not block.keyword:
+                    raise BadInput(block.place, f"'{clip(text)}' has no keyword (one is expected behind '*'): name it, or remove the line")
             elif block:
                 block.lines.append((number, [word.strip() for word in text.split(",")]))
             else:

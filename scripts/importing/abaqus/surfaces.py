@@ -272,7 +272,7 @@ def sweep_along(deck: AbaqusDeck, mesh: Mesh, profile: Profile) -> None:
     axis, first = normalise(profile.axis), normalise(profile.first)
     generator = cross(first, axis)
     ways = [dot(subtract(deck.mesh.nodes[node], profile.origin), generator) for node in deck.used_nodes()]
-    low, high = min(ways), max(ways)
+    low, high = min(ways, default=0.0), max(ways, default=0.0)
     margin = 0.5 * max(high - low, 0.1 * find_extent(deck))
     rows: list[list[int]] = []
     for x, y in list_points(profile):

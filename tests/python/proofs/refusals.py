@@ -16,5 +16,6 @@ PROOFS = [
     Proof("MAT_NULL", deck(cube("*MAT_NULL\n1,7.8e-9\n*EOS_TABULATED\n1,0,0\n").replace("*PART\npart_1\n1,1,1", "*PART\npart_1\n1,1,1,1")), refused="EOS_TABULATED", messages=1),
     Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
     Proof("ELEMENT", abaqus(abaqus_cube()).replace("1, 1, 2, 3, 4", "2, 3, 4\n1, 1, 2, 3, 4"), refused="has 11 nodes (8 are expected)"),
+    Proof("ELEMENT", abaqus(abaqus_cube()) + "* , x\n", refused="has no keyword"),
     Proof("STEP", abaqus(abaqus_cube()) + "*STEP\n*DLOAD\n, GRAV, 9810., 0., 0., -1.\n*END STEP\n", refused="a step without a procedure"),
 ]  # fmt: skip
