@@ -21,6 +21,9 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
 - `fails`: for a row whose run must end with exit code 3: words of its message, beside or in place of rights.
 - `allow`: patterns for --allow. `case`: for --case. `files`: further files of the deck, by name.
 
+A row of a keyword deck runs once more with its deck in a file of *INCLUDE_TRANSFORM in other units, and must give the same values. A field with
+a dimension therefore stands in scripts/importing/dyna/dimensions.py; a card that is not there is refused in such a file.
+
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
 - each name of DEFINITIONS and ACTIONS of dyna/read.py, each keyword of abaqus/read.py and each of its options in KNOWN, but what
   NOT_PHYSICS of a module explains: {"TITLE": "a name"}, {"NSET.INTERNAL": "hides it in a user interface"};
