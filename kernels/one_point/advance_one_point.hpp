@@ -1,10 +1,12 @@
 #pragma once
-// Advances the wedges or pyramids of a chunk, pack by pack, and the chunks of a block in parallel.
+// Advances the wedges or pyramids of a chunk, pack by pack, and the chunks of a block in parallel: of the form without
+// averages all at once, of the mixed form the second pass.
 //
 // Sources that include this are compiled with the same options (kernels/one_point/CMakeLists.txt).
 
 #include "kernels/element/solid_packs.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/tet/tet_packs.hpp"
 
 namespace percuss {
 
@@ -53,6 +55,99 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   }
 };
 
+/// Second pass of the mixed form.
+template <class Material, class Shape>
+struct AdvanceOnePointStresses {
+  using Living = LivingSolids<Material>;
+  using State = OnePointState<Lanes, Material, Shape>;
+  HexChunks chunks;
+  OnePointBlock<Material, Shape> block;
+  ElementMotion motion;
+  TetLaunch launch;
+  Array<Real> state;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    double* const rows = &launch.passes.slot_stresses(chunk.first_slot, 0);
+    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    parameters.time = motion.time;
+    SolidChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
+    Real* const record = &state(chunks.first_state(chunk.c));
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(parameters, {chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
+    });
+    sums.leave_work(chunk.c, results);
+  }
+
+  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const SolidPack& on, const Living& living,
+                                State& of, SolidChunkSums& sums) const {
+    CornerField<Lanes, Shape> x, v;
+    gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
+    const Lanes dt(motion.dt), zero(0.0);
+    const OnePointMotion<Lanes, Shape> own = follow_one_point(x, v, dt);
+    const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
+                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
+    OnePointPoint<Lanes, Shape> point = advance_point<true>(
+        parameters, x, own, blend(own.d, gather.template find_mean<Shape::corners>(on.corners)), dt, of);
+    Lanes share(1.0);
+    if (living.can_fail()) {
+      share = living.take_force_share(Lanes(1e300), point.geometry.volume);
+      living.take_work(share, 0, point.work.internal);
+      living.take_work(share, 1, point.work.hourglass);
+      living.take_work(share, 2, point.work.viscous);
+      living.take_work(share, 3, point.work.guard);
+    }
+    sums.take_work(0, point.work.internal, on.lanes);
+    sums.take_work(1, point.work.hourglass, on.lanes);
+    sums.take_work(2, point.work.viscous, on.lanes);
+    sums.take_work(3, point.work.guard, on.lanes);
+    const Lanes guard = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
+    leave_scalars(on, {point.own.mu, point.own.tangent, guard, point.own.hourglass});
+    const Lanes bulk = point.own.lambda + Lanes(2.0 / 3.0) * point.own.mu + guard;
+    give(on, share * add_to_diagonal(point.stress, zero - of.guard), bulk, point.own.mu,
+         give_stress<Shape::corners>(point.geometry.volume, !(share < zero)));
+  }
+
+  KOKKOS_FUNCTION void leave_scalars(const SolidPack& on, const Lanes (&scalars)[TetPasses::scalars]) const {
+    const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
+    double* const row = &launch.passes.elements(pack * TetPasses::scalars * solid_width);
+    for (int k = 0; k < TetPasses::scalars; ++k) store_pack(row + k * solid_width, scalars[k]);
+  }
+
+  /// What the elements of a pack give to their nodes. Their mass is not shared with others: that group stays empty.
+  template <class Given>
+  KOKKOS_FUNCTION void give(const SolidPack& on, const Symmetric3<Lanes>& stress, const Lanes& bulk, const Lanes& shear,
+                            const Given& given) const {
+    TetGroups<TetSums::stress_groups> groups;
+    given.set(stress, bulk, shear, groups);
+    groups.set(3, Lanes(0.0), Lanes(0.0), Lanes(0.0));
+    double* const rows = &launch.passes.slot_stresses(on.chunk.first_slot, 0);
+    for (int lane = 0; lane < on.lanes; ++lane) {
+      for (int i = 0; i < Shape::corners; ++i)
+        groups.add(lane, rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]));
+    }
+  }
+};
+
+template <class Material, class Shape>
+void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+                      const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
+  if constexpr (!is_single_precision) {
+    launch_solids("percuss::advance_one_point_stresses", space, chunks, block.chunks,
+                  AdvanceOnePointStresses<Material, Shape>{chunks, block, step.motion, step.launch, state, results});
+  }
+}
+
 template <class Material, class Shape>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
@@ -65,10 +160,13 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePoi
 }
 
 /// Compiles both shapes for a material.
-#define PERCUSS_COMPILE_ONE_POINTS(MATERIAL)                                                                \
-  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, Wedge6>&,   \
+#define PERCUSS_COMPILE_ONE_POINT(MATERIAL, SHAPE)                                                          \
+  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, SHAPE>&,    \
                               const ElementMotion&, const ChunkFields&);                                    \
-  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, Pyramid5>&, \
-                              const ElementMotion&, const ChunkFields&);
+  template void advance_stresses(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, SHAPE>&, \
+                                 const TetStep&, const Array<Real>&, const ChunkResults&);
+#define PERCUSS_COMPILE_ONE_POINTS(MATERIAL)  \
+  PERCUSS_COMPILE_ONE_POINT(MATERIAL, Wedge6) \
+  PERCUSS_COMPILE_ONE_POINT(MATERIAL, Pyramid5)
 
 }  // namespace percuss

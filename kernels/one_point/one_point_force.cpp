@@ -1,10 +1,136 @@
+#include "kernels/element/solid_packs.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/tet/tet_packs.hpp"
 
 namespace percuss {
 
+namespace {
+
+/// Third pass of the mixed form. L: Lanes.
+template <class L, class Shape>
+struct FindOnePointForces {
+  using Living = LivingSolids<L>;
+  HexChunks chunks;
+  Array<int> list;
+  ElementMotion motion;
+  TetLaunch launch;
+  ChunkFields fields;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const SolidChunk chunk(chunks, list(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    SolidChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack({chunk, pack, lanes, corners, scratch}, living, sums);
+    });
+    sums.leave_step(chunk.c, chunk.first_element, fields.results);
+    copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
+    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(chunk.c) = 0;
+  }
+
+  /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
+  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, SolidChunkSums& sums) const {
+    CornerField<Lanes, Shape> x, f;
+    gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
+    const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
+    const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
+                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
+    const TetMeans<Lanes> means = gather.template find_means<Shape::corners>(on.corners);
+    const double* const record = find_record(chunks, fields.state, on.chunk.c, on.pack);
+    OwnStress own(record);
+    ModeVectors<Lanes, Shape> q = load_modes(record);
+    Lanes step = find_step(on, g, gamma, means, load_pack(record)), volume = g.volume, share(1.0);
+    if (living.can_fail()) {
+      share = living.take_force_share(step, volume);
+      own.scale(share);
+      for (auto& mode : q.at) mode = share * mode;
+    }
+    find_corner_forces(find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure), q, g, gamma, f);
+    if (living.can_fail()) {
+      settle_forces<Shape::corners>(select(share < Lanes(0.0), share, Lanes(1.0)), f);
+      settle_step(share, step, volume);
+    }
+    scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
+    sums.take_step(step, volume, on.first_element(), on.lanes);
+    if (motion.watch.bound.extent(0) > 0) {
+      const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
+      store_pack(&motion.watch.bound(pack * solid_width), step);
+    }
+  }
+
+  static PERCUSS_FORCE_INLINE ModeVectors<Lanes, Shape> load_modes(const double* record) {
+    ModeVectors<Lanes, Shape> q;
+    const double* mode = record + OnePointRecord<Shape>::hourglass * solid_width;
+    for (auto& of : q.at) {
+      of = {load_pack(mode), load_pack(mode + solid_width), load_pack(mode + 2 * solid_width)};
+      mode += 3 * solid_width;
+    }
+    return q;
+  }
+
+  /// The bound of the element with the moduli that it feels (kernels/element/tet4/mixing.hpp).
+  KOKKOS_FUNCTION Lanes find_step(const SolidPack& on, const CornerGradient<Lanes, Shape>& g,
+                                  const HourglassVectors<Lanes, Shape>& gamma, const TetMeans<Lanes>& means,
+                                  const Lanes& mass) const {
+    const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
+    const double* const scalars = &launch.passes.elements(pack * TetPasses::scalars * solid_width);
+    const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
+    const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(0), load(1)}, means, load(2));
+    const Lanes lambda = larger(felt.bulk - Lanes(2.0 / 3.0) * felt.shear, Lanes(0.0));
+    return find_one_point_step(find_gradient_sizes(g, gamma), g.volume, mass,
+                               {lambda, felt.shear, load(3), felt.tangent});
+  }
+};
+
+template <class Run>
+void for_each_block(const OnePointBlocks& blocks, const Run& run) {
+  std::apply([&](const auto&... block) { (run(block), ...); }, blocks);
+}
+
+template <class Material, class Shape>
+void sum_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+               const TetStep& step) {
+  if constexpr (!is_single_precision) {
+    launch_solids("percuss::sum_one_point_rates", space, chunks, block.chunks,
+                  SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+  }
+}
+
+template <class Material, class Shape>
+void sum_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+                const TetStep& step, const ChunkFields& fields) {
+  if constexpr (!is_single_precision) {
+    launch_solids("percuss::sum_one_point_forces", space, chunks, block.chunks,
+                  FindOnePointForces<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch, fields});
+  }
+}
+
+}  // namespace
+
 void advance_one_points(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
                         const ElementMotion& motion, const ChunkFields& fields) {
-  std::apply([&](const auto&... block) { (advance_block(space, chunks, block, motion, fields), ...); }, blocks);
+  for_each_block(blocks, [&](const auto& block) { advance_block(space, chunks, block, motion, fields); });
+}
+
+void sum_one_point_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+                         const TetStep& step) {
+  for_each_block(blocks, [&](const auto& block) { sum_rates(space, chunks, block, step); });
+}
+
+void advance_one_point_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+                                const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
+  for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
+}
+
+void sum_one_point_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+                          const TetStep& step, const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { sum_forces(space, chunks, block, step, fields); });
 }
 
 }  // namespace percuss

@@ -54,7 +54,7 @@ struct AdvanceTetStresses {
                            &launch.nodes.slots_to_records(on.chunk.first_slot)};
     auto& record = find_state(on);
     TetPoint<Lanes> point =
-        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean(on.corners)), dt, record);
+        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean<4>(on.corners)), dt, record);
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
@@ -86,13 +86,10 @@ struct AdvanceTetStresses {
   KOKKOS_FUNCTION void give(const Work& on, const TetPoint<Lanes>& point, const Symmetric3<Lanes>& stress,
                             const Lanes& mass, const Lanes& bulk, const Mask& lives) const {
     const Lanes zero(0.0), quarter(0.25);
-    const auto counts = lives && point.geometry.volume > zero;
-    const Lanes weight = select(counts, quarter * point.geometry.volume, zero);
-    const auto weigh = [&](const Lanes& value) { return select(counts, weight * value, zero); };
+    const auto given = give_stress<4>(point.geometry.volume, lives);
+    const auto& counts = given.counts;
     TetGroups<TetSums::stress_groups> groups;
-    groups.set(0, weigh(stress.xx), weigh(stress.yy), weigh(stress.zz));
-    groups.set(1, weigh(stress.xy), weigh(stress.yz), weigh(stress.zx));
-    groups.set(2, weight, weigh(bulk), weigh(point.own.shear));
+    given.set(stress, bulk, point.own.shear, groups);
     groups.set(3, select(counts, quarter * mass, zero), zero, zero);
     alignas(64) double square[4][solid_width];
     for (int i = 0; i < 4; ++i) {

@@ -49,12 +49,13 @@ struct TetNodes {
 
 /// What the passes of a step hand to each other; nothing of it lasts.
 struct TetPasses {
-  static constexpr int scalars = 3;  // of an element: shear modulus, tangent of the viscosity, modulus of the guard
-  TetRateRows slot_rates;            // [slots] sums of the chunks, and what other ranks have sent
-  TetStressRows slot_stresses;       // likewise
-  TetRateRows rates;                 // [records] D: two groups
-  TetStressRows stresses;            // [records] stress: two groups; bulk and shear modulus, mass over sum of |B|^2 / V
-  Array<double> elements;            // [packs][scalars][W]
+  // of an element: shear modulus, tangent of the viscosity, modulus of the guard, stiffness of hourglass modes
+  static constexpr int scalars = 4;
+  TetRateRows slot_rates;       // [slots] sums of the chunks, and what other ranks have sent
+  TetStressRows slot_stresses;  // likewise
+  TetRateRows rates;            // [records] D: two groups
+  TetStressRows stresses;       // [records] stress: two groups; bulk and shear modulus, mass over sum of |B|^2 / V
+  Array<double> elements;       // [packs][scalars][W]
 };
 
 /// Nodes and what they have.

@@ -6,52 +6,6 @@ namespace percuss {
 
 namespace {
 
-/// First pass: V D / 4 and V / 4 of each element to its nodes. L: Lanes.
-template <class L>
-struct SumRates {
-  using Living = LivingSolids<L>;
-  HexChunks chunks;
-  Array<int> list;
-  ElementMotion motion;
-  TetRateRows rows;
-
-  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, list(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    double* const sums = &rows(chunk.first_slot, 0);
-    for (int k = 0; k < chunk.slot_count * TetSums::rate_row; ++k) sums[k] = 0;
-    Living living(motion.failing, motion.lives, chunk.c);
-    chunk.for_each_pack([&](int, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(scratch.nodes, corners, lanes, living, sums);
-    });
-  }
-
-  KOKKOS_FUNCTION void add_pack(const double* nodes, const std::uint16_t* corners, int lanes, const Living& living,
-                                double* sums) const {
-    const Lanes zero(0.0), quarter(0.25);
-    TetCorners<Lanes> x, v;
-    gather_corners<4>(nodes, node_record, corners, x);
-    gather_corners<4>(nodes + 4, node_record, corners, v);
-    const TetGeometry<Lanes> middle = find_tet_geometry(find_middle(x, v, Lanes(motion.dt)));
-    Lanes volume = middle.volume;
-    if (living.can_fail()) volume = select(living.load_force_share() < zero, zero, volume);
-    const auto counts = volume > zero;
-    const Symmetric3<Lanes> d = quarter * symmetric_part(find_volume_times_gradient(v, middle));
-    const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
-    TetGroups<TetSums::rate_groups> groups;
-    groups.set(0, keep(d.xx), keep(d.yy), keep(d.zz));
-    groups.set(1, keep(d.xy), keep(d.yz), keep(d.zx));
-    groups.set(2, keep(quarter * volume), zero, zero);
-    for (int lane = 0; lane < lanes; ++lane) {
-      for (int i = 0; i < 4; ++i)
-        groups.add(lane, sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * solid_width + lane]));
-    }
-  }
-};
-
 /// Third pass. L: Lanes.
 template <class L>
 struct FindForces {
@@ -87,45 +41,13 @@ struct FindForces {
     const TetGeometry<Lanes> g = find_tet_geometry(x);
     const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
                            &launch.nodes.slots_to_records(chunk.first_slot)};
-    const TetMeans<Lanes> means = find_means(gather, corners);
+    const TetMeans<Lanes> means = gather.find_means<4>(corners);
     const double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) *
                                                           TetPasses::scalars * solid_width);
     const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + solid_width)};
     const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * solid_width)));
-    settle(find_stress(chunk, pack), means, g, step, {corners, lanes, scratch.forces}, living,
-           chunk.first_element + pack * solid_width, sums);
-  }
-
-  static PERCUSS_FORCE_INLINE TetMeans<Lanes> find_means(const TetGather& gather, const std::uint16_t* corners) {
-    TetMeans<Lanes> means;
-    means.stress = gather.find_mean(corners);
-    means.bulk = means.shear = Lanes(0.0);
-    for (int i = 0; i < 4; ++i) {
-      const Vector3<Lanes> at_corner = gather(i, 2, corners);
-      means.bulk = means.bulk + Lanes(0.25) * at_corner.x;
-      means.shear = means.shear + Lanes(0.25) * at_corner.y;
-      means.share[i] = at_corner.z;
-    }
-    return means;
-  }
-
-  /// Of an element at n+1, from its record.
-  struct OwnStress {
-    Symmetric3<Lanes> stress;
-    Lanes guard, viscous_pressure;
-  };
-
-  KOKKOS_FUNCTION OwnStress find_stress(const SolidChunk& chunk, int pack) const {
-    const auto* const record =
-        reinterpret_cast<const double*>(&state(chunks.first_state(chunk.c))) +
-        static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
-    const auto load = [&](int scalar) { return load_pack(record + scalar * solid_width); };
-    constexpr int r = TetRecord::rotation, s = TetRecord::stress;
-    const Matrix3<Lanes> rotation{{{load(r), load(r + 1), load(r + 2)},
-                                   {load(r + 3), load(r + 4), load(r + 5)},
-                                   {load(r + 6), load(r + 7), load(r + 8)}}};
-    const Symmetric3<Lanes> stress{load(s), load(s + 1), load(s + 2), load(s + 3), load(s + 4), load(s + 5)};
-    return {push_forward(rotation, stress), load(TetRecord::guard), load(TetRecord::viscous_pressure)};
+    settle(OwnStress(find_record(chunks, state, chunk.c, pack)), means, g, step, {corners, lanes, scratch.forces},
+           living, chunk.first_element + pack * solid_width, sums);
   }
 
   struct Scatter {
@@ -141,7 +63,7 @@ struct FindForces {
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(step, volume);
-      own = {share * own.stress, share * own.guard, share * own.viscous_pressure};
+      own.scale(share);
     }
     const auto lives = !(share < zero);
     TetCorners<Lanes> f =
@@ -191,7 +113,7 @@ void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlo
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_rates", space, chunks, block.chunks,
-                    SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+                    SumRates<Lanes, Tet4>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
     }
   });
 }

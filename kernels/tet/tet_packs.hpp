@@ -3,6 +3,8 @@
 //
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
+#include <type_traits>
+
 #include "kernels/element/solid_packs.hpp"
 #include "kernels/tet/tet_chunks.hpp"
 
@@ -51,16 +53,132 @@ struct TetGather {
     return {packs[0], packs[1], packs[2]};
   }
 
-  /// Mean over the corners of a tensor in groups 0 and 1.
+  /// Mean over N corners of a tensor in groups 0 and 1.
+  template <int N>
   PERCUSS_FORCE_INLINE Symmetric3<Lanes> find_mean(const std::uint16_t* corners) const {
-    const Lanes zero(0.0), quarter(0.25);
+    const Lanes zero(0.0), part(1.0 / N);
     Vector3<Lanes> low{zero, zero, zero}, high{zero, zero, zero};
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < N; ++i) {
       low = low + (*this)(i, 0, corners);
       high = high + (*this)(i, 1, corners);
     }
-    return quarter * Symmetric3<Lanes>{low.x, low.y, low.z, high.x, high.y, high.z};
+    return part * Symmetric3<Lanes>{low.x, low.y, low.z, high.x, high.y, high.z};
+  }
+
+  /// Mean over N corners of the stress and of the moduli; of tetrahedra also the shares of mass.
+  template <int N>
+  PERCUSS_FORCE_INLINE TetMeans<Lanes> find_means(const std::uint16_t* corners) const {
+    TetMeans<Lanes> means;
+    means.stress = find_mean<N>(corners);
+    means.bulk = means.shear = Lanes(0.0);
+    for (int i = 0; i < N; ++i) {
+      const Vector3<Lanes> at_corner = (*this)(i, 2, corners);
+      means.bulk = means.bulk + Lanes(1.0 / N) * at_corner.x;
+      means.shear = means.shear + Lanes(1.0 / N) * at_corner.y;
+      if (i < 4) means.share[i] = at_corner.z;
+    }
+    return means;
   }
 };
+
+/// First pass of the elements of a shape: V D / N and V / N of each to its N nodes. L: Lanes.
+template <class L, class Shape>
+struct SumRates {
+  using Living = LivingSolids<L>;
+  static constexpr int corners_of = Shape::corners;
+  HexChunks chunks;
+  Array<int> list;
+  ElementMotion motion;
+  TetRateRows rows;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const SolidChunk chunk(chunks, list(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    double* const sums = &rows(chunk.first_slot, 0);
+    for (int k = 0; k < chunk.slot_count * TetSums::rate_row; ++k) sums[k] = 0;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(scratch.nodes, corners, lanes, living, sums);
+    });
+  }
+
+  KOKKOS_FUNCTION void add_pack(const double* nodes, const std::uint16_t* corners, int lanes, const Living& living,
+                                double* sums) const {
+    const Lanes zero(0.0), part(1.0 / corners_of);
+    typename ShapeField<Lanes, Shape>::type x, v;
+    gather_corners<corners_of>(nodes, node_record, corners, x);
+    gather_corners<corners_of>(nodes + 4, node_record, corners, v);
+    const auto middle = find_shape_geometry(find_middle(x, v, Lanes(motion.dt)));
+    Lanes volume = middle.volume;
+    if (living.can_fail()) volume = select(living.load_force_share() < zero, zero, volume);
+    const auto counts = volume > zero;
+    const Symmetric3<Lanes> d = part * symmetric_part(find_volume_times_gradient(v, middle));
+    const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
+    TetGroups<TetSums::rate_groups> groups;
+    groups.set(0, keep(d.xx), keep(d.yy), keep(d.zz));
+    groups.set(1, keep(d.xy), keep(d.yz), keep(d.zx));
+    groups.set(2, keep(part * volume), zero, zero);
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int i = 0; i < corners_of; ++i)
+        groups.add(lane, sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * solid_width + lane]));
+    }
+  }
+};
+
+/// What elements give to each of their N nodes after the second pass: their volume, and what it weighs.
+template <class Mask>
+struct GivenStress {
+  Mask counts;  // lanes that give
+  Lanes weight;
+
+  template <class L>
+  PERCUSS_FORCE_INLINE L weigh(const L& value) const {
+    return select(counts, weight * value, L(0.0));
+  }
+  PERCUSS_FORCE_INLINE void set(const Symmetric3<Lanes>& stress, const Lanes& bulk, const Lanes& shear,
+                                TetGroups<TetSums::stress_groups>& groups) const {
+    groups.set(0, weigh(stress.xx), weigh(stress.yy), weigh(stress.zz));
+    groups.set(1, weigh(stress.xy), weigh(stress.yz), weigh(stress.zx));
+    groups.set(2, weight, weigh(bulk), weigh(shear));
+  }
+};
+template <int N, class Mask>
+PERCUSS_FORCE_INLINE auto give_stress(const Lanes& volume, const Mask& lives) {
+  const auto counts = lives && volume > Lanes(0.0);
+  return GivenStress<std::remove_const_t<decltype(counts)>>{counts,
+                                                            select(counts, Lanes(1.0 / N) * volume, Lanes(0.0))};
+}
+
+/// Of an element at n+1, from its record.
+struct OwnStress {
+  Symmetric3<Lanes> stress;
+  Lanes guard, viscous_pressure;
+
+  PERCUSS_FORCE_INLINE explicit OwnStress(const double* record) {
+    const auto load = [&](int scalar) { return load_pack(record + scalar * solid_width); };
+    constexpr int r = TetRecord::rotation, s = TetRecord::stress;
+    const Matrix3<Lanes> rotation{{{load(r), load(r + 1), load(r + 2)},
+                                   {load(r + 3), load(r + 4), load(r + 5)},
+                                   {load(r + 6), load(r + 7), load(r + 8)}}};
+    stress = push_forward(rotation, {load(s), load(s + 1), load(s + 2), load(s + 3), load(s + 4), load(s + 5)});
+    guard = load(TetRecord::guard);
+    viscous_pressure = load(TetRecord::viscous_pressure);
+  }
+
+  PERCUSS_FORCE_INLINE void scale(const Lanes& share) {
+    stress = share * stress;
+    guard = share * guard;
+    viscous_pressure = share * viscous_pressure;
+  }
+};
+
+/// The record of a pack.
+KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const Array<Real>& state, int c, int pack) {
+  return reinterpret_cast<const double*>(&state(chunks.first_state(c))) +
+         static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(c)) * solid_width;
+}
 
 }  // namespace percuss

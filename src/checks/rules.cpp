@@ -62,6 +62,7 @@ const std::vector<CheckRule>& check_rules() {
       {"shell_thickness", check_shell_thickness, Needs::mesh},
       {"single_layer", check_single_layer, Needs::mesh},
       {"shear_locking", check_shear_locking, Needs::mesh},
+      {"incompressible_solids", check_incompressible_solids, Needs::mesh},
       {"duplicate_part", check_duplicate_parts, Needs::mesh},
       {"enclosed_part", check_enclosed_parts, Needs::mesh},
       {"join_glue", check_join_glue, Needs::mesh},

@@ -67,6 +67,7 @@ std::vector<Warning> check_part_size(const CheckedScene& scene);
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);
 std::vector<Warning> check_shear_locking(const CheckedScene& scene);
+std::vector<Warning> check_incompressible_solids(const CheckedScene& scene);
 std::vector<Warning> check_duplicate_parts(const CheckedScene& scene);
 std::vector<Warning> check_enclosed_parts(const CheckedScene& scene);
 std::vector<Warning> check_angles(const CheckedScene& scene);

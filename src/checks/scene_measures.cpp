@@ -77,7 +77,10 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
     const Topology& topology = mesh.topology_of(e);
     measure_edges(mesh, e, part);
     ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
-    if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
+    if (topology.family == ElementFamily::hexahedra)
+      measure_layer(mesh, e, part);
+    else if (topology.is_solid())
+      ++part.small_solids;
   }
 }
 
@@ -263,7 +266,9 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
   std::vector<double> largest;
   const auto list = [&](const auto& count, const auto& value) {
     for (PartMeasures& part : scene.parts) {
-      for (std::int64_t* c : {&part.solids, &part.shells, &part.beams, &part.single_layer, &part.nodes}) count(*c);
+      for (std::int64_t* c :
+           {&part.solids, &part.small_solids, &part.shells, &part.beams, &part.single_layer, &part.nodes})
+        count(*c);
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
       value(part.longest_edge, 1);

@@ -30,6 +30,7 @@ struct PartMeasures {
   // whole numbers, whose sum has no order.
   std::array<std::int64_t, 6> moments{};
   std::int64_t solids = 0, shells = 0, beams = 0;  // elements
+  std::int64_t small_solids = 0;                   // solids that are no hexahedra
   std::int64_t single_layer = 0;                   // solids with just two opposite faces on the surface, as a sheet has
   double layer_thickness = 0;                      // largest distance of these faces [length]
   double shell_thickness = 0;                      // of the thickest of its shells [length]

@@ -11,7 +11,7 @@ struct ElementDeck {
   Integration integration = Integration::one_point;
   Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
   double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
-  /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
+  /// Rates of tetrahedra, wedges and pyramids are averaged over their nodes, or each has its own, with which they lock.
   enum class Tetrahedra { mixed, plain };
   Tetrahedra tetrahedra = Tetrahedra::mixed;
   bool resist_folding = true;  // forces at corners of hexahedra that turn inside out

@@ -37,6 +37,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"shell_reference", "shells far off their mesh"},
       {"single_layer", "sheet of solid elements, one element thick"},
       {"shear_locking", "long elements of 2x2x2 points in a sheet of one layer"},
+      {"incompressible_solids", "tetrahedra, wedges or pyramids of a material whose volume hardly changes"},
       {"duplicate_part", "two parts at the same place"},
       {"enclosed_part", "part inside another solid part"},
       {"join_glue", "join that glues parts which are to touch each other"},

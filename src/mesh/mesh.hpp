@@ -68,10 +68,11 @@ struct Mesh {
   double thickness_of(std::size_t element) const { return elements.thickness_of(element); }
 };
 
-/// Whether some block of the mesh is of tetrahedra; the same on all ranks.
-inline bool has_tetrahedra(const Mesh& mesh) {
+/// Whether some block of the mesh is of tetrahedra, wedges or pyramids; the same on all ranks.
+inline bool has_small_solids(const Mesh& mesh) {
   return std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), [](const ElementBlock& block) {
-    return find_topology(block.topology).family == ElementFamily::tetrahedra;
+    const Topology& topology = find_topology(block.topology);
+    return topology.is_solid() && topology.family != ElementFamily::hexahedra;
   });
 }
 

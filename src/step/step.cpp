@@ -48,7 +48,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   if (model.constraints.any()) constraints_ = std::make_unique<ConstraintStage>(model);
   if (model.stiffness_damping.extent(0) > 0) stiffness_damping_ = std::make_unique<StiffnessDampingStage>(model);
   if (!model.dampings.empty()) damping_ = std::make_unique<DampingStage>(model);
-  if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
+  if (model.has_small_solids) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
 }
 
@@ -356,8 +356,7 @@ ElementMotion Stepper::find_motion(const State& state, double dt) const {
 
 void Stepper::advance_sending(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.sending_blocks, motion, state.chunk_fields());
-  if (tets_) tets_->advance(state, model_.sending_tet_blocks, motion);
-  advance_one_points(space_, model_.chunks, model_.sending_one_point_blocks, motion, state.chunk_fields());
+  if (tets_) tets_->advance(state, model_.sending_tet_blocks, model_.sending_one_point_blocks, motion);
   advance_shells_of(state, model_.sending_shell_blocks, motion);
   advance_beams_of(state, model_.sending_beam_block, motion);
   if (stiffness_damping_) stiffness_damping_->damp_sending(state, {motion, find_shell_motion(state, motion)});
@@ -365,8 +364,7 @@ void Stepper::advance_sending(State& state, const ElementMotion& motion) {
 
 void Stepper::advance_others(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.blocks, motion, state.chunk_fields());
-  if (tets_) tets_->advance(state, model_.tet_blocks, motion);
-  advance_one_points(space_, model_.chunks, model_.one_point_blocks, motion, state.chunk_fields());
+  if (tets_) tets_->advance(state, model_.tet_blocks, model_.one_point_blocks, motion);
   advance_shells_of(state, model_.shell_blocks, motion);
   advance_beams_of(state, model_.beam_block, motion);
   if (stiffness_damping_) stiffness_damping_->damp_others(state, {motion, find_shell_motion(state, motion)});

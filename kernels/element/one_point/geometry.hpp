@@ -6,6 +6,7 @@
 // the mean of its two triangulations. The gradient at the centre of a distorted wedge misses the patch test by 3 %.
 
 #include "kernels/element/one_point/shapes.hpp"
+#include "kernels/element/tet4/geometry.hpp"
 
 namespace percuss {
 
@@ -82,9 +83,10 @@ PERCUSS_FORCE_INLINE CornerGradient<T, Shape> find_corner_gradient(const CornerF
   return g;
 }
 
-/// The mean gradient sum_I u_I (x) B_I / V; exactly zero for a uniform field.
+/// V times the mean gradient, sum_I u_I (x) B_I; exactly zero for a uniform field.
 template <class T, class Shape>
-PERCUSS_FORCE_INLINE Matrix3<T> find_mean_gradient(const CornerField<T, Shape>& u, const CornerGradient<T, Shape>& g) {
+PERCUSS_FORCE_INLINE Matrix3<T> find_volume_times_gradient(const CornerField<T, Shape>& u,
+                                                           const CornerGradient<T, Shape>& g) {
   const CornerField<T, Shape> r = subtract_first(u);
   const Vector3<T> zero{T(0), T(0), T(0)};
   Matrix3<T> l{{zero, zero, zero}};
@@ -92,7 +94,36 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_mean_gradient(const CornerField<T, Shape>& 
     constexpr int i = k + 1;
     l = l + Matrix3<T>{{r[i].x * g.b[i], r[i].y * g.b[i], r[i].z * g.b[i]}};
   });
-  return (T(1) / g.volume) * l;
+  return l;
+}
+
+/// The mean gradient of a field.
+template <class T, class Shape>
+PERCUSS_FORCE_INLINE Matrix3<T> find_mean_gradient(const CornerField<T, Shape>& u, const CornerGradient<T, Shape>& g) {
+  return (T(1) / g.volume) * find_volume_times_gradient(u, g);
+}
+
+/// Corners half a step before x.
+template <class T, class Shape>
+PERCUSS_FORCE_INLINE CornerField<T, Shape> find_middle(const CornerField<T, Shape>& x, const CornerField<T, Shape>& v,
+                                                       const T& dt) {
+  const T half_dt = T(0.5) * dt;
+  CornerField<T, Shape> middle;
+  repeat<Shape::corners>([&](auto i) { middle[i] = x[i] - half_dt * v[i]; });
+  return middle;
+}
+
+template <class T>
+struct ShapeField<T, Wedge6> {
+  using type = CornerField<T, Wedge6>;
+};
+template <class T>
+struct ShapeField<T, Pyramid5> {
+  using type = CornerField<T, Pyramid5>;
+};
+template <class T, class Shape>
+PERCUSS_FORCE_INLINE CornerGradient<T, Shape> find_shape_geometry(const CornerField<T, Shape>& x) {
+  return find_corner_gradient(x);
 }
 
 /// sum_I Gamma_h(I) u_I; exactly zero for a uniform field.

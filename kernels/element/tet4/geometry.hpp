@@ -13,6 +13,11 @@ struct TetCorners {
   PERCUSS_FORCE_INLINE Vector3<T>& operator[](int i) { return at[i]; }
 };
 
+/// As a shape of the mixed form, beside wedges and pyramids (kernels/element/one_point/shapes.hpp).
+struct Tet4 {
+  static constexpr int corners = 4;
+};
+
 /// B_I = dV/dx_I. The gradient of a linear field u is sum_I u_I (x) B_I / V.
 template <class T>
 struct TetGeometry {
@@ -52,6 +57,18 @@ PERCUSS_FORCE_INLINE TetCorners<T> find_middle(const TetCorners<T>& x, const Tet
   TetCorners<T> middle;
   for (int i = 0; i < 4; ++i) middle[i] = x[i] - half_dt * v[i];
   return middle;
+}
+
+/// Names of the same for all shapes of the mixed form.
+template <class T, class Shape>
+struct ShapeField;
+template <class T>
+struct ShapeField<T, Tet4> {
+  using type = TetCorners<T>;
+};
+template <class T>
+PERCUSS_FORCE_INLINE TetGeometry<T> find_shape_geometry(const TetCorners<T>& x) {
+  return find_tet_geometry(x);
 }
 
 /// The square of the largest B_I: the least height of the element is V over its root.

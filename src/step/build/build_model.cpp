@@ -85,7 +85,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();
   model.halo = std::move(halo.plan);
-  if (model.mixes_tets) build_tet_nodes(chunked, halo.nodes_to_slots, model);
+  if (model.mixes_solids) build_tet_nodes(chunked, halo.nodes_to_slots, model);
 }
 
 }  // namespace
@@ -104,8 +104,8 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
   check_small_solids(deck, mesh);
-  model.has_tets = has_tetrahedra(mesh);
-  model.mixes_tets = model.has_tets && deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
+  model.has_small_solids = has_small_solids(mesh);
+  model.mixes_solids = model.has_small_solids && deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
   model.has_rotations = has_shells(mesh) || has_bending_beams(deck, mesh);
   model.ties_rotations = deck.contact.ties_rotations();
   build_chunks(deck, chunked, model);

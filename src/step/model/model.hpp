@@ -105,11 +105,11 @@ struct Model {
   BeamBlock beam_block;
   Rows3<double> start_beam_axes;  // [elements] y of the section of each at time 0
 
-  bool has_tets = false;         // whether any rank has tetrahedra
-  bool mixes_tets = false;       // whether their rates and stresses are averaged over nodes
-  TetBlocks sending_tet_blocks;  // as sending_blocks
+  bool has_small_solids = false;  // whether any rank has tetrahedra, wedges or pyramids
+  bool mixes_solids = false;      // whether their rates and stresses are averaged over nodes
+  TetBlocks sending_tet_blocks;   // as sending_blocks
   TetBlocks tet_blocks;
-  TetNodes tet_nodes;  // of the mixed form
+  TetNodes tet_nodes;  // of the mixed form, of wedges and pyramids too
 
   OnePointBlocks sending_one_point_blocks;  // wedges and pyramids, as sending_blocks
   OnePointBlocks one_point_blocks;

@@ -35,13 +35,13 @@ const char* name_small_solids(const ElementBlock& block) {
                                name_small_solids(block), what));
 }
 
-/// Material of each slot of tetrahedra, counted from 1, those of other ranks included; of other slots 0.
+/// Material of each slot of such elements, counted from 1, those of other ranks included; of other slots 0.
 Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model) {
   const Rows3<double> slots("percuss::slot_materials", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(slots);
   const auto first_slot = to_host(model.chunks.first_slot);
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    if (!is_tet_chunk(chunked, chunked.chunks[c])) continue;
+    if (name_small_solids(find_block(chunked, chunked.chunks[c])) == nullptr) continue;
     for (int s = first_slot(c); s < first_slot(c + 1); ++s)
       host(static_cast<std::size_t>(s), 0) = 1 + find_block(chunked, chunked.chunks[c]).material;
   }
@@ -53,8 +53,6 @@ Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model
 }
 
 }  // namespace
-
-bool is_tet_chunk(const ChunkedMesh& chunked, const Chunk& chunk) { return is_of_tets(find_block(chunked, chunk)); }
 
 void check_small_solids(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of the model that tetrahedra need. Internal to build_model.
+// The parts of the model that tetrahedra, wedges and pyramids need. Internal to build_model.
 
 #include "comm/halo/halo_plan.hpp"
 #include "src/deck/deck.hpp"
@@ -8,14 +8,11 @@
 
 namespace percuss {
 
-/// Whether the elements of a chunk are tetrahedra.
-bool is_tet_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
-
 /// Throws InputError with the deck's place, the same on all ranks, where the deck asks for what tetrahedra, wedges and
 /// pyramids do not have.
 void check_small_solids(const Deck& deck, const Mesh& mesh);
 
-/// The records of nodes, over which the mixed form averages: one for each material of the tetrahedra around a node.
+/// The records of nodes, over which the mixed form averages: one for each material of such elements around a node.
 /// Collective; model.halo and the slots of its chunks are there already.
 void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model);
 

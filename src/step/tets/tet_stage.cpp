@@ -4,31 +4,46 @@ namespace percuss {
 
 TetStage::TetStage(const Model& model)
     : model_(model), rates_(model.ranks, model.halo), stresses_(model.ranks, model.halo) {
-  if (!model.mixes_tets) return;
+  if (!model.mixes_solids) return;
   const auto packs = static_cast<int>(model.chunks.corner_slots.extent(0) / (8 * pack_size<Real>));
   launch_ = {model.tet_nodes, make_tet_passes(model.tet_nodes, model.slot_count, packs)};
 }
 
 void TetStage::prepare(const State& state, const ElementMotion& motion) {
-  if (!model_.mixes_tets) return;
+  if (!model_.mixes_solids) return;
   const TetStep step{motion, launch_};
-  sum_tet_rates(space_, model_.chunks, model_.sending_tet_blocks, step);
+  sum_rates(model_.sending_tet_blocks, model_.sending_one_point_blocks, step);
   rates_.begin(space_, launch_.passes.slot_rates);
-  sum_tet_rates(space_, model_.chunks, model_.tet_blocks, step);
+  sum_rates(model_.tet_blocks, model_.one_point_blocks, step);
   rates_.end();
   average_tet_rates(space_, launch_);
-  advance_tet_stresses(space_, model_.chunks, model_.sending_tet_blocks, step, state.elements, state.results);
+  advance_stresses(state, model_.sending_tet_blocks, model_.sending_one_point_blocks, step);
   stresses_.begin(space_, launch_.passes.slot_stresses);
-  advance_tet_stresses(space_, model_.chunks, model_.tet_blocks, step, state.elements, state.results);
+  advance_stresses(state, model_.tet_blocks, model_.one_point_blocks, step);
   stresses_.end();
   average_tet_stresses(space_, launch_);
 }
 
-void TetStage::advance(const State& state, const TetBlocks& blocks, const ElementMotion& motion) const {
-  if (model_.mixes_tets)
-    sum_tet_forces(space_, model_.chunks, blocks, {motion, launch_}, state.chunk_fields());
-  else
-    advance_plain_tets(space_, model_.chunks, blocks, motion, state.chunk_fields());
+void TetStage::sum_rates(const TetBlocks& tets, const OnePointBlocks& others, const TetStep& step) const {
+  sum_tet_rates(space_, model_.chunks, tets, step);
+  sum_one_point_rates(space_, model_.chunks, others, step);
+}
+
+void TetStage::advance_stresses(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
+                                const TetStep& step) const {
+  advance_tet_stresses(space_, model_.chunks, tets, step, state.elements, state.results);
+  advance_one_point_stresses(space_, model_.chunks, others, step, state.elements, state.results);
+}
+
+void TetStage::advance(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
+                       const ElementMotion& motion) const {
+  if (model_.mixes_solids) {
+    sum_tet_forces(space_, model_.chunks, tets, {motion, launch_}, state.chunk_fields());
+    sum_one_point_forces(space_, model_.chunks, others, {motion, launch_}, state.chunk_fields());
+  } else {
+    advance_plain_tets(space_, model_.chunks, tets, motion, state.chunk_fields());
+    advance_one_points(space_, model_.chunks, others, motion, state.chunk_fields());
+  }
 }
 
 Traffic TetStage::traffic() const {

@@ -1,5 +1,6 @@
 #pragma once
-// Tetrahedra within a step: the passes of the mixed form with their swaps, or the one of the plain form.
+// Tetrahedra, wedges and pyramids within a step: the passes of the mixed form with their swaps, or the one of the plain
+// form.
 
 #include "comm/halo/group_swap.hpp"
 #include "kernels/tet/tet_force.hpp"
@@ -18,12 +19,17 @@ class TetStage {
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces of some chunks into their slots.
-  void advance(const State& state, const TetBlocks& blocks, const ElementMotion& motion) const;
+  void advance(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
+               const ElementMotion& motion) const;
 
   /// What this rank has sent of the rates and stresses of shared nodes.
   Traffic traffic() const;
 
  private:
+  void sum_rates(const TetBlocks& tets, const OnePointBlocks& others, const TetStep& step) const;
+  void advance_stresses(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
+                        const TetStep& step) const;
+
   const Model& model_;
   ExecSpace space_;
   TetLaunch launch_;

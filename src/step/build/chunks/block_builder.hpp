@@ -17,7 +17,6 @@
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/model/model.hpp"
-#include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
 
