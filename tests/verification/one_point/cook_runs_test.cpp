@@ -40,12 +40,11 @@ output: {{history: {{every: 0, nodes: [{{name: a, near: [48, 60, 0]}}]}}}}
 
 TEST(CooksMembraneOfDecks, DoesNotLockWhenNearlyIncompressible) {
   for (const char* kind : {"wedges", "pyramids", "tetrahedra"}) {
-    const double coarse = find_tip(kind, 8) / tip, fine = find_tip(kind, 16) / tip;
+    const double coarse = find_tip(kind, 4) / tip, fine = find_tip(kind, 8) / tip;
     fmt::print("{}: {:.3f} and {:.3f} of the deflection\n", kind, coarse, fine);
-    EXPECT_LT(1 - fine, 0.09) << kind;
-    EXPECT_GT(fine, coarse) << kind;
-    EXPECT_LT(1 - fine, 0.6 * (1 - coarse)) << kind;  // towards the answer
+    EXPECT_GT(fine, 0.75) << kind;  // locked: 0.27 and 0.64
     EXPECT_LT(fine, 1.01) << kind;
+    EXPECT_LT(1 - fine, 0.6 * (1 - coarse)) << kind;  // towards the answer
   }
 }
 
