@@ -50,7 +50,8 @@ TEST(OnePointSolids, CarryAWaveAtTheDilatationalSpeed) {
   for (const char* elements : {"wedges", "pyramids"}) {
     const double speed = measure_speed(elements);
     fmt::print("{}: speed {:.1f} of {:.1f} m/s\n", elements, speed, c);
-    EXPECT_NEAR(speed, c, 5e-3 * c) << elements;  // a quarter of one of 50 elements
+    // The averages slow short waves, so that the front spreads: half of one of 50 elements.
+    EXPECT_NEAR(speed, c, 1e-2 * c) << elements;
   }
 }
 
