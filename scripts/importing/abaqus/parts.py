@@ -302,8 +302,11 @@ def choose_integration(deck: AbaqusDeck) -> None:
             deck.ledger.refuse(
                 "ELEMENT.mixed", deck.model.blocks[block].place, "C3D8 and C3D8R in one section", f"all of the part are {kind}"
             )
+        part = deck.model.blocks[block]
         if kind != chosen:
-            deck.model.blocks[block].keys["integration"] = kind
+            part.keys["integration"] = kind
+        if kind == "full" and part.keys.pop("hourglass", ""):
+            deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", part.place, "hexahedra of eight points have no hourglass modes")
 
 
 def add_masses(deck: AbaqusDeck) -> None:

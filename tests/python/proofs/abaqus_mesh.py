@@ -123,6 +123,8 @@ PROOFS = [
           abaqus(f"*NODE, NSET=all\n{ROWS}{HEX}", SOLID.replace("ELSET=cube,", "CONTROLS=c, ELSET=cube,"), "*SECTION CONTROLS, NAME=c, HOURGLASS=VISCOUS\n",
                  "".join(f"*INITIAL CONDITIONS, TYPE=VELOCITY\n{n}, 1, {s}\n" for n, s in zip(range(1, 9), (9, -9, 9, -9, 9, -9, 9, -9)))),
           [(lambda h: max(h["internal"]) / h["kinetic"][0], ALL, 0.0, 1e-12)], "viscous control stores nothing: the motion is an hourglass mode"),
+    Proof("SECTION CONTROLS: HOURGLASS", abaqus(f"*NODE, NSET=all\n{ROWS}{HEX.replace('C3D8R', 'C3D8')}", SOLID.replace("ELSET=cube,", "CONTROLS=c, ELSET=cube,"),
+          "*SECTION CONTROLS, NAME=c, HOURGLASS=ENHANCED\n", MOVING), ALL_MOVE, "eight points have no hourglass modes: the control does nothing"),
     Proof("SECTION CONTROLS: ELEMENT_DELETION", moved(f"*NODE, NSET=all\n{ROWS}{HEX}", "*SECTION CONTROLS, NAME=c, ELEMENT DELETION=NO\n*SOLID SECTION, ELSET=cube, MATERIAL=steel, CONTROLS=c\n" + STEEL
           + "*PLASTIC\n300., 0.\n*SHEAR FAILURE\n0.1, 0.\n"), refused="failed elements that stay"),
     Proof("BEAM SECTION: ELSET MATERIAL SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=RECT\n2., 3.\n0., 1., 0.\n" + STEEL), of(60.0), "10 mm of 2 x 3 mm"),
