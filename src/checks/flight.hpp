@@ -43,8 +43,8 @@ class Flight {
  private:
   Box start_{};
   Vec3 velocity_low_{}, velocity_high_{}, gravity_{};  // gravity: 0 where it changes in time
-  Box driven_{};      // range of the displacement that conditions prescribe
-  double speed_ = 0;  // of its fastest node
+  Box driven_{};                                       // range of the displacement that conditions prescribe
+  double speed_ = 0;                                   // of its fastest node
   bool is_held_ = false, is_held_in_part_ = false;
 
   bool is_uniform() const;
