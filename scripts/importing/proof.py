@@ -2,13 +2,13 @@
 
 import os
 import re
-import shutil
 import subprocess
 from typing import Any, NamedTuple
 
 import yaml
 
-from libraries import SCRIPTS
+from percuss.errors import NotResults
+from percuss.program import find_program
 
 from .ledger import Ledger, Place, Status
 from .model import Model
@@ -24,21 +24,11 @@ class Verdict(NamedTuple):
     errors: str = ""
 
 
-def find_program() -> str | None:
-    """The program that called this script, or the one of this checkout or installation, or of PATH."""
-    root = os.path.dirname(SCRIPTS)
-    places = [
-        os.environ.get("PERCUSS_PROGRAM", ""),
-        os.path.join(root, "build/release/percuss"),
-        os.path.join(root, "../../bin/percuss"),
-    ]
-    return next((place for place in places if place and os.access(place, os.X_OK)), shutil.which("percuss"))
-
-
 def check_deck(deck: str) -> Verdict:
     """Runs the check."""
-    program = find_program()
-    if program is None:
+    try:
+        program = find_program()
+    except NotResults:
         return Verdict(None)
     done = subprocess.run([program, "check", deck], capture_output=True, text=True, errors="replace", check=False)
     return Verdict(done.returncode, done.stdout, done.stderr)
