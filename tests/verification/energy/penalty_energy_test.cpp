@@ -20,10 +20,11 @@ double find_largest_gain(const HistoryTable& history) {
   return largest;
 }
 
-/// A block of `cells` cells an edge that flies between two walls or two rigid bodies, 0.5 apart from it, at `speed`.
+/// A block of `cells` cells an edge that flies between two walls or two rigid bodies, 0.5 apart from it, at `speed`, in
+/// even steps.
 std::string describe_rattle(const std::string& stops, double speed, int cells) {
   return fmt::format(R"(
-time: {{end: {}}}
+time: {{end: {}, max_step: {}}}
 parts:
   block: {{box: {{size: [1, 1, 1], cells: [{}, {}, {}]}}, at: [0.03, 0.02, 0.2637], material: m}}
 {}
@@ -32,7 +33,7 @@ materials:
 initial: [{{part: block, velocity: [0, 0, {}]}}]
 output: {{history: {{every: 0}}}}
 )",
-                     2 / speed, cells, cells, cells, stops, speed);
+                     2 / speed, 0.2 / cells, cells, cells, cells, stops, speed);
 }
 
 const std::string walls = R"(
@@ -48,21 +49,22 @@ const std::string bodies =
 
 }  // namespace
 
-// At 0.03 of the wave speed the springs between bodies of one cell would give way by more than their cushion.
+// Nodes on walls are springs apart, and conserve. Rows of faces share nodes, and lose a little where several begin.
 TEST(PenaltyEnergy, OfABlockThatRattlesStaysAsItIs) {
   struct Case {
     const std::string& stops;
     double speed;
     int cells;
+    double gain, loss;  // of the energy at the start
   };
-  for (const auto& [stops, speed, cells] :
-       {Case{walls, 0.003, 1}, Case{walls, 0.003, 3}, Case{walls, 0.03, 1}, Case{walls, 0.03, 3},
-        Case{bodies, 0.003, 1}, Case{bodies, 0.003, 3}, Case{bodies, 0.03, 3}}) {
+  for (const auto& [stops, speed, cells, gain, loss] :
+       {Case{walls, 0.003, 1, 1e-10, 1e-10}, Case{walls, 0.003, 3, 1e-10, 1e-10}, Case{walls, 0.03, 1, 1e-10, 1e-10},
+        Case{walls, 0.03, 3, 1e-10, 1e-10}, Case{bodies, 0.003, 1, 2e-3, 2e-3}, Case{bodies, 0.003, 3, 2e-3, 2e-3},
+        Case{bodies, 0.03, 3, 2e-3, 0.02}}) {
     const Outcome run = run_deck(describe_rattle(stops, speed, cells));
     const double start = run.history["kinetic"].front();
-    EXPECT_LT(find_largest_gain(run.history), 2e-3 * start) << speed << " " << cells;
-    EXPECT_NEAR(run.history.last("contact") + run.history.last("contact_stored"), 0, 2e-3 * start)
-        << speed << " " << cells;
+    EXPECT_LT(find_largest_gain(run.history), gain * start) << speed << " " << cells;
+    EXPECT_GT(run.history.last("contact") + run.history.last("contact_stored"), -loss * start) << speed << " " << cells;
   }
 }
 
