@@ -59,8 +59,8 @@ struct FindOnePointForces {
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_step(step, volume, on.first_element(), on.lanes);
     if (motion.watch.bound.extent(0) > 0) {
-      const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
-      store_pack(&motion.watch.bound(pack * solid_width), step);
+      const int pack = chunks.first_pack(on.chunk.c) + on.pack;
+      store_pack(&motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
     }
   }
 
@@ -78,8 +78,9 @@ struct FindOnePointForces {
   KOKKOS_FUNCTION Lanes find_step(const SolidPack& on, const CornerGradient<Lanes, Shape>& g,
                                   const HourglassVectors<Lanes, Shape>& gamma, const TetMeans<Lanes>& means,
                                   const Lanes& mass) const {
-    const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
-    const double* const scalars = &launch.passes.elements(pack * TetPasses::scalars * solid_width);
+    const int pack = chunks.first_pack(on.chunk.c) + on.pack;
+    const double* const scalars =
+        &launch.passes.elements(static_cast<std::size_t>(pack) * TetPasses::scalars * solid_width);
     const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
     const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(0), load(1)}, means, load(2));
     const Lanes lambda = larger(felt.bulk - Lanes(2.0 / 3.0) * felt.shear, Lanes(0.0));

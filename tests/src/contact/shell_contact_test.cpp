@@ -299,7 +299,7 @@ TEST(ShellContact, AFlattenedRingLiesOnItselfAndDoesNotGoThrough) {
     for (const auto& [above, below] : mirrored) nearest = std::min(nearest, x(above, 1) - x(below, 1));
   }
   EXPECT_EQ(mirrored.size(), 45U);
-  EXPECT_NEAR(nearest, 0.002, 1e-2 * 0.002);  // they have met, and kept the thickness, across facets that tilt
+  EXPECT_NEAR(nearest, 0.002, 3e-2 * 0.002);  // they have met, and kept the thickness, across facets that tilt
   const AuditResult books = audit(scene.state);
   EXPECT_LT(books.momentum.linear_error, 1e-12);
   EXPECT_LT(books.momentum.angular_error, 1e-12);
