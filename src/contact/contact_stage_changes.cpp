@@ -176,6 +176,9 @@ bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
 void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
   Impl& stage = *impl_;
   if (!stage.has_pairs() || stage.has_told_missed) return;
+  // What lies beside the rim of a shell, within its thickness, is not inside it.
+  const auto& blocks = stage.mesh.elements.blocks;
+  if (std::any_of(blocks.begin(), blocks.end(), [](const ElementBlock& b) { return b.section.thickness > 0; })) return;
   // Which nodes began inside another body is not in a checkpoint.
   std::int64_t known = static_cast<std::int64_t>(stage.start_overlap.inside.size());
   all_reduce(stage.ranks, Reduce::sum, known);
