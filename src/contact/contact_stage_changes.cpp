@@ -121,8 +121,12 @@ std::string ContactStage::Impl::describe(const StartOverlap& found, const std::s
 bool ContactStage::Impl::archive_active(CheckpointArchive& archive) {
   const ActiveContact before = active;
   const auto archive_all = [&](const char* kind, const auto& entries, std::vector<char>& acts) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-      if (entries[i].when.any()) archive.integer(fmt::format("contact/{}/{}/acts", kind, i), acts[i]);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (!entries[i].when.any()) continue;
+      bool does_act = acts[i] != 0;
+      archive.integer(fmt::format("contact/{}/{}/acts", kind, i), does_act);
+      acts[i] = does_act ? 1 : 0;
+    }
   };
   archive_all("pairs", deck.contact.pairs, active.pairs);
   archive_all("walls", deck.walls, active.walls);
