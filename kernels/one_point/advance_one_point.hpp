@@ -57,35 +57,18 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
 
 /// Second pass of the mixed form.
 template <class Material, class Shape>
-struct AdvanceOnePointStresses {
-  using Living = LivingSolids<Material>;
+struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Shape>> {
+  using Base = StressPass<Material, OnePointBlock<Material, Shape>>;
+  using Base::chunks;
+  using Base::launch;
+  using Base::motion;
+  using typename Base::Living;
   using State = OnePointState<Lanes, Material, Shape>;
-  HexChunks chunks;
-  OnePointBlock<Material, Shape> block;
-  ElementMotion motion;
-  TetLaunch launch;
-  Array<Real> state;
-  ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    double* const rows = &launch.passes.slot_stresses(chunk.first_slot, 0);
-    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
-    parameters.time = motion.time;
-    SolidChunkSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
-    Real* const record = &state(chunks.first_state(chunk.c));
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(parameters, {chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
-    });
-    sums.leave_work(chunk.c, results);
+    this->template advance_chunk<State>(
+        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+                    SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
   KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const SolidPack& on, const Living& living,
@@ -112,16 +95,12 @@ struct AdvanceOnePointStresses {
     sums.take_work(2, point.work.viscous, on.lanes);
     sums.take_work(3, point.work.guard, on.lanes);
     const Lanes guard = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
-    leave_scalars(on, {point.own.mu, point.own.tangent, guard, point.own.hourglass});
+    const Lanes scalars[TetPasses::scalars] = {point.own.mu, point.own.tangent, guard, point.own.hourglass};
+    double* const row = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
+    for (int k = 0; k < TetPasses::scalars; ++k) store_pack(row + k * solid_width, scalars[k]);
     const Lanes bulk = point.own.lambda + Lanes(2.0 / 3.0) * point.own.mu + guard;
     give(on, share * add_to_diagonal(point.stress, zero - of.guard), bulk, point.own.mu,
          give_stress<Shape::corners>(point.geometry.volume, !(share < zero)));
-  }
-
-  KOKKOS_FUNCTION void leave_scalars(const SolidPack& on, const Lanes (&scalars)[TetPasses::scalars]) const {
-    const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
-    double* const row = &launch.passes.elements(pack * TetPasses::scalars * solid_width);
-    for (int k = 0; k < TetPasses::scalars; ++k) store_pack(row + k * solid_width, scalars[k]);
   }
 
   /// What the elements of a pack give to their nodes. Their mass is not shared with others: that group stays empty.
@@ -131,7 +110,7 @@ struct AdvanceOnePointStresses {
     TetGroups<TetSums::stress_groups> groups;
     given.set(stress, bulk, shear, groups);
     groups.set(3, Lanes(0.0), Lanes(0.0), Lanes(0.0));
-    double* const rows = &launch.passes.slot_stresses(on.chunk.first_slot, 0);
+    double* const rows = this->find_rows(on.chunk);
     for (int lane = 0; lane < on.lanes; ++lane) {
       for (int i = 0; i < Shape::corners; ++i)
         groups.add(lane, rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]));
@@ -144,7 +123,7 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const One
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::advance_one_point_stresses", space, chunks, block.chunks,
-                  AdvanceOnePointStresses<Material, Shape>{chunks, block, step.motion, step.launch, state, results});
+                  AdvanceOnePointStresses<Material, Shape>{{chunks, block, step.motion, step.launch, state, results}});
   }
 }
 

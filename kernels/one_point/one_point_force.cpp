@@ -8,29 +8,18 @@ namespace {
 
 /// Third pass of the mixed form. L: Lanes.
 template <class L, class Shape>
-struct FindOnePointForces {
-  using Living = LivingSolids<L>;
-  HexChunks chunks;
-  Array<int> list;
-  ElementMotion motion;
-  TetLaunch launch;
-  ChunkFields fields;
+struct FindOnePointForces : ForcePass<L> {
+  using Base = ForcePass<L>;
+  using Base::chunks;
+  using Base::fields;
+  using Base::launch;
+  using Base::motion;
+  using typename Base::Living;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, list(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    SolidChunkSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack({chunk, pack, lanes, corners, scratch}, living, sums);
-    });
-    sums.leave_step(chunk.c, chunk.first_element, fields.results);
-    copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
-    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(chunk.c) = 0;
+    this->sum_chunk(
+        member, [&](const SolidPack& on, const Living& living, SolidChunkSums& sums) { add_pack(on, living, sums); });
+    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
@@ -39,9 +28,7 @@ struct FindOnePointForces {
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
     const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
     const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
-    const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
-                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
-    const TetMeans<Lanes> means = gather.template find_means<Shape::corners>(on.corners);
+    const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<Shape::corners>(on.corners);
     const double* const record = find_record(chunks, fields.state, on.chunk.c, on.pack);
     OwnStress own(record);
     ModeVectors<Lanes, Shape> q = load_modes(record);
@@ -78,9 +65,7 @@ struct FindOnePointForces {
   KOKKOS_FUNCTION Lanes find_step(const SolidPack& on, const CornerGradient<Lanes, Shape>& g,
                                   const HourglassVectors<Lanes, Shape>& gamma, const TetMeans<Lanes>& means,
                                   const Lanes& mass) const {
-    const int pack = chunks.first_pack(on.chunk.c) + on.pack;
-    const double* const scalars =
-        &launch.passes.elements(static_cast<std::size_t>(pack) * TetPasses::scalars * solid_width);
+    const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
     const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(0), load(1)}, means, load(2));
     const Lanes lambda = larger(felt.bulk - Lanes(2.0 / 3.0) * felt.shear, Lanes(0.0));
@@ -108,7 +93,7 @@ void sum_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointB
                 const TetStep& step, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::sum_one_point_forces", space, chunks, block.chunks,
-                  FindOnePointForces<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch, fields});
+                  FindOnePointForces<Lanes, Shape>{{chunks, block.chunks, step.motion, step.launch, fields}});
   }
 }
 

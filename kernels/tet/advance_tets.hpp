@@ -8,53 +8,31 @@ namespace percuss {
 
 /// Second pass of the mixed form.
 template <class Material>
-struct AdvanceTetStresses {
-  using Living = LivingSolids<Material>;
-  HexChunks chunks;
-  TetBlock<Material> block;
-  ElementMotion motion;
-  TetLaunch launch;
-  Array<Real> state;
-  ChunkResults results;
+struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
+  using Base = StressPass<Material, TetBlock<Material>>;
+  using Base::chunks;
+  using Base::launch;
+  using Base::motion;
+  using typename Base::Living;
+  using State = TetState<Lanes, Material>;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    double* const rows = &launch.passes.slot_stresses(chunk.first_slot, 0);
-    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
-    parameters.time = motion.time;
-    SolidChunkSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(parameters, {chunk, pack, lanes, corners, scratch.nodes, rows}, living, sums);
-    });
-    sums.leave_work(chunk.c, results);
+    this->template advance_chunk<State>(
+        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+                    SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
-  struct Work {
-    const SolidChunk& chunk;
-    int pack, lanes;
-    const std::uint16_t* corners;
-    const double* nodes;
-    double* rows;
-  };
-
-  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
-                                SolidChunkSums& sums) const {
+  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const SolidPack& on, const Living& living,
+                                State& of, SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
-    gather_corners<4>(on.nodes, node_record, on.corners, x);
-    gather_corners<4>(on.nodes + 4, node_record, on.corners, v);
+    gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
+    gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
     const Lanes dt(motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
                            &launch.nodes.slots_to_records(on.chunk.first_slot)};
-    auto& record = find_state(on);
     TetPoint<Lanes> point =
-        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean<4>(on.corners)), dt, record);
+        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean<4>(on.corners)), dt, of);
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
@@ -65,25 +43,18 @@ struct AdvanceTetStresses {
     sums.take_work(0, point.work.internal, on.lanes);
     sums.take_work(2, point.work.viscous, on.lanes);
     sums.take_work(3, point.work.guard, on.lanes);
-    const Lanes guard_modulus = find_guard_modulus(record.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
-    double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack) *
-                                                    TetPasses::scalars * solid_width);
+    const Lanes guard_modulus = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
+    double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     store_pack(scalars, point.own.shear);
     store_pack(scalars + solid_width, point.own.tangent);
     store_pack(scalars + 2 * solid_width, guard_modulus);
-    const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - record.guard);
-    give(on, point, share * given, record.mass, point.own.bulk + guard_modulus, !(share < zero));
-  }
-
-  KOKKOS_FUNCTION TetState<Lanes, Material>& find_state(const Work& on) const {
-    const std::size_t place =
-        static_cast<std::size_t>(on.pack) * static_cast<std::size_t>(chunks.record_size(on.chunk.c)) * solid_width;
-    return *reinterpret_cast<TetState<Lanes, Material>*>(&state(chunks.first_state(on.chunk.c)) + place);
+    const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - of.guard);
+    give(on, point, share * given, of.mass, point.own.bulk + guard_modulus, !(share < zero));
   }
 
   /// What the elements of a pack give to their nodes.
   template <class Mask>
-  KOKKOS_FUNCTION void give(const Work& on, const TetPoint<Lanes>& point, const Symmetric3<Lanes>& stress,
+  KOKKOS_FUNCTION void give(const SolidPack& on, const TetPoint<Lanes>& point, const Symmetric3<Lanes>& stress,
                             const Lanes& mass, const Lanes& bulk, const Mask& lives) const {
     const Lanes zero(0.0), quarter(0.25);
     const auto given = give_stress<4>(point.geometry.volume, lives);
@@ -96,10 +67,10 @@ struct AdvanceTetStresses {
       const Vector3<Lanes>& b = point.geometry.b[i];
       store_pack(square[i], select(counts, dot(b, b) / point.geometry.volume, zero));
     }
+    double* const rows = this->find_rows(on.chunk);
     for (int lane = 0; lane < on.lanes; ++lane) {
       for (int i = 0; i < 4; ++i) {
-        double* const row =
-            on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
+        double* const row = rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
         groups.add(lane, row);
         row[13] += square[i][lane];
       }
@@ -151,7 +122,7 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
   if constexpr (!is_single_precision) {
     static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
     launch_solids("percuss::advance_tet_stresses", space, chunks, block.chunks,
-                  AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
+                  AdvanceTetStresses<Material>{{chunks, block, step.motion, step.launch, state, results}});
   }
 }
 

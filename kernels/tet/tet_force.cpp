@@ -8,74 +8,46 @@ namespace {
 
 /// Third pass. L: Lanes.
 template <class L>
-struct FindForces {
-  using Living = LivingSolids<L>;
-  HexChunks chunks;
-  Array<int> list;
-  ElementMotion motion;
-  TetLaunch launch;
-  Array<Real> state;
-  Rows3<double> slot_force;
-  ChunkResults results;
+struct FindForces : ForcePass<L> {
+  using Base = ForcePass<L>;
+  using Base::chunks;
+  using Base::fields;
+  using Base::launch;
+  using typename Base::Living;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, list(member.league_rank()));
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    SolidChunkSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(chunk, pack, lanes, corners, scratch, living, sums);
-    });
-    sums.leave_step(chunk.c, chunk.first_element, results);
-    copy_force_rows(scratch.forces, chunk.slot_count, &slot_force(chunk.first_slot, 0));
+    this->sum_chunk(
+        member, [&](const SolidPack& on, const Living& living, SolidChunkSums& sums) { add_pack(on, living, sums); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const SolidChunk& chunk, int pack, int lanes, const std::uint16_t* corners,
-                                const SolidScratch& scratch, const Living& living, SolidChunkSums& sums) const {
+  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, SolidChunkSums& sums) const {
     TetCorners<Lanes> x;
-    gather_corners<4>(scratch.nodes, node_record, corners, x);
+    gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     const TetGeometry<Lanes> g = find_tet_geometry(x);
-    const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
-                           &launch.nodes.slots_to_records(chunk.first_slot)};
-    const TetMeans<Lanes> means = gather.find_means<4>(corners);
-    const double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) *
-                                                          TetPasses::scalars * solid_width);
+    const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<4>(on.corners);
+    const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + solid_width)};
     const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * solid_width)));
-    settle(OwnStress(find_record(chunks, state, chunk.c, pack)), means, g, step, {corners, lanes, scratch.forces},
-           living, chunk.first_element + pack * solid_width, sums);
+    settle(on, means, g, step, living, sums);
   }
 
-  struct Scatter {
-    const std::uint16_t* corners;
-    int lanes;
-    double* forces;
-  };
-
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION void settle(OwnStress own, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g, Lanes step,
-                              const Scatter& to, const Living& living, int first_element, SolidChunkSums& sums) const {
-    const Lanes zero(0.0);
+  KOKKOS_FUNCTION void settle(const SolidPack& on, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g,
+                              Lanes step, const Living& living, SolidChunkSums& sums) const {
+    OwnStress own(find_record(chunks, fields.state, on.chunk.c, on.pack));
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(step, volume);
       own.scale(share);
     }
-    const auto lives = !(share < zero);
     TetCorners<Lanes> f =
         find_tet_forces(g, find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure));
     if (living.can_fail()) {
-      for (int i = 0; i < 4; ++i)
-        f[i] = {select(lives, f[i].x, zero), select(lives, f[i].y, zero), select(lives, f[i].z, zero)};
-      step = select(lives, step, Lanes(1e300));
-      volume = select(lives, volume, Lanes(1.0));
+      settle_forces<4>(select(share < Lanes(0.0), share, Lanes(1.0)), f);
+      settle_step(share, step, volume);
     }
-    scatter_corners<4>(f, to.corners, to.lanes, to.forces);
-    sums.take_step(step, volume, first_element, to.lanes);
+    scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
+    sums.take_step(step, volume, on.first_element(), on.lanes);
   }
 };
 
@@ -153,8 +125,7 @@ void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBl
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_forces", space, chunks, block.chunks,
-                    FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
-                                      fields.results});
+                    FindForces<Lanes>{{chunks, block.chunks, step.motion, step.launch, fields}});
     }
   });
 }

@@ -181,4 +181,84 @@ KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const 
          static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(c)) * solid_width;
 }
 
+/// What the second pass leaves for the third [TetPasses::scalars][W].
+KOKKOS_INLINE_FUNCTION double* find_scalars(const HexChunks& chunks, const TetPasses& passes, int c, int pack) {
+  const int place = chunks.first_pack(c) + pack;
+  return &passes.elements(static_cast<std::size_t>(place) * TetPasses::scalars * solid_width);
+}
+
+/// Second pass over the elements of a block: their stress and history, and what each pack gives to its nodes.
+template <class Material, class Block>
+struct StressPass {
+  using Living = LivingSolids<Material>;
+  HexChunks chunks;
+  Block block;
+  ElementMotion motion;
+  TetLaunch launch;
+  Array<Real> state;
+  ChunkResults results;
+
+  /// Calls add_pack(parameters, pack, living, state, sums) for each pack of the team's chunk that has living elements.
+  template <class State, class AddPack>
+  KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AddPack& add_pack) const {
+    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    double* const rows = find_rows(chunk);
+    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    parameters.time = motion.time;
+    SolidChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
+    Real* const record = &state(chunks.first_state(chunk.c));
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
+    });
+    sums.leave_work(chunk.c, results);
+  }
+
+  /// Sums of a chunk [slots][TetSums::stress_row].
+  KOKKOS_FUNCTION double* find_rows(const SolidChunk& chunk) const {
+    return &launch.passes.slot_stresses(chunk.first_slot, 0);
+  }
+};
+
+/// Third pass: forces. L: Lanes.
+template <class L>
+struct ForcePass {
+  using Living = LivingSolids<L>;
+  HexChunks chunks;
+  Array<int> list;
+  ElementMotion motion;
+  TetLaunch launch;
+  ChunkFields fields;
+
+  /// Calls add_pack(pack, living, sums) for each pack of the team's chunk that has living elements.
+  template <class AddPack>
+  KOKKOS_FUNCTION void sum_chunk(const ChunkMember& member, const AddPack& add_pack) const {
+    const SolidChunk chunk(chunks, list(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    SolidChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(SolidPack{chunk, pack, lanes, corners, scratch}, living, sums);
+    });
+    sums.leave_step(chunk.c, chunk.first_element, fields.results);
+    copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
+  }
+
+  /// Averages of the stresses at the nodes of a chunk.
+  KOKKOS_FUNCTION TetGather gather_stresses(const SolidChunk& chunk) const {
+    return {launch.passes.stresses.data(), TetSums::stress_row, &launch.nodes.slots_to_records(chunk.first_slot)};
+  }
+};
+
 }  // namespace percuss

@@ -52,13 +52,17 @@ class Switched : public testing::TestWithParam<std::string> {
     return fmt::format(fmt::runtime(GetParam()), fmt::arg("when", when), fmt::arg("contact", contact));
   }
 };
+class SwitchedPair : public Switched {};
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, Switched,
+const auto pairs =
     testing::Values("contact: {{surfaces: [{{a: block, b: plate, {when}}}], {contact}}}\n",
                     "contact: {{surfaces: [{{a: all, b: all, {when}}}], {contact}}}\n",
-                    "contact: {{surfaces: [{{a: block, b: plate, {when}}}], enforcement: penalty, {contact}}}\n",
-                    "contact: {{surfaces: none, {contact}}}\nwalls: [{{point: [0, 0, 0], normal: z, {when}}}]\n"));
+                    "contact: {{surfaces: [{{a: block, b: plate, {when}}}], enforcement: penalty, {contact}}}\n");
+INSTANTIATE_TEST_SUITE_P(Pairs, Switched, pairs);
+INSTANTIATE_TEST_SUITE_P(Pairs, SwitchedPair, pairs);
+INSTANTIATE_TEST_SUITE_P(
+    Walls, Switched,
+    testing::Values("contact: {{surfaces: none, {contact}}}\nwalls: [{{point: [0, 0, 0], normal: z, {when}}}]\n"));
 
 }  // namespace
 
@@ -96,8 +100,7 @@ TEST_P(Switched, CarriesWeightUntilItsEvent) {
   EXPECT_GT(run.history.at(born_at, "momentum_z:block"), -0.5 * mass * 10 * born_at);  // it was carried until then
 }
 
-TEST_P(Switched, BeginsAgainWhereAnotherEntryOfTheSameSurfacesSaysSo) {
-  if (GetParam().find("walls") != std::string::npos) GTEST_SKIP() << "walls have no pairs";
+TEST_P(SwitchedPair, BeginsAgainWhereAnotherEntryOfTheSameSurfacesSaysSo) {
   const std::string gravity = "loads: {gravity: [0, 0, -10]}\n";
   const std::string deck = make_block(0, gravity + make("until: event}, {a: block, b: plate, from: another"));
   const Outcome run = run_deck(deck);
@@ -108,7 +111,6 @@ TEST_P(Switched, BeginsAgainWhereAnotherEntryOfTheSameSurfacesSaysSo) {
 }
 
 TEST_P(Switched, PushesOutWhatOverlapsAtItsEvent) {
-  if (GetParam().find("penalty") != std::string::npos) GTEST_SKIP() << "springs give way";
   const std::string deck = make_block(-5e-3, make("from: event", "overlap: push_out"));
   const Outcome run = run_deck(deck, {"time.end=0.02"});
   EXPECT_EQ(run.history.at(born_at, "foot_z"), -5e-3);
@@ -116,7 +118,9 @@ TEST_P(Switched, PushesOutWhatOverlapsAtItsEvent) {
   EXPECT_GT(run.history.at(born_at + 250 * step, "foot_z"), -5e-3);
   EXPECT_LT(run.history.at(born_at + 250 * step, "foot_z"), 0);
   EXPECT_GT(run.history.last("foot_z"), 0);
-  EXPECT_LT(run.history.largest("momentum_z:block"), 2 * mass * 1e-5 / step);
+  // Springs give back what pressed them: a body that such a ground pushes leaves at twice its speed, and swings.
+  const double swing = GetParam().find("penalty") == std::string::npos ? 2 : 2.5;
+  EXPECT_LT(run.history.largest("momentum_z:block"), swing * mass * 1e-5 / step);
 }
 
 TEST_P(Switched, RefusesOverlapAtItsEventWhereTheDeckDoes) {

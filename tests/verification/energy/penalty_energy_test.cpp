@@ -20,9 +20,9 @@ double find_largest_gain(const HistoryTable& history) {
   return largest;
 }
 
-/// A block of `cells` cells an edge that flies between two walls or two rigid bodies, 0.5 apart from it, at `speed`, in
-/// even steps.
-std::string describe_rattle(const std::string& stops, double speed, int cells) {
+/// A block of `cells` cells an edge that flies between two walls or two rigid bodies, 0.5 apart from it, at `speed`.
+/// max_step: below that of its elements the steps are even.
+std::string describe_rattle(const std::string& stops, double speed, int cells, double max_step) {
   return fmt::format(R"(
 time: {{end: {}, max_step: {}}}
 parts:
@@ -33,7 +33,7 @@ materials:
 initial: [{{part: block, velocity: [0, 0, {}]}}]
 output: {{history: {{every: 0}}}}
 )",
-                     2 / speed, 0.2 / cells, cells, cells, cells, stops, speed);
+                     2 / speed, max_step, cells, cells, cells, stops, speed);
 }
 
 const std::string walls = R"(
@@ -61,11 +61,19 @@ TEST(PenaltyEnergy, OfABlockThatRattlesStaysAsItIs) {
        {Case{walls, 0.003, 1, 1e-10, 1e-10}, Case{walls, 0.003, 3, 1e-10, 1e-10}, Case{walls, 0.03, 1, 1e-10, 1e-10},
         Case{walls, 0.03, 3, 1e-10, 1e-10}, Case{bodies, 0.003, 1, 2e-3, 2e-3}, Case{bodies, 0.003, 3, 2e-3, 2e-3},
         Case{bodies, 0.03, 3, 2e-3, 0.02}}) {
-    const Outcome run = run_deck(describe_rattle(stops, speed, cells));
+    const Outcome run = run_deck(describe_rattle(stops, speed, cells, 0.2 / cells));
     const double start = run.history["kinetic"].front();
     EXPECT_LT(find_largest_gain(run.history), gain * start) << speed << " " << cells;
     EXPECT_GT(run.history.last("contact") + run.history.last("contact_stored"), -loss * start) << speed << " " << cells;
   }
+}
+
+// Where the step changes while springs are pressed, they do not conserve: docs/theory_contact.md has the figure.
+TEST(PenaltyEnergy, OfABlockThatRattlesInUnevenStepsGrowsByAFewPercent) {
+  const Outcome run = run_deck(describe_rattle(walls, 0.03, 1, 1e9));
+  const double start = run.history["kinetic"].front(), gain = find_largest_gain(run.history) / start;
+  fmt::print("contact adds {:.3f} of the energy at the start\n", gain);
+  EXPECT_LT(gain, 0.035);
 }
 
 // Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.
