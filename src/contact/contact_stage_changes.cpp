@@ -180,19 +180,18 @@ bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
 void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
   Impl& stage = *impl_;
   if (!stage.has_pairs() || stage.has_told_missed) return;
-  // What lies beside the rim of a shell, within its thickness, is not inside it.
-  const auto& blocks = stage.mesh.elements.blocks;
-  if (std::any_of(blocks.begin(), blocks.end(), [](const ElementBlock& b) { return b.section.thickness > 0; })) return;
   // Which nodes began inside another body is not in a checkpoint.
-  std::int64_t known = static_cast<std::int64_t>(stage.start_overlap.inside.size());
-  all_reduce(stage.ranks, Reduce::sum, known);
-  if (stage.overlap_at_start > 0 && known == 0) return;
+  KnownContact known{stage.start_overlap.inside, std::vector<char>(stage.mesh.parts.size(), 0)};
+  std::int64_t count = static_cast<std::int64_t>(known.inside.size());
+  all_reduce(stage.ranks, Reduce::sum, count);
+  if (stage.overlap_at_start > 0 && count == 0) return;
+  std::sort(known.inside.begin(), known.inside.end());
+  for (const ElementBlock& block : stage.mesh.elements.blocks)
+    if (block.section.thickness > 0) known.of_shells[static_cast<std::size_t>(block.part)] = 1;
   ContactDeck once = stage.contact;
   once.rebalance = ContactDeck::Rebalance::never;
   const auto finder = make_contact_finder(stage.seen(), stage.share, once);
-  std::vector<std::int64_t> inside = stage.start_overlap.inside;
-  std::sort(inside.begin(), inside.end());
-  const auto missed = find_missed_contact(stage.look_for_overlap(*finder), {x, v, 0}, stage.history, inside);
+  const auto missed = find_missed_contact(stage.look_for_overlap(*finder), {x, v, 0}, stage.history, known);
   if (!missed) return;
   stage.has_told_missed = true;
   const std::string text = describe_missed_contact(*missed, stage.mesh, stage.find_user_id(missed->node));

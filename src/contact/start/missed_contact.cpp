@@ -12,7 +12,7 @@
 namespace percuss {
 namespace {
 
-constexpr double least_ratio = 0.1, audit_margin = 0.3;  // of an element, of a mean edge
+constexpr double least_ratio = 0.1;  // of an element
 
 bool is_deeper(const MissedContact& a, const MissedContact& b) {
   return a.ratio != b.ratio ? a.ratio > b.ratio : a.node < b.node;
@@ -23,7 +23,7 @@ void take(const MissedContact& found, std::optional<MissedContact>& deepest) {
 }
 
 void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
-                const std::vector<std::int64_t>& known, std::optional<MissedContact>& deepest) {
+                const KnownContact& known, std::optional<MissedContact>& deepest) {
   const auto face = to_host(history.face);
   const auto x = to_host(motion.x);
   const OwnedContactNodes& nodes = search.share.nodes;
@@ -32,8 +32,8 @@ void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const 
     const int first = contact_limits::max_touches * p.node;
     bool is_held = false;
     for (int k = 0; k < contact_limits::max_touches; ++k) is_held = is_held || face(first + k) >= 0;
-    if (is_held || !(p.size > 0) || nodes.parts[n] == p.part ||
-        std::binary_search(known.begin(), known.end(), nodes.numbers[n]))
+    if (is_held || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(nodes.parts[n]) ||
+        known.is_of_shells(p.part) || std::binary_search(known.inside.begin(), known.inside.end(), nodes.numbers[n]))
       continue;
     MissedContact found{p.depth / p.size, p.depth, nodes.numbers[n], false, nodes.parts[n], p.part, {}};
     for (int k = 0; k < 3; ++k) found.x[k] = x(nodes.mesh_nodes[n], k);
@@ -62,12 +62,11 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
 }  // namespace
 
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
-                                                 const ContactHistory& history,
-                                                 const std::vector<std::int64_t>& known) {
-  search.finder.search(motion, audit_margin * search.bound.find_mean_edge(motion));
+                                                 const ContactHistory& history, const KnownContact& known) {
+  search.search_everywhere(motion);
   std::optional<MissedContact> deepest;
   find_nodes(search, motion, history, known, deepest);
-  if (search.share.total_edges > 0) find_edges(search, motion, history, deepest);
+  if (search.share.total_edges > 0 && !known.has_shells()) find_edges(search, motion, history, deepest);
   std::vector<MissedContact> own;
   if (deepest) own.push_back(*deepest);
   deepest.reset();

@@ -1,6 +1,7 @@
 #pragma once
 // What lies inside another body and is not in contact: it came there where no check saw it.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,11 +20,20 @@ struct MissedContact {
   double x[3] = {0, 0, 0};    // [length]
 };
 
+/// What is not missed. What lies beside the rim of a shell, within its thickness, is not inside it.
+struct KnownContact {
+  std::vector<std::int64_t> inside;  // numbers of this rank's nodes that began inside another body, ascending
+  std::vector<char> of_shells;       // [parts of the mesh]
+
+  bool is_of_shells(int part) const { return of_shells[static_cast<std::size_t>(part)] != 0; }
+  bool has_shells() const { return std::find(of_shells.begin(), of_shells.end(), 1) != of_shells.end(); }
+};
+
 /// Searches at the positions of `motion`, whose dt is 0, for what is inside another body by more than a tenth of an
-/// element without a record in the history. known: numbers of this rank's nodes that began inside another body,
-/// ascending. Empty: nothing. The same on all ranks. Collective.
+/// element without a record in the history: nodes of solids in solids, and edges where the scene has no shells. Empty:
+/// nothing. The same on all ranks. Collective.
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
-                                                 const ContactHistory& history, const std::vector<std::int64_t>& known);
+                                                 const ContactHistory& history, const KnownContact& known);
 
 /// "node 17 of part 'ball' lies 0.01 (0.8 of an element) inside part 'sheet' at (...) and is not in contact".
 std::string describe_missed_contact(const MissedContact& missed, const Mesh& mesh, std::int64_t id);

@@ -15,13 +15,10 @@
 namespace percuss {
 namespace {
 
-/// Margin of an audit's boxes in mean edges: with the reach of the check, nodes half a face deep are found.
-constexpr double audit_margin = 0.3;
-
 /// Penetrations of this rank's nodes by a search of its own.
 std::vector<Penetration> look_everywhere(const OverlapSearch& search, const SurfaceMotion& motion) {
   if (search.share.total_searched_faces == 0) return {};
-  search.finder.search(motion, audit_margin * search.bound.find_mean_edge(motion));
+  search.search_everywhere(motion);
   return search.finder.find_penetrations(motion);
 }
 
@@ -231,6 +228,11 @@ void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, b
 }
 
 }  // namespace
+
+void OverlapSearch::search_everywhere(const SurfaceMotion& motion) const {
+  constexpr double margin = 0.3;  // of a mean edge
+  finder.search(motion, margin * bound.find_mean_edge(motion));
+}
 
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
                           ContactHistory& history) {

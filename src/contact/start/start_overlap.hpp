@@ -37,6 +37,9 @@ struct OverlapSearch {
   const WallPairs& walls;
   const ReuseBound& bound;
   ContactFinder& finder;
+
+  /// Searches at these positions with boxes that, with the reach of the check, find nodes half a face deep.
+  void search_everywhere(const SurfaceMotion& motion) const;
 };
 
 /// What may be touched from now on, though nothing there has been taken in by the history.
