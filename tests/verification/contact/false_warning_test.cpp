@@ -39,6 +39,21 @@ TEST(FalseWarnings, AreNotGivenOfRoundOffBetweenBodiesAtRest) {
   EXPECT_THAT(outcome.summary.warnings, IsEmpty());
 }
 
+TEST(FalseWarnings, AreNotGivenOfANodeBesideTheRimOfAShell) {
+  // Within half the thickness of the rim, outside the tube: edges hold the plate there.
+  const std::string beside_the_rim =
+      "time: {end: 1.0, max_steps: 20}\n"
+      "parts:\n"
+      "  tube: {shell_tube: {radius: 0.2, length: 0.4, arc: 180, cells: [40, 52]}, thickness: 0.006, material: s}\n"
+      "  plate: {box: {size: [0.52, 0.26, 0.045], cells: [16, 16, 3]}, rotate: [{axis: y, angle: -10, center: [0.057, "
+      "0, 0]}], at: [-0.26, 0, 0.4035], material: s}\n"
+      "initial: [{part: plate, velocity: [0, 0, -120]}]\n"
+      "conditions: [{nodes: tube/start, fixed: [x, y, z, rx, ry, rz]}]\n"
+      "contact: {surfaces: all}\n" +
+      steel;
+  EXPECT_THAT(list_rules(run_deck(beside_the_rim)), Not(Contains("missed_contact")));
+}
+
 TEST(FalseWarnings, AreNotGivenOfATieThatIsLoadedAtOnce) {
   // A gas that is tied to a cold one: the tie halves the first half step of the pressure, whose work is in no store
   // yet.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -49,6 +50,26 @@ TEST(SharpEdges, OfBlocksHoldABallBetweenItsNodes) {
   const Outcome run = run_deck(describe_ball(left, right, 0.0305, ""));
   EXPECT_NEAR(run.history.last("c_z"), std::sqrt(0.03 * 0.03 - 0.02 * 0.02), 1.5e-3);
   EXPECT_NEAR(run.history.last("c_x"), 0, 1.5e-3);
+}
+
+// A block that is moved into another in one step, by 0.05 over a gap of 0.01; neither gives way, so that no row acts.
+TEST(MissedContact, IsToldWithItsDepthAndPlace) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 3.0e-5, max_step: 1.0e-6}
+parts:
+  low: {box: {size: [0.4, 0.4, 0.4], cells: [4, 4, 4]}, material: m, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  high: {box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [0.11, 0.09, 0.41], material: m}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+conditions: [{nodes: high, displacement: {x: 0, y: 0, z: {table: [[0, 0], [1.0e-5, 0], [1.0001e-5, -0.05], [3.0e-5, -0.05]]}}}]
+contact: {surfaces: all}
+)yaml");
+  const auto& warnings = run.summary.warnings;
+  const auto told = std::find_if(warnings.begin(), warnings.end(),
+                                 [](const Warning& warning) { return warning.rule == "missed_contact"; });
+  ASSERT_NE(told, warnings.end());
+  EXPECT_NE(told->text.find("of part 'high' lies 0.04 (0.4 of an element) inside part 'low' at (0.11, 0.09, 0.36)"),
+            std::string::npos)
+      << told->text;
 }
 
 }  // namespace percuss::test
