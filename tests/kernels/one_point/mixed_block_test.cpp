@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "kernels/element/tet4/tet4.hpp"
+#include "tests/kernels/element/node_fields.hpp"
 #include "tests/kernels/one_point/random_solid.hpp"
 
 namespace percuss::test {
 namespace {
-
-using NodeField = std::vector<Vector3<double>>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -139,18 +138,6 @@ struct MixedBlock {
   }
 };
 
-NodeField make_field(Random& random, std::size_t count) {
-  NodeField v;
-  for (std::size_t i = 0; i < count; ++i) v.push_back({random(), random(), random()});
-  return v;
-}
-
-double find_power(const NodeField& f, const NodeField& v) {
-  double power = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) power += dot(f[i], v[i]);
-  return power;
-}
-
 template <class Shape>
 class MixedOnePoint : public testing::Test {};
 using MixedShapes = testing::Types<Wedge6, Pyramid5>;
@@ -191,41 +178,7 @@ TYPED_TEST(MixedOnePoint, ConservesMomentumAndItsMoment) {
   MixedBlock<TypeParam> block(random, 3, 0.15);
   const NodeField v = make_field(random, block.x.size());
   const auto outcome = block.advance(make_solid_parameters({2e9, 1e9}, 0.05, {0.06, 1.2}), v, 1e-3);
-  Vector3<double> sum{0, 0, 0}, moment{0, 0, 0};
-  double size = 0;
-  for (std::size_t n = 0; n < v.size(); ++n) {
-    sum = sum + outcome.force[n];
-    moment = moment + cross(block.x[n], outcome.force[n]);
-    size += norm(outcome.force[n]);
-  }
-  EXPECT_NEAR(norm(sum) / size, 0, 1e-14);
-  EXPECT_NEAR(norm(moment) / size, 0, 1e-14);
-}
-
-/// Largest omega^2 of the block by power iteration on its own forces about the state that it has.
-template <class Shape>
-double find_largest_square(MixedBlock<Shape> block, const HexParameters<Elastic>& par, Random& random) {
-  const double dt = 1e-9;
-  const auto start = block.states;
-  const NodeField at_rest = block.advance(par, NodeField(block.x.size(), {0, 0, 0}), 0).force;
-  NodeField v = make_field(random, block.x.size());
-  double square = 0;
-  for (int i = 0; i < 300; ++i) {
-    block.states = start;
-    const NodeField f = block.advance(par, v, dt).force;
-    double product = 0, length = 0, size = 0;
-    NodeField next;
-    for (std::size_t n = 0; n < v.size(); ++n) {
-      const Vector3<double> change = (1 / dt) * (f[n] - at_rest[n]);
-      product += dot(change, v[n]);
-      length += block.mass[n] * dot(v[n], v[n]);
-      next.push_back((1 / block.mass[n]) * change);
-      size = std::max(size, norm(next.back()));
-    }
-    square = product / length;
-    for (std::size_t n = 0; n < v.size(); ++n) v[n] = (1 / size) * next[n];
-  }
-  return square;
+  expect_balance(block.x, outcome.force);
 }
 
 TYPED_TEST(MixedOnePoint, HasAStepBelowTheTrueLargestFrequency) {

@@ -10,11 +10,11 @@
 
 #include "kernels/element/tet4/tet4.hpp"
 #include "kernels/material/point/elastic.hpp"
+#include "tests/kernels/element/node_fields.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {
 
-using Field = std::vector<Vector3<double>>;
 using ElasticTet = TetState<double, Elastic>;
 
 inline ElasticTet make_tet(double mass) {
@@ -31,7 +31,7 @@ inline HexParameters<Elastic> make_tet_parameters(const LameConstants& c, BulkVi
 
 /// cells^3 cubes of edge 1, their inner nodes moved by up to `distortion`, each cut into twelve.
 struct TetPatch {
-  Field x;
+  NodeField x;
   std::vector<std::array<int, 4>> elements;
   std::vector<ElasticTet> states;
   std::vector<double> mass;  // of the nodes
@@ -66,7 +66,9 @@ struct TetPatch {
     start();
   }
 
-  TetPatch(Field nodes, std::vector<std::array<int, 4>> of) : x(std::move(nodes)), elements(std::move(of)) { start(); }
+  TetPatch(NodeField nodes, std::vector<std::array<int, 4>> of) : x(std::move(nodes)), elements(std::move(of)) {
+    start();
+  }
 
   /// Elements at rest in their first shape, and the masses of the nodes.
   void start() {
@@ -79,17 +81,17 @@ struct TetPatch {
   }
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  static TetCorners<double> gather(const Field& of, const std::array<int, 4>& e) {
+  static TetCorners<double> gather(const NodeField& of, const std::array<int, 4>& e) {
     return {{of[at(e[0])], of[at(e[1])], of[at(e[2])], of[at(e[3])]}};
   }
 
   /// Forces on the nodes, the least step and the power of the stresses, from positions at n+1 and velocities.
   struct Outcome {
-    Field force;
+    NodeField force;
     double step = 1e300, work = 0;
   };
 
-  Outcome advance(const HexParameters<Elastic>& par, const Field& v, double dt) {
+  Outcome advance(const HexParameters<Elastic>& par, const NodeField& v, double dt) {
     struct Sums {
       Symmetric3<double> a{};
       double volume = 0, bulk = 0, shear = 0, mass = 0, square = 0;
@@ -102,7 +104,7 @@ struct TetPatch {
         rates[at(node)].volume += 0.25 * m.middle.volume;
       }
     }
-    Outcome out{Field(x.size(), {0, 0, 0})};
+    Outcome out{NodeField(x.size(), {0, 0, 0})};
     std::vector<TetPoint<double>> points;
     const double k = par.lambda + 2.0 / 3.0 * par.mu;
     for (std::size_t i = 0; i < elements.size(); ++i) {
