@@ -12,31 +12,31 @@ namespace percuss::test {
 namespace {
 
 /// Solves K u = load for u on the free unknowns by conjugate gradients, scaled by the masses.
-Field solve(TetPatch& patch, const HexParameters<Elastic>& par, const Field& free, const Field& load) {
+NodeField solve(TetPatch& patch, const HexParameters<Elastic>& par, const NodeField& free, const NodeField& load) {
   const std::vector<ElasticTet> start = patch.states;
   const double dt = 1e-9;  // stresses grow from zero: what is left of the second order is 1e-9 of the first
-  const auto apply = [&](const Field& u) {
+  const auto apply = [&](const NodeField& u) {
     patch.states = start;
-    Field f = patch.advance(par, u, dt).force;
+    NodeField f = patch.advance(par, u, dt).force;
     for (std::size_t n = 0; n < f.size(); ++n)
       f[n] = {f[n].x / dt * free[n].x, f[n].y / dt * free[n].y, f[n].z / dt * free[n].z};
     return f;
   };
-  const auto product = [](const Field& a, const Field& b) {
+  const auto product = [](const NodeField& a, const NodeField& b) {
     double sum = 0;
     for (std::size_t n = 0; n < a.size(); ++n) sum += dot(a[n], b[n]);
     return sum;
   };
-  const auto scale = [&](const Field& a) {
-    Field b = a;
+  const auto scale = [&](const NodeField& a) {
+    NodeField b = a;
     for (std::size_t n = 0; n < b.size(); ++n) b[n] = (1 / patch.mass[n]) * b[n];
     return b;
   };
-  Field u(load.size(), {0, 0, 0}), r = load, z = scale(r), p = z;
+  NodeField u(load.size(), {0, 0, 0}), r = load, z = scale(r), p = z;
   const double first = product(r, z);
   double rz = first;
   for (int i = 0; i < 4000 && rz > 1e-14 * first; ++i) {
-    const Field kp = apply(p);
+    const NodeField kp = apply(p);
     const double alpha = rz / product(p, kp);
     for (std::size_t n = 0; n < u.size(); ++n) {
       u[n] = u[n] + alpha * p[n];
@@ -59,7 +59,7 @@ double find_cook_deflection(int n, double poisson) {
   });
   const std::size_t lattice = mesh.nodes.size();
   cut_into_tetrahedra(mesh);
-  Field x, free, load;
+  NodeField x, free, load;
   for (const Vec3& p : mesh.nodes) {
     x.push_back({p[0], p[1], p[2]});
     const double moves = p[2] == 0 ? 0 : 1;
