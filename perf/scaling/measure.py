@@ -9,7 +9,7 @@ import sys
 from scenes import find_settings
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
-from percuss.table import read_rows  # noqa: E402
+from percuss.results.table import read_rows  # noqa: E402
 
 FE_PHASES = ["internal_force", "halo", "integrate", "reduce"]
 CONTACT_PHASES = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]

@@ -10,7 +10,7 @@ import time
 import numpy as np
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
-from percuss.table import read_rows  # noqa: E402
+from percuss.results.table import read_rows  # noqa: E402
 
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
 

@@ -12,7 +12,7 @@ import time
 import numpy as np
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
-import percuss.history  # noqa: E402
+import percuss.results.history  # noqa: E402
 
 
 def fill(template, **values):
@@ -62,7 +62,7 @@ class History(dict):
 
 
 def read_history(path):
-    table = percuss.history.read_history(path)
+    table = percuss.results.history.read_history(path)
     return History((name, table[name]) for name in table)
 
 
@@ -70,7 +70,7 @@ class Frames:
     """Fields of a run: positions, corners of elements, node and element fields by frame."""
 
     def __init__(self, path):
-        from percuss.fields import Fields
+        from percuss.results.fields import Fields
         self.fields = Fields(path)
         self.times, self.count = self.fields.times, len(self.fields.times)
         self.num_nodes, self.num_elements = self.fields.nodes, self.fields.elements

@@ -5,19 +5,19 @@
     run.history["kinetic"], run.history.unit("kinetic")
     run.fields.values("von_mises", -1)
 
-Nothing is read before it is asked for. The history needs NumPy, the fields h5py as well; the rest Python 3.11 alone.
-"""
+Nothing is read before it is asked for. The history needs NumPy, the fields h5py as well; the rest Python 3.10 alone.
+`python3 -m percuss` lists the tools."""
 
-from . import units
 from .errors import NotResults
-from .run import Run, read
+from .results import units
+from .results.run import Run, read
 
 __all__ = ["Run", "NotResults", "read", "filter_cfc", "resample", "units"]
 
 
 def __getattr__(name):
     if name in ("filter_cfc", "resample"):
-        from . import filters
+        from .results import filters
 
         return getattr(filters, name)
     raise AttributeError(f"module 'percuss' has no attribute '{name}'")

@@ -17,7 +17,6 @@ import warnings
 from unittest import mock
 
 ROOT, PERCUSS = sys.argv[1:3]
-sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "python"), os.path.dirname(os.path.abspath(__file__))]
 try:
     import h5py
     import numpy as np
@@ -28,12 +27,12 @@ except ImportError as missing:
 
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from plotting.drawing import Plot  # noqa: E402
-from plotting.panels import choose_panels  # noqa: E402
-from plotting.series import Options, prepare_history  # noqa: E402
-from reporting import page  # noqa: E402
-from watching.rows import Rows  # noqa: E402
-from watching.screen import make_line, make_screen  # noqa: E402
+from percuss.plot.drawing import Plot  # noqa: E402
+from percuss.plot.panels import choose_panels  # noqa: E402
+from percuss.plot.series import Options, prepare_history  # noqa: E402
+from percuss.report import page  # noqa: E402
+from percuss.watch.rows import Rows  # noqa: E402
+from percuss.watch.screen import make_line, make_screen  # noqa: E402
 
 sys.argv = sys.argv[:1] + sys.argv[3:]
 SETTINGS = ["output.history.forces=[{name: hit, contact: [block, all]}, {name: clamp, support: plate/x_min}]",

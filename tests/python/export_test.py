@@ -27,7 +27,6 @@ except ImportError:
     vtkXMLUnstructuredGridReader = None
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import percuss  # noqa: E402
 from percuss.errors import NotResults  # noqa: E402
 from percuss.export.selection import parse_frames  # noqa: E402
@@ -162,7 +161,7 @@ class Export(unittest.TestCase):
         cls.run_ = percuss.read(cls.out)
 
     def export(self, *words, code=0):
-        done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts/export"), self.out, *words], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([sys.executable, "-m", "percuss", "export", self.out, *words], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 

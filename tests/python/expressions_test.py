@@ -8,7 +8,6 @@ import tempfile
 import unittest
 
 ROOT = sys.argv[1]
-sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "python")]
 sys.argv = sys.argv[:1] + sys.argv[3:]
 try:
     import matplotlib  # noqa: F401
@@ -18,12 +17,12 @@ except ImportError as missing:
     sys.exit(77)
 
 from percuss import NotResults  # noqa: E402
-from percuss.expressions import BadExpression, evaluate, is_expression  # noqa: E402
-from percuss.history import History  # noqa: E402
-from percuss.rating import find_share_inside, rate_signals  # noqa: E402
-from percuss.units import Units  # noqa: E402
-from plotting.measured import Measured  # noqa: E402
-from plotting.series import Options, add_expressions, make_curve  # noqa: E402
+from percuss.results.expressions import BadExpression, evaluate, is_expression  # noqa: E402
+from percuss.results.history import History  # noqa: E402
+from percuss.results.rating import find_share_inside, rate_signals  # noqa: E402
+from percuss.results.units import Units  # noqa: E402
+from percuss.plot.measured import Measured  # noqa: E402
+from percuss.plot.series import Options, add_expressions, make_curve  # noqa: E402
 
 ROWS = 2001
 TIME = np.linspace(0, 0.02, ROWS)
@@ -54,7 +53,7 @@ class Expressions(unittest.TestCase):
             np.testing.assert_allclose(self.value(text), right, rtol=1e-5, atol=1e-5 * np.abs(right).max(), err_msg=text)
 
     def test_a_filter_within_is_that_of_the_standard(self):
-        from percuss.filters import filter_cfc
+        from percuss.results.filters import filter_cfc
 
         np.testing.assert_allclose(self.value("cfc(wall_force_z, 600)"), filter_cfc(COLUMNS["wall_force_z"], TIME[1], 600), rtol=1e-9, atol=1e-6)
 

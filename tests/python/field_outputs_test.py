@@ -17,7 +17,6 @@ except ImportError as error:
 
 ROOT, PERCUSS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
 del sys.argv[1:]
-sys.path.insert(0, os.path.join(ROOT, "python"))
 import percuss  # noqa: E402
 
 # Two blocks that share nodes, of which one is torn, and a plate that the other hits.

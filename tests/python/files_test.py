@@ -10,7 +10,6 @@ import tempfile
 import unittest
 
 ROOT = sys.argv[1]
-sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "python")]
 from percuss import NotResults  # noqa: E402
 from percuss.files import NUMBER, TEXT, WHOLE, MapOf, Optional, Refused, load_json, make_mark, write_file  # noqa: E402
 from percuss.terminal import clean, tell  # noqa: E402

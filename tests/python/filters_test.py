@@ -1,7 +1,6 @@
 """Filters of SAE J211 and resampling: filters_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy."""
 
 import math
-import os
 import sys
 import unittest
 
@@ -11,9 +10,8 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-del sys.argv[2]
-sys.path.insert(0, os.path.join(sys.argv.pop(), "python"))
-from percuss.filters import CLASSES, filter_cfc, find_coefficients, find_cutoff, resample  # noqa: E402
+del sys.argv[1:]
+from percuss.results.filters import CLASSES, filter_cfc, find_coefficients, find_cutoff, resample  # noqa: E402
 
 
 def standard_loss(frequency, channel_class):

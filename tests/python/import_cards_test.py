@@ -4,10 +4,10 @@ import unittest
 
 import import_decks as decks
 import import_test
-from importing.curves import differentiate
-from importing.dyna.read import read_keyword_deck
-from importing.ledger import Ledger, Status
-from importing.rates import fit_cowper_symonds, scale_stress, thin_curves
+from percuss.importing.curves import differentiate
+from percuss.importing.dyna.read import read_keyword_deck
+from percuss.importing.ledger import Ledger, Status
+from percuss.importing.rates import fit_cowper_symonds, scale_stress, thin_curves
 
 InFolder = import_test.InFolder
 TABLE = "*MAT_024\n1,7850.0,2.0e11,0.3,1.0,1.0,1e21\n0,0,50\n0\n0\n"

@@ -73,8 +73,8 @@ class TooLong(Exception):
 
 def try_mutant(text: str, folder: str, ending: str) -> str:
     """Imports it in this process; what is wrong, or an empty text."""
-    from importing.command import import_model
-    from importing.ledger import BadInput
+    from percuss.importing.command import import_model
+    from percuss.importing.ledger import BadInput
 
     path = os.path.join(folder, "mutant" + ending)
     with open(path, "w", encoding="utf-8", newline="") as file:
@@ -151,9 +151,6 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--keep", default="")
     arguments = parser.parse_args()
-    here = os.path.dirname(os.path.realpath(__file__))
-    sys.path[:0] = [os.path.join(arguments.root, "scripts"), here]
-    sys.dont_write_bytecode = True
     limit_memory()
     return 1 if fuzz(arguments.count, arguments.seconds, arguments.first, arguments.keep) else 0
 

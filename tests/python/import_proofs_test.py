@@ -16,25 +16,22 @@ from dataclasses import replace
 
 ROOT, PERCUSS, *CHOSEN = sys.argv[1:]
 sys.argv[1:] = []
-sys.dont_write_bytecode = True
-sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.dirname(os.path.realpath(__file__))]
 import proofs  # noqa: E402
-from import_command import call_command, load_command  # noqa: E402
-from importing.abaqus import read as abaqus  # noqa: E402
-from importing.abaqus.options import KNOWN  # noqa: E402
-from importing.dyna import read as dyna  # noqa: E402
-from importing.dyna.contact_cards import FAMILIES, split_name  # noqa: E402
-from importing.dyna.forms import ANY, OPTIONS, find_form  # noqa: E402
-from importing.dyna.materials.choice import LAWS, SPRINGS, name_law  # noqa: E402
-from importing.dyna.materials.states import STATES  # noqa: E402
-from importing.fields import Row  # noqa: E402
-from importing.ledger import BadInput, Ledger, Status  # noqa: E402
+from import_command import call_command  # noqa: E402
+from percuss.importing.abaqus import read as abaqus  # noqa: E402
+from percuss.importing.abaqus.options import KNOWN  # noqa: E402
+from percuss.importing.dyna import read as dyna  # noqa: E402
+from percuss.importing.dyna.contact_cards import FAMILIES, split_name  # noqa: E402
+from percuss.importing.dyna.forms import ANY, OPTIONS, find_form  # noqa: E402
+from percuss.importing.dyna.materials.choice import LAWS, SPRINGS, name_law  # noqa: E402
+from percuss.importing.dyna.materials.states import STATES  # noqa: E402
+from percuss.importing.fields import Row  # noqa: E402
+from percuss.importing.ledger import BadInput, Ledger  # noqa: E402
 
 TRIALS = (1, 2, 7)
 UNITS = {"mass": 1e3, "time": 1e3, "length": 1e-3}  # factors from t, s, mm to kg, ms, m
 TABLE, NOT_PHYSICS = proofs.load()
 PROOFS = [proof for proof in TABLE if not CHOSEN or proof.family in CHOSEN]
-COMMAND = load_command(ROOT)
 # One element needs one thread, and a run alone no messages between computers.
 os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self", "PERCUSS_PROGRAM": PERCUSS}
 
@@ -67,7 +64,7 @@ def prove(proof, folder):
     """Imports, runs and compares; what is wrong, or an empty text."""
     path = write(folder, proof)
     options = [*(["--allow", proof.allow] if proof.allow else []), *(["--case", proof.case] if proof.case else []), *([] if proof.refused else ["--no-check"])]  # the run checks
-    done = call_command(COMMAND, [os.path.basename(path), "--out", "m", "--quiet", *options], folder)
+    done = call_command([os.path.basename(path), "--out", "m", "--quiet", *options], folder)
     code, text = done.returncode, done.stdout + done.stderr
     if proof.refused:
         count = text.count(": error: ")

@@ -12,22 +12,20 @@ import unittest
 import yaml
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "scripts")]
 import import_decks as decks  # noqa: E402
-from import_command import call_command, load_command  # noqa: E402
-from importing.abaqus.read import read_abaqus_deck  # noqa: E402
-from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
-from importing.deck_text import ORDER, format_section, write_deck  # noqa: E402
-from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
-from importing.dyna.read import read_keyword_deck  # noqa: E402
-from importing.fields import parse_integer, parse_real  # noqa: E402
-from importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
-from importing.mesh_text import list_blocks  # noqa: E402
-from importing.proof import find_card, find_path  # noqa: E402
-from importing.shapes import solid_volume, tet_volume  # noqa: E402
-from importing.solids import collapse  # noqa: E402
+from import_command import call_command  # noqa: E402
+from percuss.importing.abaqus.read import read_abaqus_deck  # noqa: E402
+from percuss.importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
+from percuss.importing.deck_text import ORDER, format_section, write_deck  # noqa: E402
+from percuss.importing.dyna.parameters import Parameters, evaluate  # noqa: E402
+from percuss.importing.dyna.read import read_keyword_deck  # noqa: E402
+from percuss.importing.fields import parse_integer, parse_real  # noqa: E402
+from percuss.importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
+from percuss.importing.mesh_text import list_blocks  # noqa: E402
+from percuss.importing.proof import find_card, find_path  # noqa: E402
+from percuss.importing.shapes import solid_volume, tet_volume  # noqa: E402
+from percuss.importing.solids import collapse  # noqa: E402
 
-COMMAND = load_command(ROOT)
 os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "PERCUSS_PROGRAM": PERCUSS}
 HERE = Place("deck.k", 1)
 PROGRAM_SCENE = """\
@@ -74,7 +72,7 @@ class InFolder(unittest.TestCase):
 
     def percuss(self, *words):
         if words[0] == "import":
-            return call_command(COMMAND, words[1:], self.folder)
+            return call_command(words[1:], self.folder)
         return subprocess.run([PERCUSS, *words], capture_output=True, text=True, timeout=300, cwd=self.folder, check=False)
 
 
@@ -187,7 +185,7 @@ class Origins(InFolder):
             file.write('#!/bin/sh\nn=$(grep -n wall_force "$2" | head -1 | cut -d: -f1)\necho "$2:$n:3: error: it moves" >&2\nexit 2\n')
         os.chmod(fake, 0o755)
         text = self.write(decks.FULL.replace("72floor", "72wall_force"))
-        done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts/import"), text, "--out", os.path.join(self.folder, "out"), "--quiet"],
+        done = subprocess.run([sys.executable, "-m", "percuss", "import", text, "--out", os.path.join(self.folder, "out"), "--quiet"],
                               capture_output=True, text=True, env=dict(os.environ, PERCUSS_PROGRAM=fake), check=False)  # fmt: skip
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, r"deck.k:\d+: error: \*RIGIDWALL_PLANAR: percuss check refuses what becomes of it \(at walls of the deck\): it moves")

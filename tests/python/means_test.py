@@ -19,7 +19,6 @@ except ImportError as error:
     sys.exit(77)
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path.insert(0, os.path.join(ROOT, "python"))
 import percuss  # noqa: E402
 
 STEP = 4e-5

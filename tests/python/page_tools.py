@@ -6,7 +6,6 @@ import subprocess
 import sys
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-headless-shell") or shutil.which("google-chrome")
 HAS_VTK = subprocess.run([sys.executable, "-c", "import vtkmodules.vtkRenderingOpenGL2, PIL"], capture_output=True).returncode == 0

@@ -1,4 +1,4 @@
-"""scripts/plot: plot_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib."""
+"""percuss plot: plot_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib."""
 
 import os
 import re
@@ -18,12 +18,11 @@ except ImportError as error:
     sys.exit(77)
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from percuss.history import History  # noqa: E402
-from plotting.panels import BadChoice, choose_panels, list_panels  # noqa: E402
-from plotting.series import Options, find_controlling_parts, make_curve, thin  # noqa: E402
+from percuss.results.history import History  # noqa: E402
+from percuss.plot.panels import BadChoice, choose_panels, list_panels  # noqa: E402
+from percuss.plot.series import Options, find_controlling_parts, make_curve, thin  # noqa: E402
 
 
 class Plot(unittest.TestCase):
@@ -35,7 +34,7 @@ class Plot(unittest.TestCase):
         cls.run_ = percuss.read(cls.out)
 
     def plot(self, *arguments):
-        return subprocess.run([os.path.join(ROOT, "scripts/plot"), *arguments], capture_output=True, text=True, timeout=120)
+        return subprocess.run([sys.executable, "-m", "percuss", "plot", *arguments], capture_output=True, text=True, timeout=120)
 
     def test_writes_png_and_svg_without_an_argument_more(self):
         done = self.plot(self.out)
@@ -51,7 +50,7 @@ class Plot(unittest.TestCase):
             self.assertIn(warning["rule"], done.stdout)
 
     def test_curves_that_coincide_are_drawn_once(self):
-        from plotting.drawing import Plot as Drawing
+        from percuss.plot.drawing import Plot as Drawing
 
         time = np.linspace(0, 1, 50)
         table = np.column_stack([time, time, time**2, time**2 * (1 + 1e-12), -(time**2), np.zeros(50), np.zeros(50)])
@@ -93,7 +92,7 @@ class Plot(unittest.TestCase):
             self.assertTrue(words in text, words)
 
     def test_round_off_is_drawn_as_a_flat_curve(self):
-        from plotting.drawing import Plot as Drawing
+        from percuss.plot.drawing import Plot as Drawing
 
         for last, flat in ((2 + 1e-13, True), (2.1, False)):
             history = History(["time", "momentum_x"], [[0, 2], [1, 2 - 1e-13], [2, last]])

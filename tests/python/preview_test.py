@@ -21,12 +21,12 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
+from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from reporting.marks import find_arrows, find_gap_lines, make_layers  # noqa: E402
-from reporting.surface import read_library  # noqa: E402
-from reporting.trial import Trial, find_frame_size, format_bytes, format_seconds, split_messages  # noqa: E402
+from percuss.preview.marks import find_arrows, find_gap_lines, make_layers  # noqa: E402
+from percuss.view.surface import read_library  # noqa: E402
+from percuss.preview.trial import Trial, find_frame_size, format_bytes, format_seconds, split_messages  # noqa: E402
 
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", PERCUSS_PROGRAM=PERCUSS)
 

@@ -16,12 +16,11 @@ except ImportError as error:
     sys.exit(77)
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path.insert(0, os.path.join(ROOT, "python"))
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from percuss.deck import Deck  # noqa: E402
-from percuss.history import History  # noqa: E402
-from percuss.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
+from percuss.results.deck import Deck  # noqa: E402
+from percuss.results.history import History  # noqa: E402
+from percuss.results.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
 
 
 def make_folder(test):

@@ -1,4 +1,4 @@
-"""scripts/report: report_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib.
+"""percuss report: report_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib.
 
 Pictures are tested where VTK is, the interactive view where three.js is, and the page in Chromium where that is.
 """
@@ -24,24 +24,24 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
+from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from percuss.deck import Deck  # noqa: E402
-from percuss.history import History  # noqa: E402
-from percuss.units import Units  # noqa: E402
-from reporting.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
+from percuss.results.deck import Deck  # noqa: E402
+from percuss.results.history import History  # noqa: E402
+from percuss.results.units import Units  # noqa: E402
+from percuss.report.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
                                suggest_forces, tell_events, tell_force, tell_relaxation)
-from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
-from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
-from reporting.forces import find_balances, find_force, find_impulse, find_momentum_balances, list_forces, make_balance_table  # noqa: E402
-from reporting.markup import show_deck  # noqa: E402
-from reporting.motion import find_motions  # noqa: E402
-from reporting.pictures import Worst, differ  # noqa: E402
-from reporting.scene import make_relaxation_table  # noqa: E402
-from reporting.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
-from reporting.surface import pack_surface, read_library  # noqa: E402
-from reporting.welds import find_use, make_welds_table, tell_welds  # noqa: E402
+from percuss.report.comparison import compare_numbers, find_history_differences  # noqa: E402
+from percuss.report.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
+from percuss.report.forces import find_balances, find_force, find_impulse, find_momentum_balances, list_forces, make_balance_table  # noqa: E402
+from percuss.report.markup import show_deck  # noqa: E402
+from percuss.report.motion import find_motions  # noqa: E402
+from percuss.report.pictures import Worst, differ  # noqa: E402
+from percuss.report.scene import make_relaxation_table  # noqa: E402
+from percuss.report.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
+from percuss.view.surface import pack_surface, read_library  # noqa: E402
+from percuss.report.welds import find_use, make_welds_table, tell_welds  # noqa: E402
 
 
 
@@ -102,7 +102,7 @@ class OfARun(unittest.TestCase):
 
 class Report(OfARun):
     def report(self, *arguments, **environment):
-        return subprocess.run([os.path.join(ROOT, "scripts/report"), *arguments], capture_output=True, text=True, timeout=250,
+        return subprocess.run([sys.executable, "-m", "percuss", "report", *arguments], capture_output=True, text=True, timeout=250,
                               env=dict(os.environ, **environment))
 
     def make(self, *arguments, **environment):
@@ -578,14 +578,14 @@ class Pieces(unittest.TestCase):
         self.assertEqual(compare_numbers([3, 4], is_name=True), ["differs"])
 
     def test_histories_are_compared_at_the_times_of_the_first(self):
-        from percuss.history import History
+        from percuss.results.history import History
 
         first = History(["time", "kinetic"], [[0, 4], [1, 2], [2, 0]])
         other = History(["time", "kinetic"], [[0, 4], [2, 2]])
         self.assertEqual(find_history_differences(first, other), [("kinetic", 0.5, 2.0, 0.5)])
 
     def test_forces_and_energies_come_before_counts_and_noise(self):
-        from percuss.history import History
+        from percuss.results.history import History
 
         dimensions = {"residual": "1", "folding": "energy", "kinetic": "energy", "core_x": "length", "fx:hit": "force", "momentum_x": "momentum"}
         names = ["time", *dimensions]
@@ -595,7 +595,7 @@ class Pieces(unittest.TestCase):
                          ["kinetic", "fx:hit", "core_x", "momentum_x", "residual", "folding"])
 
     def test_a_component_that_is_round_off_is_measured_by_the_whole_vector(self):
-        from percuss.history import History
+        from percuss.results.history import History
 
         names = ["time", "momentum_x", "momentum_y", "momentum_z"]
         first, other = History(names, [[0, 8, 1e-15, 0]]), History(names, [[0, 8, -1e-15, 0]])

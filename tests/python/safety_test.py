@@ -64,7 +64,7 @@ class OfAFolder(unittest.TestCase):
         return self.call("run", deck, "--out", out, "-q", *words, code=code)
 
     def tool(self, name, *words, code=0):
-        command = [os.path.join(ROOT, "scripts", name), *words]
+        command = [sys.executable, "-m", "percuss", name, *words]
         environment = dict(os.environ, PERCUSS_PROGRAM=PERCUSS, OMP_NUM_THREADS="1")
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=250, env=environment, errors="replace")
         self.assertEqual(done.returncode, code, done.stderr)

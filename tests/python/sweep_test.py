@@ -22,7 +22,6 @@ except ImportError:
     scipy = None
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 from percuss.sweep.designs import BadDesign, cross, parse_factor, read_designs, sample  # noqa: E402
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank  # noqa: E402
 
@@ -105,7 +104,7 @@ class Sweep(unittest.TestCase):
             file.write(CUBE)
 
     def command(self, *words):
-        return [sys.executable, os.path.join(ROOT, "scripts/sweep"), "cube.yaml", *words]
+        return [sys.executable, "-m", "percuss", "sweep", "cube.yaml", *words]
 
     def sweep(self, *words, code=0):
         done = subprocess.run(self.command(*words), capture_output=True, text=True, timeout=300, cwd=self.folder, env=ENVIRONMENT)
@@ -185,7 +184,7 @@ class Sweep(unittest.TestCase):
         call = text.splitlines()[-1]
         self.assertIn("'max(kinetic)'", call)
         self.assertTrue(call.startswith("exec percuss sweep cube.yaml"))
-        shell = call.replace("exec percuss sweep", f"exec '{sys.executable}' '{ROOT}/scripts/sweep'").replace("cube.yaml", f"'{self.folder}/cube.yaml'")
+        shell = call.replace("exec percuss sweep", f"exec '{sys.executable}' -m percuss sweep").replace("cube.yaml", f"'{self.folder}/cube.yaml'")
         for task in "132":
             done = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, timeout=100, cwd=self.folder,
                                   env=dict(ENVIRONMENT, SLURM_ARRAY_TASK_ID=task, SLURM_CPUS_PER_TASK="1"))
@@ -203,7 +202,7 @@ class Sweep(unittest.TestCase):
 
 
 def percuss_status(folder):
-    from percuss.run import Run
+    from percuss.results.run import Run
 
     return Run(folder).status
 

@@ -18,11 +18,11 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-from page_tools import CHROMIUM, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
+from page_tools import CHROMIUM, PERCUSS, read_in_chromium  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from reporting import view  # noqa: E402
-from reporting.surface import read_library  # noqa: E402
+from percuss.report import view  # noqa: E402
+from percuss.view.surface import read_library  # noqa: E402
 
 if read_library() is None:
     print("skipped: three.js is not here; scripts/install_dependencies --report installs it")
@@ -68,7 +68,7 @@ class View(unittest.TestCase):
         cls.run_ = percuss.read(cls.out)
 
     def make(self, *words, code=0):
-        done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts/view"), self.out, *words], capture_output=True, text=True, timeout=200)
+        done = subprocess.run([sys.executable, "-m", "percuss", "view", self.out, *words], capture_output=True, text=True, timeout=200)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 

@@ -1,4 +1,4 @@
-"""scripts/watch and scripts/stop: watch_test.py ROOT PERCUSS."""
+"""percuss watch and percuss stop: watch_test.py ROOT PERCUSS."""
 
 import os
 import shutil
@@ -10,11 +10,10 @@ import unittest
 from types import SimpleNamespace
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import sample_run  # noqa: E402
-from percuss.deck import Deck  # noqa: E402
-from watching.rows import Rows  # noqa: E402
-from watching.screen import format_duration, list_curves, make_progress, make_sparkline, name_limit  # noqa: E402
+from percuss.results.deck import Deck  # noqa: E402
+from percuss.watch.rows import Rows  # noqa: E402
+from percuss.watch.screen import format_duration, list_curves, make_progress, make_sparkline, name_limit  # noqa: E402
 
 
 class Watch(unittest.TestCase):
@@ -25,7 +24,7 @@ class Watch(unittest.TestCase):
         cls.out = sample_run.run(PERCUSS, cls.folder.name)
 
     def watch(self, *arguments):
-        return subprocess.run([sys.executable, "-S", "-B", os.path.join(ROOT, "scripts/watch"), *arguments], capture_output=True,
+        return subprocess.run([sys.executable, "-S", "-B", "-m", "percuss", "watch", *arguments], capture_output=True,
                               text=True, timeout=120, env=dict(os.environ, PYTHONIOENCODING="utf-8", COLUMNS="100"))
 
     def copy(self, status):
@@ -138,7 +137,7 @@ class Stop(unittest.TestCase):
         self.folder = folder.name
 
     def stop(self, *arguments):
-        return subprocess.run([sys.executable, "-S", "-B", os.path.join(ROOT, "scripts/stop"), *arguments], capture_output=True,
+        return subprocess.run([sys.executable, "-S", "-B", "-m", "percuss", "stop", *arguments], capture_output=True,
                               text=True, timeout=120)
 
     def start(self, *settings):

@@ -1,6 +1,5 @@
-"""What scripts/fuzz_scenes makes and measures, without the program: fuzzing_test.py ROOT. Exit code 77 without NumPy or h5py."""
+"""What scripts/fuzz_scenes makes and measures, without the program: fuzzing_test.py. Exit code 77 without NumPy or h5py."""
 
-import os
 import sys
 import unittest
 
@@ -11,9 +10,6 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-ROOT = sys.argv.pop()
-sys.dont_write_bytecode = True
-sys.path[:0] = [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "python")]
 from fuzzing import geometry, scene, shapes, shrinking  # noqa: E402
 
 CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)

@@ -9,9 +9,10 @@ import sys
 import tempfile
 import unittest
 
+from percuss.tools import start_tool
+
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-SCRIPTS = os.path.join(ROOT, "scripts")
-TOOLS = ("plot", "report", "watch", "stop", "render", "view", "export", "sweep")
+TOOLS = ("import", "plot", "report", "watch", "stop", "render", "view", "export", "sweep")
 COMMANDS = ("run", "check", "plan", "info", "schema", *TOOLS)
 
 
@@ -20,7 +21,7 @@ def ask(*words):
 
 
 def help_of(command):
-    return ask(os.path.join(SCRIPTS, command), "--help") if command in TOOLS else ask(PERCUSS, command, "--help")
+    return ask(*(start_tool(command) if command in TOOLS else [PERCUSS, command]), "--help")
 
 
 def list_options(text):
@@ -35,7 +36,7 @@ class Manual(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = folder.name
-        subprocess.run([os.path.join(SCRIPTS, "make_manual"), PERCUSS, cls.folder], check=True, timeout=300)
+        subprocess.run([sys.executable, os.path.join(ROOT, "scripts/make_manual"), PERCUSS, cls.folder], check=True, timeout=300)
         with open(os.path.join(cls.folder, "percuss.1"), encoding="utf-8") as file:
             cls.source = file.read()
 

@@ -53,7 +53,7 @@ class Packaging(unittest.TestCase):
         self.assertEqual(least["cmake"], re.search(r"cmake_minimum_required\(VERSION ([\d.]+)\)", read("CMakeLists.txt"))[1])
         kokkos = re.search(r"Kokkos_VERSION VERSION_LESS ([\d.]+)\)", libraries)[1]
         self.assertEqual((least["kokkos"], least["kokkos-kernels"]), (kokkos, kokkos))
-        self.assertEqual(least["python"], re.search(r"Needs Python ([\d.]+\d)", read("scripts/import"))[1])
+        self.assertEqual(least["python"], re.search(r"Needs Python ([\d.]+\d)", read("python/percuss/importing/tool.py"))[1])
 
     def test_container_has_what_the_debian_package_recommends(self):
         recommended = re.search(r'CPACK_DEBIAN_PACKAGE_RECOMMENDS "([^"]+)"', read("CMakeLists.txt"))[1].split(", ")

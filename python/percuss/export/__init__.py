@@ -1,1 +1,1 @@
-"""Fields of a run in the formats of other programs: what scripts/export is made of."""
+"""Fields of a run in the formats of other programs: what percuss export is made of."""

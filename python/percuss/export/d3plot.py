@@ -6,8 +6,8 @@ d3plot02 ... hold states. Each ends with the word -999999.0."""
 
 import numpy as np
 
-from ..expressions import clip
 from ..files import make_mark
+from ..results.expressions import clip
 
 END = np.array([-999999.0], "<f4").tobytes()
 LARGEST_FILE = 1 << 30  # bytes, of one file of states; a state is never cut

@@ -5,7 +5,7 @@
     results = study.run(make_designs({"parts.wall.thickness": ["1e-3", "2e-3"]}))
     results[0].run.history["kinetic"]
 
-scripts/sweep is the command; inputs/calibration fits parameters to a curve."""
+percuss sweep is the command; inputs/calibration fits parameters to a curve."""
 
 from .designs import BadDesign, Design, make_designs
 from .study import Study

@@ -1,7 +1,7 @@
 """What is told of a run in the table of a sweep: columns of its history and expressions of them."""
 
-from ..expressions import BadExpression, compute, split_label
-from ..extremes import find_size, find_top
+from ..results.expressions import BadExpression, compute, split_label
+from ..results.extremes import find_size, find_top
 
 WAYS = ("peak", "mean", "last")
 

@@ -12,9 +12,9 @@ import tempfile
 import time
 
 from ..errors import NotResults
-from ..lock import is_active
 from ..program import find_program
-from ..run import Run
+from ..results.lock import is_active
+from ..results.run import Run
 from .machine import count_cores, find_free_memory, find_memory
 
 DIGITS = 12  # of the digest in the name of a folder

@@ -1,6 +1,9 @@
 #include "src/app/start/tools.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,23 +24,62 @@ fs::path find_this_program() {
   return fs::read_symlink("/proc/self/exe", ignored);
 }
 
-/// The tool of a checkout in which this program was built, or of an installation.
-fs::path find_tool(const std::string& name) {
+/// The folder with the Python package, of a checkout in which this program was built, or of an installation.
+fs::path find_python_folder(const std::string& name) {
   std::error_code ignored;
   const fs::path bin = find_this_program().parent_path();
-  for (const fs::path& root : {bin.parent_path().parent_path(), bin.parent_path() / "share/percuss"}) {
-    fs::path file = root / "scripts" / name;
-    if (fs::exists(root / "python/percuss", ignored) && fs::exists(file, ignored)) return file;
-  }
+  for (const fs::path& root : {bin.parent_path().parent_path(), bin.parent_path() / "share/percuss"})
+    if (fs::exists(root / "python/percuss/__main__.py", ignored)) return root / "python";
   throw InputError(
-      fmt::format("percuss: error: cannot find scripts/{1}, which percuss {0} runs (it belongs to the checkout or "
-                  "installation that holds {2})",
-                  name, name, bin.string()));
+      fmt::format("percuss: error: there is no Python package percuss, of which percuss {} is a tool (it belongs to "
+                  "the checkout or installation that holds {}): start the program there",
+                  name, bin.string()));
 }
 
 bool is_tool(const std::string& name) {
   const std::vector<std::string>& names = tool_names();
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Lets Python find the package before others of this name, and nothing in the current folder.
+void set_environment(const fs::path& folder) {
+  const char* given = std::getenv("PYTHONPATH");
+  const std::string path = folder.string() + (given != nullptr && *given != '\0' ? std::string(":") + given : "");
+  ::setenv("PYTHONPATH", path.c_str(), 1);
+  ::setenv("PYTHONSAFEPATH", "1", 1);
+  ::setenv("PERCUSS_PROGRAM", find_this_program().c_str(), 1);  // for tools that call percuss
+}
+
+std::vector<char*> point_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// How much an interpreter lacks for a tool, as the package counts it; 255 where it cannot be started.
+int count_missing(const std::string& python, const std::string& tool) {
+  std::vector<std::string> words{python, "-m", "percuss", "--lacks", tool};
+  posix_spawn_file_actions_t silence;
+  ::posix_spawn_file_actions_init(&silence);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&silence, stream, "/dev/null", O_RDWR, 0);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, python.c_str(), &silence, nullptr, point_to(words).data(), environ);
+  ::posix_spawn_file_actions_destroy(&silence);
+  int status = 0;
+  if (error != 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return 255;
+  return WEXITSTATUS(status);
+}
+
+/// PERCUSS_PYTHON, or the one that lacks less for a tool: python3 in PATH, or that of the system, which packages of a
+/// distribution belong to.
+std::string choose_python(const std::string& tool) {
+  const char* wanted = std::getenv("PERCUSS_PYTHON");
+  if (wanted != nullptr && *wanted != '\0') return wanted;
+  const std::string first = "python3", system = "/usr/bin/python3";
+  const int missing = count_missing(first, tool);
+  return missing > 0 && count_missing(system, tool) < missing ? system : first;
 }
 
 }  // namespace
@@ -62,13 +104,12 @@ bool become_tool(int argc, char** argv) {
   if (!is_tool(name) && name != "preview" && name != "tables") return false;
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
-  std::string tool = find_tool(name).string();
-  ::setenv("PERCUSS_PROGRAM", find_this_program().c_str(), 1);  // for tools that call percuss
-  std::vector<char*> words{tool.data()};
+  set_environment(find_python_folder(name));
+  std::vector<std::string> words{choose_python(name), "-m", "percuss", name};
   words.insert(words.end(), argv + 2, argv + argc);
-  words.push_back(nullptr);
-  ::execv(tool.c_str(), words.data());
-  throw SystemError(fmt::format("{} cannot be started ({})", tool, std::strerror(errno)));
+  ::execvp(words[0].c_str(), point_to(words).data());
+  throw SystemError(fmt::format("percuss {}: {} cannot be started ({}): install Python 3, or name it in PERCUSS_PYTHON",
+                                name, words[0], std::strerror(errno)));
 }
 
 }  // namespace percuss

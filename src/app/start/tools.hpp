@@ -1,5 +1,5 @@
 #pragma once
-// The commands that are programs of their own, written in Python: import, plot, report, watch, stop, render.
+// The commands that are tools of the Python package: import, plot, report, watch, stop, render, view, export, sweep.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace percuss {
 const std::vector<std::string>& tool_names();
 
 /// Becomes the tool that the first argument names, with the arguments behind it; of `help TOOL` the tool with --help.
-/// Returns false if it names none. Throws InputError where the tool is not found, or under mpirun.
+/// Returns false if it names none. Throws InputError where the package is not found, or under mpirun.
 bool become_tool(int argc, char** argv);
 
 }  // namespace percuss

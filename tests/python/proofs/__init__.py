@@ -22,7 +22,7 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
 - `allow`: patterns for --allow. `case`: for --case. `files`: further files of the deck, by name.
 
 A row of a keyword deck runs once more with its deck in a file of *INCLUDE_TRANSFORM in other units, and must give the same values. A field with
-a dimension therefore stands in scripts/importing/dyna/dimensions.py; a card that is not there is refused in such a file.
+a dimension therefore stands in python/percuss/importing/dyna/dimensions.py; a card that is not there is refused in such a file.
 
 WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list by hand):
 - each name of DEFINITIONS and ACTIONS of dyna/read.py, each keyword of abaqus/read.py and each of its options in KNOWN, but what
@@ -30,7 +30,7 @@ WHAT MUST HAVE A ROW (import_proofs_test.py asks the importer, there is no list 
 - each field of each layout that a deck of the table reaches; a row for one of several cards that are read by one function is enough. A field
   that no row names is set to 1, 2 and 7, one after the other, in such a
   deck: the import must refuse each, and name the field, unless its layout has a reason: `NAME~output`. Reasons are the keys of
-  REASONS in scripts/importing/fields.py: add one there if none fits. A bare `NAME~` is one that nobody has audited.
+  REASONS in python/percuss/importing/fields.py: add one there if none fits. A bare `NAME~` is one that nobody has audited.
 """
 
 import importlib

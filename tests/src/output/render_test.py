@@ -1,33 +1,33 @@
-"""Renders the sample run with scripts/render and looks at the pictures: render_test.py SCRIPT FOLDER.
+"""Renders the sample run with percuss render and looks at the pictures: render_test.py FOLDER.
 
-Exit code 77 (skipped) if what scripts/render needs is not installed.
+Exit code 77 (skipped) if what percuss render needs is not installed.
 """
 
+import contextlib
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest.mock import patch
 
 try:
     import h5py  # noqa: F401
     import numpy as np
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
     from PIL import Image
+
+    from percuss.display import OTHER, open_display
 except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
     sys.exit(77)
-if not (shutil.which("xvfb-run") and shutil.which("xauth")) and not os.environ.get("DISPLAY"):
+if not shutil.which("Xvfb") and not os.environ.get("DISPLAY"):
     print("skipped: no display and no Xvfb; scripts/install_dependencies --render installs one")
     sys.exit(77)
 
-if shutil.which("xvfb-run") and "PERCUSS_RENDER_REEXECUTED" not in os.environ:
-    # One virtual display for all pictures; the first test lets scripts/render make its own.
-    os.environ["PERCUSS_RENDER_REEXECUTED"] = "display"
-    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 64x64x24 -nolisten tcp", sys.executable, "-B", *sys.argv])
-SCRIPT, FOLDER = sys.argv[1:3]
-del sys.argv[1:3]
+FOLDER = sys.argv.pop()
+RENDER = [sys.executable, "-m", "percuss", "render"]
 
 
 def is_dark_red(picture):
@@ -36,6 +36,14 @@ def is_dark_red(picture):
 
 
 class Render(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """One display for all pictures but those of the test that lets percuss render make its own."""
+        with contextlib.ExitStack() as stack:
+            display = stack.enter_context(open_display())
+            stack.enter_context(patch.dict(os.environ, {OTHER: display}))
+            cls.addClassCleanup(stack.pop_all().close)
+
     def setUp(self):
         self.out = tempfile.TemporaryDirectory()
         self.addCleanup(self.out.cleanup)
@@ -43,7 +51,7 @@ class Render(unittest.TestCase):
     def render(self, *arguments, folder=FOLDER, walls=False, env=None):
         if not walls:
             arguments = (*arguments, "--no-walls")
-        return subprocess.run([SCRIPT, folder, "--out", self.out.name, "--size", "320x180", "--fast", *arguments],
+        return subprocess.run([*RENDER, folder, "--out", self.out.name, "--size", "320x180", "--fast", *arguments],
                               capture_output=True, text=True, timeout=120, env=env)
 
     def draw(self, *arguments, frame=0, mark=False, **options):
@@ -68,7 +76,7 @@ class Render(unittest.TestCase):
             return np.asarray(image.convert("RGB")).astype(int)
 
     def test_makes_every_frame_and_an_animation_that_move(self):
-        alone = {name: value for name, value in os.environ.items() if name != "PERCUSS_RENDER_REEXECUTED"}
+        alone = {name: value for name, value in os.environ.items() if name not in (OTHER, "DISPLAY", "XAUTHORITY")}
         done = self.render(env=alone)
         self.assertEqual(done.returncode, 0, done.stderr)
         frames = [self.picture(f"frame_{i:04d}.png") for i in range(3)]
@@ -284,9 +292,8 @@ class Render(unittest.TestCase):
             with open(os.path.join(fakes, "dpkg-query"), "w", encoding="utf-8") as file:
                 file.write(f"#!/bin/sh\nprintf {status}\n")
             os.chmod(file.name, 0o755)
-            environment = dict(os.environ, PYTHONPATH=fakes, PATH=fakes + ":" + os.environ["PATH"],
-                               PERCUSS_RENDER_REEXECUTED="python")
-            done = subprocess.run([SCRIPT, FOLDER], capture_output=True, text=True, timeout=120, env=environment)
+            environment = dict(os.environ, PYTHONPATH=f"{fakes}:{os.environ['PYTHONPATH']}", PATH=fakes + ":" + os.environ["PATH"])
+            done = subprocess.run([*RENDER, FOLDER], capture_output=True, text=True, timeout=120, env=environment)
             self.assertEqual(done.returncode, 2)
             self.assertIn("run scripts/install_dependencies --render", done.stderr)
             self.assertEqual("removes the package python3-paraview" in done.stderr, status == "installed")
@@ -298,7 +305,7 @@ class Render(unittest.TestCase):
         self.assertIn("von_mises", done.stderr)
 
     def test_refuses_a_folder_without_fields(self):
-        done = subprocess.run([SCRIPT, self.out.name], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([*RENDER, self.out.name], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 2)
         self.assertIn("fields.vtkhdf: there is no such file (a run writes it", done.stderr)
 
@@ -306,7 +313,7 @@ class Render(unittest.TestCase):
         other = os.path.join(self.out.name, "fields.vtkhdf")
         with open(other, "w", encoding="utf-8") as file:
             file.write("a letter\n")
-        done = subprocess.run([SCRIPT, other], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([*RENDER, other], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 2)
         self.assertIn("fields.vtkhdf: this is no fields file of percuss", done.stderr)
 

@@ -1,9 +1,8 @@
-"""Ranges, units and the side of a cut, as scripts/rendering finds them: rendering_test.py SCRIPTS.
+"""Ranges, units and the side of a cut, as percuss render finds them.
 
 Exit code 77 (skipped) if NumPy is not installed.
 """
 
-import os
 import sys
 import unittest
 
@@ -13,13 +12,11 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
     sys.exit(77)
 
-SCRIPTS = sys.argv.pop()
-sys.path[:0] = [SCRIPTS, os.path.join(os.path.dirname(SCRIPTS), "python")]
-from percuss.units import choose_unit, format_time  # noqa: E402
-from rendering.plates import span_wall  # noqa: E402
-from rendering.ranges import choose_bar, find_ends, find_typical_ends  # noqa: E402
-from rendering.selection import Cut, faces_camera  # noqa: E402
-from rendering.skin import Skin  # noqa: E402
+from percuss.results.units import choose_unit, format_time  # noqa: E402
+from percuss.render.plates import span_wall  # noqa: E402
+from percuss.render.ranges import choose_bar, find_ends, find_typical_ends  # noqa: E402
+from percuss.render.selection import Cut, faces_camera  # noqa: E402
+from percuss.render.skin import Skin  # noqa: E402
 
 
 class Wall(unittest.TestCase):

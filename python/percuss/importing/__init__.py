@@ -1,0 +1,1 @@
+"""Decks of other programs become decks of percuss: percuss import."""

@@ -1,0 +1,1 @@
+"""Curves of history.csv: what percuss plot is made of; percuss report draws with it, too."""

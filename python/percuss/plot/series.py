@@ -1,0 +1,140 @@
+"""Curves as they are drawn: in the units that are wanted, filtered, cut to a range of time, thinned."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from percuss.results.expressions import evaluate, is_expression, split_label
+from percuss.results.filters import filter_cfc, resample
+
+MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
+
+
+@dataclass
+class Options:
+    channel_class: int = 0       # of SAE J211, of the columns; 0: no filter
+    class_after: int = 0         # the same of computed curves
+    x: str = "time"              # the column of the abscissa
+    units: object = None         # a Units, to convert to
+    start: float = -np.inf       # range of time, in the units of the deck
+    end: float = np.inf
+
+
+def prepare_history(run, options):
+    """The history of a run in the units that are wanted, with the range of time in them."""
+    history = run.history
+    if options.units is None:
+        return history
+    return history.in_units(options.units)
+
+
+UNFILTERED = ("time", "dt_element", "dt_spring", "step")
+
+
+def make_curve(history, name, options):
+    """(abscissas, values) of a column; ValueError where it cannot be filtered."""
+    time, values = history["time"], history[name]
+    if name == "dt" and len(time) > 1 and values[0] == 0:  # no step has led to the start
+        time, values = time[1:], values[1:]
+    time, values = _filter(history, name, time, values, options)
+    inside = (time >= options.start) & (time <= options.end)
+    if options.x == "time":
+        return time[inside], values[inside]
+    across = np.interp(time, *_filter(history, options.x, history["time"], history[options.x], options))
+    return across[inside], values[inside]
+
+
+def _filter(history, name, time, values, options):
+    channel_class = options.class_after if name in history.computed else options.channel_class
+    if not channel_class or name in UNFILTERED:
+        return time, values
+    time, values = resample(time, values)
+    seconds = history.units.time[1] if history.units else 1.0
+    return time, filter_cfc(values, (time[1] - time[0]) * seconds, channel_class)
+
+
+class _Filtered:
+    """The columns of a history, each filtered, at its rows: what expressions are computed of."""
+
+    def __init__(self, history, options):
+        self._history, self._options, self._known = history, options, {}
+        self.units, self.everything, self.dimension = history.units, history.everything, history.dimension
+
+    def __iter__(self):
+        return iter(self._history)
+
+    def __contains__(self, name):
+        return name in self._history
+
+    def __len__(self):
+        return len(self._history)
+
+    def __getitem__(self, name):
+        if name not in self._known:
+            time, values = _filter(self._history, name, self._history["time"], self._history[name], self._options)
+            self._known[name] = np.interp(self._history["time"], time, values)
+        return self._known[name]
+
+
+def add_expressions(words, histories, options, known=()):
+    """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)'.
+    known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
+    named = []
+    for word in words:
+        label, text = split_label(word)
+        names = [name for history in histories for name in history.everything]
+        is_column = label == text and (word in known or all(piece in names or piece in known for piece in word.split(",")))
+        if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):
+            named.append(word)
+            continue
+        for history in histories:
+            history.add(label, *evaluate(_Filtered(history, options) if options.channel_class else history, text))
+        named.append(label)
+    return named
+
+
+def choose_abscissa(word, histories, options):
+    """The name of the column; that of a new one for an expression."""
+    from .panels import choose_columns
+
+    (name,) = add_expressions([word], histories, options)
+    if not all(name in history for history in histories):
+        choose_columns(name, histories)  # says what there is
+        raise ValueError(f"'{name}' is no single column of every run (--x needs one)")
+    return name
+
+
+def is_too_short(history, channel_class):
+    """Whether a filter of this class takes the whole history for less than a period of the frequency that it weakens by 3 dB."""
+    seconds = history.units.time[1] if history.units else 1.0
+    return len(history) > 1 and (history["time"][-1] - history["time"][0]) * seconds * channel_class / 0.6 < 1
+
+
+def thin(time, values, most=MOST_POINTS):
+    """The curve with fewer points, but each peak: the least and the largest value of runs of rows, in their order."""
+    if len(time) <= most:
+        return time, values
+    size = -(-2 * len(time) // most)
+    kept = []
+    for first in range(0, len(time), size):
+        piece = values[first : first + size]
+        if np.isnan(piece).any():
+            kept += range(first, first + len(piece))
+            continue
+        kept += sorted({first + int(np.argmin(piece)), first + int(np.argmax(piece))})
+    kept = np.unique([0, *kept, len(time) - 1])
+    return time[kept], values[kept]
+
+
+def find_controlling_parts(run, history):
+    """[rows] number of the part whose element controls the step, -1: not known; and the names of the parts. None without
+    fields."""
+    if "dt_element" not in history or not run.has_fields:
+        return None
+    fields = run.fields
+    ids = fields.element_ids
+    order = np.argsort(ids)
+    wanted = history["dt_element"].astype(np.int64)
+    place = np.clip(np.searchsorted(ids[order], wanted), 0, len(ids) - 1)
+    found = order[place]
+    return np.where(ids[found] == wanted, fields.part[found], -1), fields.part_names

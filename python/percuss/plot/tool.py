@@ -1,0 +1,175 @@
+"""Plots the history of percuss runs: PNG and SVG. percuss plot --help says how."""
+
+import argparse
+import os
+import sys
+
+from percuss.libraries import require
+from percuss.terminal import fail as end
+
+NEEDS = ("numpy", "h5py", "matplotlib")
+EPILOG = """\
+WHAT is drawn, a panel for each word; by default energies, their error, momentum, forces, the time step with the part
+that controls it, contact and its penetration:
+  a panel    energies, energy_error, momentum, forces, step, contact, penetration, iterations, contact_pairs,
+             kinetic_by_part, internal_by_part, erosion, angular
+  a column   of history.csv, such as kinetic; --list names those of a run; =contact where a panel has its name
+  a pattern  'f?:impact' overlays all columns that match
+  several    kinetic,internal overlays both
+  an expression of columns, with a label or not: 'crush = integral(wall_force_z, top_z) / 1e3'. It may have + - * / ** ( ),
+             abs sqrt exp log sin cos tan min max first last change mean norm; integral(y, x) and derivative(y, x), over time without
+             x; resultant('hit') of fx:hit, fy:hit, fz:hit; distance('a', 'b') of two history nodes; cfc(y, 600)
+
+Warnings of the run are dashed lines at the time at which they were first found, with numbers; their names are printed.
+Curves of several folders are overlaid, each run in a style of its own.
+
+examples:
+  percuss plot ball                            the default, into ball/plot.png and ball/plot.svg
+  percuss plot ball ball_fine energies step    two runs overlaid
+  percuss plot ball 'f?:impact' --to 1e-4      the start only
+  percuss plot can wall_force_z --cfc 600      filtered according to SAE J211
+  percuss plot ball --units 'mm, kg, ms'       kN, GPa and J
+  percuss plot box wall_force_z --x top_z      force over displacement
+  percuss plot ball --list                     columns with their units and meanings
+
+Exit codes: 0 done; 2 a folder, a column or an option is wrong, or a library is missing.
+Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts: scripts/install_dependencies --report installs them.
+docs/results.md tells more; docs/output.md describes the columns.
+"""
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="percuss plot", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Plots DIR/history.csv of one run or several to plot.png and plot.svg.")
+    add = parser.add_argument
+    add("words", metavar="DIR|WHAT", nargs="+",
+        help="output folders of runs, complete or under way; any other word says what to plot")
+    add("--out", metavar="FILE", help="the picture, .png or .svg, or the curves as .csv; without an ending PNG and SVG (default: plot in the first DIR)")
+    add("--x", metavar="COLUMN", default="time", help="the abscissa: a column or an expression (default: time)")
+    add("--test", metavar="FILE", help="a measured curve (CSV: x, y and, if there is a corridor, low and high) in the units of the plot; "
+        "runs are rated against it by ISO/TS 18571. For one curve")
+    add("--cfc", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0,
+        help="filter all columns by a channel frequency class of SAE J211: 60, 180, 600 or 1000 (without shift of phase)")
+    add("--cfc-after", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0, help="the same of what expressions give")
+    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
+    add("--from", dest="start", metavar="TIME", type=float, default=float("-inf"), help="start of the time range, in these units")
+    add("--to", dest="end", metavar="TIME", type=float, default=float("inf"), help="end of the time range")
+    add("--size", metavar="WxH", type=parse_size, help="size of the PNG in pixels (default: by the number of panels)")
+    add("-f", "--force", action="store_true", help="write over a file that percuss plot has not written; never over results of a run")
+    add("--list", action="store_true", help="list the columns of each run with unit and meaning; plot nothing")
+    return parser.parse_args(words)
+
+
+def parse_size(text):
+    try:
+        width, height = (int(word) for word in text.lower().split("x"))
+    except ValueError:
+        width = height = 0
+    if not (200 <= width <= 8192 and 150 <= height <= 8192):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size of 200x150 to 8192x8192")
+    return width, height
+
+
+def fail(message):
+    end("plot", message)
+
+
+def list_columns(run):
+    from percuss.terminal import tell
+
+    history = run.history
+    names = [*history, *history.derived]
+    width = max(map(len, names))
+    tell(f"{run.folder}: {len(history)} rows")
+    for name in names:
+        tell(f"  {name:{width}}  {history.unit(name) or '-':10}  {history.meaning(name)}")
+
+
+def choose_files(out, run):
+    out = out or os.path.join(run.folder, "plot")
+    if out.endswith((".png", ".svg", ".csv")):
+        return [out]
+    return [out + ".png", out + ".svg"]
+
+
+def plot(arguments, runs, words):
+    from percuss.files import check_target
+    from percuss.plot import drawing, table
+    from percuss.plot.measured import Measured
+    from percuss.plot.panels import choose_panels, list_panels
+    from percuss.plot.series import Options, add_expressions, choose_abscissa, prepare_history
+    from percuss.results.units import Units
+    from percuss.terminal import tell
+
+    paths = choose_files(arguments.out, runs[0])
+    for path in paths:
+        check_target(path, "plot", arguments.force)
+    options = Options(arguments.cfc, arguments.cfc_after, "time", Units(arguments.units) if arguments.units else None, arguments.start, arguments.end)
+    labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
+    histories = [prepare_history(run, options) for run in runs]
+    known = list_panels(histories)
+    words = add_expressions(words, histories, options, known)
+    options.x = choose_abscissa(arguments.x, histories, options)
+    panels = choose_panels(words, histories)
+    shown = drawing.Plot(list(zip(labels, runs, histories)), options)
+    if arguments.test:
+        shown.test = Measured(arguments.test)
+        tell_rating(shown, panels)
+    warn_of_short_signals(shown.runs, arguments.cfc or arguments.cfc_after)
+    title = " / ".join(dict.fromkeys(run.title for run in runs)) + (f" (CFC {arguments.cfc})" if arguments.cfc else "")
+    size = tuple(pixels / 110 for pixels in arguments.size) if arguments.size else None
+    if not paths[0].endswith(".csv"):
+        figure = shown.draw_all(panels, size, title)
+        for number, (time, text) in enumerate(shown.list_marks(), 1):
+            tell(f"plot: warning {number} at {time:.4g}: {text}")
+    for path in paths:
+        if path.endswith(".csv"):
+            table.save(shown, panels, path, arguments.force)
+        else:
+            drawing.save(figure, path, arguments.force)
+        tell(f"plot: {path}")
+
+
+def tell_rating(shown, panels):
+    from percuss.plot.series import make_curve
+    from percuss.terminal import tell
+
+    if len(panels) != 1 or len(panels[0].columns) != 1:
+        raise ValueError("--test is for one curve: name one column or one expression")
+    for label, _, history in shown.runs:
+        for text in shown.test.judge(*make_curve(history, panels[0].columns[0], shown.options), shown.options.x == "time"):
+            tell(f"plot: {label} against {shown.test.label}: {text}")
+
+
+def warn_of_short_signals(shown, channel_class):
+    from percuss.plot.series import is_too_short
+    from percuss.terminal import tell
+
+    for label, _, history in shown if channel_class else ():
+        if is_too_short(history, channel_class):
+            tell(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC {channel_class} (the filter hides the event): "
+                 "use a higher class, or none", sys.stderr)
+
+
+def main(words):
+    arguments = parse_arguments(words)
+    require("plots need", NEEDS)
+    import percuss
+    from percuss.plot.panels import BadChoice
+
+    folders = [word for word in arguments.words if os.path.isdir(word)]
+    words = [word for word in arguments.words if word not in folders]
+    if not folders:
+        fail(f"there is no folder among {', '.join(arguments.words)} (the output folder of a run is needed)")
+    try:
+        runs = [percuss.Run(folder) for folder in folders]
+        if arguments.list:
+            for run in runs:
+                list_columns(run)
+        else:
+            plot(arguments, runs, words)
+    except (percuss.NotResults, BadChoice, ValueError) as error:
+        fail(error)
+    except OSError as error:
+        fail(f"cannot write the plot ({error})")

@@ -1,0 +1,1 @@
+"""The page about a scene before it runs: what percuss check --report is made of."""

@@ -1,0 +1,1 @@
+"""Pictures of a percuss run: what percuss render is made of."""

@@ -1,0 +1,247 @@
+"""From the arguments of percuss render to files: which frames, which colours, PNG and GIF."""
+
+import argparse
+import io
+import os
+import sys
+
+import numpy as np
+from PIL import Image, PngImagePlugin
+
+from percuss.files import check_target, make_mark, write_file
+from percuss.results.fields import Fields
+from percuss.results.run import Run
+from percuss.results.units import format_time
+from percuss.terminal import clean, tell
+
+from . import colors
+from .camera import place_camera, sample_positions
+from .coloring import Coloring
+from .following import Following
+from .largest import Largest, format_value
+from .mirrors import choose_planes, list_copies, reflect
+from .plates import span_walls
+from .scene import Scene, Surface
+from .selection import BadChoice, choose_elements
+from .skin import Skin
+from .video import check_ffmpeg, encode_video
+
+MOST_FACES_WITH_EDGES = 60_000
+MOST_LEGEND_ENTRIES = 12
+ANIMATION_WIDTH = 800
+MARGINS = (0.03, 0.13, 0.05, 0.09)  # left, right (colour bar), bottom, top (title)
+
+
+def render(arguments):
+    frames, shots = prepare(arguments)
+    folder = arguments.out or os.path.dirname(os.path.abspath(shots[0].fields.path))
+    os.makedirs(folder, exist_ok=True)
+    prefix = f"{arguments.fields}_" if arguments.fields else ""
+    paths = {frame: os.path.join(folder, f"{prefix}frame_{frame:04d}.png") for frame in frames}
+    is_film = arguments.frame is None and len(frames) > 1
+    films = {kind: os.path.join(folder, f"{prefix}animation.{kind}") for kind in ["gif", *dict.fromkeys(arguments.video)] if is_film}
+    for path in [*paths.values(), *films.values()]:
+        check_target(path, "render", arguments.force)
+    images = []
+    live = sys.stdout.isatty()
+    for frame in frames:
+        image = join([shot.draw(frame) for shot in shots])
+        write_file(paths[frame], encode_picture(image), "render", arguments.force)
+        images.append(image if arguments.video else shrink(image))
+        if live or frame == frames[-1]:
+            print(f"{chr(13) if live else ''}render: {clean(paths[frame])}", end="", flush=True)
+    print()
+    for shot in shots:
+        if shot.largest:
+            tell(f"render: {shot.tell_largest()}")
+    for kind, path in films.items():
+        film = encode_animation([shrink(image) for image in images], arguments.fps) if kind == "gif" else encode_video(images, arguments.fps, kind)
+        write_file(path, film, "render", arguments.force)
+        tell(f"render: {path}")
+
+
+def prepare(arguments):
+    """(frames, shots): one shot of the run, or two beside each other with one range of colours."""
+    if arguments.video:
+        check_ffmpeg()
+    fields = Fields(arguments.dir, arguments.fields)
+    frames = choose_frames(fields, arguments.frame)
+    if not arguments.beside:
+        return frames, [Shot(fields, arguments, frames)]
+    other = Fields(arguments.beside, arguments.fields)
+    pairs = [(fields, frames, {frame: frame for frame in frames})]
+    nearest = {frame: int(np.argmin(np.abs(other.times - fields.times[frame]))) for frame in frames}
+    pairs.append((other, sorted(set(nearest.values())), nearest))
+    width, height = arguments.size
+    halves = argparse.Namespace(**{**vars(arguments), "size": (max(64, width // 2), height)})
+    if not halves.range:
+        bars = [Coloring(of, halves, choose_elements(of, halves)[0], drawn) for of, drawn, _ in pairs]
+        if all(bar.title is not None for bar in bars):
+            halves.range = (min(bar.ends[0] for bar in bars), max(bar.ends[1] for bar in bars))
+    boxes = [_find_box(of, halves) for of, _, _ in pairs]
+    return frames, [Shot(of, halves, drawn, frame_of, box, _name(of)) for (of, drawn, frame_of), box in zip(pairs, boxes[::-1])]
+
+
+def _name(fields):
+    return os.path.basename(os.path.dirname(os.path.abspath(fields.path)))
+
+
+def _find_box(fields, arguments):
+    """The corners of what a run shows."""
+    nodes = np.unique(fields.hexahedra[choose_elements(fields, arguments)[0]])
+    points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0])
+    low, high = np.quantile(points, [0.0005, 0.9995], axis=0)
+    return np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+
+
+def join(images):
+    if len(images) == 1:
+        return images[0]
+    whole = Image.new("RGB", (sum(image.width for image in images), images[0].height))
+    left = 0
+    for image in images:
+        whole.paste(image, (left, 0))
+        left += image.width
+    return whole
+
+
+class Shot:
+    """The pictures of a run. frame_of: the frame of this run for a frame of the first; box: points that are to be in view, too. title: in
+    place of that of the deck. largest: (value, words, frame) of what has been drawn, or None."""
+
+    def __init__(self, fields, arguments, frames, frame_of=None, box=np.empty((0, 3)), title=None):
+        self.fields, self.arguments, self.frame_of, self.largest = fields, arguments, frame_of, None
+        self.kept, self.cut = choose_elements(fields, arguments)
+        self.coloring = Coloring(fields, arguments, self.kept, frames)
+        self.surface = Surface(Skin(fields.hexahedra, self.kept, self.cut))
+        self.following = Following(fields, arguments.follow, self.surface.skin.nodes(), frames)
+        planes = choose_planes(fields, arguments.mirror, find_deck_of(fields) if arguments.mirror else None)
+        self.scene, self.walls = make_scene(fields, arguments, self.surface, self.coloring, frames, box, Extras(self.following, planes, title))
+        self.clock = self.scene.add_text("", 0.03, 0.035, 0.03)
+        self.alive = self.kept
+
+    def draw(self, frame):
+        frame = self.frame_of[frame] if self.frame_of else frame
+        fields, surface, scene = self.fields, self.surface, self.scene
+        now = self.kept & fields.alive(frame)
+        if not np.array_equal(now, self.alive):
+            self.alive = now
+            surface.choose(Skin(fields.hexahedra, now, self.cut))
+        surface.move(fields.positions(frame))
+        scene.place_walls(self.walls.span(frame))
+        surface.color(*self.coloring.choose_values(frame, surface.skin))
+        self.clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.time_unit))
+        if self.following.is_on:
+            scene.shift_camera(self.following.shift(frame))
+        if self.coloring.title is not None and self.arguments.mark:
+            self._mark(frame)
+        return Image.fromarray(scene.draw()).resize(self.arguments.size, Image.Resampling.LANCZOS)
+
+    def _mark(self, frame):
+        found = Largest(self.fields, self.coloring, frame, self.alive)
+        self.scene.mark(found.point, f"max {format_value(found.value, self.coloring)}" if found.point is not None else "")
+        if found.point is not None and (self.largest is None or found.value > self.largest[0]):
+            self.largest = (found.value, found.text, frame)
+
+    def tell_largest(self):
+        value, words, frame = self.largest
+        where = f"{_name(self.fields)}: " if self.frame_of else ""
+        return f"{where}largest {colors.label_of(self.coloring.name)} {format_value(value, self.coloring)} in {words}, frame {frame}"
+
+
+def find_deck_of(fields):
+    return Run(os.path.dirname(os.path.abspath(fields.path))).deck
+
+
+class Extras:
+    """What make_scene can do besides: a camera that follows, planes of mirrors, another title."""
+
+    def __init__(self, following=None, planes=(), title=None):
+        self.shift = following.shift if following is not None and following.is_on else None
+        self.planes, self.title = planes, title
+
+
+def encode_picture(image):
+    """A PNG with the mark of percuss render."""
+    about, stream = PngImagePlugin.PngInfo(), io.BytesIO()
+    about.add_text("Software", make_mark("render"))
+    image.save(stream, "PNG", pnginfo=about)
+    return stream.getvalue()
+
+
+def choose_frames(fields, wanted):
+    """Numbers of the frames that are wanted, from 0 and rising; all by default."""
+    count = len(fields.times)
+    for frame in wanted or ():
+        if not -count <= frame < count:
+            raise BadChoice(f"there is no frame {frame} (the file has {count}, numbered from 0; -1 is the last)")
+    return sorted({frame % count for frame in wanted or range(count)})
+
+
+class Walls:
+    """The plates of rigid walls; one that stands between the camera and the bodies is seen through."""
+
+    def __init__(self, fields, points, camera):
+        self._fields, self._points, self._camera = fields, points, camera
+
+    def span(self, frame):
+        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame."""
+        return [(plates, plane is not None and (self._camera - plane[0]) @ plane[1] < 0)
+                for plates, plane in span_walls(self._fields, frame, self._points)]
+
+
+class NoWalls:
+    def span(self, frame):
+        return []
+
+
+def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 3)), extras=None):
+    """The scene with its walls as in the first of the frames, and the walls. marks: points [n][3] that are to be in view, besides
+    the bodies."""
+    edges = arguments.edges == "on" or (
+        arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
+    scene = Scene(surface, coloring.lut, arguments.size, 1 if arguments.fast else 2, edges)
+    extras = extras or Extras()
+    scene.add_copies(list_copies(extras.planes))
+    nodes = surface.skin.nodes()
+    points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0], shift=extras.shift)
+    points = reflect(points, extras.planes)
+    shown = np.concatenate([points, *[marks] * max(1, len(points) // 400)]) if len(marks) else points
+    aspect = arguments.size[0] / arguments.size[1]
+    position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
+    walls = NoWalls() if arguments.no_walls else Walls(fields, points, position)
+    scene.place_walls(walls.span(frames[0]))
+    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame)]
+    scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
+    if not arguments.fast:
+        start = fields.positions(0)
+        diagonal = np.linalg.norm(np.ptp(start[nodes], axis=0))
+        cell = np.median(np.linalg.norm(start[fields.hexahedra[:, 0]] - start[fields.hexahedra[:, 6]], axis=1)) / 3**0.5
+        scene.shade(diagonal, cell)
+    scene.add_text(extras.title or fields.title, 0.03, 0.93, 0.034)
+    if coloring.title is not None:
+        scene.add_color_bar(coloring.lut, coloring.title, coloring.labels, coloring.note)
+    else:
+        for row, (number, name) in enumerate(coloring.legend()[:MOST_LEGEND_ENTRIES]):
+            scene.add_legend_entry(row, colors.part_color(number), name)
+    return scene, walls
+
+
+def shrink(image):
+    width = min(ANIMATION_WIDTH, image.width)
+    return image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
+
+
+def encode_animation(images, fps):
+    """A GIF with one palette for all frames, so that still areas do not flicker and compress well."""
+    width, height = images[0].size
+    strip = Image.new("RGB", (width, height * 3))
+    for row, index in enumerate((0, len(images) // 2, len(images) - 1)):
+        strip.paste(images[index], (0, row * height))
+    palette = strip.quantize(256, method=Image.Quantize.MEDIANCUT)
+    frames = [im.quantize(palette=palette, dither=Image.Dither.NONE) for im in images]
+    durations = [round(1000 / fps)] * (len(frames) - 1) + [1200]  # rest on the last one
+    stream = io.BytesIO()
+    frames[0].save(stream, "GIF", save_all=True, append_images=frames[1:], duration=durations, loop=0, optimize=False,
+                   comment=make_mark("render").encode())
+    return stream.getvalue()

@@ -1,0 +1,195 @@
+"""Renders the fields of a percuss run: PNG frames and an animation. percuss render --help says how."""
+
+import argparse
+import math
+import re
+import subprocess
+
+from percuss.display import NoDisplay, open_display
+from percuss.libraries import MissingLibrary, require
+from percuss.terminal import fail as end
+
+WARNING_OF_PARAVIEW = (", which removes the package python3-paraview (on Debian 12 and 13 it and python3-vtk9 exclude each other), "
+                       "or look at fields.xdmf2 with that ParaView")
+
+NEEDS = ("h5py", "numpy", "PIL.Image", "vtkmodules.vtkRenderingOpenGL2")
+EPILOG = """\
+examples:
+  percuss render build/demo                              every frame and an animation, into build/demo
+  percuss render build/demo --frame -1 --size 1920x1080  the last frame only
+  percuss render build/demo --field velocity --range 0:200 --view 130:15
+  percuss render build/demo --part-colors --clip y=0.5   parts apart, cut open at y = 0.5
+  percuss render build/demo --part rod --frame -1        the rod alone
+  percuss render build/demo --follow rod --video mp4     the camera goes with the rod; a film
+  percuss render can --mirror                            the other half, by the deck's symmetry
+  percuss render soft --beside stiff --frame -1          two runs in one picture
+  percuss render build/demo --look-at 0:0:0.6 --zoom 3   three times as large, around (0, 0, 0.6)
+
+Needs Python 3 with VTK 9, h5py, NumPy and Pillow, and Xvfb where there is no display:
+scripts/install_dependencies --render installs all of it. On Debian 12 and 13 its python3-vtk9 and ParaView's
+python3-paraview exclude each other: apt removes one to install the other.
+ParaView opens DIR/fields.xdmf2.
+"""
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="percuss render", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Renders DIR/fields.vtkhdf to DIR/frame_0000.png ... and DIR/animation.gif.")
+    add = parser.add_argument
+    add("dir", metavar="DIR", help="the output folder of a run (or a fields.vtkhdf)")
+    add("--out", metavar="FOLDER", help="where the pictures go (default: DIR)")
+    add("--fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
+        "are NAME_frame_0000.png ... (default: those of output.fields)")
+    add("--field", metavar="NAME", help="what the colours show: a vector by its magnitude, a stress by von Mises' value; "
+        "'part', 'body', 'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")
+    add("--part-colors", action="store_true", help="one colour a part; the same as --field part")
+    add("--range", metavar="LOW:HIGH", type=parse_pair, help="ends of the colour bar in the unit of the file (default: round "
+        "numbers around those of all that is drawn, the same in all frames)")
+    add("--map", default="heat", metavar="NAME", help="colour map: heat, viridis, inferno, cool-warm, grey (default: heat); "
+        "-r behind the name turns it around")
+    add("--view", metavar="AZIMUTH:ELEVATION", type=parse_pair, default=(-50.0, 22.0),
+        help="where the camera stands, in degrees: from +x towards +y about z, and above the xy plane (default: -50:22)")
+    add("--look-at", metavar="X:Y:Z", type=parse_point, help="the point in the middle of the picture (default: all is in view)")
+    add("--zoom", metavar="FACTOR", type=parse_factor, default=1.0,
+        help="magnification (default: 1)")
+    add("--focus", choices=["run", "start"], default="run",
+        help="what the camera frames: all that the run shows (default), or the scene as it starts")
+    add("--part", metavar="NAME", action="append", help="draw this part only; several times, or NAME,NAME, for several")
+    add("--clip", metavar="AXIS=VALUE", type=parse_clip, help="cut the bodies open, as they start, at this x, y or z, and take "
+        "away the side where the camera stands; +x=VALUE takes away what is above, -x=VALUE what is below")
+    add("--no-walls", action="store_true", help="do not draw rigid walls")
+    add("--percentile", metavar="P", type=parse_percentile, help="the colour bar ends at this percentile of what is drawn, in the frame where "
+        "it is largest; 100 for all (default: 99, where the largest values are far above it)")
+    add("--no-mark", dest="mark", action="store_false", help="do not mark the largest value")
+    add("--follow", metavar="PART", nargs="?", const="moving", help="the camera goes with this part, or with what moves most")
+    add("--mirror", metavar="AXIS=VALUE", nargs="?", const="deck", action="append", type=parse_mirror,
+        help="add the mirrored half at this plane; without a value at those of the deck's conditions with `symmetry`")
+    add("--beside", metavar="DIR", help="the same frames of another run to the right, by time, with one range of colours")
+    add("--video", choices=["mp4", "webm"], action="append", default=[], help="also a film; needs ffmpeg")
+    add("--frame", metavar="N", type=parse_frames, help="only this frame, or those of N,N,...; -1 is the last (default: all, and "
+        "an animation)")
+    add("--size", metavar="WxH", type=parse_size, default=(1280, 720), help="size of the pictures in pixels (default: 1280x720)")
+    add("--edges", choices=["auto", "on", "off"], default="auto",
+        help="draw the edges of the elements (default: auto, which is on up to 60000 faces)")
+    add("--fps", type=float, default=12.0, help="frames a second of the animation (default: 12)")
+    add("-f", "--force", action="store_true", help="write over pictures that percuss render has not written")
+    add("--fast", action="store_true", help="no ambient occlusion, less smoothing: about five times faster")
+    return parser.parse_args(join_signed(words))
+
+
+def join_signed(words):
+    """argparse takes '-50:22' and '-x=0' for options: such a word is joined to the option before it."""
+    joined = []
+    for word in words:
+        signed = len(word) > 1 and word[0] == "-" and (word[1].isdigit() or word[1] in ".xyz")
+        if signed and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
+            joined[-1] += "=" + word
+        else:
+            joined.append(word)
+    return joined
+
+
+def parse_numbers(text, count, words):
+    try:
+        numbers = [float(word) for word in text.split(":")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != count or not all(map(math.isfinite, numbers)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not {words}")
+    return tuple(numbers)
+
+
+def parse_frames(text):
+    try:
+        return [int(word) for word in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of a frame, or several with commas between them") from None
+
+
+def parse_pair(text):
+    return parse_numbers(text, 2, "two numbers with a colon between them")
+
+
+def parse_percentile(text):
+    (percentile,) = parse_numbers(text, 1, "a number")
+    if not 50 <= percentile <= 100:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a percentile of 50 to 100")
+    return percentile
+
+
+def parse_mirror(text):
+    """'deck', or (axis, value) of 'y=0'."""
+    if text == "deck":
+        return text
+    side, axis, value = parse_clip(text)
+    if side:
+        raise argparse.ArgumentTypeError(f"'{text}' is not x=VALUE, y=VALUE or z=VALUE")
+    return axis, value
+
+
+def parse_point(text):
+    return parse_numbers(text, 3, "three numbers with colons between them")
+
+
+def parse_factor(text):
+    (factor,) = parse_numbers(text, 1, "a number")
+    if not 0.01 <= factor <= 1000:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a factor of 0.01 to 1000")
+    return factor
+
+
+def parse_size(text):
+    try:
+        width, height = (int(word) for word in text.lower().split("x"))
+    except ValueError:
+        width = height = 0
+    if not (64 <= width <= 8192 and 64 <= height <= 8192):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size of 64x64 to 8192x8192")
+    return width, height
+
+
+def parse_clip(text):
+    """(side, axis, value): side is '+', '-' or empty."""
+    words = re.fullmatch(r"([+-]?)([xyz])=(.+)", text)
+    try:
+        return words[1], "xyz".index(words[2]), float(words[3])
+    except (TypeError, ValueError):
+        raise argparse.ArgumentTypeError(f"'{text}' is not x=VALUE, y=VALUE or z=VALUE, with + or - before it or not") from None
+
+
+def fail(message):
+    end("render", message)
+
+
+def is_installed(package):
+    """Whether Debian's package is installed; False where there is no dpkg."""
+    try:
+        asked = subprocess.run(["dpkg-query", "-W", "-f", "${db:Status-Status}", package],
+                               capture_output=True, text=True, check=False)
+    except OSError:
+        return False
+    return asked.stdout == "installed"
+
+
+def require_vtk():
+    try:
+        require("pictures need", NEEDS, "--render")
+    except MissingLibrary as error:
+        fail(f"{error}{WARNING_OF_PARAVIEW * is_installed('python3-paraview')}")
+
+
+def main(words):
+    arguments = parse_arguments(words)
+    require_vtk()
+    from percuss.errors import NotResults
+    from percuss.render.pictures import render
+    from percuss.render.selection import BadChoice
+
+    try:
+        with open_display():
+            render(arguments)
+    except (NoDisplay, NotResults, BadChoice) as error:
+        fail(error)
+    except OSError as error:
+        fail(f"cannot write pictures ({error})")

@@ -1,0 +1,236 @@
+"""The page: sections of one run, or of a comparison, in one HTML file that needs nothing else."""
+
+import json
+import os
+import sys
+import time
+
+from percuss.files import make_mark
+from percuss.plot.drawing import Plot, write_svg
+from percuss.plot.panels import choose_panels, list_panels
+from percuss.plot.series import Options
+from percuss.render.colors import CATEGORIES, label_of
+from percuss.results.units import choose_time_unit, choose_unit, format_time
+from percuss.terminal import tell
+from percuss.view.surface import pack_surface, read_library, read_viewer
+
+from . import comparison, scene
+from .answers import make_answers
+from .curves import make_curves
+from .findings import find_findings, find_peaks
+from .forces import make_balance_table, make_forces_table
+from .markup import escape, make_table, with_unit
+from .motion import make_motion_table
+from .pictures import Worst, choose_field, differ, draw_pictures, find_range
+from .signals import make_accelerometers_table
+from .welds import make_welds_table
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+MORE_PANELS = ("contact_pairs", "kinetic_by_part", "internal_by_part", "erosion")
+
+
+def note(text):
+    tell(f"report: {text}", sys.stderr)
+
+
+def make_page(runs, options):
+    """The text of the page. options: field, view, pictures, interactive, plot, x."""
+    labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
+    title = runs[0].title if len(runs) == 1 else "Comparison: " + ", ".join(labels)
+    parts = [f"<h1>{escape(title)}</h1>", _make_subtitle(runs)]
+    sections = []
+    if len(runs) > 1:
+        sections.append(("compared", "Differences", _make_comparison(runs, labels)))
+    first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run) for label, run in zip(labels, runs))
+    if len(runs) == 1:
+        sections.append(("short", "In short", make_answers(runs[0], find_findings(runs[0]))))
+    chosen = [(run, label) for run, label in zip(runs, labels) if run.has_history and len(run.history)]
+    if options.plot and not chosen:
+        raise ValueError("there is no history to plot from (output.history of the deck)")
+    sections.append(("curves", "Chosen curves", make_curves([run for run, _ in chosen], [label for _, label in chosen], options.plot, options.x)))
+    sections.append(("first", "What to look at first", first))
+    sections.append(("pictures", "Start, worst and end", _make_pictures(runs, labels, options)))
+    sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""), _make_view(runs[0], options)))
+    sections.append(("plots", "Over time", _make_plots(runs, labels)))
+    sections.append(("run", "What was run", "".join(_make_scene(run, label, len(runs) > 1) for run, label in zip(runs, labels))))
+    if len(runs) == 1 and runs[0].summary:
+        sections.append(("cost", "What it cost", scene.make_cost_section(runs[0].summary)))
+    links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
+    parts += [f"<nav>{links}</nav>", scene.make_facts(runs[0]) if len(runs) == 1 else ""]
+    parts += [f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>" for name, heading, text in sections if text]
+    return wrap_page(title, "".join(parts))
+
+
+def wrap_page(title, body, tool="report"):
+    with open(os.path.join(HERE, "style.css"), encoding="utf-8") as file:
+        style = file.read()
+    return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
+            "<meta name=viewport content='width=device-width, initial-scale=1'><link rel=icon href='data:,'>"
+            f"<meta name=generator content='{make_mark(tool)}'><title>{escape(title)}</title><style>{style}</style></head><body>{body}</body></html>\n")
+
+
+def _make_subtitle(runs):
+    folders = ", ".join(os.path.abspath(run.folder) for run in runs)
+    units = f" Units of the deck: {runs[0].units.text}." if runs[0].units else " The deck names no units."
+    return f"<p class=soft>{escape(folders)}. Written {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.{escape(units)}</p>"
+
+
+def _list_findings(run):
+    items = "".join(f"<li class={finding.level}>{escape(finding.text)}</li>" for finding in find_findings(run))
+    return f"<ul class=findings>{items}</ul>"
+
+
+# --- pictures and view ------------------------------------------------------------------------------------------------
+
+
+def _make_pictures(runs, labels, options):
+    """Of each run with fields; runs that show one field share the range of its colours."""
+    drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
+    names = [_choose_field(run.fields, options.field) for run, _ in drawn]
+    worsts = [None if name in CATEGORIES else Worst(run.fields, name) for (run, _), name in zip(drawn, names)]
+    frames = [[0, *([] if worst is None else [worst.frame]), len(run.fields.times) - 1] for (run, _), worst in zip(drawn, worsts)]
+    shared = None
+    if options.pictures and len(set(names)) == 1 and names[0] not in CATEGORIES:
+        shared = find_range([run.fields for run, _ in drawn], names[0], frames)
+    text = ""
+    for (run, label), name, worst, chosen in zip(drawn, names, worsts, frames):
+        text += f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _show_pictures(run.fields, name, worst, chosen, options, shared)
+    if len(drawn) < len(runs):
+        text += "<p class=soft>There are no fields to draw (output.fields of the deck).</p>"
+    return text
+
+
+def _choose_field(fields, wanted):
+    name = choose_field(fields, wanted)
+    if name not in fields.names():
+        raise ValueError(f"there is no field '{name}' in {fields.path} (it has {', '.join(sorted(fields.names()))})")
+    return name
+
+
+def _show_pictures(fields, name, worst, frames, options, shared):
+    """worst: None of a field whose largest value says nothing, such as the number of the part."""
+    extreme = sentence = ""
+    if worst is not None:
+        unit, factor = choose_unit(fields.unit_of(name), abs(worst.value))
+        extreme = f"largest {label_of(name)}: {with_unit(float(f'{worst.value * factor:.4g}'), unit)} in {worst.text}"
+        sentence = f"<p>{escape(extreme[0].upper() + extreme[1:])}, frame {worst.frame}.</p>"
+    if not options.pictures:
+        return sentence
+    alone = {}
+    try:
+        pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared})
+        if worst is not None and worst.part:
+            alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "part": worst.part})
+    except RuntimeError as error:
+        note(f"no pictures: {error}")
+        return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"
+    labels = ("start", "end") if worst is None else ("start", "worst", "end")
+    shown = ""
+    for frame in dict.fromkeys(frames):
+        words = " and ".join(word for word, other in zip(labels, frames) if other == frame)
+        clock = format_time(fields.times[frame], fields.times[-1], fields.time_unit)
+        is_worst = worst is not None and frame == worst.frame
+        text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if is_worst else "")
+        shown += _show_picture(pictures[frame], text)
+        if is_worst and alone and differ(pictures[frame], alone[frame]):
+            shown += _show_picture(alone[frame], f"The same without other parts: {worst.part}")
+    return f"<div class=pictures>{shown}</div>"
+
+
+def _show_picture(picture, text):
+    return (f"<figure><img alt='{escape(text)}' src='data:image/jpeg;base64,{picture}'>"
+            f"<figcaption>{escape(text)}</figcaption></figure>")
+
+
+def _make_view(run, options):
+    if not run.has_fields or not options.interactive:
+        return ""
+    packed = pack_surface(run.fields, choose_field(run.fields, options.field))
+    if packed is None:
+        note("no interactive view: the surface is too large")
+        return "<p class=soft>The surface is too large for this page: open fields.xdmf2 with ParaView.</p>"
+    about, data = packed
+    return embed_view(about, data, f"{about['frames']} of {len(run.fields.times)} frames, {about['faces']:,} faces.")
+
+
+def embed_view(about, data, sentence):
+    """The interactive view of a surface that is packed."""
+    library = read_library()
+    if library is None:
+        note("no interactive view: three.js is missing (scripts/install_dependencies --report installs libjs-three)")
+        return "<p class=soft>The interactive view needs three.js (Debian's package libjs-three) where the report is written.</p>"
+    scripts = [*library, read_viewer()]
+    code = "".join(f"<script>{text.replace('</script', '<' + chr(92) + '/script')}</script>" for text in scripts)
+    return (_VIEW + f"<p class=soft>{escape(sentence)}</p>"
+            f"<script type='application/json' id=surface-about>{json.dumps(about).replace('<', chr(92) + 'u003c')}</script>"
+            f"<script type='text/plain' id=surface-data>{data}</script>{code}")
+
+
+_VIEW = """<div id=view><canvas></canvas>
+<div class='row time'><button class=play>Play</button><input type=range min=0 step=1 aria-label=Frame><span class=clock></span></div>
+<div class=row><div class=bar><div class=bar-title></div><i></i><div class=bar-labels></div></div>
+<button data-view='-50:22'>Default view</button><button data-view='0:0.01'>Along x</button>
+<button data-view='-90:0.01'>Along y</button><button data-view='-90:89.9'>Along z</button>
+<label><input type=checkbox class=edges>Edges</label><label><input type=checkbox class=by-part>Colours by part</label></div>
+<div class='row tools' style='display:none'><label>Field <select class=fields></select></label>
+<label>Deformation <input type=range class=swell min=0 max=20 step=0.5 value=1 style='flex:0 0 120px'> x <span class=factor>1</span></label>
+<label><input type=checkbox class=outline>Start as outline</label><label>Mirror <select class=mirror><option value=''>none</option>
+<option value='0-'>low x</option><option value='0+'>high x</option><option value='1-'>low y</option><option value='1+'>high y</option>
+<option value='2-'>low z</option><option value='2+'>high z</option></select></label><b class=value></b></div>
+<div class='row parts'></div><div class='row layers'></div><div class='row note soft'>Loading ...</div></div>"""
+
+
+# --- plots and tables -------------------------------------------------------------------------------------------------
+
+
+def _histories(runs):
+    """Histories in the units of the first run."""
+    units = runs[0].units
+    return [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history for run in runs]
+
+
+def _make_plots(runs, labels):
+    shown = [(run, label) for run, label in zip(runs, labels) if run.has_history and len(run.history) > 1]
+    if not shown:
+        return "<p class=soft>There is no history to draw (output.history of the deck).</p>"
+    histories = _histories([run for run, _ in shown])
+    plot = Plot([(label, run, history) for (run, label), history in zip(shown, histories)], Options())
+    panels = choose_panels([], histories)
+    known = list_panels(histories)
+    panels += [known[name] for name in MORE_PANELS if name in known and known[name] not in panels]
+    figures = "".join(f"<figure>{write_svg(plot.draw_one(panel))}</figure>" for panel in panels)
+    marks = plot.list_marks()
+    text = ""
+    if marks:
+        rows = [(number, f"{moment * plot.x_factor:.4g} {plot.x_unit}".rstrip(), words) for number, (moment, words) in enumerate(marks, 1)]
+        text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
+    if len(runs) == 1:
+        text += make_forces_table(runs[0]) + make_accelerometers_table(runs[0]) + make_welds_table(runs[0]) + make_motion_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
+    return f"<div class=plots>{figures}</div>{text}"
+
+
+def _make_peaks(run):
+    history = run.history
+    rows = []
+    unit, factor = choose_time_unit(history.unit("time"), float(history["time"][-1]) if len(history) else 0)
+    for name, high, high_time, low, low_time in find_peaks(history):
+        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)), f"{high_time * factor:.4g} {unit}",
+                     with_unit(float(low), history.unit(name)), f"{low_time * factor:.4g} {unit}"))
+    heading = ("column", "meaning", "largest", "at", "least", "at")
+    return "<h3>Largest and least values of rows</h3>" + make_table(heading, rows, (2, 3, 4, 5)) if rows else ""
+
+
+def _make_scene(run, label, several):
+    text = f"<h3>{escape(label)}</h3>" * several + scene.make_parts_table(run)
+    if several:
+        return text
+    return text + scene.make_relaxation_table(run) + scene.make_materials_table(run.deck) + scene.make_loads_table(run.deck) + scene.make_deck_section(run.deck)
+
+
+def _make_comparison(runs, labels):
+    text = comparison.make_bits_text(runs)
+    if all(run.summary for run in runs):
+        text += comparison.make_summary_table(runs, labels)
+    if all(run.has_history for run in runs):
+        text += comparison.make_history_table(runs, _histories(runs), labels)
+    return text + comparison.make_deck_difference(runs, labels)

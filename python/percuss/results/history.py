@@ -1,0 +1,157 @@
+"""history.csv as arrays, one a column, with their units and meanings."""
+
+import copy
+import re
+
+import numpy as np
+
+from ..errors import NotResults
+from .accelerations import describe, find_acceleration, list_accelerations
+from .columns import read_sidecar
+from .table import read_rows
+from .units import find_powers, name_quantity
+
+# Columns of every history.
+ALWAYS = ("time", "step", "dt", "kinetic", "internal", "hourglass", "contact", "friction", "external", "energy_error", "momentum_x",
+          "momentum_y", "momentum_z")
+
+
+class History:
+    """Columns by name: history["kinetic"]. Attributes: names (those of the file, which are also what a loop over the history
+    gives), derived (names of the accelerations that follow from its velocities), computed (those of add()), units (a Units, or None
+    where the deck has none)."""
+
+    def __init__(self, names, table, units=None, sidecar=None):
+        """table [rows][columns]. sidecar: entries of columns.json by name."""
+        self.names = list(names)
+        self.units = units
+        self._sidecar = sidecar or {}
+        self.computed = set()
+        self._columns = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
+        self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
+
+    @property
+    def derived(self):
+        return list(self._velocities)
+
+    @property
+    def everything(self):
+        """Names of all columns: of the file, accelerations, computed."""
+        return [*self.names, *self.derived, *sorted(self.computed)]
+
+    def __getitem__(self, name):
+        if name not in self._columns and name in self._velocities:
+            self._columns[name] = find_acceleration(self["time"], self["dt"], self[self._velocities[name]])
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"there is no column '{name}' (there are {', '.join([*self.names, *self.derived])})") from None
+
+    def __contains__(self, name):
+        return name in self._columns or name in self._velocities
+
+    def __iter__(self):
+        return iter(self.names)
+
+    def __len__(self):
+        """Rows."""
+        return len(self._columns[self.names[0]])
+
+    def keys(self):
+        return list(self.names)
+
+    def dimension(self, name):
+        """'energy', 'force', '-' ... by columns.json; None if it does not have the column."""
+        self[name]
+        if name in self._velocities:
+            return "acceleration"
+        given = "time" if name == "time" else self._sidecar.get(name, {}).get("dimension")
+        named = name_quantity(given) if given else None
+        if named == "energy" and self.units and self._sidecar[name].get("unit") == self.units.name_of("moment"):
+            return "moment"  # of the same dimension, but no energy
+        return named
+
+    def unit(self, name):
+        """'J'; empty without a dimension, or without units in the deck."""
+        if "unit" in self._sidecar.get(name, {}):
+            return self._sidecar[name]["unit"] or ""
+        dimension = self.dimension(name)
+        if self.units is None or find_powers(dimension) is None:
+            return ""
+        return self.units.name_of(dimension)
+
+    def meaning(self, name):
+        """What the column is, in words of columns.json; its name where the folder has no such file."""
+        self[name]
+        if name in self._velocities:
+            return describe(self.meaning(self._velocities[name]))
+        return self._sidecar.get(name, {}).get("meaning") or name
+
+    def label(self, name):
+        """The same in few words, as it stands beside a curve."""
+        return self.meaning(name).partition(", ")[0]
+
+    def at(self, time, name):
+        """The value of a column at a time, linear between rows."""
+        return float(np.interp(time, self["time"], self[name]))
+
+    def add(self, name, values, powers=None):
+        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known."""
+        unit = self.units.name_of_powers(powers) if self.units and powers and any(powers) else None
+        self.computed.add(name)
+        self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name}}
+        if powers:
+            words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
+            self._sidecar[name]["dimension"] = " ".join(words) or "1"
+
+    def copy(self):
+        """The same history, to add() to."""
+        copied = copy.copy(self)
+        copied._columns, copied.computed = dict(self._columns), set(self.computed)
+        return copied
+
+    def in_units(self, units):
+        """The same history in another system of units. Columns whose dimension is not known stay as they are."""
+        if self.units is None:
+            raise ValueError("the deck has no `units`, so that its numbers cannot be turned into others")
+        table = np.column_stack([self._convert(name, units) for name in self.names])
+        kept = {name: {"dimension": self.dimension(name), "meaning": self.meaning(name)} for name in self.names}
+        return History(self.names, table, units, kept)
+
+    def _convert(self, name, units):
+        dimension = self.dimension(name)
+        factor = self.units.in_si(dimension) / units.in_si(dimension) if find_powers(dimension) else 1
+        return self[name] * factor
+
+    def to_pandas(self):
+        """A pandas.DataFrame of the columns of the file with the time as its index; units in its attribute `attrs`."""
+        import pandas
+
+        frame = pandas.DataFrame({name: self[name] for name in self.names}).set_index("time")
+        frame.attrs["units"] = {name: self.unit(name) for name in self.names}
+        return frame
+
+    def followed_by(self, later):
+        """This history up to the first row of a restart in another folder, and then that one. Columns of both."""
+        names = [name for name in self.names if name in later]
+        kept = self["step"] < later["step"][0] if len(later) else np.ones(len(self), dtype=bool)
+        table = [np.concatenate([self[name][kept], later[name]]) for name in names]
+        return History(names, np.column_stack(table), self.units, self._sidecar)
+
+
+def _list_partners(names):
+    """Columns that stand beside others in every history: the other components of a vector, the other force of a weld."""
+    for name in names:
+        if part := re.fullmatch(r"((?:wall_force|momentum|angular|equal|body)_|joint_[fm]|local_a|local_dv|body_[vw]|[fm])x(:.*)?|([^:]*_v?)x", name):
+            head, tail = part[1] or part[3], part[2] or ""
+            yield from (f"{head}{axis}{tail}" for axis in "yz")
+        if name.startswith("weld_normal:"):
+            yield name.replace("normal", "shear", 1)
+
+
+def read_history(path, units=None, folder=None):
+    """A history.csv, complete or of a run that goes on."""
+    names, rows = read_rows(path)
+    if missing := [name for name in [*ALWAYS, *_list_partners(names)] if name not in names]:
+        raise NotResults(f"{path}: there is no column {', '.join(missing)} (every run writes it; the file is damaged, or of another program)")
+    return History(names, np.array(rows, dtype=float).reshape(len(rows), len(names)), units, read_sidecar(folder) if folder else None)

@@ -1,0 +1,108 @@
+"""Asks an active percuss run to stop, or for a frame or checkpoint. percuss stop --help says how."""
+
+import argparse
+import os
+import time
+
+from percuss.terminal import fail as end
+
+EPILOG = """\
+The run ends after its current step. It first writes its results and a checkpoint, with which percuss run DECK --restart DIR
+continues it. The request is a file, DIR/stop, DIR/frame or DIR/checkpoint, which the run takes within a quarter of a second,
+or after its current step if that takes longer. A request during the start of a run takes effect after its first step. It works
+from any machine that sees the folder.
+
+A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors: these look at rows,
+and a frame that is asked for must not change the run.
+
+examples:
+  percuss stop wall                 end the run with a checkpoint
+  percuss stop wall --frame         write a frame of fields and a row of the history (with sensors: no row) now; go on
+  percuss stop wall --checkpoint    write a checkpoint now; go on
+
+Exit codes: 0 the run has taken the request (or was asked, with --no-wait); 2 there is no active run in DIR; 4 the request
+could not be written, or the run has not taken it in time.
+Needs Python 3 alone.
+"""
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="percuss stop", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Asks an active run to stop with a checkpoint, or for a frame or a checkpoint.")
+    add = parser.add_argument
+    add("dir", metavar="DIR", help="the output folder of the run")
+    add("--frame", action="store_true", help="do not stop: write a frame of fields and a row of the history (with sensors: no row)")
+    add("--checkpoint", action="store_true", help="do not stop: write a checkpoint")
+    add("--no-wait", action="store_true", help="do not wait until the run has taken the request")
+    add("--timeout", metavar="SECONDS", type=float, default=60.0, help="how long to wait for this (default: 60)")
+    return parser.parse_args(words)
+
+
+def ask(folder, name):
+    """Makes the file of a request; its path."""
+    path = os.path.join(folder, name)
+    try:
+        with open(path, "a", encoding="ascii"):
+            os.utime(path)  # a file that is older than the run is no request to it
+            return path
+    except OSError as error:
+        fail(f"cannot write {path} ({error.strerror})", 4)
+
+
+def wait(folder, path, seconds, is_active):
+    """Whether the run takes the request; fails if it ends before."""
+    end = time.monotonic() + seconds
+    while os.path.exists(path):
+        if not is_active(folder):
+            os.unlink(path)
+            fail(f"the run in {folder} ended before it took the request")
+        if time.monotonic() >= end:
+            return False
+        time.sleep(0.1)
+    return True
+
+
+def is_fields_file(name):
+    """Whether a run writes frames into a file of this name: fields.vtkhdf, fields_NAME.exo."""
+    stem, ending = os.path.splitext(name)
+    return ending in (".vtkhdf", ".exo") and (stem == "fields" or stem.startswith("fields_"))
+
+
+def describe_frame(folder):
+    """What a run writes that is asked for a frame, by the files that it has."""
+    def has(name):
+        return os.path.exists(os.path.join(folder, name))
+
+    if any(is_fields_file(name) for name in os.listdir(folder)):
+        return "a frame"
+    why = "(the deck has no output.fields)"
+    from percuss.results.columns import has_sensors
+
+    return f"a row of the history without a frame {why}" if has("history.csv") and not has_sensors(folder) else f"no frame {why}"
+
+
+def fail(message, code=2):
+    end("stop", message, code)
+
+
+def main(words):
+    arguments = parse_arguments(words)
+    from percuss.results.lock import is_active
+
+    folder = arguments.dir
+    if not os.path.isdir(folder):
+        fail(f"there is no folder {folder} (the output folder of a run is needed)")
+    if not is_active(folder):
+        fail(f"there is no active run in {folder} (percuss info {folder} describes what is there)")
+    names = [name for name in ("frame", "checkpoint") if getattr(arguments, name)] or ["stop"]
+    paths = [ask(folder, name) for name in names]
+    try:
+        if not arguments.no_wait and not all(wait(folder, path, arguments.timeout, is_active) for path in paths):
+            fail(f"the run in {folder} has not taken the request within {arguments.timeout:g} s; it stays there", 4)
+    except KeyboardInterrupt:
+        print(f"stop: {' and '.join(paths)} stay there for the run")
+        return
+    if not arguments.no_wait:
+        words = {"frame": describe_frame(folder), "checkpoint": "a checkpoint"}
+        print(f"stop: the run in {folder} {'stops' if names == ['stop'] else 'writes ' + ' and '.join(words[name] for name in names)}")

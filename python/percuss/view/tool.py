@@ -1,0 +1,63 @@
+"""Writes the interactive view of a percuss run as one page. percuss view --help says how."""
+
+import argparse
+import os
+
+from percuss.libraries import require
+from percuss.terminal import fail as end
+
+NEEDS = ("numpy", "h5py", "matplotlib")
+EPILOG = """\
+The page is one HTML file that needs no network. It shows the surface over time: turn, zoom, play, fields to choose from, deformation scaled,
+the start as an outline, mirrored halves, parts to hide, and the value under the pointer (to one 254th of the range).
+A surface that is too large has fewer frames, then only the parts that move; the command says so.
+
+examples:
+  percuss view ball                                       writes ball/view.html
+  percuss view ball --field von_mises,velocity --part plate
+
+Exit codes: 0 done; 2 a folder, a field or an option is wrong, or a library is missing; 4 the page cannot be written.
+Needs Python 3 with NumPy, h5py and Matplotlib, and three.js: scripts/install_dependencies --report installs them.
+"""
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="percuss view", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Writes DIR/view.html, the surface of a run to turn with the mouse over time.")
+    add = parser.add_argument
+    add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
+    add("--out", metavar="FILE", help="the page (default: view.html in DIR)")
+    add("--fields", metavar="NAME", help="of this entry of output.field_outputs (default: output.fields)")
+    add("--field", metavar="NAMES", help="fields to choose from, with commas between them (default: all, six at most)")
+    add("--part", metavar="NAME", action="append", help="these parts only; several times, or NAME,NAME")
+    add("-f", "--force", action="store_true", help="write over a file that percuss view has not written; never over results of a run")
+    return parser.parse_args(words)
+
+
+def fail(message, code=2):
+    end("view", message, code)
+
+
+def main(words):
+    arguments = parse_arguments(words)
+    require("the view needs", NEEDS)
+    import percuss
+    from percuss.files import check_target, write_file
+    from percuss.render.selection import BadChoice
+    from percuss.terminal import tell
+    from percuss.view.page import make_view_page
+
+    try:
+        run = percuss.Run(arguments.dir, arguments.fields)
+        path = arguments.out or os.path.join(run.folder, "view.html")
+        check_target(path, "view", arguments.force)
+        page, notes = make_view_page(run, arguments.field, arguments.part)
+        write_file(path, page, "view", arguments.force)
+    except (percuss.NotResults, BadChoice, ValueError) as error:
+        fail(error)
+    except OSError as error:
+        fail(f"cannot write the view ({error})", 4)
+    for text in notes:
+        tell(f"view: {text}")
+    tell(f"view: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")

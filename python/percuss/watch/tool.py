@@ -1,0 +1,109 @@
+"""Shows a percuss run in the terminal until it ends. percuss watch --help says how."""
+
+import argparse
+import os
+import shutil
+import sys
+import time
+
+from percuss.terminal import fail
+
+EXIT_CODES = {"completed": 0, "failed": 3, "killed": 4, "interrupted": 130}
+LINES_EVERY = 10.0  # seconds between lines where the output is no terminal
+
+EPILOG = """\
+Shows the progress, and energies, their error, the time step and contacts as sparklines from the start to now; warnings once
+the run has ended. It reads files only: it may start and stop at any time, in another terminal, over ssh, on another machine
+that sees the folder. Where the output is no terminal it writes a line every ten seconds, and the view at the end.
+
+examples:
+  percuss watch wall                          until the run ends
+  percuss watch wall --once                   the state now
+  ssh cluster percuss watch scratch/wall
+  percuss watch wall && percuss report wall   a report when it is complete
+
+Exit codes: those of the run: 0 completed; 3 failed; 4 killed; 130 interrupted; 0 after --once or Ctrl-C; 2 wrong folder.
+Needs Python 3 alone.
+"""
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="percuss watch", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Shows a run in the terminal until it ends.")
+    add = parser.add_argument
+    add("dir", metavar="DIR", help="the output folder of a run, under way or complete")
+    add("--once", action="store_true", help="show the state once and end")
+    add("--interval", metavar="SECONDS", type=float, default=1.0, help="between updates (default: 1)")
+    add("--plain", action="store_true", help="letters only: no signs beyond ASCII")
+    return parser.parse_args(words)
+
+
+def is_plain(arguments):
+    return arguments.plain or "utf" not in (sys.stdout.encoding or "").lower()
+
+
+class Watch:
+    """Looks at the run and writes what it sees."""
+
+    def __init__(self, run, arguments):
+        from percuss.watch.rows import Rows
+
+        self.run, self.arguments = run, arguments
+        self.rows = Rows(os.path.join(run.folder, "history.csv"))
+        self.live = sys.stdout.isatty() and not arguments.once
+        self.height = 0
+        self.end = None
+        self.first = None  # clock and simulated time of the first look that saw a row
+        self.last_line = 0.0
+
+    def look(self):
+        """The status at the time of the look."""
+        self.run.reload()
+        status = self.run.status  # before the rows: none can be missed after the end
+        self.rows.read()
+        if self.end is None:
+            self.end = self.run.summary.get("end_time")
+        if self.first is None and len(self.rows):
+            self.first = time.monotonic(), self.rows.last("time")
+        return status
+
+    def estimate_left(self):
+        """Seconds to the end at the speed since the first look."""
+        if self.first is None or not self.end:
+            return None
+        clock, done = time.monotonic() - self.first[0], self.rows.last("time") - self.first[1]
+        return clock * max(0.0, self.end - self.rows.last("time")) / done if clock > 2 and done > 0 else None
+
+    def show(self, is_last):
+        from percuss.terminal import tell
+        from percuss.watch.screen import make_line, make_screen
+
+        if self.live or is_last:
+            width = shutil.get_terminal_size((100, 24)).columns
+            lines = make_screen(self.run, self.rows, self.end, self.estimate_left(), (width, is_plain(self.arguments)))
+            up = f"\x1b[{self.height}A\x1b[J" if self.live and self.height else ""
+            print(up + "\n".join(lines), flush=True)
+            self.height = len(lines)
+        elif time.monotonic() - self.last_line >= LINES_EVERY:
+            tell(make_line(self.run, self.rows, self.end, self.estimate_left()), flush=True)
+            self.last_line = time.monotonic()
+
+
+def main(words):
+    arguments = parse_arguments(words)
+    import percuss
+
+    try:
+        watch = Watch(percuss.Run(arguments.dir), arguments)
+        while True:
+            status = watch.look()
+            ended = status in EXIT_CODES
+            watch.show(ended or arguments.once)
+            if ended or arguments.once:
+                sys.exit(0 if arguments.once else EXIT_CODES[status])
+            time.sleep(max(0.05, arguments.interval))
+    except KeyboardInterrupt:
+        print()
+    except (percuss.NotResults, OSError) as error:
+        fail("watch", error)

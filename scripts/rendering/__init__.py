@@ -1,1 +1,0 @@
-"""Pictures of a percuss run: what scripts/render is made of."""

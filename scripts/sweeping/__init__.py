@@ -1,1 +1,0 @@
-"""The page of a sweep: what scripts/sweep adds to percuss.sweep."""

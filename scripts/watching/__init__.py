@@ -1,1 +1,0 @@
-"""A run in the terminal: what scripts/watch is made of. Python alone, so that it works on any machine of a cluster."""
