@@ -78,7 +78,7 @@ class OfARun(unittest.TestCase):
         shutil.rmtree(bad, ignore_errors=True)
         shutil.copytree(self.good, bad)
         damage(bad)
-        with mock.patch("reporting.page.write_svg", return_value=""), warnings.catch_warnings(), \
+        with mock.patch("percuss.report.page.write_svg", return_value=""), warnings.catch_warnings(), \
                 contextlib.redirect_stderr(io.StringIO()), np.errstate(all="ignore"), contextlib.ExitStack() as stack:
             if not draws:
                 for name in ("draw_one", "draw_all"):

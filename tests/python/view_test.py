@@ -21,7 +21,7 @@ except ImportError as error:
 from page_tools import CHROMIUM, PERCUSS, read_in_chromium  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
-from percuss.report import view  # noqa: E402
+from percuss.view import page as view  # noqa: E402
 from percuss.view.surface import read_library  # noqa: E402
 
 if read_library() is None:
