@@ -12,6 +12,7 @@ import tempfile
 from collections.abc import Iterator
 
 OTHER = "PERCUSS_DISPLAY"  # a display that is used in place of a virtual one, such as :7
+NUMBERS = range(99, 299)
 SCREEN = ["-screen", "0", "64x64x24", "-nolisten", "tcp"]
 
 
@@ -42,16 +43,19 @@ def open_display() -> Iterator[str]:
 
 
 def _start(server: str, key: str) -> tuple[subprocess.Popen[bytes], str]:
-    """The server takes the first free number and writes it when it is ready."""
-    reading, writing = os.pipe()
-    with open(reading, encoding="ascii") as ready:
-        process = subprocess.Popen([server, "-displayfd", str(writing), "-auth", key, *SCREEN], pass_fds=(writing,), stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=_end_with_parent)
-        os.close(writing)
-        number = ready.readline().strip()
-    if not number:
-        raise NoDisplay(f"{server} has not started (exit code {process.wait()}): try it in a shell")
-    return process, f":{number}"
+    """The server with the first free number. Low numbers belong to screens, which other programs look for."""
+    for number in NUMBERS:
+        if any(map(os.path.exists, (f"/tmp/.X{number}-lock", f"/tmp/.X11-unix/X{number}"))):
+            continue
+        reading, writing = os.pipe()
+        with open(reading, encoding="ascii") as ready:
+            process = subprocess.Popen([server, f":{number}", "-displayfd", str(writing), "-auth", key, *SCREEN], pass_fds=(writing,),
+                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=_end_with_parent)
+            os.close(writing)
+            if ready.readline().strip():
+                return process, f":{number}"
+        process.wait()  # another server has taken the number
+    raise NoDisplay(f"{server} does not start: try it in a shell")
 
 
 def _end_with_parent() -> None:

@@ -47,6 +47,7 @@ void set_environment(const fs::path& folder) {
   const std::string path = folder.string() + (given != nullptr && *given != '\0' ? std::string(":") + given : "");
   ::setenv("PYTHONPATH", path.c_str(), 1);
   ::setenv("PYTHONSAFEPATH", "1", 1);
+  ::setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);  // without it Python does not know where its interpreter is
   ::setenv("PERCUSS_PROGRAM", find_this_program().c_str(), 1);  // for tools that call percuss
 }
 
