@@ -60,7 +60,7 @@ def parse_arguments(words):
     add("--reports", action="store_true", help="write report.html of each completed run, which the page links to")
     add("--retry", action="store_true", help="run designs again that have failed")
     add("-f", "--force", action="store_true", help="write over a table or page that percuss sweep has not written")
-    return parser.parse_args(words)
+    return parser.parse_args(words, argparse.Namespace(words=words))
 
 
 def parse_count(text):
@@ -154,7 +154,7 @@ def sweep(arguments):
             tell(f"{design.number}: {design}")
         return
     if arguments.job_array:
-        words = [word for word in sys.argv[1:] if word != "--job-array"]
+        words = [word for word in arguments.words if word != "--job-array"]
         print(write_job_array(["percuss", "sweep", *words], len(designs), arguments.jobs, arguments.threads or 1), end="")
         return
     if arguments.only:
