@@ -2,9 +2,11 @@
 // What a deck wants written besides the summary: frames, history, checkpoints.
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "src/deck/functions/selector.hpp"
@@ -69,8 +71,10 @@ struct AccelerometerDeck {
 /// A text that says what the force is of, its name included: the same of forces that are the same.
 std::string identify(const ForceDeck& force);
 
-/// Formats of fields: fields.vtkhdf with its indexes, fields.exo.
+/// Formats of fields: fields.vtkhdf with its indexes, fields.exo. Each with its word in decks.
 enum class FieldsFormat { vtkhdf, exodus };
+inline constexpr std::array fields_formats{std::pair{"vtkhdf", FieldsFormat::vtkhdf},
+                                           std::pair{"exodus", FieldsFormat::exodus}};
 
 /// Frames of fields, in files of their own.
 struct FieldsDeck {

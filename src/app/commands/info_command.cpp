@@ -14,10 +14,10 @@
 #include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/output/checkpoint/checkpoint_file.hpp"
-#include "src/output/fields/describe_fields.hpp"
-#include "src/output/files/result_names.hpp"
 #include "src/output/files/safe_text.hpp"
+#include "src/output/formats/result_names.hpp"
 #include "src/output/summary.hpp"
+#include "src/output/vtkhdf/describe_fields.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -99,7 +99,7 @@ std::string describe_folder(const std::string& folder, hdf5::ExternalFiles exter
   for (const std::string& name : frames) {
     const std::string file = (path / name).string();
     if (!text.empty()) text += '\n';
-    text += name.ends_with(".exo") ? describe_mesh_file(file) : describe_fields_file(file);
+    text += describe_hdf5(file);
   }
   if (fs::exists(path / "checkpoint.h5")) {
     if (!text.empty()) text += '\n';

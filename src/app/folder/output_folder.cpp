@@ -16,7 +16,7 @@
 
 #include "src/app/folder/folder_lock.hpp"
 #include "src/error.hpp"
-#include "src/output/files/result_names.hpp"
+#include "src/output/formats/result_names.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -28,7 +28,6 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 7> result_files{"summary.json",          "columns.json", "ranks.csv",
                                                   "run_deck.yaml",         "history.csv",  "checkpoint.h5",
                                                   "checkpoint_previous.h5"};
-constexpr std::array<const char*, 4> fields_files{"fields.vtkhdf", "fields.xdmf", "fields.xdmf2", "fields.exo"};
 
 // Files that are written beside their place first have a name with this behind it then.
 constexpr const char* unfinished = ".tmp";
@@ -65,7 +64,7 @@ std::vector<std::string> list_output_files(const std::string& folder, const std:
 /// Files that a run may have left in the folder: all that have a fixed name, and those of field outputs that are there.
 std::vector<std::string> list_result_files(const std::string& folder) {
   std::vector<std::string> files(result_files.begin(), result_files.end());
-  files.insert(files.end(), fields_files.begin(), fields_files.end());
+  for (std::string& name : name_fields_files("")) files.push_back(std::move(name));
   for (std::string& file : list_output_files(folder)) files.push_back(std::move(file));
   return files;
 }

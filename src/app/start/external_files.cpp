@@ -12,7 +12,7 @@
 #include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/output/checkpoint/sealed_file.hpp"
-#include "src/output/files/result_names.hpp"
+#include "src/output/formats/result_names.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {

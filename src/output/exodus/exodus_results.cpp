@@ -6,14 +6,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include "src/output/earlier/earlier_results.hpp"
 #include "src/output/exodus/exodus_blocks.hpp"
 #include "src/output/exodus/exodus_mesh.hpp"
 #include "src/output/exodus/exodus_sets.hpp"
 #include "src/output/exodus/exodus_variables.hpp"
 #include "src/output/exodus/netcdf_variables.hpp"
-#include "src/output/fields/field_units.hpp"
 #include "src/output/files/first_rank.hpp"
+#include "src/output/frame/earlier_results.hpp"
+#include "src/output/frame/field_units.hpp"
 #include "src/output/hdf5/durable_file.hpp"
 #include "src/output/hdf5/frame_table.hpp"
 
@@ -209,27 +209,13 @@ ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& ch
   impl_->file.open(frames, [&] { impl_->open_steps(); });
 }
 
-void ExodusResults::check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks) {
-  const std::string path = earlier.directory + "/" + exodus_frames.name_file(earlier.name);
-  const FramesInFile kept = find_kept(chunked, earlier.frames);
-  run_on_first_rank(ranks, [&] { check_earlier_results(exodus_frames, path, kept, earlier.fields); });
-}
-
 ExodusResults::~ExodusResults() {
   const hdf5::QuietErrors quiet;
   impl_.reset();
 }
 
-ExodusResults::ExodusResults(ExodusResults&&) noexcept = default;
-
-ExodusResults& ExodusResults::operator=(ExodusResults&& other) noexcept {
-  const hdf5::QuietErrors quiet;
-  impl_ = std::move(other.impl_);
-  return *this;
-}
-
 void ExodusResults::write_frame(double time, long step, std::span<const double> positions,
-                                std::span<const FieldData> fields) {
+                                std::span<const FieldData> fields, std::span<const double>) {
   if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
   const hdf5::QuietErrors quiet;
   Impl& impl = *impl_;

@@ -13,30 +13,26 @@
 #include <string>
 #include <vector>
 
-#include "src/output/fields/fields_file.hpp"
-#include "src/output/later_states.hpp"
+#include "src/output/frame/frame_writer.hpp"
 
 namespace percuss {
 
-/// All calls are collective and throw as those of FieldsFile.
-class ExodusResults {
+class ExodusResults final : public FrameWriter {
  public:
-  /// Creates DIR/fields.exo, or fields_NAME.exo, with the mesh; an old one is replaced.
+  /// Creates DIR/fields.exo, or fields_NAME.exo.
   ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                 const Communicator& ranks);
-  /// Continues with the file of an earlier run behind its first `frames`; what lies there is cut off.
+  /// Continues with the file of an earlier run behind its first `frames`.
   ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                 const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields);
-  static void check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks);
-  ~ExodusResults();
-  ExodusResults(ExodusResults&&) noexcept;
-  ExodusResults& operator=(ExodusResults&&) noexcept;
+  ~ExodusResults() override;
 
-  /// Appends a frame, as FieldsFile::write_frame().
-  void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields);
-  void sync();
-  void close();
-  bool is_in_place() const;
+  /// The displacements of walls have no place in the format.
+  void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields,
+                   std::span<const double> wall_displacements = {}) override;
+  void sync() override;
+  void close() override;
+  bool is_in_place() const override;
 
  private:
   struct Impl;

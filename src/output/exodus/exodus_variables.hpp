@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/frame/frame_fields.hpp"
 
 namespace percuss {
 

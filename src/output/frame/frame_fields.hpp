@@ -47,12 +47,12 @@ struct RoundWall {
 
 struct FieldsOptions {
   std::string title;  // of the deck
-  std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
+  std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/frame/field_units.hpp)
   FieldPrecision precision = FieldPrecision::float64;
   std::vector<WallPlane> walls{}, moving_walls{};  // for pictures
   std::vector<RoundWall> round_walls{}, moving_round_walls{};
   std::vector<std::string> node_sets{}, side_sets{};  // of the mesh, by their names there; for Exodus II
-  std::string name{};  // of the output: its files begin with name_fields() of it (src/output/files/result_names.hpp)
+  std::string name{};  // of the output: its files begin with name_fields() of it (src/output/formats/result_names.hpp)
   bool are_faces = false;  // whether elements of the mesh are faces, of which several have the same id
 };
 

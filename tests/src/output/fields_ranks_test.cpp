@@ -12,7 +12,7 @@
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
 #include "src/output/exodus/exodus_results.hpp"
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 #include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/output/sample_run.hpp"

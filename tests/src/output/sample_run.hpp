@@ -10,7 +10,7 @@
 
 #include "comm/communicator.hpp"
 #include "src/mesh/ordering.hpp"
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 #include "tests/src/mesh/hand_made.hpp"
 
 namespace percuss::sample {

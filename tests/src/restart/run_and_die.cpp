@@ -25,7 +25,7 @@
 
 #include "comm/communicator.hpp"
 #include "src/deck/reading/read_deck.hpp"
-#include "src/output/files/result_names.hpp"
+#include "src/output/formats/result_names.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 

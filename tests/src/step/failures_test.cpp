@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "src/error.hpp"
-#include "src/output/fields/describe_fields.hpp"
+#include "src/output/vtkhdf/describe_fields.hpp"
 #include "src/step/run/run.hpp"
 #include "src/step/run/run_checks.hpp"
 #include "tests/src/step/scene.hpp"

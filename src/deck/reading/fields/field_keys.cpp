@@ -61,9 +61,7 @@ struct FormatsValue {
   Form form() const { return any_form({choice().form(), list_form(choice().form(), 1)}); }
 
  private:
-  static ChoiceValue<FieldsFormat> choice() {
-    return {{{"vtkhdf", FieldsFormat::vtkhdf}, {"exodus", FieldsFormat::exodus}}};
-  }
+  static ChoiceValue<FieldsFormat> choice() { return {{fields_formats.begin(), fields_formats.end()}}; }
 };
 
 /// A part, a side or a list of these; all: every exterior face.

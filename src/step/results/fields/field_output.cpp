@@ -1,6 +1,6 @@
 #include "src/step/results/fields/field_output.hpp"
 
-#include "src/output/earlier/earlier_results.hpp"
+#include "src/output/formats/frame_formats.hpp"
 
 namespace percuss {
 
@@ -21,9 +21,9 @@ void FieldOutput::check_earlier() const {
 }
 
 CutFrames FieldOutput::find_later() const {
-  const FramesFormat& format = fields_.has_format(FieldsFormat::vtkhdf) ? vtkhdf_frames : exodus_frames;
-  CutFrames cut{format.name_file(fields_.name), {}};
-  if (wants()) cut.frames = find_later_frames(format, scene_.directory + "/" + cut.file, frame_count_);
+  const FrameLayout& layout = list_formats(fields_).front()->layout;  // all have the same frames
+  CutFrames cut{layout.name_file(fields_.name), {}};
+  if (wants()) cut.frames = find_later_frames(layout, scene_.directory + "/" + cut.file, frame_count_);
   return cut;
 }
 

@@ -6,6 +6,7 @@
 
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/named_sets.hpp"
+#include "src/output/formats/frame_formats.hpp"
 #include "src/step/results/fields/element_fields.hpp"
 #include "src/step/results/fields/frame_values.hpp"
 
@@ -86,42 +87,36 @@ Frames::Frames(const FrameScene& scene, const FieldsDeck& fields, const FieldReg
 
 void Frames::create(const FrameScene& scene, const FieldsDeck& fields) {
   const FieldsOptions options = make_options(scene, fields, region_);
-  const ChunkedMesh& shown = find_shown(scene, region_);
-  if (fields.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(scene.directory, shown, options, model_.ranks);
-  if (fields.has_format(FieldsFormat::exodus)) exodus_.emplace(scene.directory, shown, options, model_.ranks);
+  const FrameTarget target{scene.directory, find_shown(scene, region_), options, model_.ranks};
+  for (const FrameFormat* format : list_formats(fields)) writers_.push_back(format->create(target));
 }
 
 void Frames::go_on(const FrameScene& scene, const FieldsDeck& fields, std::int64_t frames) {
   const FieldsOptions options = make_options(scene, fields, region_);
-  const ChunkedMesh& shown = find_shown(scene, region_);
-  if (fields.has_format(FieldsFormat::vtkhdf))
-    vtkhdf_.emplace(scene.directory, shown, options, model_.ranks, frames, names_);
-  if (fields.has_format(FieldsFormat::exodus))
-    exodus_.emplace(scene.directory, shown, options, model_.ranks, frames, names_);
+  const FrameTarget target{scene.directory, find_shown(scene, region_), options, model_.ranks};
+  for (const FrameFormat* format : list_formats(fields)) writers_.push_back(format->resume(target, frames, names_));
   count_ = frames;
 }
 
 void Frames::check(const FrameScene& scene, const FieldsDeck& fields, const FieldRegion* region, std::int64_t frames) {
   const std::vector<std::string> names = list_field_names(fields, scene.model);
-  const ChunkedMesh& shown = find_shown(scene, region);
   const EarlierFrames earlier{scene.directory, fields.name, frames, names};
-  if (fields.has_format(FieldsFormat::vtkhdf)) FieldsFile::check(earlier, shown, scene.model.ranks);
-  if (fields.has_format(FieldsFormat::exodus)) ExodusResults::check(earlier, shown, scene.model.ranks);
+  for (const FrameFormat* format : list_formats(fields))
+    check_earlier_frames(*format, earlier, find_shown(scene, region), scene.model.ranks);
 }
 
 void Frames::sync() {
-  if (vtkhdf_) vtkhdf_->sync();
-  if (exodus_) exodus_->sync();
+  for (const auto& writer : writers_) writer->sync();
 }
 
 void Frames::close() {
-  if (vtkhdf_) vtkhdf_->close();
-  if (exodus_) exodus_->close();
+  for (const auto& writer : writers_) writer->close();
 }
 
 bool Frames::is_in_place() const {
-  const bool vtkhdf = !vtkhdf_ || vtkhdf_->is_in_place(), exodus = !exodus_ || exodus_->is_in_place();
-  return vtkhdf && exodus;
+  bool all = true;
+  for (const auto& writer : writers_) all = writer->is_in_place() && all;  // collective: every one is asked
+  return all;
 }
 
 void Frames::note_constant_fields(const ChunkedMesh& chunked) {
@@ -169,8 +164,7 @@ Frames::Frame Frames::collect(const State& state) const {
 
 void Frames::put(const Frame& frame) {
   const std::span<const double> positions(frame.positions);
-  if (vtkhdf_) vtkhdf_->write_frame(frame.time, frame.step, positions, frame.fields, frame.walls);
-  if (exodus_) exodus_->write_frame(frame.time, frame.step, positions, frame.fields);
+  for (const auto& writer : writers_) writer->write_frame(frame.time, frame.step, positions, frame.fields, frame.walls);
   ++count_;
 }
 

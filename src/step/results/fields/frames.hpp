@@ -1,14 +1,13 @@
 #pragma once
-// Writes frames of the fields that an output asks for, in one file or in two of different formats.
+// Writes frames of the fields that an output asks for, in a file of each of its formats.
 
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "src/contact/contact_stage.hpp"
-#include "src/output/exodus/exodus_results.hpp"
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/frame/frame_writer.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/results/fields/frame_scene.hpp"
@@ -62,10 +61,9 @@ class Frames {
   const FieldRegion* region_;
   std::vector<std::string> names_;  // of the fields
   std::vector<std::size_t> drawn_walls_;
-  std::vector<double> body_, chunk_;  // constant fields, only if asked for
-  std::optional<FieldsFile> vtkhdf_;
-  std::optional<ExodusResults> exodus_;
-  std::vector<Frame> kept_;  // two at most, the later one last
+  std::vector<double> body_, chunk_;                   // constant fields, only if asked for
+  std::vector<std::unique_ptr<FrameWriter>> writers_;  // one a format
+  std::vector<Frame> kept_;                            // two at most, the later one last
   std::int64_t count_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // `percuss info fields.vtkhdf`: what it tells, and that no file makes it fail in another way than by a message.
 
-#include "src/output/fields/describe_fields.hpp"
+#include "src/output/vtkhdf/describe_fields.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Units of fields from those of the deck.
 
-#include "src/output/fields/field_units.hpp"
+#include "src/output/frame/field_units.hpp"
 
 #include <gtest/gtest.h>
 

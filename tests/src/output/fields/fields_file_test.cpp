@@ -1,6 +1,6 @@
 // fields.vtkhdf as written: structure and every number, read back through the HDF5 library.
 
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

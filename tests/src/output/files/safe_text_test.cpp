@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/output/fields/xdmf_text.hpp"
+#include "src/output/vtkhdf/xdmf_text.hpp"
 
 namespace percuss {
 namespace {

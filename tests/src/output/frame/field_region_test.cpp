@@ -11,8 +11,8 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "src/output/exodus/exodus_results.hpp"
-#include "src/output/fields/fields_file.hpp"
 #include "src/output/frame/field_region.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/output/sample_run.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "src/output/earlier/earlier_results.hpp"
+#include "src/output/frame/earlier_results.hpp"
 #include "src/output/history_file.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"

@@ -1,5 +1,5 @@
-#include "src/output/earlier/earlier_formats.hpp"
 #include "src/output/frame/component_names.hpp"
+#include "src/output/frame/frame_layout.hpp"
 #include "src/output/hdf5/growing_dataset.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 
@@ -38,7 +38,7 @@ void cut_exodus(hid_t file, const FramesInFile& kept) {
 
 }  // namespace
 
-const FramesFormat exodus_frames{
+const FrameLayout exodus_frames{
     ".exo", times, step_numbers, count_exodus_frames, find_exodus_mesh, list_exodus_fields, cut_exodus};
 
 }  // namespace percuss

@@ -7,9 +7,6 @@
 
 namespace percuss {
 
-/// What their names begin with: "fields", of an output with a name "fields_NAME".
-std::string name_fields(const std::string& output);
-
 /// Whether a run may have written a file of this name: fields.vtkhdf, fields_rim.xdmf2 ...
 bool is_fields_file(const std::string& name);
 
@@ -17,7 +14,10 @@ bool is_fields_file(const std::string& name);
 /// behind: what stands behind each in the folder, as ".tmp" of those that a run had not finished.
 std::vector<std::string> list_fields_files(const std::string& folder, const std::string& behind = "");
 
-/// Whether the file is HDF5 and so holds frames itself: no index of them.
+/// Whether the file holds frames itself: no index of them.
 bool holds_frames(const std::string& name);
+
+/// Names of all files of an output, whatever its formats.
+std::vector<std::string> name_fields_files(const std::string& output);
 
 }  // namespace percuss

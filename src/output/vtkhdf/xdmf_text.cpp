@@ -1,4 +1,4 @@
-#include "src/output/fields/xdmf_text.hpp"
+#include "src/output/vtkhdf/xdmf_text.hpp"
 
 #include <fmt/format.h>
 

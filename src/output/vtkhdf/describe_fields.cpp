@@ -1,4 +1,4 @@
-#include "src/output/fields/describe_fields.hpp"
+#include "src/output/vtkhdf/describe_fields.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

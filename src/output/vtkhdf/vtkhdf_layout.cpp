@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "src/output/earlier/earlier_formats.hpp"
+#include "src/output/frame/frame_layout.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 #include "src/output/hdf5/hdf5_table.hpp"
 
@@ -68,7 +68,7 @@ void cut_vtkhdf(hid_t file, const FramesInFile& kept) {
 
 }  // namespace
 
-const FramesFormat vtkhdf_frames{".vtkhdf",        "VTKHDF/Steps/Values", "percuss/step", count_vtkhdf_frames,
-                                 find_vtkhdf_mesh, list_vtkhdf_fields,    cut_vtkhdf};
+const FrameLayout vtkhdf_frames{".vtkhdf",        "VTKHDF/Steps/Values", "percuss/step", count_vtkhdf_frames,
+                                find_vtkhdf_mesh, list_vtkhdf_fields,    cut_vtkhdf};
 
 }  // namespace percuss

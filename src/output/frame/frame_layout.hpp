@@ -7,7 +7,6 @@
 #include <string>
 
 #include "src/hdf5/hdf5_handle.hpp"
-#include "src/output/files/result_names.hpp"
 
 namespace percuss {
 
@@ -17,8 +16,11 @@ struct FramesInFile {
   hsize_t nodes = 0, elements = 0;  // of the mesh
 };
 
+/// What the names of the files of an output of fields begin with: "fields", of one with a name "fields_NAME".
+inline std::string name_fields(const std::string& output) { return output.empty() ? "fields" : "fields_" + output; }
+
 /// file: an open HDF5 file. All functions throw hdf5::Error.
-struct FramesFormat {
+struct FrameLayout {
   const char* ending;  // of the file's name
 
   /// The file of an output of fields in the folder of a run.
@@ -40,6 +42,6 @@ struct FramesFormat {
   void (*cut)(hid_t file, const FramesInFile& kept);
 };
 
-extern const FramesFormat vtkhdf_frames, exodus_frames;
+extern const FrameLayout vtkhdf_frames, exodus_frames;
 
 }  // namespace percuss

@@ -1,4 +1,4 @@
-#include "src/output/earlier/earlier_results.hpp"
+#include "src/output/frame/earlier_results.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ hsize_t find_known_bytes(const std::string& path) {
 /// An earlier file that this process alone reads or cuts.
 class EarlierFile {
  public:
-  EarlierFile(const FramesFormat& format, const std::string& path, unsigned mode)
+  EarlierFile(const FrameLayout& format, const std::string& path, unsigned mode)
       : format_(format), bytes_(find_known_bytes(path)), file_(hdf5::open_unlocked(path, mode)) {}
 
   hsize_t count_frames() const {
@@ -70,14 +70,14 @@ class EarlierFile {
   }
 
  private:
-  const FramesFormat& format_;
+  const FrameLayout& format_;
   hsize_t bytes_;
   hdf5::Handle file_;
 };
 
 /// work(file) in a process of its own first: libraries may crash on damaged files.
 template <class Work>
-auto read_earlier(const FramesFormat& format, const std::string& path, const Work& work) {
+auto read_earlier(const FrameLayout& format, const std::string& path, const Work& work) {
   const auto open_and_work = [&] {
     const hdf5::QuietErrors quiet;
     return work(EarlierFile(format, path, H5F_ACC_RDONLY));
@@ -93,7 +93,7 @@ FramesInFile find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
           static_cast<hsize_t>(chunked.numbering.element_count())};
 }
 
-std::vector<double> check_earlier_results(const FramesFormat& format, const std::string& path, const FramesInFile& kept,
+std::vector<double> check_earlier_results(const FrameLayout& format, const std::string& path, const FramesInFile& kept,
                                           std::span<const std::string> fields) {
   std::string problem;
   try {
@@ -109,7 +109,7 @@ std::vector<double> check_earlier_results(const FramesFormat& format, const std:
                                path, problem));
 }
 
-LaterStates find_later_frames(const FramesFormat& format, const std::string& path, std::int64_t frames) {
+LaterStates find_later_frames(const FrameLayout& format, const std::string& path, std::int64_t frames) {
   if (find_known_bytes(path) == 0) return {};
   const auto first = static_cast<hsize_t>(std::max<std::int64_t>(frames, 0));
   try {
@@ -120,7 +120,7 @@ LaterStates find_later_frames(const FramesFormat& format, const std::string& pat
   return {};
 }
 
-void cut_earlier_results(const FramesFormat& format, const std::string& path, const FramesInFile& kept) {
+void cut_earlier_results(const FrameLayout& format, const std::string& path, const FramesInFile& kept) {
   const hdf5::QuietErrors quiet;
   try {
     EarlierFile(format, path, H5F_ACC_RDWR).cut(kept);

@@ -1,4 +1,4 @@
-#include "src/output/fields/field_units.hpp"
+#include "src/output/frame/field_units.hpp"
 
 #include <algorithm>
 #include <array>

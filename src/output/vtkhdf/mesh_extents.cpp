@@ -1,4 +1,4 @@
-#include "src/output/fields/mesh_extents.hpp"
+#include "src/output/vtkhdf/mesh_extents.hpp"
 
 #include <algorithm>
 #include <limits>

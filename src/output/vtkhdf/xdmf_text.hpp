@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "src/output/fields/fields_file.hpp"
-#include "src/output/fields/mesh_extents.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
+#include "src/output/vtkhdf/mesh_extents.hpp"
 
 namespace percuss {
 

@@ -1,4 +1,4 @@
-#include "src/output/fields/fields_file.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "src/hdf5/hdf5_handle.hpp"
-#include "src/output/earlier/earlier_results.hpp"
-#include "src/output/fields/field_units.hpp"
-#include "src/output/fields/vtkhdf_file.hpp"
-#include "src/output/fields/xdmf_text.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
+#include "src/output/frame/earlier_results.hpp"
+#include "src/output/frame/field_units.hpp"
+#include "src/output/vtkhdf/vtkhdf_file.hpp"
+#include "src/output/vtkhdf/xdmf_text.hpp"
 
 namespace percuss {
 namespace {
@@ -120,12 +120,6 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
   impl_ = std::make_unique<Impl>(directory, chunked, options, ranks, std::move(times));
 }
 
-void FieldsFile::check(const EarlierFrames& earlier, const ChunkedMesh& chunked, const Communicator& ranks) {
-  const std::string path = earlier.directory + "/" + vtkhdf_frames.name_file(earlier.name);
-  const FramesInFile kept = find_kept(chunked, earlier.frames);
-  run_on_first_rank(ranks, [&] { check_earlier_results(vtkhdf_frames, path, kept, earlier.fields); });
-}
-
 void FieldsFile::sync() {
   if (!impl_) return;
   const hdf5::QuietErrors quiet;
@@ -135,14 +129,6 @@ void FieldsFile::sync() {
 FieldsFile::~FieldsFile() {
   const hdf5::QuietErrors quiet;
   impl_.reset();
-}
-
-FieldsFile::FieldsFile(FieldsFile&&) noexcept = default;
-
-FieldsFile& FieldsFile::operator=(FieldsFile&& other) noexcept {
-  const hdf5::QuietErrors quiet;
-  impl_ = std::move(other.impl_);
-  return *this;
 }
 
 void FieldsFile::write_frame(double time, long step, std::span<const double> positions,

@@ -1,12 +1,12 @@
-#include "src/output/fields/vtkhdf_file.hpp"
+#include "src/output/vtkhdf/vtkhdf_file.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "comm/all_reduce.hpp"
-#include "src/output/earlier/earlier_formats.hpp"
-#include "src/output/fields/mesh_extents.hpp"
+#include "src/output/frame/frame_layout.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
+#include "src/output/vtkhdf/mesh_extents.hpp"
 
 namespace percuss {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "src/output/fields/fields_file.hpp"
-#include "src/output/fields/vtkhdf_tables.hpp"
 #include "src/output/hdf5/durable_file.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
+#include "src/output/vtkhdf/vtkhdf_tables.hpp"
 
 namespace percuss {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "src/hdf5/hdf5_handle.hpp"
-#include "src/output/fields/fields_file.hpp"
 #include "src/output/hdf5/frame_table.hpp"
 #include "src/output/hdf5/hdf5_table.hpp"
+#include "src/output/vtkhdf/fields_file.hpp"
 
 namespace percuss {
 

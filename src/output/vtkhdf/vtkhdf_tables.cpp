@@ -1,8 +1,8 @@
-#include "src/output/fields/vtkhdf_tables.hpp"
+#include "src/output/vtkhdf/vtkhdf_tables.hpp"
 
 #include <array>
 
-#include "src/output/fields/field_units.hpp"
+#include "src/output/frame/field_units.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 
 namespace percuss {
