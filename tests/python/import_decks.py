@@ -213,8 +213,7 @@ def make_block(material: str, state: str = "", shells: bool = False) -> str:
 
 
 LINEAR = "*EOS_LINEAR_POLYNOMIAL\n2,0.0,1.6e11,0.0,0.0,0.0,0.0,0.0\n0.0,1.0\n"
-GRUNEISEN = "*EOS_GRUNEISEN\n2,3940.0,1.489,0.0,0.0,2.02,0.47,0.0\n1.0\n"
-GRUNEISEN_PLAIN = GRUNEISEN.replace("0.47", "0.0")
+GRUNEISEN = "*EOS_GRUNEISEN\n2,3940.0,1.489,0.0,0.0,2.02,0.0,0.0\n1.0\n"
 JWL = "*EOS_JWL\n2,6.1e11,1.3e10,4.5,1.4,0.25,9.0e9,1.0\n"
 CURVE = "*DEFINE_CURVE\n7\n0.0,1.0e6\n0.5,2.0e6\n0.9,9.0e6\n"
 
@@ -233,7 +232,7 @@ LAWS = {
     "shear_failure": ("j2_plasticity", "*MAT_013\n1,7850.0,8.0e10,3.0e8,1.0e9,1.6e11\n0.4,-1e9,0\n", "", False),
     "hydro": ("j2_plasticity", "*MAT_ELASTIC_PLASTIC_HYDRO\n1,7850.0,8.0e10,3.0e8,1.0e9,0.0,0.5\n0\n0\n0\n0\n", LINEAR, False),
     "johnson_cook": ("johnson_cook", "*MAT_JOHNSON_COOK\n1,8960.0,4.6e10,1.2e11,0.35\n9.0e7,2.92e8,0.31,0.025,1.09,1356.0,293.0,1.0\n"
-                     "383.0,0.0,2.0,0.0,0.54,4.89,3.03,0.014\n1.12\n", GRUNEISEN_PLAIN, False),  # fmt: skip
+                     "383.0,0.0,2.0,0.0,0.54,4.89,3.03,0.014\n1.12\n", GRUNEISEN, False),  # fmt: skip
     "simplified": (
         "johnson_cook",
         "*MAT_SIMPLIFIED_JOHNSON_COOK\n1,7850.0,2.0e11,0.3\n3.0e8,4.0e8,0.3,0.01,0.5,1e28,1e28,1e-3\n",
@@ -258,7 +257,7 @@ LAWS = {
         "",
         False,
     ),
-    "fluid": ("fluid", "*MAT_NULL\n1,1000.0\n", GRUNEISEN_PLAIN, False),
+    "fluid": ("fluid", "*MAT_NULL\n1,1000.0\n", GRUNEISEN, False),
     "elastic_fluid": ("fluid", "*MAT_ELASTIC_FLUID\n1,1000.0,0,0,0,0,2.2e9\n0\n", "", False),
     "explosive": (
         "fluid",

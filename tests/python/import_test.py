@@ -472,7 +472,7 @@ class Laws(InFolder):
     def test_other_laws_and_fields_are_refused(self):
         text = decks.make_block("*MAT_OGDEN_RUBBER\n1,1e3\n")
         self.assertIn("deck.k:27", self.refusals(text)["MAT_OGDEN_RUBBER"])
-        self.assertIn("EOS_GRUNEISEN.A", self.refusals(decks.make_block("*MAT_NULL\n1,1000.0\n", decks.GRUNEISEN)))
+        self.assertIn("EOS_TABULATED_COMPACTION", self.refusals(decks.make_block("*MAT_NULL\n1,1000.0\n", "*EOS_TABULATED_COMPACTION\n2,0.0\n")))
         self.assertIn("MAT_MOONEY-RIVLIN_RUBBER.shells", self.refusals(decks.make_block(decks.LAWS["mooney"][1], "", True)))
 
     def test_power_law_is_sampled(self):

@@ -47,13 +47,15 @@ struct LinearState {
   }
 };
 
-/// Mie and Grueneisen about the Hugoniot Us = c + s up, with Gamma rho constant: with h = 1 - J,
-///   p = rho0 c^2 h / (1 - s h)^2 (1 - Gamma h / 2) + Gamma e
-/// in compression, and rho0 c^2 (1/J - 1) + Gamma e in expansion (Meyers, Dynamic Behavior of Materials, 1994).
+/// Mie and Grueneisen about the Hugoniot Us = c + (s + s2 h + s3 h^2) up with h = 1 - J, m = 1/J - 1:
+///   p = rho0 c^2 h / (1 - s h - s2 h^2 - s3 h^3)^2 (1 - Gamma h / 2 - a h m / 2) + (Gamma + a m) e
+/// in compression, and rho0 c^2 m + (Gamma + a m) e in expansion (Steinberg, UCRL-MA-106439, 1996). With a = 0 Gamma
+/// rho is constant (Meyers, Dynamic Behavior of Materials, 1994).
 struct MieGrueneisenState {
   static constexpr const char* name = "mie_grueneisen";
   using Constants = MieGrueneisenState;
   double sound_speed = 0, slope = 0, grueneisen = 0, start_energy = 0;
+  double slope_2 = 0, slope_3 = 0, grueneisen_slope = 0;
 
   static constexpr auto keys() {
     using M = MieGrueneisenState;
@@ -62,21 +64,30 @@ struct MieGrueneisenState {
         need("slope", &M::slope, KeyRange::not_negative, "-", "s of the Hugoniot Us = c + s up."),
         need("grueneisen", &M::grueneisen, KeyRange::not_negative, "-",
              "Gamma at the start; Gamma times density is constant."),
-        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
+        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start."),
+        may("slope_2", &M::slope_2, KeyRange::any, "-",
+            "s2 of the Hugoniot Us = c + (s + s2 h + s3 h^2) up, h = 1 - V / V0."),
+        may("slope_3", &M::slope_3, KeyRange::any, "-", "s3 of the Hugoniot; see slope_2."),
+        may("grueneisen_slope", &M::grueneisen_slope, KeyRange::any, "-",
+            "a of Gamma + a m, by which the energy acts; m = V0 / V - 1.")};
   }
   double find_start_energy() const { return start_energy; }
 
   template <class T>
   KOKKOS_INLINE_FUNCTION StatePressure<T> operator()(const T& j, const T& e, const StatePoint<T>& at) const {
-    constexpr double least_gap = 1e-3;  // of 1 - s h, which vanishes where no shock can get
-    const T k(at.density * sound_speed * sound_speed), gamma(grueneisen), h = T(1) - j;
-    const T gap = T(1) / larger(T(1) - T(slope) * h, T(least_gap));
-    const T hugoniot = k * h * gap * gap, factor = T(1) - T(0.5) * gamma * h;
-    const T steepness = k * gap * gap * gap * (T(1) + T(slope) * h);  // of the Hugoniot over h
-    const T inverse = T(1) / j;
+    constexpr double least_gap = 1e-3;  // of 1 - s h - ..., which vanishes where no shock can get
+    const T k(at.density * sound_speed * sound_speed), h = T(1) - j, inverse = T(1) / j, m = inverse - T(1);
+    const T gap = T(1) / larger(T(1) - (T(slope) + (T(slope_2) + T(slope_3) * h) * h) * h, T(least_gap));
+    const T hugoniot = k * h * gap * gap;
+    const T half_gamma = T(0.5) * T(grueneisen), half_a = T(0.5 * grueneisen_slope);
+    const T factor = (T(1) - half_gamma * h) - half_a * h * m, heat = T(grueneisen) + T(grueneisen_slope) * m;
+    // of the Hugoniot and of the factor over h
+    const T steepness = k * gap * gap * gap * (T(1) + (T(slope) + (T(3 * slope_2) + T(5 * slope_3) * h) * h) * h);
+    const T fall = half_gamma + half_a * m * (T(2) - h) * inverse;
     const auto compressed = h > T(0);
-    return {select(compressed, hugoniot * factor, k * (inverse - T(1))) + gamma * e,
-            select(compressed, T(0.5) * gamma * hugoniot - steepness * factor, -k * inverse * inverse), gamma};
+    const T by_volume = select(compressed, fall * hugoniot - steepness * factor, -k * inverse * inverse);
+    return {select(compressed, hugoniot * factor, k * m) + heat * e,
+            by_volume - T(grueneisen_slope) * inverse * inverse * e, heat};
   }
 };
 
@@ -109,6 +120,53 @@ struct PolynomialState {
     const T heat = T(c4) + m * (T(c5) + m * k6);
     const T by_m = T(c1) + m * (T(2) * k2 + m * T(3 * c3)) + (T(c5) + T(2) * m * k6) * e;
     return {T(c0) + m * (T(c1) + m * (k2 + m * T(c3))) + heat * e, -by_m * inverse * inverse, heat};
+  }
+};
+
+/// p = C(ln J) + gamma T(ln J) e: straight lines between the rows, and beyond them.
+struct TabulatedState {
+  static constexpr const char* name = "tabulated";
+  using Constants = TabulatedState;
+  MaterialTable cold, heat;
+  double gamma = 0, start_energy = 0;
+
+  static constexpr auto keys() {
+    using M = TabulatedState;
+    return std::array{
+        need("cold", &M::cold, KeyRange::any, "-, pressure",
+             "C of p = C + gamma T e over ln(V / V0), falling; the first and the last slope continue."),
+        may("heat", &M::heat, KeyRange::any, "-, -", "T over ln(V / V0); see cold. Without it, C is all."),
+        may("gamma", &M::gamma, KeyRange::any, "-", "gamma of the pressure; see cold."),
+        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
+  }
+  const char* find_fault() const {
+    if (cold.rows < 2) return "a curve cold of one row (it has no slope)";
+    for (int i = 0; i + 1 < cold.rows; ++i)
+      if (cold.y[i + 1] >= cold.y[i]) return "a curve cold that does not fall (a volume that grows would be pushed)";
+    return "";
+  }
+  double find_start_energy() const { return start_energy; }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION static MaterialTable::Value<T> extend(const MaterialTable& table, const T& at) {
+    if (table.rows == 0) return {T(0), T(0)};
+    if (table.rows == 1) return {T(table.y[0]), T(0)};
+    const int n = table.rows;
+    const T first((table.y[1] - table.y[0]) / (table.x[1] - table.x[0]));
+    const T last((table.y[n - 1] - table.y[n - 2]) / (table.x[n - 1] - table.x[n - 2]));
+    const MaterialTable::Value<T> inside = table(at);
+    const auto before = at < T(table.x[0]), behind = at >= T(table.x[n - 1]);
+    const T y = select(before, T(table.y[0]) + first * (at - T(table.x[0])), inside.y);
+    return {select(behind, T(table.y[n - 1]) + last * (at - T(table.x[n - 1])), y),
+            select(before, first, select(behind, last, inside.slope))};
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION StatePressure<T> operator()(const T& j, const T& e, const StatePoint<T>& /*at*/) const {
+    const T strain = logarithm(j), inverse = T(1) / j;
+    const MaterialTable::Value<T> c = extend(cold, strain), t = extend(heat, strain);
+    const T by_energy = T(gamma) * t.y;
+    return {c.y + by_energy * e, (c.slope + T(gamma) * t.slope * e) * inverse, by_energy};
   }
 };
 

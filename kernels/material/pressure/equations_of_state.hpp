@@ -10,7 +10,7 @@
 namespace percuss {
 
 using EquationsOfState =
-    TypeList<LinearState, MieGrueneisenState, PolynomialState, IdealGasState, TillotsonState, JwlState>;
+    TypeList<LinearState, MieGrueneisenState, PolynomialState, IdealGasState, TillotsonState, JwlState, TabulatedState>;
 
 /// History of an equation of state: e, J, and the lighting time of an explosive.
 inline constexpr int state_history_count = 3;

@@ -67,6 +67,9 @@ inline Fluid make_sample(Of<Fluid>) { return {}; }
 inline LinearState make_sample(Of<LinearState>) { return {10e9}; }
 inline MieGrueneisenState make_sample(Of<MieGrueneisenState>) { return {3000, 1.5, 2, 1e8}; }
 inline PolynomialState make_sample(Of<PolynomialState>) { return {1e8, 10e9, 5e9, 20e9, 0.5, 0.3, 0.1, 1e9}; }
+inline TabulatedState make_sample(Of<TabulatedState>) {
+  return {{3, {-0.2, 0, 0.1}, {4e9, 0.1e9, -0.5e9}}, {2, {-0.3, 0.3}, {1.5, 0.6}}, 0.8, 2e8};
+}
 inline IdealGasState make_sample(Of<IdealGasState>) { return {1.4, 2.5e5}; }
 inline TillotsonState make_sample(Of<TillotsonState>) { return {0.5, 1.5, 18e9, 18e9, 16e6, 5, 5, 3.5e6, 18e6, 1e8}; }
 inline JwlState make_sample(Of<JwlState>) { return {371.2e9, 3.231e9, 4.15, 0.95, 0.3, 7e9, 6930, {0, 0, 0}}; }

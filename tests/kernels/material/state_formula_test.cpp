@@ -29,6 +29,23 @@ double find_mie_grueneisen(double rho, double energy) {
   return hugoniot + gamma_rho * (energy - hugoniot * eta / (2 * start_density));
 }
 
+// The same with Us = c + (s + s2 eta + s3 eta^2) up and (Gamma + a m) e, m = rho / rho0 - 1, as published over m:
+// p = rho0 c^2 m (1 + (1 - Gamma / 2) m - a m^2 / 2) / (1 - (s - 1) m - s2 m^2 / (m + 1) - s3 m^3 / (m + 1)^2)^2 + ...
+double find_steinberg(double rho, double energy) {
+  const double c = 3000, s = 1.5, s2 = 0.4, s3 = -0.3, gamma = 2, a = 0.5, m = rho / start_density - 1;
+  const double k = start_density * c * c, heat = (gamma + a * m) * start_density * energy;
+  if (m < 0) return k * m + heat;
+  const double n = 1 - (s - 1) * m - s2 * m * m / (m + 1) - s3 * m * m * m / ((m + 1) * (m + 1));
+  return k * m * (1 + (1 - gamma / 2) * m - a / 2 * m * m) / (n * n) + heat;
+}
+
+// p = C(x) + gamma T(x) e, x = ln(rho0 / rho), of the sample's lines
+double find_tabulated(double rho, double energy) {
+  const double x = std::log(start_density / rho);
+  const double c = x < 0 ? 0.1e9 - 19.5e9 * x : 0.1e9 - 6e9 * x;
+  return c + 0.8 * (1.05 - 1.5 * x) * start_density * energy;
+}
+
 // p = c0 + c1 m + c2 m^2 + c3 m^3 + (c4 + c5 m + c6 m^2) e, m = rho / rho0 - 1, c2 = c6 = 0 in expansion
 double find_polynomial(double rho, double energy) {
   const double m = rho / start_density - 1, e = start_density * energy;
@@ -80,9 +97,10 @@ struct StateAt {
 
 /// tolerance: of the modulus.
 template <class State>
-void compare(const Formula& formula, const std::vector<StateAt>& states, double tolerance) {
+void compare(const Formula& formula, const std::vector<StateAt>& states, double tolerance,
+             const State& state = make_sample(Of<State>())) {
   for (const StateAt& at : states) {
-    Point<Fluid> point(Fluid{}, start_density, make_sample(Of<State>()));
+    Point<Fluid> point(Fluid{}, start_density, state);
     point.time = 1e9;  // explosives have burnt
     double* const history = point.history + point.material.find_state_place();
     history[0] = start_density * at.energy;
@@ -106,6 +124,19 @@ TEST(StateFormula, Linear) { compare<LinearState>(find_linear, {{2500, 0}, {1800
 
 TEST(StateFormula, MieGrueneisen) {
   compare<MieGrueneisenState>(find_mie_grueneisen, {{2100, 0}, {2800, 2e6}, {1900, 5e5}}, by_differences);
+}
+
+TEST(StateFormula, MieGrueneisenWithAllItsTerms) {
+  MieGrueneisenState state = make_sample(Of<MieGrueneisenState>());
+  state.slope_2 = 0.4;
+  state.slope_3 = -0.3;
+  state.grueneisen_slope = 0.5;
+  compare(find_steinberg, {{2100, 0}, {2800, 2e6}, {1900, 5e5}}, by_differences, state);
+}
+
+TEST(StateFormula, TabulatedBetweenAndBeyondItsRows) {
+  // between the rows on both sides of 0, and beyond the first and the last
+  compare<TabulatedState>(find_tabulated, {{2100, 1e5}, {1950, 1e5}, {2900, 2e5}, {1700, 1e4}}, by_differences);
 }
 
 TEST(StateFormula, Polynomial) {

@@ -96,6 +96,39 @@ def state_cube(material, ratio, *more, rows=100):
     return text.replace("*PART\npart_1\n1,1,1\n", "*PART\npart_1\n1,1,1,1\n")
 
 
+def follow_adiabat(pressure, energy):
+    """The pressure at V / V0 = 1 / UP, from 1 on by dE = -p dV; pressure(V / V0, energy per initial volume)."""
+    count = 2000
+    change = (1 / UP - 1) / count
+    for i in range(count):
+        at = 1 + i * change
+        middle = energy - 0.5 * change * pressure(at, energy)
+        energy -= change * pressure(at + 0.5 * change, middle)
+    return pressure(1 / UP, energy)
+
+
+def steinberg(volume, energy):
+    """C 4.6e6, S1 1.5, S2 8, S3 9, GAMMA0 2, A 300, as published over mu."""
+    mu = 1 / volume - 1
+    below = 1 - 0.5 * mu - 8.0 * mu**2 / (mu + 1) - 9.0 * mu**3 / (mu + 1) ** 2
+    return DENSITY * 4.6e6**2 * mu * (1 - 150.0 * mu**2) / below**2 + (2.0 + 300.0 * mu) * energy
+
+
+def tabulated(volume, energy):
+    """C from 0 to 3000 and T from 1 to 0.8 over ln(V) from 0 to -2 STRAIN; GAMA 0.5."""
+    share = -math.log(volume) / (2 * STRAIN)
+    return 3000.0 * share + 0.5 * (1 - 0.2 * share) * energy
+
+
+def ten(*values):
+    """Two lines of five fields of sixteen columns."""
+    texts = [f"{value:16.9g}" for value in (*values, *[0.0] * (10 - len(values)))]
+    return "".join(texts[:5]) + "\n" + "".join(texts[5:]) + "\n"
+
+
+TABLES = ten(0.1, 0.0, -2 * STRAIN) + ten(-2e4, 0.0, 3000.0) + ten(1.0, 1.0, 0.8)
+
+
 def polynomial(ratio):
     mu = 1 / ratio - 1
     return BULK * mu + 40000.0 * mu**2 + 90000.0 * mu**3
@@ -412,7 +445,19 @@ CONSTANT_RATE = [
           [(PRESSURE, LAST, 3e8 * DENSITY * 300.0 * 0.9 ** (-10 / 7), 3e-3)], "(CP - CV) rho T0, compressed without loss of heat"),
     Proof("EOS_IDEAL_GAS: CL CQ VC0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_IDEAL_GAS\n1,7e8,1e9,0.1,0,300.0\n", 0.9), refused="CL"),
     Proof("EOS_IDEAL_GAS: ADIAB", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_IDEAL_GAS\n1,7e8,1e9,0,0,300.0\n1\n", 0.9), refused="ADIAB"),
-    Proof("EOS_GRUNEISEN: A S2 S3", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0,0.3,0\n1.0\n", UP), refused="A is 0.3"),
+    Proof("EOS_GRUNEISEN: A S2 S3", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,8.0,9.0,2.0,300.0,50.0\n1.0\n", 1 / UP),
+          [(lambda h: h[PRESSURE][-1] / follow_adiabat(steinberg, 50.0), LAST, 1.0, 1e-2)],
+          "the published pressure over mu; the energy by the work of compression"),
+    Proof("EOS_TABULATED: EOSID GAMA E0 V0 " + " ".join(f"{name}{i}" for name in ("EV", "C", "T") for i in range(1, 11)),
+          state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,1.0\n" + TABLES, 1 / UP),
+          [(lambda h: h[PRESSURE][-1] / follow_adiabat(tabulated, 50.0), LAST, 1.0, 2e-3)], "C + GAMA T E at ln(V), between two rows"),
+    Proof("EOS_TABULATED: LCC LCT",
+          state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,1.0,21,22\n", 1 / UP,
+                     curve(21, (-2 * STRAIN, 3000.0), (0.0, 0.0), (0.1, -2e4)) + curve(22, (-2 * STRAIN, 0.8), (0.0, 1.0))),
+          [(lambda h: h[PRESSURE][-1] / follow_adiabat(tabulated, 50.0), LAST, 1.0, 2e-3)], "the curves, over ln(V)"),
+    Proof("EOS_TABULATED: LCC", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,1.0,21\n", UP, curve(21, (-0.1, -3e4), (0.0, 0.0), (0.1, 2e4))),
+          refused="falls over ln"),
+    Proof("EOS_TABULATED: V0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,0.9\n" + TABLES, UP), refused="initial relative volume"),
     Proof("EOS_GRUNEISEN: V0", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n0.9\n", UP), refused="initial relative volume"),
     Proof("MAT_SOIL_AND_FOAM: PC", stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,-7.0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", UP),
           [(PRESSURE, LAST, -7.0, 2e-2)], "the tension stays at PC"),

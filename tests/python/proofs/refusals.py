@@ -13,7 +13,7 @@ PROOFS = [
     Proof("MAT_ELASTIC", deck(shell().replace("MAT_ELASTIC", "MAT_ELASTICS"), *LEANING), refused="did you mean *MAT_ELASTIC?", messages=1),
     Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
           refused="ELEMENT_SHELL_DOF", messages=1),
-    Proof("MAT_NULL", deck(cube("*MAT_NULL\n1,7.8e-9\n*EOS_TABULATED\n1,0,0\n").replace("*PART\npart_1\n1,1,1", "*PART\npart_1\n1,1,1,1")), refused="EOS_TABULATED", messages=1),
+    Proof("MAT_NULL", deck(cube("*MAT_NULL\n1,7.8e-9\n*EOS_TABULATED_COMPACTION\n1,0,0\n").replace("*PART\npart_1\n1,1,1", "*PART\npart_1\n1,1,1,1")), refused="EOS_TABULATED_COMPACTION", messages=1),
     Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
     Proof("ELEMENT", abaqus(abaqus_cube()).replace("1, 1, 2, 3, 4", "2, 3, 4\n1, 1, 2, 3, 4"), refused="has 11 nodes (8 are expected)"),
     Proof("ELEMENT", abaqus(abaqus_cube()) + "* , x\n", refused="has no keyword"),

@@ -70,8 +70,9 @@ FIELDS: dict[str, str] = {
     "MAT_SPRING_ELASTIC": "stiffness: K", "MAT_DAMPER_VISCOUS": "damping: DC",
     "MAT_ADD_EROSION": "stress: MXPRES MNPRES SIGP1 SIGVM SIGTH; time: FAILTM",
     "EOS_LINEAR_POLYNOMIAL": "stress: C0 C1 C2 C3 E0", "EOS_GRUNEISEN": "speed: C; stress: E0", "EOS_IDEAL_GAS": "heat: CV CP", "EOS_JWL": "stress: A B E0",
+    "EOS_TABULATED": "stress: E0 C1 C2 C3 C4 C5 C6 C7 C8 C9 C10",
 }  # fmt: skip
-NUMBERED_STATES = {1: "LINEAR_POLYNOMIAL", 2: "JWL", 4: "GRUNEISEN", 12: "IDEAL_GAS"}
+NUMBERED_STATES = {1: "LINEAR_POLYNOMIAL", 2: "JWL", 4: "GRUNEISEN", 9: "TABULATED", 12: "IDEAL_GAS"}
 EXACT = ("MAT_", "EOS_")
 DIMENSIONS = {
     card: {field: kind.strip() for part in text.split(";") if part.strip() for kind, _, fields in [part.partition(":")] for field in fields.split()}
