@@ -55,13 +55,44 @@ struct ConstraintDeck {
 
 /// What two rigid bodies, or one and the ground, have in common.
 struct JointDeck {
-  enum class Kind { spherical, revolute };
+  enum class Kind { spherical, revolute, cylindrical, translational, planar, universal, fixed };
   std::string name;
   Kind kind = Kind::spherical;
   std::vector<std::string> bodies;  // one: it is joined to the ground
   Vec3 at{};                        // the common point at time 0
-  std::optional<Vec3> axis;         // of revolute joints, a unit vector at time 0
+  std::optional<Vec3> axis;         // a unit vector at time 0; of all kinds but spherical and fixed
+  std::optional<Vec3> second_axis;  // likewise, on the second body, across the axis; of universal joints
   Place place;
 };
+
+/// A kind of joint by its word, and what it keeps.
+struct JointTraits {
+  enum class Point { all, across, along };  // which ways of the point: all, those across the axis, that along it
+  const char* word;
+  JointDeck::Kind kind;
+  Point point;
+  bool keeps_axis;     // the direction of the axis is one on both bodies
+  bool keeps_turn;     // no turn about it; of a universal joint: the axes of both bodies stay perpendicular
+  const char* motion;  // that it leaves
+  bool has_axis() const { return kind != JointDeck::Kind::spherical && kind != JointDeck::Kind::fixed; }
+  bool has_second_axis() const { return kind == JointDeck::Kind::universal; }
+};
+
+/// In the order of JointDeck::Kind.
+inline constexpr std::array joint_traits{
+    JointTraits{"spherical", JointDeck::Kind::spherical, JointTraits::Point::all, false, false,
+                "turns about every axis"},
+    JointTraits{"revolute", JointDeck::Kind::revolute, JointTraits::Point::all, true, false, "turns about one axis"},
+    JointTraits{"cylindrical", JointDeck::Kind::cylindrical, JointTraits::Point::across, true, false,
+                "slides along an axis and turns about it"},
+    JointTraits{"translational", JointDeck::Kind::translational, JointTraits::Point::across, true, true,
+                "slides along an axis"},
+    JointTraits{"planar", JointDeck::Kind::planar, JointTraits::Point::along, true, false,
+                "slides across an axis and turns about it"},
+    JointTraits{"universal", JointDeck::Kind::universal, JointTraits::Point::all, false, true,
+                "turns about an axis of each body"},
+    JointTraits{"fixed", JointDeck::Kind::fixed, JointTraits::Point::all, true, true, "does not move"}};
+
+inline const JointTraits& find_traits(JointDeck::Kind kind) { return joint_traits[static_cast<std::size_t>(kind)]; }
 
 }  // namespace percuss

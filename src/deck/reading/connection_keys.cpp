@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "src/deck/reading/connections/strength_keys.hpp"
 #include "src/deck/reading/deck_keys.hpp"
@@ -201,14 +203,42 @@ bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact)
 // --- joints
 
 const Keys<JointDeck>& joint_keys() {
-  using Kind = JointDeck::Kind;
+  ChoiceValue<JointDeck::Kind> kinds;
+  for (const JointTraits& traits : joint_traits) kinds.choices.emplace_back(traits.word, traits.kind);
   static const Keys<JointDeck> keys = {
-      need("kind", &JointDeck::kind, ChoiceValue<Kind>{{{"spherical", Kind::spherical}, {"revolute", Kind::revolute}}}),
+      need("kind", &JointDeck::kind, kinds),
       need("bodies", &JointDeck::bodies, ListValue<NameValue>{}),
       need("at", &JointDeck::at, vector3()),
       may("axis", &JointDeck::axis, DirectionValue{}),
+      may("second_axis", &JointDeck::second_axis, DirectionValue{}),
   };
   return keys;
+}
+
+/// Whether a joint has the axis if its kind has one, and none if not.
+bool check_axis(const Reader& reader, const Node& node, const JointDeck& joint, const char* key, bool is_given,
+                bool is_needed) {
+  if (is_given == is_needed) return true;
+  const JointTraits& traits = find_traits(joint.kind);
+  const std::string why = fmt::format("(a {} joint {})", traits.word, traits.motion);
+  if (is_needed)
+    reader.error(node.spot, fmt::format("{} has no {} {}", reader.self(), key, why));
+  else
+    reader.error(node.find(key)->key, fmt::format("{} has a key {} {}: leave it out", reader.self(), key, why));
+  return false;
+}
+
+/// The axes of a universal joint are those of its cross.
+bool check_cross(const Reader& reader, const Node& node, const JointDeck& joint) {
+  constexpr double round_off = 1e-6;
+  if (!joint.second_axis) return true;
+  const Vec3 &a = *joint.axis, &b = *joint.second_axis;
+  const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  if (std::abs(cosine) <= round_off) return true;
+  reader.error(node.find("second_axis")->key,
+               fmt::format("{} has axes whose angle is {:.4g} degrees (those of a cross are perpendicular)",
+                           reader.self(), std::acos(cosine) * 180 / std::numbers::pi));
+  return false;
 }
 
 bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
@@ -224,12 +254,10 @@ bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
                  fmt::format("{} joins '{}' to itself (which moves as one anyway)", reader.self(), joint.bodies[0]));
     return false;
   }
-  const bool is_revolute = joint.kind == JointDeck::Kind::revolute;
-  if (is_revolute == joint.axis.has_value()) return true;
-  reader.error(is_revolute ? node.spot : node.find("axis")->key,
-               reader.self() + (is_revolute ? " has no axis (a revolute joint turns about one)"
-                                            : " has an axis (a spherical joint turns about every one): leave it out"));
-  return false;
+  const JointTraits& traits = find_traits(joint.kind);
+  return check_axis(reader, node, joint, "axis", joint.axis.has_value(), traits.has_axis()) &&
+         check_axis(reader, node, joint, "second_axis", joint.second_axis.has_value(), traits.has_second_axis()) &&
+         check_cross(reader, node, joint);
 }
 
 /// The same bodies at the same place.

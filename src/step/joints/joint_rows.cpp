@@ -18,8 +18,9 @@ Vector find_point(const JointEnd& end, const std::vector<RigidState>& bodies) {
   return bodies[at(end.body)].center + find_arm(end, bodies[at(end.body)]);
 }
 
-Vector find_axis(const JointEnd& end, const std::vector<RigidState>& bodies) {
-  return end.body == Joint::ground ? end.axis : find_rotation(bodies[at(end.body)].orientation) * end.axis;
+/// A direction that is fixed to the body of an end, as it is now.
+Vector find_direction(const JointEnd& end, const Vector& at_start, const std::vector<RigidState>& bodies) {
+  return end.body == Joint::ground ? at_start : find_rotation(bodies[at(end.body)].orientation) * at_start;
 }
 
 /// The way of a joint's point on a body in a step: exactly that of a node there.
@@ -33,45 +34,71 @@ Vector find_way(const JointEnd& end, const std::vector<RigidState>& now, const s
 
 /// By how much the axis of the first body is turned against that of the second, about the sides, as a length.
 std::array<double, 2> find_turned(const Joint& joint, const JointFrame& frame, const std::vector<RigidState>& bodies) {
-  const Vector turned = cross(find_axis(joint.ends[1], bodies), find_axis(joint.ends[0], bodies));
+  const Vector axis = find_direction(joint.ends[0], joint.ends[0].axis, bodies);
+  const Vector turned = cross(find_direction(joint.ends[1], joint.ends[1].axis, bodies), axis);
   return {joint.length * dot(turned, frame.side[0]), joint.length * dot(turned, frame.side[1])};
+}
+
+/// The sine of the angle by which the turns of both bodies are not perpendicular, as a length.
+double find_skew(const Joint& joint, const std::vector<RigidState>& bodies) {
+  return joint.length * dot(find_direction(joint.ends[0], joint.ends[0].turn, bodies),
+                            find_direction(joint.ends[1], joint.ends[1].turn, bodies));
+}
+
+/// The directions of the ways that are kept. Those of a point that slides turn with the first body.
+std::array<Vector, 3> find_ways(const Joint& joint, const JointFrame& frame, const Vector& axis) {
+  if (joint.point == JointTraits::Point::all) return {axes[0], axes[1], axes[2]};
+  if (joint.point == JointTraits::Point::along) return {axis, {0, 0, 0}, {0, 0, 0}};
+  return {frame.side[0], frame.side[1], {0, 0, 0}};
 }
 
 }  // namespace
 
-JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& now) {
-  JointFrame frame;
-  const Vector first = find_point(joint.ends[0], now), second = find_point(joint.ends[1], now);
-  const Vector apart = first - second;
-  frame.point = 0.5 * (first + second);
-  frame.gap = {apart.x, apart.y, apart.z, 0, 0};
-  if (!joint.has_axis) return frame;
-  const Vector axis = find_axis(joint.ends[0], now);
+std::array<Vector, 2> find_sides(const Vector& axis) {
   int least = 0;
   for (int k = 1; k < 3; ++k)
     if (std::abs(get(axis, k)) < std::abs(get(axis, least))) least = k;
-  const Vector side = cross(axis, axes[least]);
-  frame.side[0] = (1 / norm(side)) * side;
-  frame.side[1] = cross(axis, frame.side[0]);
-  const auto turned = find_turned(joint, frame, now);
-  frame.gap[3] = turned[0];
-  frame.gap[4] = turned[1];
+  const Vector side = cross(axis, axes[least]), first = (1 / norm(side)) * side;
+  return {first, cross(axis, first)};
+}
+
+JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& now) {
+  JointFrame frame;
+  const Vector first = find_point(joint.ends[0], now), second = find_point(joint.ends[1], now);
+  frame.apart = first - second;
+  const bool slides = joint.point != JointTraits::Point::all;
+  frame.point = slides ? second : 0.5 * (first + second);
+  const Vector axis = find_direction(joint.ends[0], joint.ends[0].axis, now);
+  if (joint.keeps_axis) frame.side = find_sides(axis);
+  frame.way = find_ways(joint, frame, axis);
+  std::size_t row = 0;
+  for (; row < at(count_ways(joint)); ++row) frame.gap[row] = dot(frame.apart, frame.way[row]);
+  if (joint.keeps_axis) {
+    for (const double turned : find_turned(joint, frame, now)) frame.gap[row++] = turned;
+  }
+  if (joint.keeps_turn) {
+    frame.turn = cross(find_direction(joint.ends[0], joint.ends[0].turn, now),
+                       find_direction(joint.ends[1], joint.ends[1].turn, now));
+    frame.gap[row] = find_skew(joint, now);
+  }
   return frame;
 }
 
 void add_joint_rows(const Joint& joint, const JointFrame& frame, const std::vector<RigidState>& now,
                     std::vector<JointRow>& rows) {
+  const int ways = count_ways(joint);
   for (int r = 0; r < count_rows(joint); ++r) {
+    const bool is_way = r < ways, is_side = joint.keeps_axis && r < ways + 2;
     JointRow row;
     for (std::size_t e = 0; e < 2; ++e) {
       const JointEnd& end = joint.ends[e];
       row.body[e] = end.body;
       if (end.body == Joint::ground) continue;
       const double sign = e == 0 ? 1 : -1;
-      if (r < 3) {
-        row.unit[e] = find_wrench(frame.point - now[at(end.body)].center, sign * axes[r]);
+      if (is_way) {
+        row.unit[e] = find_wrench(frame.point - now[at(end.body)].center, sign * frame.way[at(r)]);
       } else {
-        row.unit[e].moment = sign * joint.length * frame.side[at(r - 3)];
+        row.unit[e].moment = sign * joint.length * (is_side ? frame.side[at(r - ways)] : frame.turn);
       }
     }
     rows.push_back(row);
@@ -82,10 +109,24 @@ std::array<double, most_joint_rows> find_gap_changes(const Joint& joint, const J
                                                      const std::vector<RigidState>& now,
                                                      const std::vector<RigidState>& next, double dt) {
   const Vector way = find_way(joint.ends[0], now, next, dt) - find_way(joint.ends[1], now, next, dt);
-  std::array<double, most_joint_rows> changes{way.x, way.y, way.z, 0, 0};
-  if (!joint.has_axis) return changes;
-  const auto turned = find_turned(joint, frame, next);
-  for (std::size_t k = 0; k < 2; ++k) changes[3 + k] = turned[k] - frame.gap[3 + k];
+  std::array<double, most_joint_rows> changes{way.x, way.y, way.z, 0, 0, 0};
+  std::size_t row = at(count_ways(joint));
+  if (joint.point != JointTraits::Point::all) {
+    const int first = joint.ends[0].body;
+    const Matrix3<double> before = find_rotation(now[at(first)].orientation),
+                          after = find_rotation(next[at(first)].orientation);
+    for (std::size_t r = 0; r < row; ++r) {
+      const Vector turned = after * transpose_times(before, frame.way[r]);
+      changes[r] = dot(way, turned) + dot(frame.apart, turned - frame.way[r]);
+    }
+  }
+  if (joint.keeps_axis) {
+    for (const double turned : find_turned(joint, frame, next)) {
+      changes[row] = turned - frame.gap[row];
+      ++row;
+    }
+  }
+  if (joint.keeps_turn) changes[row] = find_skew(joint, next) - frame.gap[row];
   return changes;
 }
 
@@ -102,8 +143,14 @@ std::vector<double> find_gap_rates(const std::vector<JointRow>& rows, const std:
 }
 
 Wrench sum_joint_rows(const Joint& joint, const JointFrame& frame, const double* multipliers) {
-  Wrench sum{{multipliers[0], multipliers[1], multipliers[2]}, {0, 0, 0}};
-  if (joint.has_axis) sum.moment = joint.length * (multipliers[3] * frame.side[0] + multipliers[4] * frame.side[1]);
+  Wrench sum{{0, 0, 0}, {0, 0, 0}};
+  const double* next = multipliers;
+  for (std::size_t r = 0; r < at(count_ways(joint)); ++r) sum.impulse = sum.impulse + *next++ * frame.way[r];
+  if (joint.keeps_axis) {
+    sum.moment = joint.length * (next[0] * frame.side[0] + next[1] * frame.side[1]);
+    next += 2;
+  }
+  if (joint.keeps_turn) sum.moment = sum.moment + (joint.length * next[0]) * frame.turn;
   return sum;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
-// The rows of a joint: what keeps its point, and its axis, one on both bodies.
+// The rows of a joint: what keeps its point, its axis and its turn on both bodies.
 //
 // A row is a unit impulse on the first body and its opposite on the second, at the point at n: all momenta are
-// conserved. Its gap is what the row is to keep zero, a length.
+// conserved. Its gap is what the row is to keep zero, a length. Where the point slides, its ways are along directions
+// that turn with the first body, and the point is that of the second one.
 
 #include <vector>
 
@@ -19,13 +20,24 @@ struct JointRow {
 /// A joint at n.
 struct JointFrame {
   Vector3<double> point{};                // midway between those of both bodies, which are one but for round-off
-  std::array<Vector3<double>, 2> side{};  // of revolute joints, across the axis; of length one
-  std::array<double, 5> gap{};
+  Vector3<double> apart{};                // the point of the first body less that of the second
+  std::array<Vector3<double>, 3> way{};   // directions of the ways that are kept, of length one
+  std::array<Vector3<double>, 2> side{};  // across the axis; of length one
+  Vector3<double> turn{};                 // axis of the turn that is kept
+  std::array<double, 6> gap{};
 };
 
-/// Most rows of a joint, and those of one of a kind.
-constexpr int most_joint_rows = 5;
-inline int count_rows(const Joint& joint) { return joint.has_axis ? 5 : 3; }
+/// Most rows of a joint, and those of one of a kind: first those of ways, then of the axis, then of the turn.
+constexpr int most_joint_rows = 6;
+inline int count_ways(const Joint& joint) {
+  return joint.point == JointTraits::Point::all ? 3 : joint.point == JointTraits::Point::across ? 2 : 1;
+}
+inline int count_rows(const Joint& joint) {
+  return count_ways(joint) + (joint.keeps_axis ? 2 : 0) + (joint.keeps_turn ? 1 : 0);
+}
+
+/// Two directions across an axis, of length one.
+std::array<Vector3<double>, 2> find_sides(const Vector3<double>& axis);
 
 JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& now);
 

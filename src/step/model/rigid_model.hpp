@@ -8,6 +8,7 @@
 
 #include "kernels/rigid/rigid_motion.hpp"
 #include "kernels/rigid/rigid_nodes.hpp"
+#include "src/deck/spring_deck.hpp"
 #include "src/mesh/mesh.hpp"
 
 namespace percuss {
@@ -52,14 +53,16 @@ struct JointEnd {
   int body = -1;           // of the model, or Joint::ground
   Vector3<double> arm{};   // at time 0, from the centre; of the ground, the point itself
   Vector3<double> axis{};  // at time 0, of joints that have one
+  Vector3<double> turn{};  // at time 0, perpendicular to that of the other body, of joints that keep it so
 };
 
-/// A point, and in a revolute joint an axis, that two bodies have in common; const after set-up.
+/// What two bodies have in common; const after set-up. The first is no ground.
 struct Joint {
   static constexpr int ground = -1;
 
   std::string name, place;  // the latter in the deck
-  bool has_axis = false;
+  JointTraits::Point point = JointTraits::Point::all;
+  bool keeps_axis = false, keeps_turn = false;
   std::array<JointEnd, 2> ends;
   double length = 0;  // radius of gyration of a body: turns times this are compared with ways
 };

@@ -64,7 +64,7 @@ std::vector<HistoryColumn> list_joint_columns(const Deck& deck) {
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_f{}:{}", axis, joint.name), dim::force,
                          fmt::format("force in {} of joint '{}', on its first body", axis, joint.name)});
-    if (joint.kind != JointDeck::Kind::revolute) continue;
+    if (!find_traits(joint.kind).keeps_axis && !find_traits(joint.kind).keeps_turn) continue;
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_m{}:{}", axis, joint.name), dim::energy,
                          fmt::format("moment about {} of joint '{}', on its first body", axis, joint.name),
@@ -76,7 +76,8 @@ std::vector<HistoryColumn> list_joint_columns(const Deck& deck) {
 void append_joints(const Model& model, const State& state, std::vector<double>& row) {
   for (std::size_t j = 0; j < state.joints.size(); ++j) {
     for (int k = 0; k < 3; ++k) row.push_back(get(state.joints[j].force, k));
-    for (int k = 0; model.rigid.joints[j].has_axis && k < 3; ++k) row.push_back(get(state.joints[j].moment, k));
+    const Joint& joint = model.rigid.joints[j];
+    for (int k = 0; (joint.keeps_axis || joint.keeps_turn) && k < 3; ++k) row.push_back(get(state.joints[j].moment, k));
   }
 }
 

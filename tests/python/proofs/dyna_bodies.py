@@ -11,6 +11,9 @@ EXTRA = OUT + "*CONSTRAINED_EXTRA_NODES_NODE\n1,50\n"
 PUSH = "*LOAD_RIGID_BODY\n{id},{dof},7,3.0\n" + CONSTANT
 TWO_RIGID = two_cubes(1.0).replace("*MAT_ELASTIC", "*MAT_RIGID").replace("0.3\n", "0.3\n0\n\n")
 JOINED = "*CONSTRAINED_EXTRA_NODES_NODE\n1,90\n2,91\n1,92\n2,93\n" + nodes((90, 5.0, 5.0, 10.5), (91, 5.0, 5.0, 10.5), (92, 5.0, 5.0, 12.5), (93, 5.0, 5.0, 12.5))
+JOINED_OFF = JOINED + "*CONSTRAINED_EXTRA_NODES_NODE\n1,94\n2,95\n" + nodes((94, 6.0, 5.0, 10.5), (95, 6.0, 5.0, 10.5))
+SPIN = CUBE_MASS * 100.0 / 6  # of a cube about its axis
+TWIST = "*LOAD_NODE_POINT\n12,{dof},7,2.0\n" + CONSTANT
 INERTIA = "5,5,5,2e-5,{ircs},0\n1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0\n"
 HEAVY = hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + INERTIA.format(ircs=0) + solid_section() + rigid()
 PRODUCTS = INERTIA.format(ircs=0).replace("1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0", "2e-3,2e-4,3e-4,2.2e-3,4e-4,2.5e-3\n4,0,0,{spin}")
@@ -18,6 +21,12 @@ SKEW = {"PART_INERTIA": hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + PRODUC
         "CONSTRAINED_NODAL_RIGID_BODY_INERTIA": cube() + NODAL_BODY.replace("_BODY", "_BODY_INERTIA") + PRODUCTS}  # fmt: skip
 SOFT = hexahedron(2, 11, (0.0, 0.0, 11.0), of=2) + part(2, 1, 3) + elastic(3)  # a second cube
 TURNING = HEAVY.replace("10,20,30,0,0,0", "0,0,0,0,0,0") + "*LOAD_RIGID_BODY\n1,{dof},7,2.0\n" + CONSTANT
+
+
+def joint(kind, ids, *more):
+    """Two rigid cubes of part 1 and 2, the second 1 mm above the first, with a joint between them on the line x = y = 5."""
+    return deck(TWO_RIGID, JOINED_OFF, f"*CONSTRAINED_JOINT_{kind}\n{ids}\n", *more)
+
 
 
 def spins(axis: str, inertia: float) -> list:
@@ -141,7 +150,26 @@ PROOFS = [
     Proof("CONSTRAINED_JOINT_REVOLUTE: N1 N2 N3 N4",
           deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_REVOLUTE\n90,91,92,93\n*LOAD_NODE_POINT\n12,7,7,2.0\n", CONSTANT),
           [("body_wz:part_1", LAST, 0.0, 1e-9), ("angular_z", LAST, 2.0 * END, 2e-3)], "a moment about the hinge turns one body alone"),
-    Proof("CONSTRAINED_JOINT_TRANSLATIONAL", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_TRANSLATIONAL\n90,91,92,93,1,2\n"), refused="CONSTRAINED_JOINT_TRANSLATIONAL"),
+    Proof("CONSTRAINED_JOINT_CYLINDRICAL: N1 N2 N3 N4", joint("CYLINDRICAL", "90,91,92,93", PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, 0.0, 1e-9), ("body_vz:part_2", LAST, 3.0 * END / CUBE_MASS, 2e-3)], "a force along the axis moves one body alone"),
+    Proof("CONSTRAINED_JOINT_CYLINDRICAL: N1 N2 N3 N4", joint("CYLINDRICAL", "90,91,92,93", TWIST.format(dof=7)),
+          [("body_wz:part_1", LAST, 0.0, 1e-9), ("angular_z", LAST, 2.0 * END, 2e-3)], "a moment about it turns one body alone"),
+    Proof("CONSTRAINED_JOINT_PLANAR: N1 N2 N3 N4", joint("PLANAR", "90,91,92,93", PUSH.format(id=2, dof=1)),
+          [("body_vx:part_1", LAST, 0.0, 1e-9), ("body_vx:part_2", LAST, 3.0 * END / CUBE_MASS, 2e-3)], "a force in the plane moves one body alone"),
+    Proof("CONSTRAINED_JOINT_PLANAR: N1 N2 N3 N4", joint("PLANAR", "90,91,92,93", PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, 3.0 * END / (2 * CUBE_MASS), 2e-3)], "a force across it moves both"),
+    Proof("CONSTRAINED_JOINT_TRANSLATIONAL: N1 N2 N3 N4 N5 N6", joint("TRANSLATIONAL", "90,91,92,93,94,95", PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, 0.0, 1e-9), ("body_vz:part_2", LAST, 3.0 * END / CUBE_MASS, 2e-3)], "a force along the axis moves one body alone"),
+    Proof("CONSTRAINED_JOINT_TRANSLATIONAL: N1 N2 N3 N4 N5 N6", joint("TRANSLATIONAL", "90,91,92,93,94,95", TWIST.format(dof=7)),
+          [("body_wz:part_1", LAST, 2.0 * END / (2 * SPIN), 2e-3)], "a moment about it turns both"),
+    Proof("CONSTRAINED_JOINT_UNIVERSAL: N1 N2 N3 N4", joint("UNIVERSAL", "90,91,92,95", TWIST.format(dof=7)),
+          [("body_wz:part_1", LAST, 0.0, 1e-9), ("angular_z", LAST, 2.0 * END, 2e-3)], "a moment about the axis of the first body, z, turns the second alone"),
+    Proof("CONSTRAINED_JOINT_UNIVERSAL: N1 N2 N3 N4", joint("UNIVERSAL", "90,91,92,95", TWIST.format(dof=6)),
+          [("body_wy:part_1", LAST, 2.0 * END / (2 * (SPIN + CUBE_MASS * 5.5**2)), 2e-3)], "one across both axes, y, turns both as one"),
+    Proof("CONSTRAINED_JOINT_UNIVERSAL: N3 N4", joint("UNIVERSAL", "90,91,92,93"), refused="not perpendicular"),
+    Proof("CONSTRAINED_JOINT_LOCKING: N1 N2 N3 N4 N5 N6", joint("LOCKING", "90,91,92,93,94,95", TWIST.format(dof=7)),
+          [("body_wz:part_1", LAST, 2.0 * END / (2 * SPIN), 2e-3)], "they move as one"),
+    Proof("CONSTRAINED_JOINT_SCREW", joint("SCREW", "90,91,92,93,94,95"), refused="CONSTRAINED_JOINT_SCREW"),
     Proof("CONSTRAINED_JOINT_SPHERICAL_FAILURE", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_SPHERICAL_FAILURE\n90,91\n"), refused="CONSTRAINED_JOINT_SPHERICAL_FAILURE"),
     Proof("MAT_RIGID: CMO CON1 CON2",
           deck(cube(rigid(1, -1, 5, 100000)), "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n", velocity(3.0, 4.0)),

@@ -14,7 +14,13 @@ from .rigid_cards import read_inertia_lines, start_body
 LEFT_OUT = "the joint is left out"
 # Of the extent of the model: nodes of a joint are at one place.
 COINCIDENT = 1e-6
-CARDS = {"CONSTRAINED_JOINT_SPHERICAL": 1, "CONSTRAINED_JOINT_REVOLUTE": 2}  # pairs of nodes
+# Kind of the joint, and how many nodes.
+CARDS = {
+    "CONSTRAINED_JOINT_SPHERICAL": ("spherical", 2), "CONSTRAINED_JOINT_REVOLUTE": ("revolute", 4),
+    "CONSTRAINED_JOINT_CYLINDRICAL": ("cylindrical", 4), "CONSTRAINED_JOINT_PLANAR": ("planar", 4),
+    "CONSTRAINED_JOINT_UNIVERSAL": ("universal", 4), "CONSTRAINED_JOINT_TRANSLATIONAL": ("translational", 6),
+    "CONSTRAINED_JOINT_LOCKING": ("fixed", 6),
+}  # fmt: skip
 
 
 OPTIONS = {"SPC", "INERTIA", "OVERRIDE"}
@@ -86,7 +92,7 @@ def read_joints(deck: KeywordDeck, card: Card) -> None:
             head = reader.row("ID TITLE~", (10, 70))
             id, title = head.integer("ID"), head.text("TITLE")
         row = reader.row("N1 N2 N3 N4 N5 N6 RPS~penalty DAMP~penalty")
-        nodes = [row.integer(f"N{k}") for k in range(1, 1 + 2 * CARDS[card.keyword])]
+        nodes = [row.integer(f"N{k}") for k in range(1, 1 + CARDS[card.keyword][1])]
         row.finish(deck.ledger, "it does not count")
         deck.joints.append(JointCard(card.keyword, id, title, nodes, row.place))
 
@@ -132,18 +138,25 @@ def make_entry(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: flo
     if why:
         deck.ledger.refuse(joint.card, joint.place, why, LEFT_OUT)
         return None
-    kind = "spherical" if len(pairs) == 1 else "revolute"
+    kind, _ = CARDS[joint.card]
     entry: Deck = {"kind": kind, "bodies": list(pairs[0].bodies), "at": list(pairs[0].place)}
-    if len(pairs) == 2:
-        entry["axis"] = [b - a for a, b in zip(pairs[0].place, pairs[1].place, strict=True)]
+    if kind not in ("spherical", "fixed"):
+        entry["axis"] = to_node(deck, pairs[0], joint.nodes[2])
+    if kind == "universal":
+        entry["second_axis"] = to_node(deck, pairs[0], joint.nodes[3])
     return entry
+
+
+def to_node(deck: KeywordDeck, pair: Pair, node: int) -> list[float]:
+    return [b - a for a, b in zip(pair.place, deck.nodes[node], strict=True)]
 
 
 def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: float) -> str:
     """Why it is no joint of two rigid bodies; empty: it is one."""
     for k, pair in enumerate(pairs):
         first, second = joint.nodes[2 * k : 2 * k + 2]
-        if math.dist(deck.nodes[first], deck.nodes[second]) > near:
+        is_cross = k == 1 and CARDS[joint.card][0] == "universal"
+        if not is_cross and math.dist(deck.nodes[first], deck.nodes[second]) > near:
             return f"nodes {first} and {second} of the joint are not at one place"
         if not all(pair.bodies):
             return f"node {second if pair.bodies[0] else first} of the joint is on no rigid body"
@@ -151,6 +164,12 @@ def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: flo
             return "a joint within one rigid body"
         if pair.bodies != pairs[0].bodies:
             return "a joint whose pairs of nodes are on different bodies"
-    if len(pairs) == 2 and math.dist(pairs[0].place, pairs[1].place) <= near:
+    if len(pairs) > 1 and any(math.dist(pairs[0].place, deck.nodes[node]) <= near for node in joint.nodes[2:4]):
         return "a joint whose axis has no direction"
+    if CARDS[joint.card][0] == "universal" and not is_perpendicular(to_node(deck, pairs[0], joint.nodes[2]), to_node(deck, pairs[0], joint.nodes[3])):
+        return "a universal joint whose axes, from node 1 to 3 and from 2 to 4, are not perpendicular"
     return ""
+
+
+def is_perpendicular(a: list[float], b: list[float]) -> bool:
+    return abs(sum(x * y for x, y in zip(a, b))) <= COINCIDENT * math.hypot(*a) * math.hypot(*b)

@@ -13,7 +13,7 @@ using Vector = Vector3<double>;
 
 Joint make_joint() {
   Joint joint;
-  joint.has_axis = true;
+  joint.keeps_axis = true;
   joint.ends[0] = {0, {1, 0, 0}, {0, 0, 1}};
   joint.ends[1] = {1, {-1, 0, 0}, {0, 0, 1}};
   joint.length = 0.5;
@@ -26,20 +26,6 @@ std::vector<RigidState> make_bodies() {
   bodies[0].center = {-1, 0, 0};
   bodies[1].center = {1, 0, 0};
   return bodies;
-}
-
-TEST(JointRows, AreOppositeAtOnePoint) {
-  std::vector<JointRow> rows;
-  const auto bodies = make_bodies();
-  add_joint_rows(make_joint(), find_joint_frame(make_joint(), bodies), bodies, rows);
-  ASSERT_EQ(rows.size(), 5U);
-  for (const JointRow& row : rows) {
-    EXPECT_EQ(norm(row.unit[0].impulse + row.unit[1].impulse), 0);
-    Vector angular{0, 0, 0};  // about the origin
-    for (std::size_t e = 0; e < 2; ++e)
-      angular = angular + cross(bodies[e].center, row.unit[e].impulse) + row.unit[e].moment;
-    EXPECT_NEAR(norm(angular), 0, 1e-16);
-  }
 }
 
 // Turns about the axis change no gap; one about x by an angle changes that of a side by its sine times the length.
@@ -57,11 +43,50 @@ TEST(JointRows, MeasureTheAngleBetweenTheAxes) {
   EXPECT_NEAR(std::hypot(changes[3], changes[4]), 0.5 * std::sin(0.2), 1e-15);
 }
 
-// The change of a gap is its rate times the step, to first order.
-TEST(JointRows, RatesAreTheDerivativesOfGaps) {
-  const Joint joint = make_joint();
-  const auto now = make_bodies();
+/// A joint of each kind, whose first axis is z and whose second one, or turn, is x.
+Joint make_joint(JointDeck::Kind kind) {
+  const JointTraits& traits = find_traits(kind);
+  Joint joint = make_joint();
+  joint.point = traits.point;
+  joint.keeps_axis = traits.keeps_axis;
+  joint.keeps_turn = traits.keeps_turn;
+  joint.ends[0].turn = {0, 0, 1};
+  joint.ends[1].turn = {1, 0, 0};
+  if (traits.keeps_axis) joint.ends[0].turn = {0, 1, 0};
+  return joint;
+}
+
+/// Bodies whose points have slid along z, and across it, as far as the kind lets them.
+std::vector<RigidState> make_slid_bodies(JointDeck::Kind kind) {
+  std::vector<RigidState> bodies = make_bodies();
+  const JointTraits::Point point = find_traits(kind).point;
+  if (point == JointTraits::Point::across) bodies[1].center = {1, 0, 0.3};
+  if (point == JointTraits::Point::along) bodies[1].center = {1.2, -0.4, 0};
+  return bodies;
+}
+
+class JointRowsOfAKind : public testing::TestWithParam<JointDeck::Kind> {};
+
+std::string name_kind(const testing::TestParamInfo<JointDeck::Kind>& info) { return find_traits(info.param).word; }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, JointRowsOfAKind,
+                         testing::Values(JointDeck::Kind::spherical, JointDeck::Kind::revolute,
+                                         JointDeck::Kind::cylindrical, JointDeck::Kind::translational,
+                                         JointDeck::Kind::planar, JointDeck::Kind::universal, JointDeck::Kind::fixed),
+                         name_kind);
+
+// Six less the degrees of freedom that the kind leaves.
+TEST_P(JointRowsOfAKind, AreAsManyAsItTakes) {
+  constexpr int count[] = {3, 5, 4, 5, 3, 4, 6};
+  EXPECT_EQ(count_rows(make_joint(GetParam())), count[static_cast<std::size_t>(GetParam())]);
+}
+
+// The change of a gap is its rate times the step, to first order; also where the point has slid.
+TEST_P(JointRowsOfAKind, RatesAreTheDerivativesOfGaps) {
+  const Joint joint = make_joint(GetParam());
+  const auto now = make_slid_bodies(GetParam());
   const JointFrame frame = find_joint_frame(joint, now);
+  for (const double gap : frame.gap) EXPECT_NEAR(gap, 0, 1e-15);
   std::vector<JointRow> rows;
   add_joint_rows(joint, frame, now, rows);
   auto next = now;
@@ -74,13 +99,30 @@ TEST(JointRows, RatesAreTheDerivativesOfGaps) {
   }
   const auto changes = find_gap_changes(joint, frame, now, next, dt);
   const std::vector<double> rates = find_gap_rates(rows, next);
-  for (std::size_t r = 0; r < 5; ++r) EXPECT_NEAR(changes[r] / dt, rates[r], 1e-4);
+  for (std::size_t r = 0; r < rates.size(); ++r) EXPECT_NEAR(changes[r] / dt, rates[r], 1e-4) << r;
+}
+
+// The rows push both bodies oppositely at one point: no momentum is made.
+TEST_P(JointRowsOfAKind, AreOppositeAtOnePoint) {
+  std::vector<JointRow> rows;
+  const auto bodies = make_slid_bodies(GetParam());
+  const Joint joint = make_joint(GetParam());
+  add_joint_rows(joint, find_joint_frame(joint, bodies), bodies, rows);
+  for (const JointRow& row : rows) {
+    Vector linear{0, 0, 0}, angular{0, 0, 0};  // about the origin
+    for (std::size_t e = 0; e < 2; ++e) {
+      linear = linear + row.unit[e].impulse;
+      angular = angular + cross(bodies[e].center, row.unit[e].impulse) + row.unit[e].moment;
+    }
+    EXPECT_EQ(norm(linear), 0);
+    EXPECT_NEAR(norm(angular), 0, 1e-15);
+  }
 }
 
 // A unit impulse at the end of a rod moves it by 1 / m + r^2 / I there.
 TEST(JointRows, MobilitiesAreThoseOfBothBodies) {
   Joint joint = make_joint();
-  joint.has_axis = false;
+  joint.keeps_axis = false;
   const auto bodies = make_bodies();
   std::vector<JointRow> rows;
   add_joint_rows(joint, find_joint_frame(joint, bodies), bodies, rows);
