@@ -284,6 +284,7 @@ struct BlastDeck {
   double charge = 0;  // [mass]
   Vec3 center{};
   double time = 0;  // of the detonation
+  bool has_negative_phase = false;
 };
 
 /// Pressure on faces, positive acts against the outward normal, on the current area. With a direction (a unit vector):

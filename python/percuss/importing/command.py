@@ -68,6 +68,9 @@ def import_model(arguments: argparse.Namespace) -> int:
     earlier.refuse_to_overwrite(arguments, [DECK, MESH, *model.tables], ledger.files)
     for name in REPORTS:
         earlier.refuse_source(os.path.join(arguments.out, name), arguments.model, ledger.files)
+    if model.units and arguments.units and model.units != arguments.units:
+        raise BadInput(clean(arguments.model), f"a blast of the model is in {model.units} (--units says {arguments.units}): leave --units out, or correct UNIT of the blast")
+    arguments.units = arguments.units or model.units
     summary = report.summarise(model, [units.describe(model, arguments.units)])
     os.makedirs(arguments.out, exist_ok=True)
     verdict = proof.Verdict(0) if refused else write_checked(arguments, ledger, model)

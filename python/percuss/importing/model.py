@@ -110,6 +110,7 @@ class Model:
     """All that is written. Sets are by their names in the deck."""
 
     title: str = ""
+    units: str = ""  # that a card says
     nodes: dict[int, Vector] = field(default_factory=dict)
     blocks: list[Block] = field(default_factory=list)
     node_sets: dict[str, list[int]] = field(default_factory=dict)

@@ -25,7 +25,7 @@ def list_fits(model: Model) -> list[str]:
 
 def describe(model: Model, units: str) -> str:
     if units:
-        return f"units: {units}, as you say"
+        return f"units: {units}, as {'a blast says' if model.units else 'you say'}"
     fits = list_fits(model)
     hint = f"; its metals would fit {' or '.join(repr(fit) for fit in fits)}" if fits else ""
     return f"units: none are said, so results show none (--units){hint}"

@@ -61,20 +61,24 @@ class TableFunction final : public Curve::Function {
 
 class PulseFunction final : public Curve::Function {
  public:
-  PulseFunction(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays)
-      : start_(start), duration_(duration), pulses_(peaks_and_decays) {}
+  PulseFunction(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
+                bool has_negative_phase)
+      : start_(start), duration_(duration), pulses_(peaks_and_decays), has_negative_phase_(has_negative_phase) {}
 
   double at(double t) const override {
     const double share = (t - start_) / duration_;
-    if (!(share >= 0 && share <= 1)) return 0;
+    const bool is_over = share > 1;
+    if (!(share >= 0) || (is_over && !has_negative_phase_)) return 0;
     double sum = 0;
-    for (const auto& [peak, decay] : pulses_) sum += peak * (1 - share) * std::exp(-decay * share);
+    for (const auto& [peak, decay] : pulses_)
+      if (!is_over || decay > 0) sum += peak * (1 - share) * std::exp(-decay * share);
     return sum;
   }
 
  private:
   double start_, duration_;
   std::array<std::array<double, 2>, 2> pulses_;
+  bool has_negative_phase_;
 };
 
 class ExpressionFunction final : public Curve::Function {
@@ -135,8 +139,9 @@ Curve Curve::expression(const std::string& text) {
   return Curve(std::make_shared<ExpressionFunction>(text));
 }
 
-Curve Curve::pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays) {
-  return Curve(std::make_shared<PulseFunction>(start, duration, peaks_and_decays));
+Curve Curve::pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
+                   bool has_negative_phase) {
+  return Curve(std::make_shared<PulseFunction>(start, duration, peaks_and_decays, has_negative_phase));
 }
 
 double Curve::operator()(double t) const { return function_ ? function_->at(t) : 0.0; }

@@ -24,8 +24,10 @@ class Curve {
   static Curve expression(const std::string& text);
 
   /// From `start` on, for a duration T, the sum of two pulses p (1 - t/T) exp(-b t/T), each with its peak p and its
-  /// decay b (Friedlander); zero before and after.
-  static Curve pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays);
+  /// decay b (Friedlander); zero before and after. A negative phase follows if it is wanted: the same formula goes on
+  /// where b > 0.
+  static Curve pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
+                     bool has_negative_phase = false);
 
   /// Value at time t [s].
   double operator()(double t) const;

@@ -80,6 +80,7 @@ const Keys<BlastDeck>& blast_keys() {
       need("charge", &BlastDeck::charge, NumberValue{positive}),
       need("center", &BlastDeck::center, vector3()),
       may("time", &BlastDeck::time, NumberValue{}),
+      may("negative_phase", &BlastDeck::has_negative_phase, BooleanValue{}),
   };
   return keys;
 }

@@ -57,7 +57,8 @@ Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3
   return Curve::pulse(
       blast.time + wave.arrival * time, wave.duration * time,
       {{{pressure * of_reflected * wave.reflected, find_decay(wave.reflected, wave.duration, wave.reflected_impulse)},
-        {pressure * of_incident * wave.incident, find_decay(wave.incident, wave.duration, wave.incident_impulse)}}});
+        {pressure * of_incident * wave.incident, find_decay(wave.incident, wave.duration, wave.incident_impulse)}}},
+      blast.has_negative_phase);
 }
 
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,

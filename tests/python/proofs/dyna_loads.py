@@ -1,5 +1,7 @@
 """Gravity, forces on nodes, pressures."""
 
+import math
+
 from . import ALL, LAST, Proof, pieces
 from .pieces import CUBE_MASS, cube, curve, node_set, nodes, part, shell, square, two_cubes
 
@@ -19,6 +21,47 @@ RELAXED = "*CONTROL_DYNAMIC_RELAXATION\n0,0,0,0,0,0,0,1\n"
 def momentum(axis: str, value: float) -> list:
     return [(f"momentum_{axis}", LAST, value, 2e-3)]
 
+
+def blast(charge: str, segments: str, end: float, *, card: str = "_ENHANCED") -> str:
+    return pieces.deck(cube(), f"*LOAD_BLAST{card}\n{charge}\n", segments, end=end)
+
+
+FACE = "1,5,8,4"  # at x = 0, towards the charge
+NEAR, FAR = "1,1e-3,-1000.0,5.0,5.0", "1,1e-3,-3000.0,5.0,5.0"  # 1 kg at 1 m and at 3 m
+SEGMENT = f"*LOAD_BLAST_SEGMENT\n1,{FACE}\n"
+# Kingery and Bulmash, by their polynomials of 1984, of 1 kg on the ground: reflected impulse at 1 m and 3 m, peak and duration at 3 m, in MPa and s.
+IMPULSE_1, IMPULSE_3, PEAK_3, DURATION_3 = 884.8e-6, 224.3e-6, 330.7e-3, 2.830e-3
+
+
+def whole_pulse(peak: float, duration: float, impulse: float) -> float:
+    """Impulse of the positive and the negative phase of Friedlander's pulse, whose decay b gives that of the positive one."""
+    low, high = 0.1, 100.0
+    for _ in range(80):
+        b = (low + high) / 2
+        low, high = (b, high) if (1 / b - (1 - math.exp(-b)) / b**2) * peak * duration > impulse else (low, b)
+    return peak * duration * (1 / b - 1 / b**2)
+
+
+BLASTS = [
+    Proof("LOAD_BLAST_ENHANCED: BID M XBO YBO ZBO UNIT BLAST NEGPHS; LOAD_BLAST_SEGMENT: BID N1 N2 N3 N4",
+          blast(NEAR + ",0,7,1\n0,0,0,0,0,0,1", SEGMENT, 2.5e-3), [("momentum_x", LAST, 100.0 * IMPULSE_1, 1.2e-2)], "the impulse of the positive phase on the face"),
+    Proof("LOAD_BLAST_ENHANCED: NEGPHS", blast(FAR + ",0,7,1", SEGMENT, 3e-2),
+          [("momentum_x", LAST, 100.0 * whole_pulse(PEAK_3, DURATION_3, IMPULSE_3), 2.5e-2)], "0: the pulse goes on with suction"),
+    Proof("LOAD_BLAST_ENHANCED: TBO; LOAD_BLAST_SEGMENT_SET: BID SSID", blast(NEAR + ",3e-3,7,1\n0,0,0,0,0,0,1", f"*LOAD_BLAST_SEGMENT_SET\n1,4\n*SET_SEGMENT\n4\n{FACE}\n", 3.4e-3),
+          [("momentum_x", LAST, 0.0, 1e-12)], "it arrives at TBO + 0.4675 ms"),
+    Proof("LOAD_BLAST: WGT XBO YBO ZBO TBO IUNIT ISURF; LOAD_SEGMENT: LCID", blast("1e-3,-1000.0,5.0,5.0,0,7,1", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""),
+          [("momentum_x", LAST, 100.0 * IMPULSE_1, 1.2e-2)], "on the segments of LCID = -2"),
+    Proof("LOAD_BLAST: ISURF", blast("1e-3,-1000.0,5.0,5.0,0,7", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""), refused="ISURF"),
+    Proof("LOAD_BLAST: IUNIT", blast("1e-3,-1000.0,5.0,5.0,0,1,1", SEGMENT, 1e-3, card=""), refused="English"),
+    Proof("LOAD_BLAST_ENHANCED: BLAST", blast(NEAR + ",0,7", SEGMENT, 1e-3), refused="BLAST"),
+    Proof("LOAD_BLAST_ENHANCED: UNIT", blast(NEAR + ",0,3,1", SEGMENT, 1e-3), refused="English"),
+    Proof("LOAD_BLAST_ENHANCED: NIDBO DEATH", blast(NEAR + ",0,7,1\n0,0,0,0,9", SEGMENT, 1e-3), refused="NIDBO"),
+    Proof("LOAD_BLAST_ENHANCED: DEATH", blast(NEAR + ",0,7,1\n0,0,0,0,0,5e-4", SEGMENT, 1e-3), refused="DEATH"),
+    Proof("LOAD_BLAST_SEGMENT: ALEPID SFNRB", blast(NEAR + ",0,7,1", f"*LOAD_BLAST_SEGMENT\n1,{FACE},3\n", 1e-3), refused="ALEPID"),
+    Proof("LOAD_BLAST_SEGMENT: SCALEP", blast(NEAR + ",0,7,1", f"*LOAD_BLAST_SEGMENT\n1,{FACE},0,0,0.5\n", 1e-3), refused="scaled"),
+    Proof("LOAD_BLAST_SEGMENT_SET: ALEPID SFNRB SCALEP", blast(NEAR + ",0,7,1", f"*LOAD_BLAST_SEGMENT_SET\n1,4,0,0,0.5\n*SET_SEGMENT\n4\n{FACE}\n", 1e-3), refused="scaled"),
+    Proof("LOAD_BLAST_SEGMENT: N1 N2 N3 N4", blast(NEAR + ",0,7,1", "*LOAD_BLAST_SEGMENT\n1,4,8,5,1\n", 1e-3), refused="into their solid"),
+]  # fmt: skip
 
 PROOFS = [
     Proof("LOAD_BODY_Z: LCID SF", deck(cube(), "*LOAD_BODY_Z\n7,9810.0\n", CONSTANT), momentum("z", -9810.0 * END * CUBE_MASS), "the base accelerates upward"),

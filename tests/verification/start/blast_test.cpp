@@ -83,6 +83,14 @@ TEST(Blast, ThePulseHasItsImpulse) {
   }
 }
 
+// The integral of p (1 - s) exp(-b s) over all s is 1/b - 1/b^2.
+TEST(Blast, TheNegativePhaseTakesImpulse) {
+  const double decay = 2.5, duration = 3, all = duration * (1 / decay - 1 / (decay * decay));
+  const Curve pulse = Curve::pulse(1, duration, {{{7, decay}, {0, 0}}}, true);
+  EXPECT_NEAR(integrate(pulse, 1, 15 * duration), 7 * all, 1e-5 * 7 * all);
+  EXPECT_LT(pulse(1 + 1.5 * duration), 0);
+}
+
 TEST(Blast, TheAngleOfIncidenceDividesItIntoBothWaves) {
   const BlastDeck blast{8, {0, 0, 0}, 0};
   const Units si = *find_units("m, kg, s");

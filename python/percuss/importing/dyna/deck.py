@@ -260,6 +260,7 @@ class KeywordDeck:
         self.start_members: dict[str, set[int]] = {}  # nodes of the names in `initial`
         self.nodal_bodies: dict[int, NodalBody] = {}
         self.joints: list[JointCard] = []
+        self.blasts: dict[int, dict] = {}  # entries `blast` of loads.pressure, by id
         self.body_names: dict[int, str] = {}  # in the deck of percuss, by the part that leads the body
         self.used: set[tuple[str, int]] = set()
         self._names_of_sets: dict[tuple[str, int, bool], str] = {}

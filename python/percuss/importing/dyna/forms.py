@@ -77,6 +77,8 @@ OPTIONS: dict[str, str] = {
     "LOAD_SHELL_": "SET ELEMENT",
     "LOAD_GRAVITY_PART": "SET",
     "LOAD_RIGID_BODY": "",
+    "LOAD_BLAST": "ENHANCED",
+    "LOAD_BLAST_SEGMENT": "SET",
     "DAMPING_": ANY,
     "RIGIDWALL_": ANY,
     "CONTACT_": ANY,

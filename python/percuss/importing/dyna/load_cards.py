@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from ..curves import make_time_value
 from ..fields import Row
-from ..ledger import Place
+from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..shapes import FaceOwners, is_crossed
 from .bodies import find_body_name, find_point, list_card_nodes, name_nodes, sort_nodes
@@ -159,8 +159,8 @@ def read_body_force(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.translated(card.keyword, row.place, "loads.nodal of the rigid body")
 
 
-def add_pressure(deck: KeywordDeck, faces: str, value: "float | Deck") -> None:
-    deck.model.deck.setdefault("loads", {}).setdefault("pressure", []).append({"faces": faces, "value": value})
+def add_pressure(deck: KeywordDeck, faces: str, load: Deck) -> None:
+    deck.model.deck.setdefault("loads", {}).setdefault("pressure", []).append({"faces": faces, **load})
 
 
 def read_segment_load(deck: KeywordDeck, card: Card) -> None:
@@ -213,19 +213,105 @@ def note_crossed(deck: KeywordDeck, card: Card, faces: list[Face], place: Place)
 def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float, float], list[Face]]) -> None:
     """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes, LS-DYNA against their normal."""
     owners = FaceOwners(deck.model, {node for faces in groups.values() for face in faces for node in face})
-    is_lost = False
     for (curve_id, scale, shift), faces in groups.items():
-        by_sign: dict[float, list[Face]] = {}
-        for face in faces:
-            sign = owners.find_sign(face)
-            is_lost = is_lost or sign is None
-            if sign is not None:
-                by_sign.setdefault(sign, []).append(face)
+        if curve_id == BLAST_CURVE:
+            apply_blast(deck, card, find_blast(deck, card, 0), scale, faces, owners)
+            continue
         curve = deck.curve(curve_id, card.place, "time", "stress")
-        for sign, members in by_sign.items():
-            name = deck.model.names.take(f"pressed_{card.keyword.lower().removeprefix('load_')}")
-            deck.model.side_sets[name] = members
-            add_pressure(deck, name, make_time_value(curve, scale * sign, deck.end_time, shift))
-            deck.ledger.translated(card.keyword, card.place, "loads.pressure")
-    if is_lost:
-        deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are not a face of any element", "they are left out")
+        for sign, members in split_by_sign(deck, card, faces, owners).items():
+            press_on(deck, card, members, {"value": make_time_value(curve, scale * sign, deck.end_time, shift)})
+
+
+def split_by_sign(deck: KeywordDeck, card: Card, faces: list[Face], owners: FaceOwners) -> dict[float, list[Face]]:
+    """Faces whose normal points out of their element, 1, and into it, -1."""
+    by_sign: dict[float, list[Face]] = {}
+    for face in faces:
+        sign = owners.find_sign(face)
+        if sign is None:
+            deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are not a face of any element", "they are left out")
+        else:
+            by_sign.setdefault(sign, []).append(face)
+    return by_sign
+
+
+def press_on(deck: KeywordDeck, card: Card, faces: list[Face], load: Deck) -> None:
+    name = deck.model.names.take(f"pressed_{card.keyword.lower().removeprefix('load_')}")
+    deck.model.side_sets[name] = faces
+    add_pressure(deck, name, load)
+    deck.ledger.translated(card.keyword, card.place, "loads.pressure")
+
+
+# --- blasts
+
+BLAST_CURVE = -2  # of *LOAD_SEGMENT: the pressure of *LOAD_BLAST
+# Systems of units by the code of the cards. Others are English, or need factors.
+BLAST_UNITS = {2: "m, kg, s", 4: "cm, g, us", 6: "mm, kg, ms", 7: "mm, t, s", 8: "mm, g, ms"}
+HEMISPHERE = 1  # a burst on the ground
+
+
+def read_blast(deck: KeywordDeck, card: Card) -> None:
+    """*LOAD_BLAST and *LOAD_BLAST_ENHANCED: a charge of TNT on the ground. Segments name it by its number, 0 of the former."""
+    reader = card.reader()
+    is_old = card.keyword == "LOAD_BLAST"
+    if is_old:
+        row = reader.row("WGT XBO YBO ZBO TBO IUNIT=2 ISURF=2")
+        id, charge, units, kind = 0, row.positive("WGT"), row.integer("IUNIT") or 2, row.integer("ISURF") or 2
+        more = reader.row("CFM~factors CFL~factors CFT~factors CFP~factors")
+    else:
+        row = reader.row("BID M XBO YBO ZBO TBO UNIT=2 BLAST=2")
+        id, charge, units, kind = row.integer("BID"), row.positive("M"), row.integer("UNIT") or 2, row.integer("BLAST") or 2
+        more = reader.row("CFM~factors CFL~factors CFT~factors CFP~factors NIDBO DEATH NEGPHS")
+        if 0 < more.number("DEATH") < deck.end_time:
+            deck.ledger.refuse(f"{card.keyword}.DEATH", more.place, "a blast that ends before the run", "it acts on")
+        else:
+            more.skip("DEATH")
+    entry: Deck = {"charge": charge, "center": row.numbers("XBO", "YBO", "ZBO")}
+    if not is_old and not more.integer("NEGPHS"):
+        entry["negative_phase"] = True
+    if row.number("TBO"):
+        entry["time"] = row.number("TBO")
+    row.finish(deck.ledger)
+    more.finish(deck.ledger, "the charge stays at its place")
+    if kind != HEMISPHERE:
+        deck.ledger.refuse(f"{card.keyword}.{'ISURF' if is_old else 'BLAST'}", row.place, "a burst in the air (percuss knows a hemispherical one on the ground)", "it is taken as one on the ground")
+    if units not in BLAST_UNITS:
+        deck.ledger.refuse(f"{card.keyword}.{'IUNIT' if is_old else 'UNIT'}", row.place, "a blast in English units, or with factors of its own", "the blast is left out")
+        return
+    deck.blasts[id] = entry
+    deck.model.units = BLAST_UNITS[units]
+
+
+def find_blast(deck: KeywordDeck, card: Card, id: int) -> Deck:
+    if id not in deck.blasts:
+        raise BadInput(card.place, missing(f"*LOAD_BLAST_ENHANCED {id}" if id else "*LOAD_BLAST"))
+    return deck.blasts[id]
+
+
+def apply_blast(deck: KeywordDeck, card: Card, blast: Deck, scale: float, faces: list[Face], owners: FaceOwners) -> None:
+    if scale != 1:
+        deck.ledger.refuse(f"{card.keyword}.scale", card.place, "a blast that is scaled", "it is taken as it is")
+    for sign, members in split_by_sign(deck, card, faces, owners).items():
+        if sign > 0:
+            press_on(deck, card, members, {"blast": dict(blast)})
+        else:
+            deck.ledger.refuse(f"{card.keyword}.inside", card.place, "a blast on segments whose normal points into their solid", "they are left out")
+
+
+def read_blast_segments(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    groups: dict[tuple[int, float], list[Face]] = {}
+    while reader.skip_blank():
+        if card.keyword == "LOAD_BLAST_SEGMENT":
+            row = reader.row("BID N1 N2 N3 N4 ALEPID SFNRB SCALEP=1")
+            nodes = [row.integer(name) for name in ("N1", "N2", "N3", "N4")]
+            faces: list[Face] = [tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes)]
+        else:
+            row = reader.row("BID SSID ALEPID SFNRB SCALEP=1")
+            deck.used.add(("SEGMENT", row.integer("SSID")))
+            faces = deck.find_set("SEGMENT", row.integer("SSID"), row.place).segments
+        note_crossed(deck, card, faces, row.place)
+        groups.setdefault((row.integer("BID"), row.number("SCALEP") or 1.0), []).extend(faces)
+        row.finish(deck.ledger)
+    owners = FaceOwners(deck.model, {node for faces in groups.values() for face in faces for node in face})
+    for (id, scale), faces in groups.items():
+        apply_blast(deck, card, find_blast(deck, card, id), scale, faces, owners)

@@ -24,7 +24,7 @@ from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
-from .load_cards import apply_part_gravity, read_body_force, read_body_load, read_node_load, read_part_gravity, read_segment_load
+from .load_cards import apply_part_gravity, read_blast, read_blast_segments, read_body_force, read_body_load, read_node_load, read_part_gravity, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .materials.skins import add_skin_masses
 from .mass_cards import add_masses_of_sets, read_masses
@@ -72,7 +72,7 @@ DEFINITIONS: dict[str, Handler] = {
     "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints,
     "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
-    "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
+    "SENSOR_": read_sensor, "LOAD_BLAST": read_blast, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -83,7 +83,7 @@ ACTIONS: dict[str, Handler] = {
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,
     "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
-    "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_RIGID_BODY": read_body_force,
+    "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_BLAST_SEGMENT": read_blast_segments, "LOAD_RIGID_BODY": read_body_force,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
     "TERMINATION_NODE": read_node_limit, "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
 }  # fmt: skip
