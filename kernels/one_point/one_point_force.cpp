@@ -29,7 +29,7 @@ struct FindOnePointForces : ForcePass<L> {
     const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
     const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
     const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<Shape::corners>(on.corners);
-    const double* const record = find_record(chunks, fields.state, on.chunk.c, on.pack);
+    const double* const record = find_pack_record(chunks, fields.state, on.chunk.c, on.pack);
     OwnStress own(record);
     ModeVectors<Lanes, Shape> q = load_modes(record);
     Lanes step = find_step(on, g, gamma, means, load_pack(record)), volume = g.volume, share(1.0);

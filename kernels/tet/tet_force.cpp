@@ -34,7 +34,7 @@ struct FindForces : ForcePass<L> {
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION void settle(const SolidPack& on, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g,
                               Lanes step, const Living& living, SolidChunkSums& sums) const {
-    OwnStress own(find_record(chunks, fields.state, on.chunk.c, on.pack));
+    OwnStress own(find_pack_record(chunks, fields.state, on.chunk.c, on.pack));
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(step, volume);

@@ -176,7 +176,8 @@ struct OwnStress {
 };
 
 /// The record of a pack.
-KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const Array<Real>& state, int c, int pack) {
+KOKKOS_INLINE_FUNCTION const double* find_pack_record(const HexChunks& chunks, const Array<Real>& state, int c,
+                                                      int pack) {
   return reinterpret_cast<const double*>(&state(chunks.first_state(c))) +
          static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(c)) * solid_width;
 }

@@ -9,7 +9,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "src/index.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/sensors/held_directions.hpp"
 
@@ -156,15 +156,9 @@ void Erosion::count_holders(const State& state) {
       "percuss::count_holders", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = 0;
         const int first_pack = failing.find_pack(c);
-        for (int i = 0; i < chunks.first_element(c + 1) - chunks.first_element(c); ++i) {
+        for (int i = 0; i < count_elements(chunks, c); ++i) {
           if (first_pack >= 0 && steps_left(first_pack * pack_width + i) == 0) continue;
-          const std::size_t corners =
-              (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width;
-          for (int corner = 0; corner < 8; ++corner) {
-            slots(chunks.first_slot(c) +
-                      chunks.corner_slots(corners + static_cast<std::size_t>(corner * pack_width + i % pack_width)),
-                  0) += 1;
-          }
+          for (int corner = 0; corner < 8; ++corner) slots(number_corner_slot(chunks, c, i, corner), 0) += 1;
         }
       });
   halo_->begin(ExecSpace(), slots);
@@ -260,10 +254,8 @@ void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) co
   std::vector<int> lanes(chunked_.mesh.elements.size(), -1);
   visit_failing(model_, [&](int e, int lane) { lanes[at(e)] = lane; });
   for (const int e : newly_dead) {
-    const int lane = lanes[at(e)];
-    for (std::size_t k = 0; k < work_kinds; ++k) {
-      sums[k]->add(work((at(lane / pack_width) * work_kinds + k) * pack_width + at(lane % pack_width)));
-    }
+    const std::size_t lane = at(lanes[at(e)]);
+    for (std::size_t k = 0; k < work_kinds; ++k) sums[k]->add(work(find_work_place(lane, k)));
     books.eroded_mass.add(mass(at(e)));
   }
   for (ExactSum* const sum : {sums[0], sums[1], sums[2], sums[3], &books.eroded_mass}) sum->normalize();

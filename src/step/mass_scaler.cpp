@@ -8,7 +8,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/mesh.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -28,7 +28,7 @@ struct MissingMass {
     const int e = chunks.first_element(c) + i;
     const double bound = is_shell(chunks, c) || is_beam(c)
                              ? other_bounds(e)
-                             : static_cast<double>(solid_bounds(chunks.first_pack(c) * pack_width + i));
+                             : static_cast<double>(solid_bounds(number_lane(chunks, c, i)));
     if (!(bound > 0 && bound < target)) return 0;
     const double ratio = target / bound;
     return mass(e) * (ratio * ratio - 1);
@@ -140,13 +140,10 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   Kokkos::parallel_for(
       "percuss::add_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!(wanted(c) > 0 && share(c) > 0)) return;
-        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-        for (int i = 0; i < count; ++i) mass(first + i) += share(c) * missing(c, i, target(c));
-        const int size = chunks.record_size(c), lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width;
-        for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
-          Real* const record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          record[HexRecord::mass * pack_width] = static_cast<Real>(mass(first + (i < count ? i : count - 1)));
-        }
+        for (int i = 0; i < count_elements(chunks, c); ++i)
+          mass(find_element(chunks, c, i)) += share(c) * missing(c, i, target(c));
+        for (int i = 0; i < count_lanes(chunks, c); ++i)
+          find_record(chunks, elements, c, i)[HexRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
         settled(c) = 0;
       });
 }
@@ -165,11 +162,7 @@ void MassScaler::sum_lumped(const State& state) {
         const bool of_shells = is_shell(chunks, c), of_beams = is_beam(c);
         const bool turns = (of_shells || of_beams) && gyration_square.extent(0) > 0;
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
-          const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width +
-                                    static_cast<std::size_t>(i % pack_width);
-          const auto slot = [&](int k) {
-            return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width));
-          };
+          const auto slot = [&](int k) { return find_corner_slot(chunks, c, i, k); };
           const auto& share = of_beams                          ? shares.line
                               : of_shells && slot(2) == slot(3) ? shares.triangle
                               : of_shells                       ? shares.quad

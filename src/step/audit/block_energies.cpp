@@ -7,8 +7,8 @@
 #include "kernels/node/motion.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/mesh/surface_nodes.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/moving_nodes.hpp"
-#include "src/step/model/pack_width.hpp"
 
 namespace percuss {
 namespace {
@@ -32,23 +32,19 @@ std::vector<BookedPart> find_booked_blocks(const Deck& deck) {
 Rows3<double> sum_masses_by_slot(const ChunkedMesh& chunked, const Model& model, const State& state) {
   const Rows3<double> by_slot("percuss::masses_by_slot", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(by_slot);
-  const auto first_element = to_host(model.chunks.first_element), first_slot = to_host(model.chunks.first_slot),
-             first_pack = to_host(model.chunks.first_pack);
-  const auto corner_slots = to_host(model.chunks.corner_slots);
+  const HostChunks chunks(model.chunks);
   const auto mass = to_host(state.element_mass), gyration_square = to_host(model.gyration_square);
-  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    for (int e = first_element(c); e < first_element(c + 1); ++e) {
-      const int i = e - first_element(c);
-      const auto element = static_cast<std::size_t>(e);
+  for (int c = 0; c < chunks.count; ++c) {
+    for (int i = 0; i < count_elements(chunks, c); ++i) {
+      const auto element = static_cast<std::size_t>(find_element(chunks, c, i));
       const double eighth = mass(element) / 8,
                    turning = gyration_square.extent(0) > 0 ? eighth * gyration_square(element) : 0;
       const Topology& topology = chunked.mesh.elements.topology_of(element);
-      const std::size_t place = static_cast<std::size_t>(first_pack(c) + i / pack_width) * 8 * pack_width +
-                                static_cast<std::size_t>(i % pack_width);
-      for (std::size_t corner = 0; corner < 8; ++corner) {
-        const auto slot = static_cast<std::size_t>(first_slot(c) + corner_slots(place + corner * pack_width));
-        host(slot, 0) += topology.find_mass_share(corner) * eighth;
-        host(slot, 1) += topology.find_mass_share(corner) * turning;
+      for (int corner = 0; corner < 8; ++corner) {
+        const int slot = number_corner_slot(chunks, c, i, corner);
+        const double share = topology.find_mass_share(static_cast<std::size_t>(corner));
+        host(slot, 0) += share * eighth;
+        host(slot, 1) += share * turning;
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "src/deck/rigid_bodies.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -77,13 +78,12 @@ ChunkWork::DeadElements::DeadElements(const ChunkedMesh& chunked, const Model& m
 
 void ChunkWork::DeadElements::take_out(int chunk, ExactSum* sums) const {
   if (first_pack_.extent(0) == 0 || first_pack_(chunk) < 0) return;  // none of this rank can fail; it cannot
-  constexpr int width = pack_size<Real>;
   const int first = first_element_(chunk);
   for (int e = first; e < first_element_(chunk + 1); ++e) {
     if (dead_[static_cast<std::size_t>(e)] == 0) continue;
-    const int lane = first_pack_(chunk) * width + e - first;
+    const int lane = first_pack_(chunk) * pack_width + e - first;
     for (int k = 0; k < work_kinds; ++k) {
-      const double work = work_(static_cast<std::size_t>((lane / width * work_kinds + k) * width + lane % width));
+      const double work = work_(find_work_place(static_cast<std::size_t>(lane), static_cast<std::size_t>(k)));
       sums[PartSum::internal + k].add(-work);
       sums[PartSum::eroded_energy].add(work);
     }

@@ -11,7 +11,7 @@
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 
@@ -71,13 +71,14 @@ void build_failing_layers(Model& model) {
   if (!model.has_rotations) return;
   FailingChunks& failing = model.failing;
   const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
-             points = to_host(model.chunks.points), first_pack = to_host(model.chunks.first_pack);
+             points = to_host(model.chunks.points);
+  const HostChunks chunks(model.chunks);
   std::vector<std::size_t> first(static_cast<std::size_t>(model.chunks.count), 0);
   for (std::size_t i = 0; i < list.extent(0); ++i) {
     const auto c = static_cast<std::size_t>(list(i));
     if (is_shell(c) == 0) continue;
     first[c] = failing.layer_scalars;
-    failing.layer_scalars += static_cast<std::size_t>((first_pack(c + 1) - first_pack(c)) * pack_width) *
+    failing.layer_scalars += static_cast<std::size_t>(count_lanes(chunks, list(i))) *
                              static_cast<std::size_t>(LayerLives::count_rows(points(c)));
   }
   if (failing.layer_scalars > 0) failing.first_layer = to_view("percuss::first_failing_layer", first);

@@ -13,7 +13,7 @@
 #include "src/step/build/check_precision.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/build/mass_scaling.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -44,24 +44,15 @@ Rows3<double> sum_by_slot(const Model& model, const Elements& elements,
                           const std::vector<std::array<double, columns>>& values) {
   const Rows3<double> by_slot("percuss::slot_mass", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(by_slot);
-  const auto first_element = to_host(model.chunks.first_element), first_slot = to_host(model.chunks.first_slot),
-             first_pack = to_host(model.chunks.first_pack);
-  const auto corner_slots = to_host(model.chunks.corner_slots);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
-    for (int e = first_element(c); e < first_element(c + 1); ++e) {
-      const int i = e - first_element(c);
-      const auto slot = [&](int corner) {
-        return corner_slots(
-            (static_cast<std::size_t>(first_pack(c) + i / pack_width) * 8 + static_cast<std::size_t>(corner)) *
-                pack_width +
-            static_cast<std::size_t>(i % pack_width));
-      };
-      const Topology& topology = elements.topology_of(static_cast<std::size_t>(e));
+  const HostChunks chunks(model.chunks);
+  for (int c = 0; c < chunks.count; ++c) {
+    for (int i = 0; i < count_elements(chunks, c); ++i) {
+      const auto e = static_cast<std::size_t>(find_element(chunks, c, i));
+      const Topology& topology = elements.topology_of(e);
       for (int corner = 0; corner < 8; ++corner) {
         const double eighths = topology.find_mass_share(static_cast<std::size_t>(corner));
-        for (std::size_t k = 0; k < columns; ++k)
-          host(static_cast<std::size_t>(first_slot(c) + slot(corner)), k) +=
-              eighths * (values[static_cast<std::size_t>(e)][k] / 8);
+        const int slot = number_corner_slot(chunks, c, i, corner);
+        for (std::size_t k = 0; k < columns; ++k) host(slot, k) += eighths * (values[e][k] / 8);
       }
     }
   }

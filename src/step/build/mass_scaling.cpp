@@ -11,7 +11,7 @@
 #include "src/error.hpp"
 #include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
@@ -57,13 +57,11 @@ std::vector<double> find_solid_bounds(const Model& model, const std::vector<doub
     advance_one_points(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
   }
   const auto lanes = to_host(watch.bound);
-  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.chunks.first_pack);
+  const HostChunks chunks(model.chunks);
   std::vector<double> bounds(element_mass.size());
-  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
-    for (int e = first_element(c); e < first_element(c + 1); ++e) {
-      bounds[static_cast<std::size_t>(e)] =
-          lanes(static_cast<std::size_t>(first_pack(c) * pack_width + e - first_element(c)));
-    }
+  for (int c = 0; c < chunks.count; ++c) {
+    for (int i = 0; i < count_elements(chunks, c); ++i)
+      bounds[static_cast<std::size_t>(find_element(chunks, c, i))] = lanes(number_lane(chunks, c, i));
   }
   return bounds;
 }

@@ -6,7 +6,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/streamed_view.hpp"
 
 namespace percuss {
@@ -21,14 +21,9 @@ Array<Real> make_element_records(const Model& model) {
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (is_shell(chunks, c) || is_beam(c)) return;
-        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
-        const int size = chunks.record_size(c);
-        for (int i = 0; i < packs * pack_width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          for (int k = 0; k < 3; ++k) {
-            record[(HexRecord::rotation + 4 * k) * pack_width] = 1;
-            record[(HexRecord::stretch + k) * pack_width] = 1;
-          }
+        for (int i = 0; i < count_lanes(chunks, c); ++i) {
+          const LaneRecord<Real> record = find_record(chunks, elements, c, i);
+          for (int k = 0; k < 3; ++k) record[HexRecord::rotation + 4 * k] = record[HexRecord::stretch + k] = 1;
         }
       });
   return elements;
@@ -40,17 +35,8 @@ void set_element_masses(const Model& model, const Array<Real>& elements) {
   const Array<double> mass = model.element_mass;
   Kokkos::parallel_for(
       "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        const int first = chunks.first_element(c);
-        const int count = chunks.first_element(c + 1) - first;
-        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
-        for (int i = 0; i < packs * pack_width; ++i) {
-          const int lane_element = i < count ? i : count - 1;
-          elements(chunks.first_state(c) +
-                   static_cast<std::size_t>(i / pack_width) * static_cast<std::size_t>(chunks.record_size(c)) *
-                       pack_width +
-                   static_cast<std::size_t>(HexRecord::mass * pack_width + i % pack_width)) =
-              static_cast<Real>(mass(first + lane_element));
-        }
+        for (int i = 0; i < count_lanes(chunks, c); ++i)
+          find_record(chunks, elements, c, i)[HexRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
       });
 }
 
@@ -61,23 +47,20 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
   const StartHistory start = model.start_history;
   Kokkos::parallel_for(
       "percuss::set_start_history", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
-        const int elements_here = chunks.first_element(c + 1) - chunks.first_element(c);
-        const int size = chunks.record_size(c), points = chunks.points(c);
+        const int points = chunks.points(c);
         const bool layered = is_shell(chunks, c);
         const int to_point = layered ? find_layer_size(chunks, c) : 1, to_scalar = layered ? 1 : points;
-        for (int i = 0; i < packs * pack_width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          const int row = i < elements_here ? i : elements_here - 1;
+        for (int i = 0; i < count_lanes(chunks, c); ++i) {
+          const LaneRecord<Real> record = find_record(chunks, elements, c, i);
+          const int row = find_element(chunks, c, i) - chunks.first_element(c);
           for (int k = 0; k < start.count(c); ++k) {
             const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
             const auto kept = static_cast<Real>(value);
             for (int p = 0; p < points; ++p) {
-              Real* const scalar = record + (chunks.history(c) + to_scalar * k + to_point * p) * pack_width;
-              *scalar = kept;
-              if (is_single_precision && !layered) {  // its rest
-                scalar[points * start.count(c) * pack_width] = static_cast<Real>(value - static_cast<double>(kept));
-              }
+              const int scalar = chunks.history(c) + to_scalar * k + to_point * p;
+              record[scalar] = kept;
+              if (is_single_precision && !layered)  // its rest
+                record[scalar + points * start.count(c)] = static_cast<Real>(value - static_cast<double>(kept));
             }
           }
         }
@@ -87,13 +70,9 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
 /// Modes of the corners of an element at the start.
 KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const HexChunks& chunks, int c, int element,
                                                             const Rows3<double>& x) {
-  const int number = chunks.first_pack(c) + element / pack_width;
-  const auto pack = static_cast<std::size_t>(number);
   double corners[3][8];
   for (int i = 0; i < 8; ++i) {
-    const auto place =
-        (pack * 8 + static_cast<std::size_t>(i)) * pack_lanes + static_cast<std::size_t>(element % pack_width);
-    const int node = chunks.slots_to_nodes(chunks.first_slot(c) + chunks.corner_slots(place));
+    const int node = chunks.slots_to_nodes(number_corner_slot(chunks, c, element, i));
     for (int k = 0; k < 3; ++k) corners[k][i] = x(node, k);
   }
   for (auto& direction : corners) to_modes(direction);
@@ -109,12 +88,12 @@ void set_point_volumes(const Model& model, const Array<int>& ids, const Array<Re
   const Rows3<double> x = model.start;
   Kokkos::parallel_for(
       "percuss::set_point_volumes", Range(ExecSpace(), 0, static_cast<int>(ids.extent(0))), KOKKOS_LAMBDA(const int i) {
-        const int c = ids(i), size = chunks.record_size(c);
-        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width; ++e) {
+        const int c = ids(i);
+        for (int e = 0; e < count_lanes(chunks, c); ++e) {
           double excess[8];
           find_point_volumes(find_start_modes(chunks, c, e, x), excess);
-          Real* const record = &elements(chunks.first_state(c)) + e / pack_width * size * pack_width + e % pack_width;
-          for (int p = 0; p < 8; ++p) record[(place + p) * pack_width] = static_cast<Real>(excess[p]);
+          const LaneRecord<Real> record = find_record(chunks, elements, c, e);
+          for (int p = 0; p < 8; ++p) record[place + p] = static_cast<Real>(excess[p]);
         }
       });
 }
@@ -132,13 +111,11 @@ void start_shells(const Model& model, const Array<Real>& elements) {
   Kokkos::parallel_for(
       "percuss::start_shells", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!is_shell(chunks, c)) return;
-        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
-        for (int i = 0; i < packs * pack_width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          const int e = first + (i < count ? i : count - 1);
-          record[ShellRecord::gyration_square * pack_width] = static_cast<Real>(gyration_square(e));
-          record[ShellRecord::thickness * pack_width] = static_cast<Real>(thickness(e));
+        for (int i = 0; i < count_lanes(chunks, c); ++i) {
+          const LaneRecord<Real> record = find_record(chunks, elements, c, i);
+          const int e = find_element(chunks, c, i);
+          record[ShellRecord::gyration_square] = static_cast<Real>(gyration_square(e));
+          record[ShellRecord::thickness] = static_cast<Real>(thickness(e));
         }
       });
 }
@@ -170,14 +147,12 @@ void start_beams(const Model& model, const Array<Real>& elements) {
   Kokkos::parallel_for(
       "percuss::start_beams", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!is_beam(c)) return;
-        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
-        for (int i = 0; i < packs * pack_width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
-          const int e = first + (i < count ? i : count - 1);
+        for (int i = 0; i < count_lanes(chunks, c); ++i) {
+          const LaneRecord<Real> record = find_record(chunks, elements, c, i);
+          const int e = find_element(chunks, c, i);
           if (gyration_square.extent(0) > 0)
-            record[BeamRecord::gyration_square * pack_width] = static_cast<Real>(gyration_square(e));
-          for (int k = 0; k < 3; ++k) record[(BeamRecord::e2 + k) * pack_width] = static_cast<Real>(axes(e, k));
+            record[BeamRecord::gyration_square] = static_cast<Real>(gyration_square(e));
+          for (int k = 0; k < 3; ++k) record[BeamRecord::e2 + k] = static_cast<Real>(axes(e, k));
         }
       });
 }
@@ -219,7 +194,7 @@ void start_layers(const Model& model, const ElementLives& lives) {
       KOKKOS_LAMBDA(const int i) {
         const int c = failing.list(i);
         if (!is_shell(chunks, c)) return;
-        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width; ++e) {
+        for (int e = 0; e < count_lanes(chunks, c); ++e) {
           double* const rows = find_layer_lives(lives, failing, c, chunks.points(c), e);
           for (int p = 0; p < chunks.points(c); ++p) set_layer_left(find_layer_life(rows, p), ElementLives::whole, 1);
         }
@@ -410,17 +385,15 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
   Kokkos::parallel_reduce(
       "percuss::hash_elements", Range(ExecSpace(), 0, chunks.count),
       KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
-        const int first = chunks.first_element(c);
-        for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
-          const int size = chunks.record_size(c);
-          const Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
+        for (int i = 0; i < count_elements(chunks, c); ++i) {
+          const LaneRecord<const Real> record = find_record(chunks, elements, c, i);
           std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(first_numbers(c) + i));
           const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * pack_width + i;
           if (lane >= 0) h = mix_life(lives, lane, h);
           if (lane >= 0 && is_shell(chunks, c))
             h = mix_layers(find_layer_lives(lives, failing, c, chunks.points(c), i), chunks.points(c), h);
           const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
-          for (int s = 0; s < size && !is_dead; ++s) h = mix_bits(h ^ find_bits(record[s * pack_width]));
+          for (int s = 0; s < chunks.record_size(c) && !is_dead; ++s) h = mix_bits(h ^ find_bits(record.get(s)));
           sum += h;
         }
       },

@@ -4,7 +4,7 @@
 
 #include "kernels/beam/beam_force.hpp"
 #include "kernels/shell/shell_force.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 
@@ -19,39 +19,39 @@ struct Shortening {
 };
 
 /// J = det V of a record.
-KOKKOS_INLINE_FUNCTION double find_volume_ratio(const Real* record) {
-  const Real* const v = record + HexRecord::stretch * pack_width;
+KOKKOS_INLINE_FUNCTION double find_volume_ratio(const ElementRecord& record) {
   double c[6];
-  for (int k = 0; k < 6; ++k) c[k] = static_cast<double>(v[k * pack_width]);
+  for (int k = 0; k < 6; ++k) c[k] = record.get(HexRecord::stretch + k);
   return c[0] * (c[1] * c[2] - c[4] * c[4]) - c[3] * (c[3] * c[2] - c[4] * c[5]) + c[5] * (c[3] * c[4] - c[1] * c[5]);
 }
 
 /// A solid, by a strain along the normal. The energy is per volume at time 0.
-KOKKOS_INLINE_FUNCTION double shorten_solid(Real* record, int points, const Shortening& by) {
+KOKKOS_INLINE_FUNCTION double shorten_solid(const LaneRecord<Real>& record, int points, const Shortening& by) {
   const double j = find_volume_ratio(record), share = by.is_kirchhoff ? 1 / j : 1;
   double energy = 0;
   for (int p = 0; p < points; ++p) {
-    Real* const s = record + (HexRecord::stress + 6 * p) * pack_width;
+    const LaneRecord<Real> s = record.from(HexRecord::stress + 6 * p);
     double along = 0;  // n . s n
-    for (int k = 0; k < 6; ++k) along += (k < 3 ? 1 : 2) * by.dyad[k] * static_cast<double>(s[k * pack_width]);
+    for (int k = 0; k < 6; ++k) along += (k < 3 ? 1 : 2) * by.dyad[k] * s.get(k);
     energy += by.strain * (along + 0.5 * share * by.strain * by.modulus);
-    for (int k = 0; k < 6; ++k) s[k * pack_width] += static_cast<Real>(share * by.strain * by.stress[k]);
+    for (int k = 0; k < 6; ++k) s[k] += static_cast<Real>(share * by.strain * by.stress[k]);
   }
   return j * energy / points;
 }
 
 /// A beam or truss, by a strain along its axis. The energy is per length.
-KOKKOS_INLINE_FUNCTION double shorten_beam(Real* record, const BeamParameters& parameters, double strain) {
-  Real& normal = record[BeamRecord::forces * pack_width];
+KOKKOS_INLINE_FUNCTION double shorten_beam(const LaneRecord<Real>& record, const BeamParameters& parameters,
+                                           double strain) {
+  Real& normal = record[BeamRecord::forces];
   const double more = parameters.stiffness.axial * strain, before = static_cast<double>(normal);
   for (int i = 0; i < parameters.fibres.count; ++i)
-    record[(BeamRecord::fibres + 2 * i) * pack_width] += static_cast<Real>(parameters.law.youngs_modulus * strain);
+    record[BeamRecord::fibres + 2 * i] += static_cast<Real>(parameters.law.youngs_modulus * strain);
   normal += static_cast<Real>(more);
   return strain * (before + 0.5 * more);
 }
 
 /// The layers of a shell. n: of the normal in the frame of the element. The energy is per volume.
-KOKKOS_INLINE_FUNCTION double shorten_shell(Real* record, const ThicknessPoints& rule, int layer_size,
+KOKKOS_INLINE_FUNCTION double shorten_shell(const LaneRecord<Real>& record, const ThicknessPoints& rule, int layer_size,
                                             const double (&n)[2], const Shortening& by) {
   const double strain[3] = {by.strain * n[0] * n[0], by.strain * n[1] * n[1], 2 * by.strain * n[0] * n[1]};
   const double pressure = by.plane_lambda * (strain[0] + strain[1]);
@@ -59,10 +59,10 @@ KOKKOS_INLINE_FUNCTION double shorten_shell(Real* record, const ThicknessPoints&
                           0.5 * by.shear_twice * strain[2]};
   double energy = 0;
   for (int p = 0; p < rule.count; ++p) {
-    Real* const s = record + (ShellRecord::layers + layer_size * p) * pack_width;
+    const LaneRecord<Real> s = record.from(ShellRecord::layers + layer_size * p);
     for (int k = 0; k < 3; ++k) {
-      energy += rule.weight[p] * strain[k] * (static_cast<double>(s[k * pack_width]) + 0.5 * more[k]);
-      s[k * pack_width] += static_cast<Real>(more[k]);
+      energy += rule.weight[p] * strain[k] * (s.get(k) + 0.5 * more[k]);
+      s[k] += static_cast<Real>(more[k]);
     }
   }
   return energy;

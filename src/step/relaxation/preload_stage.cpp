@@ -118,10 +118,7 @@ struct CornerPlaces {
   Rows3<const double> x;
 
   KOKKOS_INLINE_FUNCTION Vector3<double> find(int c, int e, int corner) const {
-    const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(e / pack_width);
-    const int slot = chunks.corner_slots((pack * 8 + static_cast<std::size_t>(corner)) * pack_width +
-                                         static_cast<std::size_t>(e % pack_width));
-    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    const int n = chunks.slots_to_nodes(number_corner_slot(chunks, c, e, corner));
     return {x(n, 0), x(n, 1), x(n, 2)};
   }
   KOKKOS_INLINE_FUNCTION double find_length(int c, int e) const { return norm(find(c, e, 1) - find(c, e, 0)); }
@@ -135,13 +132,8 @@ struct RecordLanes {
   HexChunks chunks;
   Array<Real> records;
 
-  KOKKOS_INLINE_FUNCTION int find_end(int c, int e) const {
-    const int count = chunks.first_element(c + 1) - chunks.first_element(c);
-    return e + 1 < count ? e + 1 : (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width;
-  }
-  KOKKOS_INLINE_FUNCTION Real* find(int c, int lane) const {
-    return &records(chunks.first_state(c)) + lane / pack_width * chunks.record_size(c) * pack_width + lane % pack_width;
-  }
+  KOKKOS_INLINE_FUNCTION int find_end(int c, int e) const { return find_lane_end(chunks, c, e); }
+  KOKKOS_INLINE_FUNCTION LaneRecord<Real> find(int c, int lane) const { return find_record(chunks, records, c, lane); }
 };
 
 /// Shortens the elements of a layer, by one strain along the normal.
@@ -170,14 +162,14 @@ struct ShortenLayer {
     results.is_settled(c) = 0;
   }
 
-  KOKKOS_FUNCTION double shorten_lane(int c, int j, Real* record) const {
+  KOKKOS_FUNCTION double shorten_lane(int c, int j, const LaneRecord<Real>& record) const {
     const HexChunks& all = lanes.chunks;
     if (is_beam(c))
       return places.find_length(c, elements(j)) *
              shorten_beam(record, beams(all.parameters(c)), by.strain * axes(2 * j) * axes(2 * j));
     if (!is_shell(all, c)) return volume(j) * shorten_solid(record, all.points(c), by);
     const double n[2] = {axes(2 * j), axes(2 * j + 1)};
-    return places.find_area(c, elements(j)) * static_cast<double>(record[ShellRecord::thickness * pack_width]) *
+    return places.find_area(c, elements(j)) * record.get(ShellRecord::thickness) *
            shorten_shell(record, rules(all.points(c)), find_layer_size(all, c), n, by);
   }
 };
@@ -284,7 +276,7 @@ double PreloadStage::shorten_beams(const Layer& layer, double force, State& stat
         double work = 0;
         for (int j = first(i); j < first(i + 1); ++j) {
           const int e = elements(j), end = lanes.find_end(c, e);
-          const double lack = force - static_cast<double>(lanes.find(c, e)[BeamRecord::forces * pack_width]);
+          const double lack = force - lanes.find(c, e).get(BeamRecord::forces);
           largest = lack > largest ? lack : largest;
           smallest = lack < smallest ? lack : smallest;
           for (int lane = e; lane < end; ++lane) {

@@ -5,7 +5,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 
@@ -31,7 +31,7 @@ FailingRows list_elements_that_fail(const Model& model) {
     const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
     of.rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
     for (std::int64_t i = 0; i < of.rows.counts.back(); ++i) {
-      of.lanes.push_back(static_cast<std::size_t>(first_pack(c)) * pack_lanes + static_cast<std::size_t>(i));
+      of.lanes.push_back(static_cast<std::size_t>(first_pack(c) * pack_width) + static_cast<std::size_t>(i));
       of.fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
     }
   }
@@ -49,17 +49,13 @@ struct LivesOnHost {
         damage(to_host(lives.damage)),
         time_at_yield(to_host(lives.time_at_yield)) {}
 
-  static std::size_t find_work(std::size_t lane) {
-    return lane / pack_lanes * work_kinds * pack_lanes + lane % pack_lanes;
-  }
-
   /// v: out, [life_columns].
   void read(std::size_t l, double* v) const {
     v[0] = steps_left(l);
     v[1] = plastic_strain(l);
     v[2] = damage(l);
     v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work(l) + k * pack_lanes);
+    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work_place(l, k));
   }
 
   void write(std::size_t l, const double* v, int fade_steps) const {
@@ -67,7 +63,7 @@ struct LivesOnHost {
     plastic_strain(l) = v[1];
     damage(l) = v[2];
     time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work(l) + k * pack_lanes) = v[4 + k];
+    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work_place(l, k)) = v[4 + k];
     const LifeShares shares = find_life_shares(steps_left(l), fade_steps);
     force_share(l) = static_cast<Real>(shares.force);
     work_share(l) = static_cast<Real>(shares.work);

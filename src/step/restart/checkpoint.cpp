@@ -15,7 +15,7 @@
 #include "kernels/core/same_bits.hpp"
 #include "src/deck/yaml/deck_values.hpp"
 #include "src/error.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/restart/archive_lives.hpp"
 #include "src/step/restart/mesh_pieces.hpp"
@@ -23,47 +23,39 @@
 namespace percuss {
 namespace {
 
-/// Calls visit(scalars of a record, whether the lane only repeats the element before, first scalar) for every lane of
-/// this rank's packs: lanes behind the last element of a chunk repeat that one.
-template <class Visit>
-void visit_records(const HexChunks& chunks, const Visit& visit) {
-  const auto first_element = to_host(chunks.first_element), first_pack = to_host(chunks.first_pack);
-  const auto first_state = to_host(chunks.first_state);
-  const auto record_size = to_host(chunks.record_size);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(chunks.count); ++c) {
-    const auto elements = static_cast<std::size_t>(first_element(c + 1) - first_element(c));
-    const std::size_t in_packs = pack_lanes * static_cast<std::size_t>(first_pack(c + 1) - first_pack(c));
-    const auto size = static_cast<std::size_t>(record_size(c));
-    for (std::size_t i = 0; i < in_packs; ++i) {
-      visit(size, i >= elements, first_state(c) + i / pack_lanes * size * pack_lanes + i % pack_lanes);
-    }
+/// Calls visit(record, its scalars, whether the lane only repeats the element before) for every lane of this rank.
+/// records: of all elements, on the host.
+template <class Records, class Visit>
+void visit_records(const HostChunks& chunks, const Records& records, const Visit& visit) {
+  for (int c = 0; c < chunks.count; ++c) {
+    for (int i = 0; i < count_lanes(chunks, c); ++i)
+      visit(find_record(chunks, records, c, i), chunks.record_size(c), i >= count_elements(chunks, c));
   }
 }
 
 /// Element records, element after element: without the packs, whose width depends on the machine.
 void archive_elements(CheckpointArchive& archive, const Model& model, const State& state) {
-  const auto record_size = to_host(model.chunks.record_size);
-  const auto first_element = to_host(model.chunks.first_element);
+  const HostChunks chunks(model.chunks);
   ChunkRows rows;
   std::size_t total = 0;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
-    rows.counts.push_back(std::int64_t{first_element(c + 1) - first_element(c)} * record_size(c));
+  for (int c = 0; c < chunks.count; ++c) {
+    rows.counts.push_back(std::int64_t{count_elements(chunks, c)} * chunks.record_size(c));
     total += static_cast<std::size_t>(rows.counts.back());
   }
   std::vector<double> records(total);
   const auto packs = to_host(state.elements);
   std::size_t next = 0;
   if (!archive.is_loading()) {
-    visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
+    visit_records(chunks, packs, [&](const ElementRecord& record, int size, bool is_repeated) {
       if (is_repeated) return;
-      for (std::size_t s = 0; s < size; ++s) records[next++] = packs(first + s * pack_lanes);
+      for (int s = 0; s < size; ++s) records[next++] = record.get(s);
     });
   }
   archive.rows("elements/records", rows, 1, records);
   if (!archive.is_loading()) return;
-  visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
-    if (is_repeated) next -= size;  // the last element's again
-    for (std::size_t s = 0; s < size; ++s) packs(first + s * pack_lanes) = static_cast<Real>(records[next++]);
+  visit_records(chunks, packs, [&](const LaneRecord<Real>& record, int size, bool is_repeated) {
+    if (is_repeated) next -= static_cast<std::size_t>(size);  // the last element's again
+    for (int s = 0; s < size; ++s) record[s] = static_cast<Real>(records[next++]);
   });
   Kokkos::deep_copy(state.elements, packs);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -79,17 +80,13 @@ void GlobalStep::archive(CheckpointArchive& archive) {
 
 /// By element, without the packs, whose width depends on the machine.
 void GlobalStep::archive_reference(CheckpointArchive& archive) {
-  const auto first_element = to_host(model_.chunks.first_element), first_pack = to_host(model_.chunks.first_pack);
+  const HostChunks chunks(model_.chunks);
   const auto reference = to_host(watch_.reference);
   std::vector<double> values(chunked_.mesh.elements.size());
   const auto visit = [&](const auto& take) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(model_.chunks.count); ++c) {
-      const int first = first_element(c), end = first_element(c + 1);
-      const int lanes = (first_pack(c + 1) - first_pack(c)) * pack_size<Real>;
-      for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
-        take(static_cast<std::size_t>(std::min(first + i, end - 1)),
-             static_cast<std::size_t>(first_pack(c) * pack_size<Real> + i));
-      }
+    for (int c = 0; c < chunks.count; ++c) {
+      for (int i = 0; i < count_lanes(chunks, c); ++i)
+        take(static_cast<std::size_t>(find_element(chunks, c, i)), static_cast<std::size_t>(number_lane(chunks, c, i)));
     }
   };
   if (!archive.is_loading()) visit([&](std::size_t e, std::size_t lane) { values[e] = reference(lane); });

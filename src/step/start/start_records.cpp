@@ -8,7 +8,7 @@
 #include "kernels/shell/shell_force.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -53,32 +53,21 @@ double find_largest(const double* s) {
 }  // namespace
 
 StartRecords::StartRecords(const Mesh& mesh, const Model& model, const State& state)
-    : mesh_(mesh),
-      model_(model),
-      first_element_(to_host(model.chunks.first_element)),
-      records_(to_host(state.elements)) {}
+    : mesh_(mesh), model_(model), chunks_(model.chunks), records_(to_host(state.elements)) {}
 
 StartRecords::Lanes StartRecords::find_lanes(const StartElement& of) const {
-  const HexChunks& chunks = model_.chunks;
-  const int i = of.element - first_element_(at(of.chunk));
-  const int count = first_element_(at(of.chunk + 1)) - first_element_(at(of.chunk));
-  const int lanes = (chunks.first_pack(of.chunk + 1) - chunks.first_pack(of.chunk)) * pack_width;
-  return {i, i + 1 < count ? i + 1 : lanes};
+  const int i = of.element - chunks_.first_element(of.chunk);
+  return {i, find_lane_end(chunks_, of.chunk, i)};
 }
 
 void StartRecords::set(const StartElement& of, int place, double value) {
-  const HexChunks& chunks = model_.chunks;
   const auto [first, last] = find_lanes(of);
-  for (int lane = first; lane < last; ++lane) {
-    const int pack = lane / pack_width * chunks.record_size(of.chunk) * pack_width;
-    (&records_(chunks.first_state(of.chunk)))[pack + place * pack_width + lane % pack_width] = static_cast<Real>(value);
-  }
+  for (int lane = first; lane < last; ++lane)
+    find_record(chunks_, records_, of.chunk, lane)[place] = static_cast<Real>(value);
 }
 
 double StartRecords::get(const StartElement& of, int place) const {
-  const HexChunks& chunks = model_.chunks;
-  const int lane = find_lanes(of).first, pack = lane / pack_width * chunks.record_size(of.chunk) * pack_width;
-  return static_cast<double>((&records_(chunks.first_state(of.chunk)))[pack + place * pack_width + lane % pack_width]);
+  return find_record(chunks_, records_, of.chunk, find_lanes(of).first).get(place);
 }
 
 std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& row) const {

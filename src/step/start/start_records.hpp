@@ -8,6 +8,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/material/point/elastic.hpp"
 #include "src/mesh/mesh.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -53,7 +54,7 @@ class StartRecords {
 
   const Mesh& mesh_;
   const Model& model_;
-  decltype(to_host(std::declval<const Array<int>&>())) first_element_;
+  HostChunks chunks_;
   decltype(to_host(std::declval<const Array<Real>&>())) records_;
 };
 

@@ -10,7 +10,7 @@
 #include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/block_builder.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -33,17 +33,14 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
     return static_cast<std::uint16_t>(slot - first_slot);
   };
   const int packs = (chunk.element_count + pack_width - 1) / pack_width;
-  const std::size_t base = tables.corner_slots.size();
-  tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * pack_width);
+  const int first_pack = tables.first_pack.back();
+  tables.corner_slots.resize(find_corner_place(first_pack + packs, 0, 0));
   for (int i = 0; i < packs * pack_width; ++i) {
     const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
     const auto nodes = mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
-    for (int corner = 0; corner < 8; ++corner) {
-      const std::size_t place =
-          base + (static_cast<std::size_t>(i / pack_width) * 8 + static_cast<std::size_t>(corner)) * pack_width +
-          static_cast<std::size_t>(i % pack_width);
-      tables.corner_slots[place] = find_slot(nodes[static_cast<std::size_t>(corner)]);
-    }
+    for (int corner = 0; corner < 8; ++corner)
+      tables.corner_slots[find_corner_place(first_pack, i, corner)] =
+          find_slot(nodes[static_cast<std::size_t>(corner)]);
   }
   tables.first_element.push_back(chunk.first_element + chunk.element_count);
   tables.first_slot.push_back(static_cast<int>(tables.slots_to_nodes.size()));
@@ -93,7 +90,7 @@ std::vector<std::size_t> place_records(const ChunkTables& tables, const std::vec
   for (std::size_t c = 0; c < first_state.size(); ++c) {
     first_state[c] = model.state_size;
     const int packs = tables.first_pack[c + 1] - tables.first_pack[c];
-    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(record_size[c]) * pack_width;
+    model.state_size += find_record_place(packs * pack_width, record_size[c]);
   }
   return first_state;
 }

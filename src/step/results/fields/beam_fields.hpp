@@ -1,6 +1,7 @@
 #pragma once
 // Reads the records of beams for output. Internal to element_fields.cpp.
 
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 
@@ -18,14 +19,9 @@ struct BeamTables {
 
 /// Unit vector along element e of chunk c, from its first node to its second.
 KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, const HexChunks& chunks, int c, int e) {
-  constexpr int width = pack_size<Real>;
-  const int i = e - chunks.first_element(c);
-  const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
   Vector3<double> ends[2];
   for (int k = 0; k < 2; ++k) {
-    const int slot =
-        chunks.corner_slots((pack * 8 + static_cast<std::size_t>(k)) * width + static_cast<std::size_t>(i % width));
-    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    const int n = chunks.slots_to_nodes(number_corner_slot(chunks, c, e - chunks.first_element(c), k));
     ends[k] = {tables.x(n, 0), tables.x(n, 1), tables.x(n, 2)};
   }
   const Vector3<double> line = ends[1] - ends[0];
@@ -34,8 +30,8 @@ KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, 
 
 /// The mean normal stress of the section, in space axes: xx, yy, zz, xy, yz, zx.
 KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const HexChunks& chunks, int c, int e,
-                                             const Real* record, double* row) {
-  const double stress = record[BeamRecord::forces * pack_size<Real>] / tables.parameters(chunks.parameters(c)).area;
+                                             const ElementRecord& record, double* row) {
+  const double stress = record[BeamRecord::forces] / tables.parameters(chunks.parameters(c)).area;
   const Vector3<double> a = find_beam_axis(tables, chunks, c, e);
   row[0] = stress * a.x * a.x;
   row[1] = stress * a.y * a.y;
@@ -46,10 +42,9 @@ KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const Hex
 }
 
 /// The largest plastic strain of the fibres.
-KOKKOS_INLINE_FUNCTION double read_beam_plastic_strain(const HexChunks& chunks, int c, const Real* record) {
+KOKKOS_INLINE_FUNCTION double read_beam_plastic_strain(const HexChunks& chunks, int c, const ElementRecord& record) {
   double largest = 0;
-  for (int i = 0; i < chunks.points(c); ++i)
-    largest = larger(largest, static_cast<double>(record[(BeamRecord::fibres + 2 * i + 1) * pack_size<Real>]));
+  for (int i = 0; i < chunks.points(c); ++i) largest = larger(largest, record.get(BeamRecord::fibres + 2 * i + 1));
   return largest;
 }
 

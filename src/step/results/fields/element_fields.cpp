@@ -3,21 +3,13 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
 #include "src/step/results/fields/shell_fields.hpp"
 
 namespace percuss {
 
 namespace {
-
-/// The record of an element: record[pack_width * i] is its scalar i. c: its chunk.
-KOKKOS_INLINE_FUNCTION const Real* find_record(const HexChunks& chunks, const Array<Real>& elements, int c, int e) {
-  const int i = e - chunks.first_element(c);
-  return &elements(chunks.first_state(c)) +
-         static_cast<std::size_t>(i / pack_width) * static_cast<std::size_t>(chunks.record_size(c)) * pack_width +
-         i % pack_width;
-}
 
 /// What the reading of an element needs besides its record.
 struct Lives {
@@ -62,7 +54,8 @@ struct ReadStress {
   BeamTables beams;
   int point = ShellPoint::mean;
   bool is_of_solids = false;  // whether hexahedra have points, too
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const ElementRecord& record,
+                                         double* row) const {
     if (is_shell(chunks, c)) {
       read_shell_stress(shells, {chunks, c, e, record}, point, row);
       return;
@@ -71,24 +64,24 @@ struct ReadStress {
       read_beam_stress(beams, chunks, c, e, record, row);
       return;
     }
-    const Real* s = record + HexRecord::stress * pack_width;
-    const Real* r = record + HexRecord::rotation * pack_width;
+    const ElementRecord s = record.from(HexRecord::stress);
+    const ElementRecord r = record.from(HexRecord::rotation);
     const int points = chunks.points(c);
     const bool is_one = is_of_solids && point >= 0 && point < points;
     double mean[6];
     for (int k = 0; k < 6; ++k) {
       if (is_one) {
-        mean[k] = s[(6 * point + k) * pack_width];
+        mean[k] = s[6 * point + k];
         continue;
       }
-      double sum = s[k * pack_width];
-      for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * pack_width];
+      double sum = s[k];
+      for (int p = 1; p < points; ++p) sum += s[6 * p + k];
       mean[k] = sum / points;
     }
     const Symmetric3<double> stress{mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
     Matrix3<double> rotation{};
     for (int i = 0; i < 3; ++i) {
-      rotation.row[i] = {r[3 * i * pack_width], r[(3 * i + 1) * pack_width], r[(3 * i + 2) * pack_width]};
+      rotation.row[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2]};
     }
     const Symmetric3<double> t = push_forward(rotation, stress);
     row[0] = t.xx;
@@ -110,7 +103,8 @@ struct ReadScalar {
   HistoryScalar name;
   int point = ShellPoint::mean;
   bool is_of_solids = false;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const ElementRecord& record,
+                                         double* row) const {
     if (is_shell(chunks, c)) {
       const auto& rule = shells.rules(chunks.points(c));
       const int place = chunks.find_scalar(c, name);
@@ -128,10 +122,10 @@ struct ReadScalar {
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
     if (is_of_solids && point >= 0 && point < points) {
-      row[0] = record[(place + point) * pack_width];
+      row[0] = record[place + point];
       return;
     }
-    for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * pack_width]} / points;
+    for (int p = 0; p < points; ++p) row[0] += double{record[place + p]} / points;
   }
 };
 
@@ -139,9 +133,9 @@ struct ReadScalar {
 struct ReadThickness {
   static constexpr int components = 1;
   static constexpr bool fades = false;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const ElementRecord& record,
                                          double* row) const {
-    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * pack_width] : 0;
+    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness] : 0;
   }
 };
 
@@ -152,10 +146,9 @@ struct ReadBeamForces {
   static constexpr bool fades = false;
   BeamMarks is_beam;
   int first = 0;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const Real* record,
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const ElementRecord& record,
                                          double* row) const {
-    for (int k = 0; k < Count; ++k)
-      row[k] = is_beam(c) ? double{record[(BeamRecord::forces + first + k) * pack_width]} : 0;
+    for (int k = 0; k < Count; ++k) row[k] = is_beam(c) ? double{record[BeamRecord::forces + first + k]} : 0;
   }
 };
 
@@ -185,7 +178,7 @@ std::vector<double> read_all(const Model& model, const State& state, const Read&
       "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
           double* const row = &out(Read::components * static_cast<std::size_t>(e));
-          read(chunks, c, e, find_record(chunks, elements, c, e), row);
+          read(chunks, c, e, find_record(chunks, elements, c, e - chunks.first_element(c)), row);
           scale<Read>(lives, c, e - chunks.first_element(c), row);
         }
       });
@@ -205,7 +198,7 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
       KOKKOS_LAMBDA(const int i) {
         const int c = find_chunk(chunks, list(i));
         double* const row = &out(Read::components * static_cast<std::size_t>(i));
-        read(chunks, c, list(i), find_record(chunks, elements, c, list(i)), row);
+        read(chunks, c, list(i), find_record(chunks, elements, c, list(i) - chunks.first_element(c)), row);
         scale<Read>(lives, c, list(i) - chunks.first_element(c), row);
       });
   return copy_out(out);

@@ -2,6 +2,7 @@
 // Reads the records of shells for output. Internal to element_fields.cpp.
 
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/element_records.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/results/fields/element_fields.hpp"
@@ -28,11 +29,11 @@ struct ShellTables {
   }
 };
 
-/// Element e of chunk c and its record, whose scalars lie a pack apart.
+/// Element e of chunk c and its record.
 struct RecordedShell {
   const HexChunks& chunks;
   int c, e;
-  const Real* record;
+  ElementRecord record;
 };
 
 /// Scalar `place` of one point (a number below the rule's count, or as in ShellPoint). share(p): what counts of layer
@@ -40,9 +41,8 @@ struct RecordedShell {
 template <class Share>
 KOKKOS_INLINE_FUNCTION double read_layers(const RecordedShell& shell, const ThicknessPoints& rule, int place, int point,
                                           const Share& share) {
-  constexpr int width = pack_size<Real>;
   const int size = find_layer_size(shell.chunks, shell.c), count = rule.count;
-  const auto value = [&](int p) { return share(p) * shell.record[(ShellRecord::layers + size * p + place) * width]; };
+  const auto value = [&](int p) { return share(p) * shell.record[ShellRecord::layers + size * p + place]; };
   if (point == ShellPoint::highest) return value(count - 1);
   if (point != ShellPoint::mean) return value(point);
   double mean = 0;
@@ -53,14 +53,9 @@ KOKKOS_INLINE_FUNCTION double read_layers(const RecordedShell& shell, const Thic
 /// Its axes as rows.
 KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const RecordedShell& shell, const Rows3<const double>& x) {
   const auto& [chunks, c, e, record] = shell;
-  constexpr int width = pack_size<Real>;
-  const int i = e - chunks.first_element(c);
-  const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
   Vector3<double> corners[4];
   for (int k = 0; k < 4; ++k) {
-    const int slot =
-        chunks.corner_slots((pack * 8 + static_cast<std::size_t>(k)) * width + static_cast<std::size_t>(i % width));
-    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    const int n = chunks.slots_to_nodes(number_corner_slot(chunks, c, e - chunks.first_element(c), k));
     corners[k] = {x(n, 0), x(n, 1), x(n, 2)};
   }
   return find_shell_geometry(find_differences(corners)).frame;
@@ -69,10 +64,10 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const RecordedShell& she
 /// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
 KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const RecordedShell& shell, int point,
                                               double* row) {
-  constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
+  constexpr int shear = 3;  // ShellState::shear
   const HexChunks& chunks = shell.chunks;
   const int c = shell.c, i = shell.e - chunks.first_element(c);
-  const Real* const record = shell.record;
+  const ElementRecord& record = shell.record;
   const ThicknessPoints& rule = tables.rules(chunks.points(c));
   if (point >= rule.count) {
     for (int k = 0; k < 6; ++k) row[k] = 0;
@@ -82,8 +77,8 @@ KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const R
   const auto in_plane = [&](int k) { return read_layers(shell, rule, k, point, share); };
   double left = 1;  // of the whole section
   for (int p = 0; p < rule.count; ++p) left -= rule.weight[p] * (1 - share(p));
-  const Symmetric3<double> stress{
-      in_plane(0), in_plane(1), 0, in_plane(2), left * record[(shear + 1) * width], left * record[shear * width]};
+  const Symmetric3<double> stress{in_plane(0),         in_plane(1), 0, in_plane(2), left * record[shear + 1],
+                                  left * record[shear]};
   const Symmetric3<double> t = pull_back(find_shell_frame(shell, tables.x), stress);
   row[0] = t.xx;
   row[1] = t.yy;
