@@ -19,7 +19,7 @@ struct CalledMaterial {
   static constexpr int law_place = 1;
 
   AnyOf<4096> law;          // one of Materials
-  AnyOf<256> state;         // one of EquationsOfState, or none
+  AnyOf<1088> state;        // one of EquationsOfState, or none
   LameConstants reference;  // moduli at the start, for hourglass control
   double density = 0;       // at the start
   int law_history = 0;      // scalars
