@@ -17,6 +17,7 @@
 #include "src/app/folder/folder_lock.hpp"
 #include "src/error.hpp"
 #include "src/output/formats/result_names.hpp"
+#include "src/output/frame/frame_layout.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
