@@ -63,7 +63,7 @@ BLASTS = [
     Proof("LOAD_BLAST_SEGMENT: N1 N2 N3 N4", blast(NEAR + ",0,7,1", "*LOAD_BLAST_SEGMENT\n1,4,8,5,1\n", 1e-3), refused="into their solid"),
 ]  # fmt: skip
 
-PROOFS = [
+PROOFS = BLASTS + [
     Proof("LOAD_BODY_Z: LCID SF", deck(cube(), "*LOAD_BODY_Z\n7,9810.0\n", CONSTANT), momentum("z", -9810.0 * END * CUBE_MASS), "the base accelerates upward"),
     Proof("LOAD_BODY_X: LCID SF", deck(cube(), "*LOAD_BODY_X\n7,-500.0\n", CONSTANT), momentum("x", 500.0 * END * CUBE_MASS), "the opposite"),
     Proof("LOAD_BODY_Y: CID", deck(cube(), SYSTEM, "*LOAD_BODY_Y\n7,1000.0,0,0,0,0,5\n", CONSTANT),

@@ -256,11 +256,11 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
     if is_old:
         row = reader.row("WGT XBO YBO ZBO TBO IUNIT=2 ISURF=2")
         id, charge, units, kind = 0, row.positive("WGT"), row.integer("IUNIT") or 2, row.integer("ISURF") or 2
-        more = reader.row("CFM~factors CFL~factors CFT~factors CFP~factors")
+        more = reader.row("CFM~unused CFL~unused CFT~unused CFP~unused")
     else:
         row = reader.row("BID M XBO YBO ZBO TBO UNIT=2 BLAST=2")
         id, charge, units, kind = row.integer("BID"), row.positive("M"), row.integer("UNIT") or 2, row.integer("BLAST") or 2
-        more = reader.row("CFM~factors CFL~factors CFT~factors CFP~factors NIDBO DEATH NEGPHS")
+        more = reader.row("CFM~unused CFL~unused CFT~unused CFP~unused NIDBO DEATH NEGPHS")
         if 0 < more.number("DEATH") < deck.end_time:
             deck.ledger.refuse(f"{card.keyword}.DEATH", more.place, "a blast that ends before the run", "it acts on")
         else:
