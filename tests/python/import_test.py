@@ -816,7 +816,7 @@ class Scene(InFolder):
         self.assertIn("within one rigid body", refusals("*CONSTRAINED_EXTRA_NODES_SET\n3,11", "*CONSTRAINED_EXTRA_NODES_SET\n4,11")[revolute])
         self.assertIn("no direction", refusals("101,102,103,104", "101,102,101,102")[revolute])
         self.assertIn(spherical + ".N3", refusals("105,106", "105,106,107"))
-        self.assertIn("CONSTRAINED_JOINT_UNIVERSAL", refusals(spherical, "CONSTRAINED_JOINT_UNIVERSAL"))
+        self.assertIn("CONSTRAINED_JOINT_SCREW", refusals(spherical, "CONSTRAINED_JOINT_SCREW"))
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY.DRFLAG", refusals("20,0,13", "20,0,13,0,0,1"))
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_SPC.CMO", refusals("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n-1,1,1\n"))
         self.fails(decks.JOINTED.replace("105,106", "105,999"), "there is no node 999")

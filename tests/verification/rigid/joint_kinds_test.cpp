@@ -130,8 +130,8 @@ TEST(UniversalJoint, TurnsTheSecondShaftUnevenly) {
 
 // A rod held by one end carries its weight with a force and a moment there.
 TEST(FixedJoint, HoldsARodByItsEnd) {
-  const Outcome run = run_rod(0.1, "{clamp: {kind: fixed, bodies: [rod], at: [0, 0, 0]}}",
-                              "loads: {gravity: [0, 0, -10]}\n");
+  const Outcome run =
+      run_rod(0.1, "{clamp: {kind: fixed, bodies: [rod], at: [0, 0, 0]}}", "loads: {gravity: [0, 0, -10]}\n");
   EXPECT_NEAR(run.history.last("body_z:rod"), 0, 1e-13);
   EXPECT_NEAR(run.history.last("joint_fz:clamp"), 20, 1e-9);
   EXPECT_NEAR(run.history.last("joint_my:clamp"), -20 * 0.5, 1e-9);
