@@ -3,6 +3,8 @@
 import json
 import os
 import secrets
+from collections.abc import Iterable
+from typing import Any
 
 from .errors import NotResults
 
@@ -23,7 +25,7 @@ class Refused(NotResults):
 # --- reading ----------------------------------------------------------------------------------------------------------
 
 
-def read_text(path):
+def read_text(path: str | os.PathLike[str]) -> str:
     """The text of a regular file; bytes that are no UTF-8 become U+FFFD."""
     try:
         if os.path.exists(path) and not os.path.isfile(path):
@@ -34,7 +36,7 @@ def read_text(path):
         raise NotResults(f"{path}: cannot be read ({getattr(error, 'strerror', None) or error})") from error
 
 
-def load_json(path, shape=None):
+def load_json(path: str, shape: Any = None) -> Any:
     """The content of a JSON file, checked against a shape (see find_fault), with NaN for numbers that are null."""
     try:
         if os.path.isfile(path) and os.path.getsize(path) > MOST_JSON:
@@ -50,23 +52,23 @@ def load_json(path, shape=None):
 class Optional:
     """A value that may be absent."""
 
-    def __init__(self, shape):
+    def __init__(self, shape: Any) -> None:
         self.shape = shape
 
 
 class MapOf:
     """An object whose values all have one shape."""
 
-    def __init__(self, shape):
+    def __init__(self, shape: Any) -> None:
         self.shape = shape
 
 
 WHOLE, TEXT, ANY, OBJECT = "a whole number", "a text", "anything", "an object"
 NUMBER, TEXT_OR_NULL = "a number or null", "a text or null"  # JSON has no numbers that are not finite: null stands for them
-_TYPES = {WHOLE: int, TEXT: str, NUMBER: (int, float, type(None)), TEXT_OR_NULL: (str, type(None)), OBJECT: dict}
+_TYPES: dict[str, Any] = {WHOLE: int, TEXT: str, NUMBER: (int, float, type(None)), TEXT_OR_NULL: (str, type(None)), OBJECT: dict}
 
 
-def find_fault(content, shape, place=""):
+def find_fault(content: Any, shape: Any, place: str = "") -> str:
     """What of the content does not have its shape; empty if all has. A shape is a name of _TYPES, ANY, [shape of the items],
     [shape, number of items], MapOf, or {key: shape}, which lets other keys be; values may be Optional."""
     where = f"'{place}'" if place else "it"
@@ -93,7 +95,7 @@ def find_fault(content, shape, place=""):
     return ""
 
 
-def restore_numbers(content, shape):
+def restore_numbers(content: Any, shape: Any) -> Any:
     """The same content with NaN where null stands for a number."""
     if isinstance(shape, Optional):
         return restore_numbers(content, shape.shape)
@@ -108,7 +110,7 @@ def restore_numbers(content, shape):
     return content
 
 
-def _is_absurd(content):
+def _is_absurd(content: Any) -> bool:
     """Whole numbers that no float holds."""
     return isinstance(content, int) and abs(content) > 1 << 63
 
@@ -116,12 +118,12 @@ def _is_absurd(content):
 # --- writing ----------------------------------------------------------------------------------------------------------
 
 
-def make_mark(tool):
+def make_mark(tool: str) -> str:
     """The text that a file has in its head or at its end, by which it is known as one of this tool."""
     return MARK + tool
 
 
-def check_target(path, tool, force=False):
+def check_target(path: str | os.PathLike[str], tool: str, force: bool = False) -> None:
     """Throws Refused unless the tool may write there: nothing is there, or its own earlier file, or with `force` a file that is
     no result of a run."""
     path = os.fspath(path)
@@ -139,12 +141,12 @@ def check_target(path, tool, force=False):
                       "give --force")
 
 
-def write_file(path, content, tool, force=False):
+def write_file(path: str | os.PathLike[str], content: str | bytes | Iterable[str | bytes], tool: str, force: bool = False) -> None:
     """Writes a text, bytes, or texts that follow each other, all or nothing: into a new file beside it, which takes its place at once. A link is never followed.
     Throws Refused (see check_target) and OSError."""
     path = os.fspath(path)
     check_target(path, tool, force)
-    pieces = [content] if isinstance(content, (str, bytes)) else content
+    pieces: Iterable[str | bytes] = [content] if isinstance(content, (str, bytes)) else content
     temporary = f"{path}.{secrets.token_hex(6)}.tmp"
     descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0), 0o666)
     try:
@@ -156,7 +158,7 @@ def write_file(path, content, tool, force=False):
         raise
 
 
-def _has_mark(path, tool):
+def _has_mark(path: str, tool: str) -> bool:
     mark = make_mark(tool).encode()
     try:
         with open(path, "rb") as file:

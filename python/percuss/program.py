@@ -6,7 +6,7 @@ import shutil
 from .errors import NotResults
 
 
-def find_program():
+def find_program() -> str:
     """The one that has started this tool, of this checkout, of this installation, or in PATH."""
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
     for path in (os.environ.get("PERCUSS_PROGRAM"), os.path.join(root, "build/release/percuss"),

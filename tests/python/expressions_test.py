@@ -2,7 +2,6 @@
 """Expressions over columns, and the rating of a curve against a test, against closed forms. Needs no run."""
 
 import os
-import subprocess
 import sys
 import tempfile
 import unittest

@@ -34,6 +34,19 @@ class Packaging(unittest.TestCase):
         version = re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1]
         self.assertEqual(re.search(r"^## (\d+\.\d+\.\d+)", read("CHANGELOG.md"), re.M)[1], version)
 
+    def test_python_package_has_the_version_and_all_its_files(self):
+        """pip takes the folders that are packages, and of other files those that pyproject.toml names."""
+        project = read("python/pyproject.toml")
+        self.assertEqual(re.search(r'^version = "([^"]+)"', project, re.M)[1], re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1])
+        named = {f"{package.replace('.', '/')}/{name}" for package, names in re.findall(r'^"(percuss[\w.]*)" = \[(.*)\]', project, re.M)
+                 for name in re.findall(r'"([^"]+)"', names)}
+        others = set()
+        for folder, folders, names in os.walk(os.path.join(ROOT, "python/percuss")):
+            folders[:] = [name for name in folders if name != "__pycache__"]
+            self.assertIn("__init__.py", names, folder)
+            others |= {os.path.relpath(os.path.join(folder, name), os.path.join(ROOT, "python")) for name in names if not name.endswith(".py")}
+        self.assertEqual(named, others)
+
     def test_recipe_of_spack_names_options_and_libraries_of_the_build(self):
         recipe, told = load_recipe()
         settings = read("CMakeLists.txt")

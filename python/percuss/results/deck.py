@@ -3,6 +3,8 @@
 import json
 import os
 import re
+from collections.abc import Iterable
+from typing import Any
 
 from ..errors import NotResults
 
@@ -11,15 +13,16 @@ class Deck:
     """Attributes: values (a tree of dictionaries and lists; empty where nothing is known), file (that it was read from), settings
     (the arguments of --set, which the values have already)."""
 
-    def __init__(self, values=None, file="", settings=()):
-        self.values, self.file, self.settings = values if isinstance(values, dict) else {}, file, list(settings)
+    def __init__(self, values: Any = None, file: str = "", settings: Iterable[str] = ()) -> None:
+        self.values: dict[str, Any] = values if isinstance(values, dict) else {}
+        self.file, self.settings = file, list(settings)
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return bool(self.values)
 
-    def get(self, path, default=None):
+    def get(self, path: str, default: Any = None) -> Any:
         """A value by its path, such as 'time.end' or 'initial.0.velocity'."""
-        found = self.values
+        found: Any = self.values
         for word in path.split("."):
             try:
                 found = found[int(word)] if isinstance(found, list) else found[word]
@@ -27,22 +30,22 @@ class Deck:
                 return default
         return found
 
-    def get_map(self, path):
+    def get_map(self, path: str) -> dict[str, Any]:
         """The same where a map is expected: {} if there is none."""
         found = self.get(path)
         return found if isinstance(found, dict) else {}
 
-    def get_list(self, path):
+    def get_list(self, path: str) -> list[Any]:
         found = self.get(path)
         return found if isinstance(found, list) else []
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The values as YAML, without the comments that the file may have."""
         return write_yaml(self.values) if self.values else ""
 
 
-def find_deck(summary, folder):
+def find_deck(summary: dict[str, Any], folder: str) -> Deck:
     """The deck of summary.json; where that has none, the one of the checkpoint."""
     known = summary.get("deck")
     if known:
@@ -50,7 +53,7 @@ def find_deck(summary, folder):
     return _read_checkpoint(os.path.join(folder, "checkpoint.h5"))
 
 
-def _read_checkpoint(path):
+def _read_checkpoint(path: str) -> Deck:
     if not os.path.isfile(path):
         return Deck()
     try:
@@ -70,12 +73,12 @@ _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_./+-]*( [A-Za-z0-9_./+-]+)*")
 _WORDS = ("true", "false", "null", "yes", "no", "on", "off", "nan", "inf", "y", "n")
 
 
-def write_yaml(values, indent=""):
+def write_yaml(values: dict[str, Any], indent: str = "") -> str:
     """A tree of dictionaries and lists as YAML that percuss reads back to the same values."""
     return "".join(_write_entry(key, value, indent) for key, value in values.items())
 
 
-def _write_entry(key, value, indent):
+def _write_entry(key: str, value: Any, indent: str) -> str:
     short = f"{indent}{_write_word(key)}: {_write_flow(value)}"
     if len(short) <= WIDTH or not value or not isinstance(value, (dict, list)):
         return short + "\n"
@@ -85,17 +88,17 @@ def _write_entry(key, value, indent):
     return head + "".join(f"{indent}  - {_write_flow(item)}\n" for item in value)
 
 
-def _write_flow(value):
+def _write_flow(value: Any) -> str:
     if isinstance(value, dict):
         return "{" + ", ".join(f"{_write_word(key)}: {_write_flow(item)}" for key, item in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(_write_flow(item) for item in value) + "]"
     if value is None or isinstance(value, bool):
-        return {None: "null", True: "true", False: "false"}[value]
+        return json.dumps(value)
     return _write_word(value) if isinstance(value, str) else repr(value)
 
 
-def _write_word(text):
+def _write_word(value: Any) -> str:
     """A text: plain where nobody could take it for anything else, else in quotes, which JSON and YAML share."""
-    text = str(text)
+    text = str(value)
     return text if _PLAIN.fullmatch(text) and text.lower() not in _WORDS else json.dumps(text)

@@ -3,16 +3,22 @@
 Python's own parser reads them, and only what stands below is computed: numbers, columns, + - * / ** ( ) and the functions of
 FUNCTIONS. Dimensions follow, so that units are known."""
 
+from __future__ import annotations
+
 import ast
 import difflib
 import re
+from collections.abc import Callable, Iterable
+from typing import Any, NoReturn
 
 import numpy as np
 
-from .units import find_powers
+from .arrays import Array
+from .history import History
+from .units import Powers, find_powers
 
 MOST_CHARACTERS, MOST_DEPTH, LARGEST_POWER = 2000, 60, 100
-PLAIN = (0, 0, 0)
+PLAIN: Powers = (0, 0, 0)
 
 
 class BadExpression(ValueError):
@@ -22,32 +28,33 @@ class BadExpression(ValueError):
 class Value:
     """An array [rows] or a number with its dimension. powers: of length, mass and time; None where the dimension is not known."""
 
-    def __init__(self, values, powers=PLAIN):
+    def __init__(self, values: Any, powers: Powers | None = PLAIN) -> None:
         self.values, self.powers = values, powers
 
-    def combine(self, other, values, sign):
+    def combine(self, other: Value, values: Any, sign: int) -> Value:
         """The product (sign 1) or the quotient (-1)."""
-        known = self.powers is not None and other.powers is not None
-        return Value(values, tuple(a + sign * b for a, b in zip(self.powers, other.powers)) if known else None)
+        if self.powers is None or other.powers is None:
+            return Value(values, None)
+        return Value(values, tuple(a + sign * b for a, b in zip(self.powers, other.powers)))
 
-    def is_plain(self):
+    def is_plain(self) -> bool:
         return self.powers in (PLAIN, None)
 
 
-def compute(history, text):
+def compute(history: History, text: str) -> Value:
     """The Value, with an array [rows] or one number. BadExpression with the reason."""
     tree, columns = _parse(text, history.everything)
     with np.errstate(all="ignore"):
         return _Reader(history, columns, text).read(tree, 0)
 
 
-def evaluate(history, text):
+def evaluate(history: History, text: str) -> tuple[Array, Powers | None]:
     """(values [rows], powers of length, mass and time, or None). BadExpression with the reason."""
     value = compute(history, text)
     return np.broadcast_to(np.asarray(value.values, dtype=float), (len(history),)).copy(), value.powers
 
 
-def split_label(text):
+def split_label(text: str) -> tuple[str, str]:
     """('crush', 'max(a)') of 'crush = max(a)'; the text twice where there is no label."""
     label, equals, rest = text.partition("=")
     if not equals or not label.strip():
@@ -55,11 +62,11 @@ def split_label(text):
     return label.strip(), rest.strip()
 
 
-def clip(text):
+def clip(text: str) -> str:
     return text if len(text) <= 80 else text[:77] + "..."
 
 
-def is_expression(text, names):
+def is_expression(text: str, names: Iterable[str]) -> bool:
     """Whether a text is more than the name of a column, and could be computed."""
     if text in names:
         return False
@@ -70,24 +77,24 @@ def is_expression(text, names):
     return not isinstance(tree, (ast.Name, ast.Constant, ast.Tuple))
 
 
-def _parse(text, names):
+def _parse(text: str, names: Iterable[str]) -> tuple[ast.expr, dict[str, str]]:
     """The tree, with names of Python in place of columns, and what they stand for. Names of columns may hold signs that Python does
     not know (fx:hit, f_x:a/b): the longest that is there counts; any may stand in braces."""
     if len(text) > MOST_CHARACTERS:
         raise BadExpression(f"the expression is too long ({len(text)} characters, {MOST_CHARACTERS} at most)")
-    columns = {}
+    columns: dict[str, str] = {}
 
-    def stand_in(name):
+    def stand_in(name: str) -> str:
         return columns.setdefault(name, f"column_{len(columns)}_")
 
-    def replace(match):
+    def replace(match: re.Match[str]) -> str:
         if match[1] is not None:
             return stand_in(match[1].strip())
         word = match[0]
         return stand_in(word) if word in known or ":" in word and word[0] not in "'\"" else word
 
     known = set(names)
-    odd = sorted((name for name in names if not name.isidentifier()), key=len, reverse=True)
+    odd = sorted((name for name in known if not name.isidentifier()), key=len, reverse=True)
     pattern = "|".join([r"\{([^{}]*)\}", r"'[^']*'", r'"[^"]*"', *(re.escape(name) + r"(?![\w:])" for name in odd), r"[A-Za-z_]\w*(?::[\w./-]*\w)?"])
     try:
         tree = ast.parse(re.sub(pattern, replace, text).strip(), mode="eval").body
@@ -99,13 +106,13 @@ def _parse(text, names):
 class _Reader:
     """Computes a tree."""
 
-    def __init__(self, history, columns, text):
+    def __init__(self, history: History, columns: dict[str, str], text: str) -> None:
         self.history, self.columns, self.text = history, columns, text
 
-    def fail(self, why):
+    def fail(self, why: str) -> NoReturn:
         raise BadExpression(f"'{clip(self.text)}': {why}")
 
-    def read(self, node, depth):
+    def read(self, node: ast.expr, depth: int) -> Value:
         if depth > MOST_DEPTH:
             self.fail("it is nested too deep")
         if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
@@ -118,17 +125,17 @@ class _Reader:
         if isinstance(node, ast.BinOp):
             return self.operate(node, depth)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
-            return self.call(node, depth)
+            return self.call(node.func.id, node.args, depth)
         return self.fail("it may have numbers, columns, + - * / ** ( ) and functions: " + ", ".join(FUNCTIONS))
 
-    def column(self, name):
+    def column(self, name: str) -> Value:
         names = self.history.everything
         if name not in names:
             near = difflib.get_close_matches(name, names, 1, 0.5)
             self.fail(f"there is no column '{name}'" + (f"; did you mean {near[0]}?" if near else f" (there are {', '.join(names)})"))
         return Value(self.history[name], find_powers(self.history.dimension(name)))
 
-    def operate(self, node, depth):
+    def operate(self, node: ast.BinOp, depth: int) -> Value:
         left, right = self.read(node.left, depth + 1), self.read(node.right, depth + 1)
         a, b = left.values, right.values
         if isinstance(node.op, (ast.Add, ast.Sub)):
@@ -144,7 +151,7 @@ class _Reader:
             return Value(np.power(np.asarray(a, dtype=float), b), powers)
         return self.fail("it may have + - * / **")
 
-    def agree(self, *values):
+    def agree(self, *values: Value) -> Powers | None:
         """The dimension of a sum. Numbers are of any."""
         found = {value.powers for value in values if not (np.ndim(value.values) == 0 and value.powers == PLAIN)}
         if None in found:
@@ -153,19 +160,18 @@ class _Reader:
             self.fail("what is added or compared has different dimensions")
         return found.pop() if found else PLAIN
 
-    def call(self, node, depth):
-        name = node.func.id
+    def call(self, name: str, arguments: list[ast.expr], depth: int) -> Value:
         if name not in FUNCTIONS:
             near = difflib.get_close_matches(name, FUNCTIONS, 1, 0.5)
             self.fail(f"there is no function '{name}'" + (f"; did you mean {near[0]}?" if near else f" (there are {', '.join(FUNCTIONS)})"))
         function, least, most, takes_names = FUNCTIONS[name]
-        if not least <= len(node.args) <= most:
+        if not least <= len(arguments) <= most:
             self.fail(f"{name}() takes {least if least == most else f'{least} to {most}'} argument{'s' * (most != 1)}")
         if takes_names:
-            return function(self, *[self.name_of(argument) for argument in node.args])
-        return function(self, *[self.read(argument, depth + 1) for argument in node.args])
+            return function(self, *[self.name_of(argument) for argument in arguments])
+        return function(self, *[self.read(argument, depth + 1) for argument in arguments])
 
-    def name_of(self, node):
+    def name_of(self, node: ast.expr) -> str:
         """A text in quotes, or a name."""
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             return node.value
@@ -173,25 +179,25 @@ class _Reader:
             return self.columns.get(node.id, node.id)
         return self.fail("a name is needed here, such as 'hit'")
 
-    def rows(self, value):
+    def rows(self, value: Value) -> Array:
         return np.broadcast_to(np.asarray(value.values, dtype=float), (len(self.history),))
 
     @property
-    def time(self):
+    def time(self) -> Value:
         return Value(self.history["time"], find_powers("time"))
 
 
-def _whole(power):
+def _whole(power: float) -> float:
     return int(power) if float(power).is_integer() else power
 
 
-def _keep(function):
+def _keep(function: Callable[[Array], Any]) -> Callable[[_Reader, Value], Value]:
     """Of a function whose result has the dimension of its argument."""
     return lambda reader, value: Value(function(reader.rows(value)), value.powers)
 
 
-def _plain(function):
-    def compute(reader, value):
+def _plain(function: Callable[[Array], Any]) -> Callable[[_Reader, Value], Value]:
+    def compute(reader: _Reader, value: Value) -> Value:
         if not value.is_plain():
             reader.fail("an argument must have no dimension: divide it by its unit, such as 1 m")
         return Value(function(np.asarray(value.values, dtype=float)))
@@ -199,12 +205,12 @@ def _plain(function):
     return compute
 
 
-def _root(reader, value):
+def _root(reader: _Reader, value: Value) -> Value:
     return Value(np.sqrt(value.values), value.powers and tuple(_whole(p / 2) for p in value.powers))
 
 
-def _extreme(of_two, of_rows):
-    def compute(reader, first, second=None):
+def _extreme(of_two: Callable[[Any, Any], Any], of_rows: Callable[[Array], Any]) -> Callable[..., Value]:
+    def compute(reader: _Reader, first: Value, second: Value | None = None) -> Value:
         if second is None:
             return Value(float(of_rows(reader.rows(first))), first.powers)
         return Value(of_two(first.values, second.values), reader.agree(first, second))
@@ -212,7 +218,7 @@ def _extreme(of_two, of_rows):
     return compute
 
 
-def _integral(reader, value, over=None):
+def _integral(reader: _Reader, value: Value, over: Value | None = None) -> Value:
     """From the first row on, by the trapezoidal rule."""
     over = over or reader.time
     y, x = reader.rows(value), reader.rows(over)
@@ -220,27 +226,27 @@ def _integral(reader, value, over=None):
     return value.combine(over, np.concatenate([[0.0], np.cumsum(steps)])[: len(y)], 1)
 
 
-def _derivative(reader, value, over=None):
+def _derivative(reader: _Reader, value: Value, over: Value | None = None) -> Value:
     """By the slopes to both neighbours, of second order for rows at unequal distances."""
     over = over or reader.time
     y, x = reader.rows(value), reader.rows(over)
     if len(y) < 2:
         reader.fail("a derivative needs two rows")
-    return value.combine(over, np.gradient(y, x, edge_order=min(2, len(y) - 1)), -1)
+    return value.combine(over, np.gradient(y, x, edge_order=2 if len(y) > 2 else 1), -1)
 
 
-def _mean(reader, value):
+def _mean(reader: _Reader, value: Value) -> Value:
     """Over time."""
     y, t = reader.rows(value), reader.history["time"]
     span = t[-1] - t[0] if len(t) else 0
     return Value(float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(t)) / span) if span > 0 else float(np.mean(y)), value.powers)
 
 
-def _norm(reader, *values):
+def _norm(reader: _Reader, *values: Value) -> Value:
     return Value(np.sqrt(sum(np.square(value.values) for value in values)), reader.agree(*values))
 
 
-def _resultant(reader, name):
+def _resultant(reader: _Reader, name: str) -> Value:
     """resultant('hit'): of fx:hit, fy:hit, fz:hit; resultant('m:hit') of mx:hit ...; of a column with an axis at its end
     (wall_force, momentum, top_v) likewise."""
     head, colon, tail = name.partition(":")
@@ -254,7 +260,7 @@ def _resultant(reader, name):
     return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x{hint}")
 
 
-def _distance(reader, one, other):
+def _distance(reader: _Reader, one: str, other: str) -> Value:
     """Of two history nodes."""
     gaps = []
     for axis in "xyz":
@@ -263,7 +269,7 @@ def _distance(reader, one, other):
     return _norm(reader, *gaps)
 
 
-def _filter(reader, value, channel_class):
+def _filter(reader: _Reader, value: Value, channel_class: Value) -> Value:
     """CFC of SAE J211; rows are resampled to equal steps and back."""
     from .filters import filter_cfc, resample
 
@@ -279,7 +285,7 @@ def _filter(reader, value, channel_class):
 
 
 # name: (function, least and largest number of arguments, whether these are names)
-FUNCTIONS = {
+FUNCTIONS: dict[str, tuple[Callable[..., Value], int, int, bool]] = {
     "abs": (_keep(np.abs), 1, 1, False), "sqrt": (_root, 1, 1, False), "exp": (_plain(np.exp), 1, 1, False),
     "log": (_plain(np.log), 1, 1, False), "sin": (_plain(np.sin), 1, 1, False), "cos": (_plain(np.cos), 1, 1, False),
     "tan": (_plain(np.tan), 1, 1, False), "max": (_extreme(np.maximum, np.nanmax), 1, 2, False),

@@ -4,16 +4,18 @@ import math
 
 import numpy as np
 
+from .arrays import Array
+
 CLASSES = (60, 180, 600, 1000)
 FEWEST_SAMPLES_A_PERIOD = 5  # of the cutoff frequency: below it the digital filter no longer resembles the standard's
 
 
-def find_cutoff(channel_class):
+def find_cutoff(channel_class: int) -> float:
     """The frequency in hertz at which the whole filter, forwards and backwards, takes away 3 dB: 1000 of CFC 600."""
     return channel_class / 0.6
 
 
-def find_coefficients(channel_class, interval):
+def find_coefficients(channel_class: int, interval: float) -> tuple[tuple[float, float, float], tuple[float, float]]:
     """(a0, a1, a2), (b1, b2) of SAE J211-1, appendix C: a Butterworth filter of two poles,
     y(t) = a0 x(t) + a1 x(t-1) + a2 x(t-2) + b1 y(t-1) + b2 y(t-2), whose corner lies at 2.0775 times the class.
 
@@ -25,7 +27,7 @@ def find_coefficients(channel_class, interval):
     return (a0, 2 * a0, a0), (-2 * (square - 1) / (1 + root + square), (-1 + root - square) / (1 + root + square))
 
 
-def filter_cfc(values, interval, channel_class):
+def filter_cfc(values: Array, interval: float, channel_class: int) -> Array:
     """The signal after the channel frequency class 60, 180, 600 or 1000: forwards, then backwards, so that no phase is
     shifted. values [n], or [n][columns]. interval: seconds between samples, which must be equal (see resample).
 
@@ -48,7 +50,7 @@ def filter_cfc(values, interval, channel_class):
     return _run_filter(forwards[::-1], *coefficients)[::-1][pad : pad + len(values)]
 
 
-def _run_filter(x, a, b):
+def _run_filter(x: Array, a: tuple[float, float, float], b: tuple[float, float]) -> Array:
     """The recursion of two poles; it starts as if the first value had lasted for ever."""
     fed = a[0] * x
     fed[1:] += a[1] * x[:-1]
@@ -63,7 +65,7 @@ def _run_filter(x, a, b):
     return y
 
 
-def resample(times, values, interval=None):
+def resample(times: Array, values: Array, interval: float | None = None) -> tuple[Array, Array]:
     """The signal at equal steps: (times, values). interval: the step; by default about the mean of those given.
     Linear between samples: history rows fall on steps of the run, so that their distances differ."""
     times, values = np.asarray(times, dtype=float), np.asarray(values, dtype=float)

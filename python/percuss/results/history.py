@@ -1,15 +1,20 @@
 """history.csv as arrays, one a column, with their units and meanings."""
 
+from __future__ import annotations
+
 import copy
 import re
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 import numpy as np
 
 from ..errors import NotResults
 from .accelerations import describe, find_acceleration, list_accelerations
+from .arrays import Array
 from .columns import read_sidecar
 from .table import read_rows
-from .units import find_powers, name_quantity
+from .units import Powers, Units, find_powers, name_quantity
 
 # Columns of every history.
 ALWAYS = ("time", "step", "dt", "kinetic", "internal", "hourglass", "contact", "friction", "external", "energy_error", "momentum_x",
@@ -21,25 +26,25 @@ class History:
     gives), derived (names of the accelerations that follow from its velocities), computed (those of add()), units (a Units, or None
     where the deck has none)."""
 
-    def __init__(self, names, table, units=None, sidecar=None):
+    def __init__(self, names: Iterable[str], table: Any, units: Units | None = None, sidecar: dict[str, dict[str, Any]] | None = None) -> None:
         """table [rows][columns]. sidecar: entries of columns.json by name."""
         self.names = list(names)
         self.units = units
         self._sidecar = sidecar or {}
-        self.computed = set()
-        self._columns = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
+        self.computed: set[str] = set()
+        self._columns: dict[str, Array] = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
         self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
 
     @property
-    def derived(self):
+    def derived(self) -> list[str]:
         return list(self._velocities)
 
     @property
-    def everything(self):
+    def everything(self) -> list[str]:
         """Names of all columns: of the file, accelerations, computed."""
         return [*self.names, *self.derived, *sorted(self.computed)]
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Array:
         if name not in self._columns and name in self._velocities:
             self._columns[name] = find_acceleration(self["time"], self["dt"], self[self._velocities[name]])
         try:
@@ -47,20 +52,20 @@ class History:
         except KeyError:
             raise KeyError(f"there is no column '{name}' (there are {', '.join([*self.names, *self.derived])})") from None
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self._columns or name in self._velocities
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.names)
 
-    def __len__(self):
+    def __len__(self) -> int:
         """Rows."""
         return len(self._columns[self.names[0]])
 
-    def keys(self):
+    def keys(self) -> list[str]:
         return list(self.names)
 
-    def dimension(self, name):
+    def dimension(self, name: str) -> str | None:
         """'energy', 'force', '-' ... by columns.json; None if it does not have the column."""
         self[name]
         if name in self._velocities:
@@ -71,31 +76,31 @@ class History:
             return "moment"  # of the same dimension, but no energy
         return named
 
-    def unit(self, name):
+    def unit(self, name: str) -> str:
         """'J'; empty without a dimension, or without units in the deck."""
         if "unit" in self._sidecar.get(name, {}):
-            return self._sidecar[name]["unit"] or ""
+            return str(self._sidecar[name]["unit"] or "")
         dimension = self.dimension(name)
-        if self.units is None or find_powers(dimension) is None:
+        if self.units is None or dimension is None or find_powers(dimension) is None:
             return ""
         return self.units.name_of(dimension)
 
-    def meaning(self, name):
+    def meaning(self, name: str) -> str:
         """What the column is, in words of columns.json; its name where the folder has no such file."""
         self[name]
         if name in self._velocities:
             return describe(self.meaning(self._velocities[name]))
-        return self._sidecar.get(name, {}).get("meaning") or name
+        return str(self._sidecar.get(name, {}).get("meaning") or name)
 
-    def label(self, name):
+    def label(self, name: str) -> str:
         """The same in few words, as it stands beside a curve."""
         return self.meaning(name).partition(", ")[0]
 
-    def at(self, time, name):
+    def at(self, time: float, name: str) -> float:
         """The value of a column at a time, linear between rows."""
         return float(np.interp(time, self["time"], self[name]))
 
-    def add(self, name, values, powers=None):
+    def add(self, name: str, values: Any, powers: Powers | None = None) -> None:
         """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known."""
         unit = self.units.name_of_powers(powers) if self.units and powers and any(powers) else None
         self.computed.add(name)
@@ -104,13 +109,13 @@ class History:
             words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
             self._sidecar[name]["dimension"] = " ".join(words) or "1"
 
-    def copy(self):
+    def copy(self) -> History:
         """The same history, to add() to."""
         copied = copy.copy(self)
         copied._columns, copied.computed = dict(self._columns), set(self.computed)
         return copied
 
-    def in_units(self, units):
+    def in_units(self, units: Units) -> History:
         """The same history in another system of units. Columns whose dimension is not known stay as they are."""
         if self.units is None:
             raise ValueError("the deck has no `units`, so that its numbers cannot be turned into others")
@@ -118,12 +123,13 @@ class History:
         kept = {name: {"dimension": self.dimension(name), "meaning": self.meaning(name)} for name in self.names}
         return History(self.names, table, units, kept)
 
-    def _convert(self, name, units):
+    def _convert(self, name: str, units: Units) -> Array:
         dimension = self.dimension(name)
-        factor = self.units.in_si(dimension) / units.in_si(dimension) if find_powers(dimension) else 1
-        return self[name] * factor
+        if self.units is None or dimension is None or not find_powers(dimension):
+            return self[name]
+        return self[name] * (self.units.in_si(dimension) / units.in_si(dimension))
 
-    def to_pandas(self):
+    def to_pandas(self) -> Any:
         """A pandas.DataFrame of the columns of the file with the time as its index; units in its attribute `attrs`."""
         import pandas
 
@@ -131,7 +137,7 @@ class History:
         frame.attrs["units"] = {name: self.unit(name) for name in self.names}
         return frame
 
-    def followed_by(self, later):
+    def followed_by(self, later: History) -> History:
         """This history up to the first row of a restart in another folder, and then that one. Columns of both."""
         names = [name for name in self.names if name in later]
         kept = self["step"] < later["step"][0] if len(later) else np.ones(len(self), dtype=bool)
@@ -139,7 +145,7 @@ class History:
         return History(names, np.column_stack(table), self.units, self._sidecar)
 
 
-def _list_partners(names):
+def _list_partners(names: Iterable[str]) -> Iterator[str]:
     """Columns that stand beside others in every history: the other components of a vector, the other force of a weld."""
     for name in names:
         if part := re.fullmatch(r"((?:wall_force|momentum|angular|equal|body)_|joint_[fm]|local_a|local_dv|body_[vw]|[fm])x(:.*)?|([^:]*_v?)x", name):
@@ -149,7 +155,7 @@ def _list_partners(names):
             yield name.replace("normal", "shear", 1)
 
 
-def read_history(path, units=None, folder=None):
+def read_history(path: str, units: Units | None = None, folder: str | None = None) -> History:
     """A history.csv, complete or of a run that goes on."""
     names, rows = read_rows(path)
     if missing := [name for name in [*ALWAYS, *_list_partners(names)] if name not in names]:

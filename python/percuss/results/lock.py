@@ -6,7 +6,7 @@ import time
 SILENT_AFTER = 60  # seconds without a touch (one is due every ten) after which a run elsewhere counts as ended
 
 
-def read_lock(folder):
+def read_lock(folder: str) -> dict[str, str]:
     """The entries of run.lock; empty if there is none."""
     path = os.path.join(folder, "run.lock")
     if not os.path.isfile(path):  # a pipe would be waited for
@@ -19,7 +19,7 @@ def read_lock(folder):
         return {}
 
 
-def is_active(folder):
+def is_active(folder: str) -> bool:
     """Whether the run of the lock goes on, as far as this machine can see."""
     lock = read_lock(folder)
     if not lock:
@@ -32,7 +32,7 @@ def is_active(folder):
         return False
 
 
-def _read(path):
+def _read(path: str) -> str:
     try:
         with open(path, encoding="ascii", errors="replace") as file:
             return file.read().strip()
@@ -40,14 +40,14 @@ def _read(path):
         return ""
 
 
-def _own_namespace():
+def _own_namespace() -> str:
     try:
         return os.readlink("/proc/self/ns/pid")
     except OSError:
         return ""
 
 
-def _find_start(process):
+def _find_start(process: str) -> str:
     """The start time of a process as the system counts it; empty if there is none. A zombie has ended."""
     words = _read(f"/proc/{process}/stat").rpartition(")")[2].split()
     return words[19] if len(words) > 19 and words[0] != "Z" else ""

@@ -10,6 +10,8 @@ The standard asks for signals at 10 kHz. Here both are resampled to equal steps,
 
 import numpy as np
 
+from .arrays import Array
+
 INNER, OUTER, CORRIDOR_POWER = 0.05, 0.5, 2
 LARGEST_SHIFT, PHASE_POWER = 0.2, 1
 WARP_WINDOW, LARGEST_MAGNITUDE_ERROR, MAGNITUDE_POWER = 0.1, 0.5, 1
@@ -18,7 +20,7 @@ WEIGHTS = {"corridor": 0.4, "phase": 0.2, "magnitude": 0.2, "slope": 0.2}
 MOST_POINTS = 2000
 
 
-def rate(test_time, test, time, values):
+def rate(test_time: Array, test: Array, time: Array, values: Array) -> dict[str, float]:
     """{corridor, phase, magnitude, slope, rating} over the time that both signals have. ValueError where that is too short."""
     start, end = max(test_time[0], time[0]), min(test_time[-1], time[-1])
     count = min(MOST_POINTS, max(len(test), len(values)))
@@ -28,7 +30,7 @@ def rate(test_time, test, time, values):
     return rate_signals(np.interp(at, test_time, test), np.interp(at, time, values), at[1] - at[0])
 
 
-def rate_signals(test, values, step):
+def rate_signals(test: Array, values: Array, step: float) -> dict[str, float]:
     """The same of two signals at the same times, `step` apart."""
     size = np.abs(test).max()
     if not size > 0:
@@ -40,16 +42,16 @@ def rate_signals(test, values, step):
     return {**found, "rating": sum(WEIGHTS[name] * score for name, score in found.items())}
 
 
-def find_share_inside(low, high, values):
+def find_share_inside(low: Array, high: Array, values: Array) -> float:
     """The share of points within a corridor."""
     return float(np.mean((values >= low) & (values <= high))) if len(values) else 0.0
 
 
-def _rate_corridor(distance, inner, outer):
+def _rate_corridor(distance: Array, inner: float, outer: float) -> float:
     return float(np.mean(np.clip((outer - distance) / (outer - inner), 0, 1) ** CORRIDOR_POWER))
 
 
-def _rate_phase(test, values):
+def _rate_phase(test: Array, values: Array) -> tuple[float, Array, Array]:
     """(score, both signals after the shift, where they lie over each other)."""
     count, most = len(test), int(LARGEST_SHIFT * len(test))
     best, shift = -np.inf, 0
@@ -63,14 +65,14 @@ def _rate_phase(test, values):
     return _rate_error(abs(shift) / count, LARGEST_SHIFT, PHASE_POWER), *_shift(test, values, shift)
 
 
-def _shift(test, values, steps):
+def _shift(test: Array, values: Array, steps: int) -> tuple[Array, Array]:
     """steps > 0: the values come later than the test."""
     if steps > 0:
         return test[:-steps], values[steps:]
     return (test[-steps:], values[:steps]) if steps < 0 else (test, values)
 
 
-def _find_warped_error(test, values):
+def _find_warped_error(test: Array, values: Array) -> float:
     """Of the two signals along the path that dynamic time warping finds with squared distances in a window."""
     count, window = len(test), max(1, int(np.ceil(WARP_WINDOW * len(test))))
     cost = np.full((count + 1, count + 1), np.inf)
@@ -89,21 +91,22 @@ def _find_warped_error(test, values):
     while i > 0 and j > 0:
         path.append((i - 1, j - 1))
         steps = {(i - 1, j - 1): cost[i - 1, j - 1], (i - 1, j): cost[i - 1, j], (i, j - 1): cost[i, j - 1]}
-        i, j = min(steps, key=steps.get)
+        i, j = min(steps, key=lambda step: float(steps[step]))
     first, second = np.array(path).T
     return _find_error(test[first], values[second])
 
 
-def _find_slope(values, step):
+def _find_slope(values: Array, step: float) -> Array:
     slopes = np.gradient(values, step)
     kernel = np.ones(SMOOTHED)
-    return np.convolve(slopes, kernel, "same") / np.convolve(np.ones(len(slopes)), kernel, "same")
+    smooth: Array = np.convolve(slopes, kernel, "same") / np.convolve(np.ones(len(slopes)), kernel, "same")
+    return smooth
 
 
-def _find_error(test, values):
+def _find_error(test: Array, values: Array) -> float:
     size = np.abs(test).sum()
     return float(np.abs(test - values).sum() / size) if size > 0 else float(np.abs(values).sum() > 0)
 
 
-def _rate_error(error, largest, power):
+def _rate_error(error: float, largest: float, power: float) -> float:
     return float(np.clip((largest - error) / largest, 0, 1) ** power)

@@ -1,18 +1,25 @@
 """A run: its output folder, of which each file is read when it is first asked for."""
 
+from __future__ import annotations
+
 import os
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from ..errors import NoFrames, NotResults
 from ..files import load_json
 from .columns import read_units
-from .deck import find_deck
+from .deck import Deck, find_deck
 from .lock import is_active
 from .shapes import SUMMARY
-from .units import find_units
+from .units import Units, find_units
+
+if TYPE_CHECKING:
+    from .fields import Fields
+    from .history import History
 
 
-def read(*folders):
+def read(*folders: str | os.PathLike[str]) -> Any:
     """The run of an output folder; of several folders a list of runs."""
     runs = [Run(folder) for folder in folders]
     return runs[0] if len(runs) == 1 else runs
@@ -22,7 +29,7 @@ class Run:
     """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units, history,
     fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
 
-    def __init__(self, folder, fields=None):
+    def __init__(self, folder: str | os.PathLike[str], fields: str | None = None) -> None:
         """fields: the name of an entry of output.field_outputs, whose file `fields` is then."""
         folder = os.fspath(folder)
         self.folder = folder if os.path.isdir(folder) else os.path.dirname(folder) or "."
@@ -32,42 +39,44 @@ class Run:
                                                   self._has_outputs()):
             raise NotResults(f"{folder}: there are no results of percuss (no summary.json, history.csv or fields.vtkhdf)")
 
-    def _has(self, name):
+    def _has(self, name: str) -> bool:
         return os.path.exists(os.path.join(self.folder, name))
 
-    def _has_outputs(self):
+    def _has_outputs(self) -> bool:
         return any(file.startswith("fields_") and file.endswith(".vtkhdf") for file in os.listdir(self.folder))
 
     @property
-    def name(self):
+    def name(self) -> str:
         return os.path.basename(os.path.abspath(self.folder))
 
-    def reload(self):
+    def reload(self) -> Run:
         for name in ("summary", "deck", "units", "history", "fields", "field_outputs"):
             self.__dict__.pop(name, None)
         return self
 
     @cached_property
-    def summary(self):
+    def summary(self) -> dict[str, Any]:
         """summary.json as dictionaries; empty where a run has written none yet."""
         path = os.path.join(self.folder, "summary.json")
-        return load_json(path, SUMMARY) if os.path.lexists(path) else {}
+        found: dict[str, Any] = load_json(path, SUMMARY) if os.path.lexists(path) else {}
+        return found
 
     @property
-    def warnings(self):
+    def warnings(self) -> list[dict[str, Any]]:
         """A dictionary each: rule, text, place, time, count."""
-        return self.summary.get("warnings", [])
+        return list(self.summary.get("warnings", []))
 
     @property
-    def status(self):
+    def status(self) -> str:
         """completed, failed, interrupted, running; killed: the summary says running, but no run is here; starting: it has
         only begun."""
         if is_active(self.folder):
             return "running" if self.summary else "starting"
-        return {"running": "killed", None: "killed"}.get(self.summary.get("status"), self.summary.get("status"))
+        known = self.summary.get("status")
+        return "killed" if known in (None, "running") else str(known)
 
     @property
-    def step_limit(self):
+    def step_limit(self) -> str:
         """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor; empty where the run came to its end or did not
         complete."""
         time, end = self.summary.get("time") or 0, self.summary.get("end_time") or 0  # older summaries have no end
@@ -78,11 +87,11 @@ class Run:
         return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
 
     @cached_property
-    def deck(self):
+    def deck(self) -> Deck:
         return find_deck(self.summary, self.folder)
 
     @cached_property
-    def units(self):
+    def units(self) -> Units | None:
         """The Units of the deck, or None where it has none."""
         if known := read_units(self.folder):
             return find_units(known)
@@ -91,11 +100,11 @@ class Run:
         return find_units(str(self.deck.get("units") or ""))
 
     @property
-    def title(self):
+    def title(self) -> str:
         fields = None if self.deck.get("title") else self._find_fields()
         return str(self.deck.get("title") or (fields.title if fields else "") or self.name)
 
-    def _find_fields(self):
+    def _find_fields(self) -> Fields | None:
         """Where they are a help alone: None where there are none, or damaged ones."""
         try:
             return self.fields if self.has_fields else None
@@ -103,7 +112,7 @@ class Run:
             return None
 
     @cached_property
-    def history(self):
+    def history(self) -> History:
         from .history import read_history
 
         path = os.path.join(self.folder, "history.csv")
@@ -112,17 +121,17 @@ class Run:
         return read_history(path, self.units, self.folder)
 
     @property
-    def has_history(self):
+    def has_history(self) -> bool:
         return self._has("history.csv")
 
     @cached_property
-    def fields(self):
+    def fields(self) -> Fields:
         from .fields import Fields
 
         return Fields(self.folder, self._fields_name)
 
     @cached_property
-    def field_outputs(self):
+    def field_outputs(self) -> dict[str, Fields]:
         """The Fields of each entry of output.field_outputs that has a file with a frame, by its name."""
         from .fields import Fields, list_outputs
 
@@ -138,7 +147,7 @@ class Run:
         return found
 
     @property
-    def has_fields(self):
+    def has_fields(self) -> bool:
         try:
             file = f"fields_{self._fields_name}.vtkhdf" if self._fields_name else "fields.vtkhdf"
             return self._has(file) and self.fields is not None
@@ -150,7 +159,7 @@ class Run:
             return False
 
     @property
-    def ranks(self):
+    def ranks(self) -> list[dict[str, float]]:
         """ranks.csv: a dictionary a rank."""
         from .table import read_rows
 

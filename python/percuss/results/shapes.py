@@ -1,13 +1,15 @@
 """What stands in summary.json (docs/output.md): every key of a summary has one type."""
 
+from typing import Any
+
 from ..files import NUMBER, OBJECT, TEXT, TEXT_OR_NULL, WHOLE, MapOf, Optional
 
 
-def _numbers(*names):
+def _numbers(*names: str) -> dict[str, str]:
     return {name: NUMBER for name in names}
 
 
-SUMMARY = {
+SUMMARY: dict[str, Any] = {
     "status": TEXT, "error": TEXT, "version": TEXT, "backend": TEXT, "precision": TEXT,
     "warnings": Optional([{"rule": TEXT, "text": TEXT, "place": Optional(TEXT), "time": Optional(NUMBER), "count": Optional(WHOLE)}]),
     "ranks": WHOLE, "threads": WHOLE, "elements": WHOLE, "nodes": WHOLE, "contact_nodes": WHOLE, "contact_faces": WHOLE, "steps": WHOLE,
@@ -26,5 +28,5 @@ SUMMARY = {
     "deck": Optional({"file": TEXT, "settings": [TEXT], "values": OBJECT}),
 }
 
-COLUMNS = {"units": Optional(TEXT_OR_NULL),
+COLUMNS: dict[str, Any] = {"units": Optional(TEXT_OR_NULL),
            "columns": [{"name": TEXT, "unit": Optional(TEXT_OR_NULL), "dimension": Optional(TEXT_OR_NULL), "meaning": Optional(TEXT)}]}

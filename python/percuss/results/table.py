@@ -6,7 +6,7 @@ from ..errors import NotResults
 from ..files import read_text
 
 
-def read_lines(path):
+def read_lines(path: str) -> tuple[list[str], list[str]]:
     """(names of the columns, complete lines below them). A run that goes on may have written half of a last line."""
     text = read_text(path)
     lines = text[: text.rfind("\n") + 1].split("\n")[:-1]
@@ -15,7 +15,7 @@ def read_lines(path):
     return read_heading(path, lines[0]), [line for line in lines[1:] if line]
 
 
-def read_heading(path, line):
+def read_heading(path: str, line: str) -> list[str]:
     """Names of the columns, each of which there is once."""
     try:
         names = next(csv.reader([line]))
@@ -26,7 +26,7 @@ def read_heading(path, line):
     return names
 
 
-def parse_row(line, count):
+def parse_row(line: str, count: int) -> list[float] | None:
     """The numbers of a line; None if there are not so many, or one is none."""
     try:
         row = [float(word) for word in line.split(",")]
@@ -35,12 +35,15 @@ def parse_row(line, count):
     return row if len(row) == count else None
 
 
-def read_rows(path, last=None):
+def read_rows(path: str, last: int | None = None) -> tuple[list[str], list[list[float]]]:
     """(names, rows of floats); only the `last` so many rows where asked for."""
     names, lines = read_lines(path)
     if last is not None:
         lines = lines[-last:]
-    rows = [parse_row(line, len(names)) for line in lines]
-    if wrong := [line for line, row in zip(lines, rows) if row is None]:
-        raise NotResults(f"{path}: this is no row of {len(names)} numbers: '{wrong[0][:60]}'")
+    rows = []
+    for line in lines:
+        row = parse_row(line, len(names))
+        if row is None:
+            raise NotResults(f"{path}: this is no row of {len(names)} numbers: '{line[:60]}'")
+        rows.append(row)
     return names, rows

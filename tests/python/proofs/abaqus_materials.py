@@ -2,7 +2,7 @@
 
 import math
 
-from . import ALL, LAST, Proof
+from . import LAST, Proof
 from .pieces import CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
 
 END = 1e-3

@@ -12,7 +12,7 @@ class Percuss(CMakePackage):
 
     variant("native", default=False, description="Compile for the instruction set of this machine")
     variant("precision", default="double", values=("double", "single"), multi=False, description="Precision of the elements")
-    variant("tools", default=True, description="Python packages that plot, report and render need")
+    variant("tools", default=True, description="Python libraries that plot, report and view need")
 
     depends_on("cxx", type="build")
     depends_on("c", type="build")

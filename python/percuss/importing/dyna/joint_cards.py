@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from ..fields import Row
-from ..ledger import BadInput, Place, missing
+from ..ledger import BadInput, missing
 from ..model import Deck, Vector
 from .cards import Card
 from .deck import JointCard, KeywordDeck, NodalBody

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ..fields import Row, clip
-from ..ledger import BadInput, Ledger, Place, missing
+from ..ledger import BadInput, Ledger, missing
 from ..model import Vector
 from ..shapes import cross, normalise, subtract
 from .dimensions import SAME as SAME_UNITS, Factors, find_card, find_factor
