@@ -60,6 +60,7 @@ def _start(server: str, key: str) -> tuple[subprocess.Popen[bytes], str]:
 
 def _end_with_parent() -> None:
     """The server ends with the program that draws, even where that is killed (PR_SET_PDEATHSIG of Linux)."""
+    signal.pthread_sigmask(signal.SIG_SETMASK, ())
     ctypes.CDLL(None).prctl(1, signal.SIGTERM)
 
 

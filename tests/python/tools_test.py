@@ -74,6 +74,11 @@ class Tools(unittest.TestCase):
         self.assertEqual(done.returncode, 4)
         self.assertIn("nowhere cannot be started (No such file or directory): install Python 3, or name it in PERCUSS_PYTHON", done.stderr)
 
+    def test_holds_no_signal_back(self):
+        """Ctrl-C ends a tool, as it does what the tool starts."""
+        named = self.write("mine", "#!/bin/sh\ngrep SigBlk /proc/self/status\n", 0o755)
+        self.assertEqual(int(self.call(PERCUSS, "watch", "ball", PERCUSS_PYTHON=named, PATH="/usr/bin:/bin").stdout.split()[1], 16), 0)
+
     def test_tells_its_tools_and_refuses_others(self):
         done = subprocess.run([sys.executable, "-m", "percuss", "nothing"], capture_output=True, text=True, timeout=60)
         self.assertEqual((done.returncode, done.stdout), (2, ""))

@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "comm/communicator.hpp"
+#include "src/app/start/stop_signals.hpp"
 
 namespace percuss {
 namespace {
@@ -106,6 +107,7 @@ bool become_tool(int argc, char** argv) {
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
   set_environment(find_python_folder(name));
+  release_stop_signals();  // a tool and what it starts would hold them for ever
   std::vector<std::string> words{choose_python(name), "-m", "percuss", name};
   words.insert(words.end(), argv + 2, argv + argc);
   ::execvp(words[0].c_str(), point_to(words).data());
