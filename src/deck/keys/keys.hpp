@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,27 +16,72 @@
 
 namespace percuss {
 
+/// How the value of a key is read, and its form. Tables hold hundreds of kinds: virtual functions, not std::function,
+/// of which each kind would compile a manager as well.
+template <class Owner>
+class KeyValue {
+ public:
+  virtual ~KeyValue() = default;
+  virtual bool read(const Reader& reader, const Node& node, Owner& owner) const = 0;
+  virtual Form form() const = 0;
+};
+
 template <class Owner>
 struct Key {
   std::string name;
   bool required = false;
   std::string takes;
-  std::function<bool(const Reader&, const Node&, Owner&)> read;
-  std::function<Form()> form;
+  std::shared_ptr<const KeyValue<Owner>> value;
+
+  bool read(const Reader& reader, const Node& node, Owner& owner) const { return value->read(reader, node, owner); }
+  Form form() const { return value->form(); }
 };
 
 template <class Owner>
 using Keys = std::vector<Key<Owner>>;
 
+template <class Owner>
+Key<Owner> own_key(std::string name, bool required, std::string takes, const KeyValue<Owner>* value) {
+  return {std::move(name), required, std::move(takes), std::shared_ptr<const KeyValue<Owner>>(value)};
+}
+
 /// A row whose value is read by `read(value, reader, name, node, owner)`.
 template <class Owner, class Value, class Read>
 Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
-  Key<Owner> key{std::move(name), required, value.takes(), {}, {}};
-  key.read = [name = key.name, value, read](const Reader& reader, const Node& node, Owner& owner) {
-    return read(value, reader, reader.name_of(name), node, owner);
+  class Row final : public KeyValue<Owner> {
+   public:
+    Row(std::string n, Value v, Read r) : name_(std::move(n)), value_(std::move(v)), read_(std::move(r)) {}
+    bool read(const Reader& reader, const Node& node, Owner& owner) const override {
+      return read_(value_, reader, reader.name_of(name_), node, owner);
+    }
+    Form form() const override { return value_.form(); }
+
+   private:
+    std::string name_;
+    Value value_;
+    Read read_;
   };
-  key.form = [value] { return value.form(); };
-  return key;
+  std::string takes = value.takes();
+  const KeyValue<Owner>* const row = new Row(name, std::move(value), std::move(read));
+  return own_key(std::move(name), required, std::move(takes), row);
+}
+
+/// A key of a member of the owner as one of the owner itself.
+template <class Owner, class Part>
+Key<Owner> lift_key(const Key<Part>& key, Part Owner::*part) {
+  class Row final : public KeyValue<Owner> {
+   public:
+    Row(Key<Part> k, Part Owner::*p) : key_(std::move(k)), part_(p) {}
+    bool read(const Reader& reader, const Node& node, Owner& owner) const override {
+      return key_.read(reader, node, owner.*part_);
+    }
+    Form form() const override { return key_.form(); }
+
+   private:
+    Key<Part> key_;
+    Part Owner::*part_;
+  };
+  return own_key<Owner>(key.name, key.required, key.takes, new Row(key, part));
 }
 
 template <class Owner, class Member, class Value>

@@ -298,13 +298,7 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   if (model == nullptr) return false;
   // One pass over the map finds unknown keys, in the order of the deck.
   Keys<MaterialDeck> keys = common_keys();
-  for (const Key<LawDeck>& key : model->keys) {
-    Key<MaterialDeck> row{key.name, key.required, key.takes, {}, {}};
-    row.read = [&key](const Reader& inner, const Node& value, MaterialDeck& material) {
-      return key.read(inner, value, material.law);
-    };
-    keys.push_back(std::move(row));
-  }
+  for (const Key<LawDeck>& key : model->keys) keys.push_back(lift_key(key, &MaterialDeck::law));
   const OtherKeys others{{"model"},
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
   const bool good = read_keys(reader, node, keys, out, others) && check_rate(reader, node, out.law);

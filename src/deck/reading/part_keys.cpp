@@ -151,14 +151,6 @@ bool read_rigid(const RigidValue& value, const Reader& reader, const std::string
   return value.read(reader, name, node, part.rigid);
 }
 
-/// A key of `elements` that a part has too.
-Key<PartDeck> make_part_key(const Key<PartElementDeck>& key) {
-  const auto read = [key](const Reader& reader, const Node& node, PartDeck& part) {
-    return key.read(reader, node, part.own_elements);
-  };
-  return {key.name, key.required, key.takes, read, key.form};
-}
-
 const Keys<PartDeck>& part_keys() {
   static const Keys<PartDeck> keys = [] {
     Keys<PartDeck> all = shape_keys();
@@ -179,7 +171,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(may("at", &PartDeck::at, vector3()));
     all.push_back(may("mass_scaling", &PartDeck::mass_scaling, mass_scaling_value()));
     all.push_back(make_key<PartDeck>("rigid", false, RigidValue{}, read_rigid));
-    for (const Key<PartElementDeck>& key : part_element_keys()) all.push_back(make_part_key(key));
+    for (const Key<PartElementDeck>& key : part_element_keys()) all.push_back(lift_key(key, &PartDeck::own_elements));
     return all;
   }();
   return keys;

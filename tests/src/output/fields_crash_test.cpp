@@ -162,15 +162,14 @@ class ResultsFile : public testing::Test {
  protected:
   using File = typename Format::File;
 
-  static File create(const std::string& folder, const Mesh& mesh) {
-    File file = Format::create(folder, mesh);
+  static void write_good_frames(File& file, const Mesh& mesh) {
     for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
-    return file;
   }
 
   static int count_writes_of_a_frame(const Mesh& mesh) {
     const TemporaryFolder folder;
-    File file = create(folder.path(), mesh);
+    File file = Format::create(folder.path(), mesh);
+    write_good_frames(file, mesh);
     writes_seen = 0;
     sample::write_frame(file, mesh, good_frames);
     return writes_seen;
@@ -179,7 +178,8 @@ class ResultsFile : public testing::Test {
   // Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the
   // error that is expected, others for what went wrong.
   static void run_into_failing_write(const std::string& folder, const Mesh& mesh, int n) {
-    File file = create(folder, mesh);
+    File file = Format::create(folder, mesh);
+    write_good_frames(file, mesh);
     fault = Fault::fail;
     writes_left = n;
     try {
@@ -212,7 +212,8 @@ TYPED_TEST(ResultsFile, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
     SCOPED_TRACE("killed at write " + std::to_string(n));
     const TemporaryFolder folder;
     const int status = run_in_child([&] {
-      auto file = this->create(folder.path(), mesh);
+      auto file = TypeParam::create(folder.path(), mesh);
+      this->write_good_frames(file, mesh);
       fault = Fault::kill;
       writes_left = n;
       sample::write_frame(file, mesh, good_frames);
@@ -242,7 +243,8 @@ TYPED_TEST(ResultsFile, TellsOfEachWriteThatADiskLoses) {
   for (int n = 0; n < writes; ++n) {
     SCOPED_TRACE("lost write " + std::to_string(n));
     const TemporaryFolder folder;
-    auto file = this->create(folder.path(), mesh);
+    auto file = TypeParam::create(folder.path(), mesh);
+    this->write_good_frames(file, mesh);
     fault = Fault::lose;
     writes_left = n;
     try {
@@ -262,7 +264,8 @@ TYPED_TEST(ResultsFile, TellsOfEachWriteThatADiskLoses) {
 TYPED_TEST(ResultsFile, OnAFullDiskFailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
-  auto file = this->create(folder.path(), mesh);
+  auto file = TypeParam::create(folder.path(), mesh);
+  this->write_good_frames(file, mesh);
   const std::string path = folder.file(TypeParam::name);
   const auto size = std::filesystem::file_size(path);
   {
