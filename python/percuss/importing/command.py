@@ -5,6 +5,7 @@ import os
 import shutil
 import sys
 import tempfile
+from collections.abc import Callable
 
 from percuss.files import write_file
 from percuss.terminal import clean
@@ -22,7 +23,7 @@ REPORTS = ["import_report.md", earlier.REPORT]
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
-def choose_reader(path: str):
+def choose_reader(path: str) -> Callable[[Ledger], Model]:
     """By the extension, then by the first keyword."""
     name = path.lower()
     if name.endswith(ABAQUS_ENDINGS):

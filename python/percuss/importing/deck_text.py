@@ -81,7 +81,7 @@ class Dumper(yaml.SafeDumper):
 
 for kind, writer in ((float, Dumper.write_number), (int, Dumper.write_number), (str, Dumper.write_text),
                      (tuple, Dumper.represent_list), (type(None), Dumper.refuse_none)):  # fmt: skip
-    Dumper.add_representer(kind, writer)
+    Dumper.add_representer(kind, writer)  # type: ignore[arg-type]
 # What YAML 1.2 and percuss take for a number: 1e5 is written plain as a number, and quoted as a text.
 Dumper.add_implicit_resolver(FLOAT, re.compile(r"[-+]?((\.\d+|\d+\.?\d*)([eE][-+]?\d+)?|nan|inf)\Z", re.IGNORECASE), list("-+.0123456789nNiI"))
 
@@ -90,7 +90,7 @@ def dump(entry: Any, width: int = WIDTH) -> str:
     """A map or a list of one entry, which is in flow style."""
     dumper = Dumper(io.StringIO(), sort_keys=False)
     node = dumper.represent_data(entry)
-    node.flow_style = False
+    node.flow_style = False  # type: ignore[attr-defined]
     for child in node.value:
         for part in child if isinstance(child, tuple) else (child,):
             part.flow_style = True

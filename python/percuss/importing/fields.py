@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NoReturn
 
 from .ledger import BadInput, Ledger, Place
 
@@ -118,7 +118,7 @@ class Row:
         """The field as a number, where 0 means a default too."""
         return self.number(name) or default
 
-    def fail(self, name: str, text: str) -> None:
+    def fail(self, name: str, text: str) -> NoReturn:
         raise BadInput(self.place, f"{name} of *{self.card} is '{clip(self._texts[name]) or self._defaults[name]}' ({text})")
 
     def skip(self, *names: str) -> None:
@@ -147,7 +147,7 @@ class Row:
         value = parse(text)
         if value is None:
             self.fail(name, f"{wanted} is expected{self.columns(list(self._texts).index(name)) or shift_hint(text)}")
-        return value  # type: ignore[return-value]
+        return value
 
 
 def shift_hint(text: str) -> str:

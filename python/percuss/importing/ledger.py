@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple
 
-
 NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
 NO_COUNTERPART = "percuss has no counterpart"
 

@@ -59,7 +59,10 @@ def find_card(model: Model, ledger: Ledger, path: list[str | int]) -> tuple[str,
     if place is not None:
         return card, place
     rows = [entry for entry in ledger.entries.values() if entry.card.startswith(card)]
-    return min(((entry.card, entry.first) for entry in rows), key=lambda row: row[1], default=None)
+    if not rows:
+        return None
+    first = min(rows, key=lambda entry: entry.first)
+    return first.card, first.first
 
 
 def find_path(node: Any, line: int, column: int) -> list[str | int]:

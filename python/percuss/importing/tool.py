@@ -31,7 +31,7 @@ Needs Python 3.10 with PyYAML. docs/import.md has the table of cards.
 """
 
 
-def parse_arguments(words) -> argparse.Namespace:
+def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="percuss import",
         epilog=EPILOG,
@@ -51,7 +51,7 @@ def parse_arguments(words) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def main(words) -> int:
+def main(words: list[str]) -> int:
     arguments = parse_arguments(words)
     require("decks are written with", NEEDS, "")
     from percuss.errors import NotResults

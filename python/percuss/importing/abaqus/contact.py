@@ -1,6 +1,7 @@
 """*TIE, *CONTACT PAIR and general contact."""
 
 from itertools import combinations_with_replacement
+from typing import Any
 
 from ..fields import clip
 from ..ledger import BadInput, Place
@@ -79,7 +80,7 @@ def add_pair(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], fricti
     if not a or not b:
         deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
         return
-    pair = {"a": a, "b": b, **({} if friction is None else {"friction": friction})}
+    pair: dict[str, Any] = {"a": a, "b": b, **({} if friction is None else {"friction": friction})}
     acting = find_acting(deck, a, b)
     if acting is not None and {key: acting[key] for key in acting if key != "from"} == pair:
         return  # again in a later step

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 from ..curves import interpolate
 from ..fields import clip
@@ -162,7 +163,7 @@ def find_way(deck: AbaqusDeck, law: Deck, block: Block) -> float | None:
         raise BadInput(block.place, "the displacement or energy of *DAMAGE EVOLUTION is negative: correct it")
     if kind == "DISPLACEMENT":
         return value
-    stress = law.get("yield_stress") or law.get("a") or max((row[1] for row in law.get("hardening", [])), default=0.0)
+    stress: Any = law.get("yield_stress") or law.get("a") or max((row[1] for row in law.get("hardening", [])), default=0.0)
     return 2 * value / stress if stress > 0 else 0.0
 
 

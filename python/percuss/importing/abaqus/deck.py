@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from ..curves import Points
 from ..fields import clip, parse_integer
@@ -12,6 +13,8 @@ from .amplitudes import Amplitude
 from .lines import Block
 from .mesh import SHELLS, SIDES, SOLIDS, BodyCard, Instance, Scope
 from .timeline import StepTime, Timeline, shift_points
+
+T = TypeVar("T")
 
 
 @dataclass
@@ -105,7 +108,7 @@ class AbaqusDeck:
         words = [word.strip() for word in name.strip().strip('"').upper().split(".")]
         return ".".join(words[1:] if len(words) > 1 and words[0] == self.assembly_name else words)
 
-    def resolve(self, table: dict, name: str, place: Place, what: str):
+    def resolve(self, table: dict[str, T], name: str, place: Place, what: str) -> T:
         """What a name means: NAME, or INSTANCE.NAME where one instance alone has it."""
         name = self.tidy(name)
         if name in table:

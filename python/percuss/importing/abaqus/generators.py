@@ -131,7 +131,7 @@ def read_nfill(scope: Scope, block: Block) -> None:
         if sides[0] is None or sides[1] is None:
             raise BadInput(block.at(line[0]), missing(f"node set '{clip(block.text(line, 0))}' or '{clip(block.text(line, 1))}'"))
         count, step = block.integer(line, 2, 1), block.integer(line, 3, 1)
-        first, last = (sorted(set(side)) for side in sides)
+        first, last = (sorted(set(side or [])) for side in sides)
         if len(first) != len(last) or not 1 <= count <= MOST_MEMBERS:
             raise BadInput(block.at(line[0]), "the two sets of *NFILL differ in size, or there is no interval: correct it")
         for a, b in zip(first, last):

@@ -7,8 +7,8 @@ from ..fields import clip
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import add_rates, order_curves, scale_curve
-from .deck import AbaqusDeck, MaterialBlocks
 from .damage import take_failure
+from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
 
@@ -212,7 +212,7 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
             law |= {"model": "combined_hardening", "kinematic_share": 0.0}
         law |= {"cowper_symonds_rate": block.number(line, 0), "cowper_symonds_exponent": block.number(line, 1) or 1.0}
     elif kind == "YIELD RATIO" and law["model"] in ("j2_plasticity", "tabulated_plasticity"):
-        base = [tuple(row) for row in law["hardening"]] if "hardening" in law else [(0.0, law["yield_stress"])]
+        base = [(row[0], row[1]) for row in law["hardening"]] if "hardening" in law else [(0.0, law["yield_stress"])]
         factors = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
         add_rates(deck.ledger, block.place, law, order_curves(block.place, scale_curve(base, factors)), "RATE DEPENDENT")
     else:

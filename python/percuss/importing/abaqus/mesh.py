@@ -286,7 +286,7 @@ def turn_profile(profile: Profile, instance: Instance) -> Profile:
     ends = (tuple(o + a for o, a in zip(profile.origin, profile.axis)), tuple(o + a for o, a in zip(profile.origin, profile.first)))
     origin = instance.put(profile.origin)
     axis, first = (tuple(e - o for e, o in zip(instance.put(end), origin)) for end in ends)  # type: ignore[arg-type]
-    return replace(profile, origin=origin, axis=axis, first=first)  # type: ignore[arg-type]
+    return replace(profile, origin=origin, axis=axis, first=first)
 
 
 def qualify(where: str, instance: Instance) -> str:

@@ -4,16 +4,17 @@ from collections import Counter
 
 from ..fields import MOST_ID, clip
 from ..ledger import BadInput, Ledger, Place, missing
+from ..model import NOT_DAMPED
 from ..model import Block as Part
-from ..model import NOT_DAMPED, Deck, takes_stiffness_damping
-from .bodies import add_reference_masses
+from ..model import Deck, takes_stiffness_damping
+from ..solids import NAMES, collapse
 from .beams import add_beam_keys, read_beam_section
+from .bodies import add_reference_masses
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import find, translate_material
-from ..solids import NAMES, collapse
-from .rigid_shells import build_rigid_parts
 from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, join
+from .rigid_shells import build_rigid_parts
 
 MOST_NODES = 20_000_000
 
@@ -292,7 +293,7 @@ def choose_integration(deck: AbaqusDeck) -> None:
     """The integration of most hexahedra for the scene, others by part."""
     if not deck.integrations:
         return
-    total = sum(deck.integrations.values(), Counter())
+    total: Counter[str] = sum(deck.integrations.values(), Counter())
     chosen = total.most_common(1)[0][0]
     if chosen == "full":
         deck.model.deck.setdefault("elements", {})["integration"] = "full"

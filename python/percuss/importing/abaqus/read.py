@@ -1,6 +1,7 @@
 """An Abaqus deck becomes a model: which keyword is read by what."""
 
 from collections.abc import Callable
+from typing import TypeVar
 
 from ..fields import clip
 from ..ledger import BadInput, Ledger, Place
@@ -16,6 +17,8 @@ from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, sque
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section
 from .springs import add_springs, read_spring
 from .timeline import StepTime
+
+T = TypeVar("T")
 
 Handler = Callable[[AbaqusDeck, Block], None]
 ROUGH = 100.0  # coefficient of friction without slip
@@ -315,8 +318,8 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     damage.finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
-    for block in deck.model.blocks:
-        deck.model.origins.cards["parts", block.name] = deck.model.origins.cards["materials", block.keys["material"]] = ("SECTION", block.place)
+    for part in deck.model.blocks:
+        deck.model.origins.cards["parts", part.name] = deck.model.origins.cards["materials", part.keys["material"]] = ("SECTION", part.place)
     deck.model.origins.note(deck.model, "RIGID BODY", None)
     apply(reader)
     finish(reader)
@@ -360,7 +363,8 @@ def read_assembly_set(deck: AbaqusDeck, block: Block) -> None:
     name = block.option(block.keyword)
     if "GENERATE" in block.options or is_nodes and "ELSET" in block.options:
         whole = deck.whole_assembly
-        own = deck.scope_of(instance or whole) if instance or whole else deck.mesh
+        chosen = instance or whole
+        own = deck.scope_of(chosen) if chosen else deck.mesh
         found: dict[str, list[int]] = {}
         read_set(own, block, found)
         shift = (instance or whole).shift if instance or whole else 0  # type: ignore[union-attr]
@@ -393,7 +397,7 @@ def apply(reader: Reader) -> None:
         deck.model.origins.note(deck.model, block.keyword, block.place)
 
 
-def guard(block: Block, act: Callable):
+def guard(block: Block, act: Callable[[Block], T]) -> T:
     try:
         return act(block)
     except ArithmeticError as error:

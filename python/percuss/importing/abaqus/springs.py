@@ -1,5 +1,7 @@
 """*SPRING and *DASHPOT on elements between two nodes."""
 
+from typing import Any
+
 from ..ledger import BadInput, Ledger
 from ..model import Deck
 from .deck import AbaqusDeck
@@ -17,7 +19,7 @@ def read_spring(scope: Scope, block: Block, ledger: Ledger) -> None:
     if not lines:
         raise BadInput(block.place, f"*{block.keyword} has no value: add its data line")
     if nonlinear:
-        law = {"table": make_table(block, [(block.number(line, 1), block.number(line, 0)) for line in lines])}
+        law: dict[str, Any] = {"table": make_table(block, [(block.number(line, 1), block.number(line, 0)) for line in lines])}
     else:
         law = {"stiffness" if block.keyword == "SPRING" else "damping": block.number(lines[0], 0)}
     scope.springs.append(SpringSet(block.keyword, block.option("ELSET"), law, block.place))

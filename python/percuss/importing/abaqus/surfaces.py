@@ -1,7 +1,9 @@
 """Analytical rigid surfaces: planes, cylinders and spheres become walls where they can, other profiles rigid shells."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..curves import Curve, differentiate, make_time_value
 from ..ledger import BadInput, Place
@@ -91,7 +93,7 @@ def find_shape(deck: AbaqusDeck, profile: Profile) -> Shape | None:
     return Shape({"point": put(0.0, center), "sphere": {"radius": radius}})
 
 
-def find_plane(deck: AbaqusDeck, profile: Profile, put) -> Shape | None:
+def find_plane(deck: AbaqusDeck, profile: Profile, put: Callable[..., list[float]]) -> Shape | None:
     """One straight line: a strip, without end along its generator."""
     if [word for word, _ in profile.pieces] != ["START", "LINE"]:
         return None
@@ -131,8 +133,9 @@ def is_profile(deck: AbaqusDeck, name: str) -> bool:
 
 def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
     """A wall whose reference node is held in all directions, or moved in one of them; anything else is a body of rigid shells."""
+    assert group.card is not None  # a group of a wall is made from its card
     profile = deck.resolve(deck.mesh.profiles, group.card.profile, group.place, "analytical surface")
-    wall = group.wall or {}
+    wall: dict[str, Any] = group.wall or {}
     friction = choose_contact(deck, group, wall)
     if friction is None:
         deck.ledger.ignored(CARD, group.place, "contact does not name it")
@@ -142,7 +145,9 @@ def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
     if shape is None or not moves_as_wall(group, shape, moved):
         add_shells(deck, group, profile, friction)
         return
-    wall |= {**shape.keys, "thickness": "seen", **({"friction": friction} if friction else {})}
+    wall |= {**shape.keys, "thickness": "seen"}
+    if friction:
+        wall["friction"] = friction
     for direction, motion in moved:
         sign = shape.normal["xyz".index(direction)] if shape.normal else 1.0
         if not shape.normal:

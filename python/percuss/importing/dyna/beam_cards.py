@@ -67,7 +67,7 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     return None
 
 
-def make_weld(deck: KeywordDeck, reader) -> Deck | None:
+def make_weld(deck: KeywordDeck, reader: Lines) -> Deck | None:
     """ELFORM 9, a spot weld: a tube whatever CST says."""
     more = reader.row("TS1 TS2 TT1 TT2 PRINT~output UNUSED~unused ITOFF")
     if more.integer("ITOFF"):
@@ -75,7 +75,7 @@ def make_weld(deck: KeywordDeck, reader) -> Deck | None:
     return make_widths(deck, more, 1)
 
 
-def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
+def make_shape(deck: KeywordDeck, reader: Lines, kind: int) -> Deck | None:
     """CST 0: a rectangle TS by TT; 1: a tube of these diameters."""
     return make_widths(deck, reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC ITORM"), kind)
 
@@ -99,7 +99,7 @@ def make_widths(deck: KeywordDeck, more: Row, kind: int) -> Deck | None:
     return None
 
 
-def make_general(deck: KeywordDeck, reader) -> Deck:
+def make_general(deck: KeywordDeck, reader: Lines) -> Deck:
     """A ISS ITT J SA: resultants. s is y of percuss."""
     more = reader.row("A ISS ITT J SA IST ITORM SAT")
     area, iss, itt, j, shear, across = more.numbers("A", "ISS", "ITT", "J", "SA", "SAT")

@@ -112,7 +112,7 @@ class BodyHolds:
                 ledger.refuse(f"{hold.card}.two", hold.place, f"a second condition on direction {hold.direction} of a rigid body", "it is left out")
             elif hold.direction not in first:
                 first[hold.direction] = hold
-                self.deck.model.add("conditions", {"body": self.body, **hold.motion})  # type: ignore[dict-item]
+                self.deck.model.add("conditions", {"body": self.body, **(hold.motion or {})})
         for hold in self.holds:
             if not hold.motion and hold.direction in moved:
                 ledger.approximated(f"{hold.card}.moved", hold.place, "where a rigid body is held and moved in one direction, the motion counts")

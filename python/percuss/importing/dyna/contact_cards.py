@@ -412,8 +412,9 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     if 0 < contact.law.number("DT") < deck.end_time:
         deck.ledger.refuse("CONTACT.BT", contact.place, "a tie with a birth or death time", "it acts during the whole run")
     strengths = find_strengths(contact)
-    for row in (contact.sides, contact.law, contact.scale, *([contact.failure] if strengths else [])):
-        row.finish(deck.ledger)
+    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths else None):
+        if row is not None:
+            row.finish(deck.ledger)
     if not a or not b:
         deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
         return

@@ -3,8 +3,8 @@
 from ..curves import make_time_value
 from ..fields import Row
 from ..ledger import BadInput, Place
-from .cards import Card
 from ..model import NOT_DAMPED, takes_stiffness_damping
+from .cards import Card
 from .deck import KeywordDeck
 
 MASS_CARDS = ("DAMPING_GLOBAL", "DAMPING_PART_MASS", "DAMPING_PART_MASS_SET")

@@ -3,9 +3,9 @@
 from ..fields import MOST_ID, Row, clip, parse_integer, parse_real, shift_hint
 from ..ledger import BadInput, Place
 from ..solids import collapse
-from .cards import Card
-from .transforms import UNCHANGED, FileChange, apply
+from .cards import Card, Lines
 from .deck import Element, Elements, KeywordDeck
+from .transforms import UNCHANGED, FileChange, apply
 
 NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
 EIGHTS = (8,) * 10
@@ -169,7 +169,7 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
 
-def read_shell_options(deck: KeywordDeck, card: Card, reader, options: set[str], has_mid_nodes: bool) -> float | None:
+def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: set[str], has_mid_nodes: bool) -> float | None:
     """Thickness of a shell from its further lines: the mean of its corners."""
     thickness = None
     if options & {"THICKNESS", "BETA", "MCID"}:

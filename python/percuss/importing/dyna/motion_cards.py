@@ -8,8 +8,8 @@ from .bodies import list_card_nodes, name_nodes, sort_nodes
 from .cards import Card
 from .condition_cards import AXES, hold_bodies, refuse_lost
 from .deck import KeywordDeck
-from .turn_cards import apply_turn
 from .starting import find_body_start, find_node_start
+from .turn_cards import apply_turn
 from .windows import Window, switch
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION"

@@ -1,9 +1,12 @@
 """*DATABASE_...: what is written, and when."""
 
+from typing import Any
+
 from ..model import Block, Deck
 from ..shapes import dot, subtract
 from .cards import Card, read_ids
 from .deck import KeywordDeck
+from .preload_cards import Plane
 from .weld_cards import list_rigid_nodes
 
 FIELDS = ["velocity", "von_mises"]
@@ -108,8 +111,8 @@ def add_planes(deck: KeywordDeck) -> None:
         if plane.radius or plane.has_edges:
             deck.ledger.ignored(f"{plane.card}.RADIUS", plane.place, "output of a plane with limits; one by *DATABASE_CROSS_SECTION_SET is written")
             continue
-        section = {"point": list(plane.point), "normal": list(plane.normal)}
-        names = [None] if len(asked) == len(cut) else [block.name for block in asked]
+        section: dict[str, Any] = {"point": list(plane.point), "normal": list(plane.normal)}
+        names: list[str | None] = [None] if len(asked) == len(cut) else [block.name for block in asked]
         for part in names:
             name = deck.model.names.take(plane.title if part is None else f"{plane.title}_{part}")
             deck.sections_by_sets.append({"name": name, "section": section if part is None else {"part": part, **section}})
@@ -122,7 +125,7 @@ def add_planes(deck: KeywordDeck) -> None:
             deck.ledger.translated(plane.card, plane.place, text)
 
 
-def is_cut(deck: KeywordDeck, block: Block, plane) -> bool:
+def is_cut(deck: KeywordDeck, block: Block, plane: Plane) -> bool:
     """Whether an element has corners on both sides."""
     heights: dict[int, float] = {}
     for _, corners in block.elements():

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from ..fields import clip, parse_real
 from ..ledger import BadInput, Ledger, Place, missing
-
 from .transforms import UNCHANGED, FileChange
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from ..fields import Row
 from ..ledger import BadInput, missing
 from ..model import Block, Deck
 from .beam_cards import divide_beams
-from .cards import Card
+from .cards import Card, Lines
 from .contact_cards import tell_decay
 from .deck import Element, Elements, KeywordDeck, PartCard
 from .materials.shared import COROTATIONAL
@@ -42,14 +42,14 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
             row.fail("PID", "an id is expected")
         if id in deck.parts:
             raise BadInput(row.place, f"there are two parts {id} (ids must be unique): renumber one")
-        part = PartCard(id, title, row.place, *(row.integer(n) for n in ("SECID", "MID", "EOSID", "HGID")))
+        part = PartCard(id, title, row.place, row.integer("SECID"), row.integer("MID"), row.integer("EOSID"), row.integer("HGID"))
         row.finish(deck.ledger)
         deck.parts[id] = part
         read_part_options(deck, card, reader, part, options)
         deck.ledger.translated(card.keyword, row.place, "a part for each thickness, its blocks share nodes with others")
 
 
-def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, options: list[str]) -> None:
+def read_part_options(deck: KeywordDeck, card: Card, reader: Lines, part: PartCard, options: list[str]) -> None:
     """Further lines of a part."""
     for option in options:
         if option == "CONTACT":

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ..curves import Points
+from ..fields import Row
 from ..ledger import BadInput, Place, missing
 from ..model import Block, Model, Vector
 from ..shapes import cross, dot, normalise, subtract
@@ -72,7 +73,7 @@ def add_preload(model: Model, block: Block, keys: dict) -> None:
     start.setdefault("preload", {})[model.names.take(f"preload_{block.name}")] = {"part": block.name, **keys}
 
 
-def find_held_value(deck: KeywordDeck, card: str, row) -> float:
+def find_held_value(deck: KeywordDeck, card: str, row: Row) -> float:
     """The largest value of a curve, which it holds. Told where it does not."""
     points = deck.material_curve(row.integer("LCID"), row.place, "time", "force" if card.endswith("BEAM") else "stress")
     value = max((y for _, y in points), key=abs)
@@ -123,7 +124,7 @@ def read_section_stress(deck: KeywordDeck, card: Card) -> None:
             tighten_plane(deck, row, plane)
 
 
-def check_normal(deck: KeywordDeck, row, plane: Plane) -> None:
+def check_normal(deck: KeywordDeck, row: Row, plane: Plane) -> None:
     """VID gives the normal in place of the plane."""
     id = row.integer("VID")
     if not id:
@@ -134,7 +135,7 @@ def check_normal(deck: KeywordDeck, row, plane: Plane) -> None:
         deck.ledger.refuse("INITIAL_STRESS_SECTION.VID", row.place, "VID: a normal other than that of the plane", "the plane's own normal is used")
 
 
-def tighten_plane(deck: KeywordDeck, row, plane: Plane) -> None:
+def tighten_plane(deck: KeywordDeck, row: Row, plane: Plane) -> None:
     """A preload for each part of solids that the plane cuts."""
     stress = find_held_value(deck, "INITIAL_STRESS_SECTION", row)
     set_id = row.integer("PSID") or plane.parts

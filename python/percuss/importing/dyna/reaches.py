@@ -15,7 +15,7 @@ def find_reach(deck: KeywordDeck, nodes: set[int], faces: set[int], thicknesses:
     own = [find_thickness(deck, side) for side in (nodes, faces)]
     reach = SHARE_OF_THICKNESS * sum(abs(given) or thickness for given, thickness in zip(thicknesses, own))
     if min(thicknesses) < 0:
-        reach = SHARE_OF_THICKNESS * sum(map(abs, thicknesses))
+        reach = SHARE_OF_THICKNESS * sum(abs(given) for given in thicknesses)
     elif any(thicknesses) or reach - sum(own) / 2 > SHARE_OF_DIAGONAL * find_diagonal(deck, faces):
         reach = max(reach, SHARE_OF_DIAGONAL * find_diagonal(deck, faces))
     else:

@@ -13,25 +13,44 @@ from . import start_cards as start
 from .beam_cards import read_beams
 from .body_holds import apply_body_holds
 from .cards import Card, CardReader
-from .contact_cards import finish_contacts, read_contact, read_defaults
 from .constraint_cards import add_node_sets, read_node_sets
+from .contact_cards import finish_contacts, read_contact, read_defaults
+from .control_cards import (  # fmt: skip
+    apply_relaxation,
+    apply_timestep,
+    apply_viscosity,
+    check_shells,
+    is_known_control,
+    read_general_hourglass,
+    read_other_control,
+    read_rigid_control,
+    read_shell_control,
+    read_solid_control,
+    read_solution,
+    read_termination,
+)
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
-from .control_cards import (
-    apply_relaxation, apply_timestep, apply_viscosity, check_shells, is_known_control, read_general_hourglass, read_other_control, read_rigid_control, read_shell_control, read_solid_control,
-    read_solution, read_termination,
-)  # fmt: skip
 from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
-from .load_cards import apply_part_gravity, read_blast, read_blast_segments, read_body_force, read_body_load, read_node_load, read_part_gravity, read_segment_load
+from .load_cards import (
+    apply_part_gravity,
+    read_blast,
+    read_blast_segments,
+    read_body_force,
+    read_body_load,
+    read_node_load,
+    read_part_gravity,
+    read_segment_load,
+)
+from .mass_cards import add_masses_of_sets, read_masses
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .materials.skins import add_skin_masses
-from .mass_cards import add_masses_of_sets, read_masses
 from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
+from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration, translate_shell_hourglass
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
-from .part_cards import build_blocks, translate_shell_hourglass, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
 from .spring_cards import add_springs, note_spring_materials, read_springs
 from .starting import balance_bodies

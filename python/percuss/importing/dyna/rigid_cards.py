@@ -31,7 +31,7 @@ def read_inertia_lines(deck: KeywordDeck, reader: Lines, card: str) -> Inertia:
     inertia = reader.row("IXX IXY IXZ IYY IYZ IZZ")
     motion = reader.row("VTX VTY VTZ VRX VRY VRZ")
     xx, xy, xz, yy, yz, zz = inertia.numbers("IXX", "IXY", "IXZ", "IYY", "IYZ", "IZZ")
-    tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    tensor: tuple[Vector, ...] = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     if mass.integer("IRCS"):
         tensor = turn_tensor(tensor, read_axes(deck, reader.row("XL YL ZL XLIP YLIP ZLIP CID"), card))
     center = mass.numbers("XC", "YC", "ZC")
@@ -72,9 +72,8 @@ def make_axes(x: Vector, plane: Vector) -> tuple[Vector, Vector, Vector] | None:
 
 def turn_tensor(tensor: tuple[Vector, ...], axes: tuple[Vector, Vector, Vector]) -> tuple[Vector, ...]:
     """A tensor of local axes in those of space."""
-    return tuple(
-        tuple(sum(axes[a][i] * tensor[a][b] * axes[b][j] for a in range(3) for b in range(3)) for j in range(3)) for i in range(3)
-    )  # type: ignore[return-value]
+    rows = [[sum(axes[a][i] * tensor[a][b] * axes[b][j] for a in range(3) for b in range(3)) for j in range(3)] for i in range(3)]
+    return tuple((row[0], row[1], row[2]) for row in rows)
 
 
 def read_inertia(deck: KeywordDeck, reader: Lines, part: PartCard) -> None:

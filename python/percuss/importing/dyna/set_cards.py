@@ -162,7 +162,7 @@ def read_system(deck: KeywordDeck, card: Card) -> None:
     else:
         deck.ledger.ignored(card.keyword, card.place, "not read; a card that uses it is refused")
         return
-    deck.systems[row.integer("CID")] = make_axes(row, x, xy)  # type: ignore[arg-type]
+    deck.systems[row.integer("CID")] = make_axes(row, x, xy)
     deck.ledger.translated(card.keyword, card.place, "axes of what uses it")
 
 

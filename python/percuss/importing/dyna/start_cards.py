@@ -221,7 +221,7 @@ def add_masses(deck: KeywordDeck) -> None:
         else:
             deck.ledger.refuse("ELEMENT_MASS.free", place, f"a mass on node {node}, which has no element and belongs to no rigid body", "it is left out")
     for index, (mass, nodes) in enumerate(groups.items(), 1):
-        name = deck.make_node_set(f"mass_{index}", nodes, place)  # type: ignore[arg-type]
+        name = deck.make_node_set(f"mass_{index}", nodes, place)
         if mass > 0:
             deck.model.add("added_mass", {"nodes": name, "mass": len(nodes) * mass, "spread": "evenly"})
     if place:

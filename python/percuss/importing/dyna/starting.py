@@ -1,6 +1,8 @@
 """Velocities at time 0 as the entries of `initial` give them, for what is accelerated from them and for bodies whose nodes disagree."""
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 from ..model import Block, Deck, Vector
 from ..shapes import cross, section_area, shell_area, solid_volume, subtract
@@ -21,18 +23,27 @@ def list_members(deck: KeywordDeck, name: str) -> set[int]:
     return deck.start_members[name]
 
 
+def make_vector(values: Sequence[float]) -> Vector:
+    return values[0], values[1], values[2]
+
+
+def read_start(entry: dict[str, Any]) -> Start:
+    """Velocity and spin of an entry of `initial`."""
+    return make_vector(entry.get("velocity", REST)), make_vector(entry.get("angular_velocity", REST))
+
+
 def find_start(deck: KeywordDeck, node: int) -> Start | None:
     """Velocity and spin of a node; None: a spin about a centre that is not known here."""
     for entry in reversed(deck.model.deck.get("initial", [])):
         if "body" in entry or (entry.get("nodes") and node not in list_members(deck, entry["nodes"])):
             continue
-        velocity, spin = tuple(entry.get("velocity", REST)), tuple(entry.get("angular_velocity", REST))
+        velocity, spin = read_start(entry)
         if not any(spin):
             return velocity, spin
         if "center" not in entry:
             return None
-        turned = cross(spin, subtract(deck.nodes[node], tuple(entry["center"])))
-        return tuple(a + b for a, b in zip(velocity, turned, strict=True)), spin  # type: ignore[return-value]
+        turned = cross(spin, subtract(deck.nodes[node], make_vector(entry["center"])))
+        return make_vector([a + b for a, b in zip(velocity, turned, strict=True)]), spin
     return REST, REST
 
 
@@ -58,7 +69,7 @@ def find_body_start(deck: KeywordDeck, body: str) -> dict[str, float] | None:
     """Of its mass centre; None where it turns, so that the velocity of the centre is not known here."""
     for entry in reversed(deck.model.deck.get("initial", [])):
         if entry.get("body") == body:
-            return by_direction((tuple(entry.get("velocity", REST)), tuple(entry.get("angular_velocity", REST))))
+            return by_direction(read_start(entry))
     starts = {find_start(deck, node) for node in list_own_nodes(deck, body)}
     start = starts.pop() if len(starts) == 1 else None
     return by_direction(start) if start is None or not any(start[1]) else None

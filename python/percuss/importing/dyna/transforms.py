@@ -8,7 +8,8 @@ from ..fields import Row, clip
 from ..ledger import BadInput, Ledger, missing
 from ..model import Vector
 from ..shapes import cross, normalise, subtract
-from .dimensions import SAME as SAME_UNITS, Factors, find_card, find_factor
+from .dimensions import SAME as SAME_UNITS
+from .dimensions import Factors, find_card, find_factor
 
 if TYPE_CHECKING:
     from .cards import Card, Lines

@@ -6,15 +6,15 @@ from ...ledger import BadInput, missing
 from ...model import Block, Deck
 from ...text_files import suggest
 from ..cards import Card
-from .crushable import CRUSHABLE
 from ..deck import KeywordDeck, PartCard
+from .crushable import CRUSHABLE
 from .elastic import ELASTIC
 from .erosion import add_erosion
-from .shared import COROTATIONAL, Use
-from .skins import cover
 from .metals import METALS
 from .names import SPRINGS, name_law
 from .rigid import translate_rigid
+from .shared import COROTATIONAL, Use
+from .skins import cover
 
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"

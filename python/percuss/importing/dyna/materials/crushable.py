@@ -6,7 +6,7 @@ from ...curves import Points, order_points, thin_rows
 from ...fields import Row
 from ...ledger import BadInput
 from ...model import Deck
-from ..cards import Card
+from ..cards import Card, Lines
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, scale_stresses, tell_viscosity
 
@@ -45,7 +45,7 @@ def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
-def read_soil_points(reader) -> Points:
+def read_soil_points(reader: Lines) -> Points:
     """Ten strains on two lines, ten pressures on two lines."""
     xs = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())
     ys = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())

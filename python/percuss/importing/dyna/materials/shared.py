@@ -7,8 +7,8 @@ from ...fields import Row
 from ...ledger import Place
 from ...model import Deck
 from ..cards import Card, Lines
-from ..dimensions import scale
 from ..deck import KeywordDeck
+from ..dimensions import scale
 
 FAR = 1.0  # plastic strain by which a table goes on with its last slope
 COROTATIONAL = {9}  # ELFORM of solids of *MAT_MODIFIED_HONEYCOMB, beside 0
