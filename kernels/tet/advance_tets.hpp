@@ -113,6 +113,9 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     sums.take_work(2, point.work.viscous, on.lanes);
     sums.take_work(3, point.work.guard, on.lanes);
     sums.take_step(step, volume, on.first_element(), on.lanes);
+    if (this->motion.watch.bound.extent(0) == 0) return;
+    const int pack = this->chunks.first_pack(on.chunk.c) + on.pack;
+    store_pack(&this->motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
   }
 };
 

@@ -13,6 +13,7 @@ struct FindForces : ForcePass<L> {
   using Base::chunks;
   using Base::fields;
   using Base::launch;
+  using Base::motion;
   using typename Base::Living;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
@@ -48,6 +49,9 @@ struct FindForces : ForcePass<L> {
     }
     scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_step(step, volume, on.first_element(), on.lanes);
+    if (motion.watch.bound.extent(0) == 0) return;
+    const int pack = chunks.first_pack(on.chunk.c) + on.pack;
+    store_pack(&motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
   }
 };
 

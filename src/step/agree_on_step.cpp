@@ -57,7 +57,8 @@ void StepNotice::merge(const StepNotice& other) {
 }
 
 StepNotice Stepper::find_notice(const State& state) const {
-  const auto step = to_host(state.results.stable_step);
+  const auto step =
+      to_host(fictitious_ != nullptr ? fictitious_->find_bounds(state.results) : state.results.stable_step);
   const auto element = to_host(state.results.controlling_element);
   const auto failed = to_host(state.results.failed_element);
   const auto work = to_host(state.results.work);

@@ -39,23 +39,6 @@ MissingMass find_missing(const Model& model, const State& state, const StepWatch
   return {model.chunks, model.is_beam_chunk, watch.bound, others, state.element_mass, model.failing, state.lives};
 }
 
-/// Shares of the corners that kernels see, in eighths of the mass of an element. Which of those is told by the corners
-/// that stand twice.
-struct MassShares {
-  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle, line, wedge, pyramid;
-
-  MassShares() {
-    for (std::size_t i = 0; i < kernel_corner_count; ++i) {
-      hex[i] = hex8_topology.find_mass_share(i);
-      quad[i] = quad4_topology.find_mass_share(i);
-      triangle[i] = tri3_topology.find_mass_share(i);
-      line[i] = line2_topology.find_mass_share(i);
-      wedge[i] = wedge6_topology.find_mass_share(i);
-      pyramid[i] = pyramid5_topology.find_mass_share(i);
-    }
-  }
-};
-
 }  // namespace
 
 MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
@@ -63,9 +46,7 @@ MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model
       target_("percuss::wanted_step", chunked.chunks.size()),
       wanted_("percuss::missing_mass", chunked.chunks.size()),
       share_("percuss::share_of_missing_mass", chunked.chunks.size()),
-      slot_lumped_("percuss::slot_lumped", static_cast<std::size_t>(model.slot_count)),
-      lumped_("percuss::lumped", static_cast<std::size_t>(model.node_count)),
-      halo_(model.ranks, model.halo) {
+      summer_(model) {
   watch_.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
   watch_.growth = Array<double>("percuss::growth", chunked.chunks.size());
   if (model.has_rotations || model.has_beams)
@@ -148,38 +129,9 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
       });
 }
 
-/// Mass and rotary inertia of the nodes from those of all elements, in the order in which forces are added.
+/// Of all elements, and what the deck adds.
 void MassScaler::sum_lumped(const State& state) {
-  const MassShares shares;
-  const auto slots = slot_lumped_;
-  const auto mass = state.element_mass, gyration_square = model_.gyration_square;
-  const HexChunks chunks = model_.chunks;
-  const BeamMarks is_beam = model_.is_beam_chunk;
-  Kokkos::parallel_for(
-      "percuss::lump_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = slots(s, 1) = 0;
-        const int first = chunks.first_element(c);
-        const bool of_shells = is_shell(chunks, c), of_beams = is_beam(c);
-        const bool turns = (of_shells || of_beams) && gyration_square.extent(0) > 0;
-        for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
-          const auto slot = [&](int k) { return find_corner_slot(chunks, c, i, k); };
-          const auto& share = of_beams                          ? shares.line
-                              : of_shells && slot(2) == slot(3) ? shares.triangle
-                              : of_shells                       ? shares.quad
-                              : slot(4) == slot(5)              ? shares.pyramid
-                              : slot(5) == slot(7)              ? shares.wedge
-                                                                : shares.hex;
-          const double eighth = mass(first + i) / 8,
-                       turning = turns ? mass(first + i) * gyration_square(first + i) / 8 : 0;
-          for (int k = 0; k < 8; ++k) {
-            slots(chunks.first_slot(c) + slot(k), 0) += share[k] * eighth;
-            slots(chunks.first_slot(c) + slot(k), 1) += share[k] * turning;
-          }
-        }
-      });
-  halo_.begin(ExecSpace(), slot_lumped_);
-  halo_.end();
-  assemble_slots(ExecSpace(), model_.nodes_to_slots, slot_lumped_, lumped_);
+  lumped_ = summer_.sum(state.element_mass);
   if (model_.extra_mass.extent(0) == 0) return;
   const auto lumped = lumped_;
   const auto extra = model_.extra_mass;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "comm/halo/halo_swap.hpp"
 #include "src/step/audit/books.hpp"
+#include "src/step/lumped_masses.hpp"
 #include "src/step/model/state.hpp"
 #include "src/warning.hpp"
 
@@ -64,9 +64,8 @@ class MassScaler {
   Array<double> share_;             // [chunks] of it that is given
   StepWatch watch_;
   Array<double> other_bounds_;
-  Rows3<double> slot_lumped_;  // mass and rotary inertia by slot
-  Rows3<double> lumped_;       // the same of the nodes
-  HaloSwap halo_;
+  LumpedMasses summer_;
+  Rows3<double> lumped_;  // [nodes] mass and rotary inertia
   std::vector<Warning> warnings_;
 };
 

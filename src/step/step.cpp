@@ -222,11 +222,13 @@ void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
 void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
   if (damping_) damping_->begin_step(state.time);
-  const NodeForces forces{model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity};
+  const NodeForces forces{model_.nodes_to_slots, state.slot_force, state.inverse_mass,
+                          fictitious_ != nullptr ? Gravity{} : state.gravity};
   if (contact_.is_active() && contact_.wants_speeds())
     predicted_component_ = predict_and_measure(space_, forces, dt_mean, state.force, state.v_before, state.v);
   else
     predict_velocities(space_, forces, dt_mean, state.force, state.v_before, state.v);
+  if (fictitious_ != nullptr) fictitious_->pull(state, dt_mean);
   if (rigid_.any()) rigid_.predict(state, dt, dt_mean, damping_ ? damping_->coefficients() : std::vector<double>());
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
   if (damping_) damping_->damp(state, dt_mean);
@@ -350,7 +352,10 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 ElementMotion Stepper::find_motion(const State& state, double dt) const {
-  const StepWatch watch = global_ ? global_->watch() : scaler_ ? scaler_->watch() : StepWatch{};
+  const StepWatch watch = global_                  ? global_->watch()
+                          : scaler_                ? scaler_->watch()
+                          : fictitious_ != nullptr ? fictitious_->watch()
+                                                   : StepWatch{};
   return {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives};
 }
 
@@ -370,9 +375,13 @@ void Stepper::advance_others(State& state, const ElementMotion& motion) {
   if (stiffness_damping_) stiffness_damping_->damp_others(state, {motion, find_shell_motion(state, motion)});
 }
 
+/// Where the launchers of shells and beams write the bounds of all elements; empty: nobody asks.
+Array<double> Stepper::find_other_bounds() const {
+  return scaler_ ? scaler_->other_bounds() : fictitious_ != nullptr ? fictitious_->other_bounds() : Array<double>();
+}
+
 ShellMotion Stepper::find_shell_motion(const State& state, const ElementMotion& motion) const {
-  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
-  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, bounds};
+  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, find_other_bounds()};
 }
 
 void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion) {
@@ -382,9 +391,8 @@ void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const E
 
 void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {
   if (!model_.has_beams) return;
-  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
-  advance_beams(space_, model_.chunks, beams, {state.x, state.v, state.w, motion.dt, motion.skips_rest, bounds},
-                state.chunk_fields());
+  advance_beams(space_, model_.chunks, beams,
+                {state.x, state.v, state.w, motion.dt, motion.skips_rest, find_other_bounds()}, state.chunk_fields());
 }
 
 Traffic Stepper::traffic() const {

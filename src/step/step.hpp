@@ -14,6 +14,7 @@
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/damping/stiffness_damping_stage.hpp"
+#include "src/step/fictitious_masses.hpp"
 #include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/mass_scaler.hpp"
@@ -66,6 +67,9 @@ class Stepper {
 
   /// What the stepper remembers from step to step, its contact stage included. Collective.
   void archive(CheckpointArchive& archive);
+
+  /// Of a relaxation, before start(): the masses of its nodes, and who finds its step.
+  void take_masses(FictitiousMasses& masses) { fictitious_ = &masses; }
 
   /// Instead of start(), for a state from a checkpoint: the forces that it does not hold, and the next step, which the
   /// deck may have changed. archive() has been called.
@@ -139,6 +143,7 @@ class Stepper {
   ElementMotion find_motion(const State& state, double dt) const;
   void advance_sending(State& state, const ElementMotion& motion);
   void advance_others(State& state, const ElementMotion& motion);
+  Array<double> find_other_bounds() const;
   ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
   void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
   void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
@@ -159,8 +164,9 @@ class Stepper {
   std::optional<HaloSwap> moment_halo_;  // only with shells
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
-  std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
-  std::unique_ptr<MassScaler> scaler_;  // likewise
+  std::unique_ptr<GlobalStep> global_;      // only if the deck asks for it
+  std::unique_ptr<MassScaler> scaler_;      // likewise
+  FictitiousMasses* fictitious_ = nullptr;  // only in a relaxation
   RigidStage rigid_;
   std::unique_ptr<TetStage> tets_;                            // only with tetrahedra
   std::unique_ptr<SpringStage> springs_;                      // only with springs

@@ -73,6 +73,7 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
       state_(state),
       inverse_mass_(state.inverse_mass),
       inverse_inertia_(state.inverse_inertia),
+      masses_(chunked, model),
       sums_(model, has_contact_springs(deck) ? ContactForce::spring : ContactForce::constraint),
       preloads_(deck, chunked, model) {
   if (model.rigid.is_all)
@@ -86,12 +87,24 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
   if (model.has_rotations) Kokkos::deep_copy(state.w, 0.0);
   for (RigidState& body : state.bodies) body.velocity = body.spin = body.spin_momentum = {0, 0, 0};
   contact.begin_relaxation();
-  stepper_->start(state);
+  give_masses();
   if (!preloads_.any()) return;
   start_lengths_ = preloads_.find_lengths(state);
   preloads_.measure_stiffness(state, [this] { stepper_->start(state_); });
   state.books = {};  // each start adds what springs hold
   stepper_->start(state);
+}
+
+/// Those by which all elements have one stable step. What the deck sets as the largest step grows as that does. A
+/// damping that the deck gives belongs to the physical masses.
+void Relaxation::give_masses() {
+  if (rules_.damping) return stepper_->start(state_);
+  stepper_->take_masses(masses_);
+  stepper_->start(state_);
+  const double growth = masses_.give(state_);
+  if (relaxed_deck_.time.max_step) *relaxed_deck_.time.max_step *= growth;
+  state_.books = {};  // each start adds what springs hold
+  stepper_->start(state_);
 }
 
 /// Of the scene, but damped, at rest where it is driven, and without failure.
@@ -246,6 +259,7 @@ void Relaxation::finish() {
   state_.time = 0;
   state_.step = 0;
   state_.dt = state_.next_dt = 0;
+  masses_.take(state_);
   state_.inverse_mass = inverse_mass_;
   state_.inverse_inertia = inverse_inertia_;
   Kokkos::deep_copy(state_.v, model_.start_velocity);

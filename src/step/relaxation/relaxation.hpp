@@ -5,7 +5,7 @@
 // Every node has the damping force -c m v with c = 2 w, the critical one of frequency w (Papadrakakis, A method for the
 // automatic evaluation of the dynamic relaxation parameters, Comput. Methods Appl. Mech. Eng. 25, 1981). w comes from
 // the Rayleigh quotient of the motion itself, which tends to the lowest frequency as the others die out
-// (motion_sums.hpp).
+// (motion_sums.hpp). Masses are those of fictitious_masses.hpp: times and frequencies have no physical meaning.
 //
 // Penalty contact is a spring whose impulse comes after the damping of a step. Damping then acts on the old velocities
 // alone, so that at rest the springs carry all of the load (kernels/node/damping.hpp).
@@ -59,6 +59,7 @@ class Relaxation {
 
  private:
   void hold_nodes(const Deck& deck);
+  void give_masses();
   void make_model(const Deck& deck);
   void set_loads(long step);
   double find_share(long step) const;
@@ -78,6 +79,7 @@ class Relaxation {
   ContactStage& contact_;
   State& state_;
   const Rows3<double> inverse_mass_, inverse_inertia_;  // of the run
+  FictitiousMasses masses_;
   std::unique_ptr<Stepper> stepper_;
   MotionSums sums_;
   PreloadStage preloads_;
