@@ -8,7 +8,7 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
-#include "src/step/model/pack_width.hpp"
+#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -187,8 +187,7 @@ Array<double> FictitiousMasses::find_bounds(const ChunkResults& results) const {
         const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
         double least = INFINITY;
         for (int i = 0; i < count; ++i) {
-          const double own =
-              is_other ? others(first + i) : static_cast<double>(solids(chunks.first_pack(c) * pack_width + i));
+          const double own = is_other ? others(first + i) : static_cast<double>(solids(number_lane(chunks, c, i)));
           const double bound = own * factors(first + i);
           if (bound < least) least = bound;
         }
