@@ -37,15 +37,13 @@ KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& 
   return work;
 }
 
-/// Energy of the springs of a penalty row at n+1: k d(n) d(n+1) / 2 is what the impulses k d(n) of central differences
-/// conserve. gap: at n+1.
-KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
-                                          double gap, double dt) {
-  const double floor = find_floor(row), before = floor - row.gap_start, after = floor - gap;
-  double energy = before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
-  if (!(row.friction > 0)) return energy;
+/// Energy in the tangential springs of a penalty row at n+1.
+KOKKOS_INLINE_FUNCTION double find_rub_energy(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                              double dt) {
+  if (!(row.friction > 0)) return 0;
   const Point3 predicted = dt * find_slip_velocity(row, TouchedVelocity{at.v, row});
   const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
+  double energy = 0;
   for (int d = 0; d < 2; ++d)
     energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
               (row.slide[d] + dot(corrected, row.tangent[d]));
@@ -77,7 +75,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
   if (row.friction > 0) sums.friction_work.add(work.friction);
   const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
   if (row.spring > 0) {
-    sums.stored.add(find_stored(row, at, dv, gap, dt));
+    sums.stored.add(row.held + find_rub_energy(row, at, dv, dt));
     const double rate =
         row.spring * (row.friction > 0 && row.rub_stiffness > row.stiffness ? row.rub_stiffness : row.stiffness);
     sums.rate = rate > sums.rate ? rate : sums.rate;
@@ -98,6 +96,12 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
 
+/// What a record keeps of slip; without friction, of the energy of a spring along the push.
+KOKKOS_INLINE_FUNCTION Point3 find_kept_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
+  if (row.friction > 0) return find_owed_slip(row, dv, dt);
+  return row.spring > 0 && row.held > 0 ? row.held * row.normal : Point3{};
+}
+
 KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
                                               const EdgeHistory& history) {
   const int r = row.record;
@@ -106,7 +110,7 @@ KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3
   history.holds(r) = row.impulse.push > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
   store_row(history.normal, r, row.normal);
   store_row(history.impulse, r, row.force);
-  store_row(history.slip, r, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
+  store_row(history.slip, r, find_kept_slip(row, dv, dt));
   history.reference(r) = row.reference;
 }
 
@@ -121,7 +125,7 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
     return;
   }
   store_row(history.impulse, row.record, row.force);
-  store_row(history.slip, row.record, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
+  store_row(history.slip, row.record, find_kept_slip(row, dv, dt));
   history.reference(row.record) = row.reference;
   if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
     history.face(row.record) = row.face;

@@ -222,9 +222,11 @@ SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem
     others.swap_shares(space, system, sums);
     follow_impulses(space, system, others);
   }
-  if (gaps.rigid == 0) return {gaps.rows, 1 + passes, true, 0};
-  SolveReport report = iterate_rows(space, query, system, memory, others);
+  SolveReport report{gaps.rows, 0, true, 0};
+  if (gaps.rigid > 0) report = iterate_rows(space, query, system, memory, others);
   report.iterations += 1 + passes;
+  book_springs(space, times, system);
+  space.fence();
   return report;
 }
 

@@ -54,6 +54,7 @@ struct ContactRow {
   bool is_rigid = false;         // between rigid bodies, or of one with a wall, where mark_rigid_rows() told them
   double torn = 0;               // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;             // stiffness of a penalty row [force/length], 0: none
+  double held = 0;               // penalty: energy that the sides have given the spring; 0: not known
   double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0

@@ -40,6 +40,8 @@ struct alignas(64) TouchPack {
     if (touch.friction > 0) rubs = 1;
   }
 
+  KOKKOS_INLINE_FUNCTION Point3 find_slip(int lane) const { return {slip[0][lane], slip[1][lane], slip[2][lane]}; }
+
   /// Lanes to spare repeat the first.
   KOKKOS_INLINE_FUNCTION void fill_up() {
     for (int lane = count; lane < lanes; ++lane) {
@@ -301,6 +303,8 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION inline void make_face_rows(const TouchPack& pack
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = pack.place[slot][lane];
     row.play = inputs.play;
     filled.store(lane, row);
+    if (has_springs(inputs) && pack.continues[lane] > 0)
+      row.held = find_held(pack.find_slip(lane), row.normal, row.friction, inputs.releases_overlap);
   }
 }
 

@@ -116,6 +116,13 @@ KOKKOS_INLINE_FUNCTION double release_overlap(double reference, double size) {
   return left > 0 ? left : 0;
 }
 
+/// What the spring of a contact that goes on held in the last step, 0: not known. Without friction slip keeps it along
+/// the push. Where overlap is released, that adds energy which is not booked.
+KOKKOS_INLINE_FUNCTION double find_held(const Point3& slip, const Point3& normal, double friction,
+                                        bool releases_overlap) {
+  return friction > 0 || releases_overlap || !(dot(slip, normal) > 0) ? 0 : norm(slip);
+}
+
 /// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
 KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
   const Point3 last = inputs.impulse_scale * record.impulse;
@@ -124,6 +131,7 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = record.reference < overlap ? record.reference : overlap;
   if (inputs.releases_overlap) row.reference = release_overlap(row.reference, row.size);
+  if (has_springs(inputs)) row.held = find_held(record.slip, row.normal, row.friction, inputs.releases_overlap);
   if (!(row.friction > 0)) return;
   const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
   for (int d = 0; d < 2; ++d) {

@@ -50,13 +50,15 @@ int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs&
   const WallPairs w = walls;
   const SurfaceMotion m = inputs.motion;
   const bool leaves_out_inner = !inputs.looks_inside && walls.is_inner.extent(0) > 0;
+  const bool keeps_pressed = has_springs(inputs);  // a spring gives back what it holds as it ends, however fast
   reserve(system.near_walls, pairs);
   const int num_near = list_where<Space>(
       space, pairs,
-      [w, m, leaves_out_inner] KOKKOS_FUNCTION(int i) {
+      [w, m, leaves_out_inner, keeps_pressed] KOKKOS_FUNCTION(int i) {
         const int p = w.look_at(i);
         if (leaves_out_inner && w.is_inner(p) != 0) return false;
-        return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p) && can_stop(w, m, p);
+        const bool is_near = find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p);
+        return (is_near || (keeps_pressed && find_wall_gap(w, m, p, 0) < 0)) && can_stop(w, m, p);
       },
       system.near_walls);
   const Array<int> near = system.near_walls;

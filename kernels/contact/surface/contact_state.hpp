@@ -101,8 +101,9 @@ struct EdgeHistory {
 struct ContactHistory {
   Array<std::int64_t> face;  // [3 contact nodes] number of the face of this record; -1: none
   Rows3<double> impulse;     // [records] impulse on the node in the last step
-  Rows3<double> slip;        // [records] tangential displacement that sticking still owes
-  Array<double> reference;   // [records] overlap accepted at the start, >= 0
+  // [records] tangential displacement that sticking still owes; without friction, energy of a spring along the push
+  Rows3<double> slip;
+  Array<double> reference;  // [records] overlap accepted at the start, >= 0
   EdgeHistory edges{};
   Rows3<double> ties{};  // [ties] impulse on the tied node in the last step
 };

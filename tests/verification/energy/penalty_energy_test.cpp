@@ -59,8 +59,8 @@ TEST(PenaltyEnergy, OfABlockThatRattlesStaysAsItIs) {
   };
   for (const auto& [stops, speed, cells, gain, loss] :
        {Case{walls, 0.003, 1, 1e-10, 1e-10}, Case{walls, 0.003, 3, 1e-10, 1e-10}, Case{walls, 0.03, 1, 1e-10, 1e-10},
-        Case{walls, 0.03, 3, 1e-10, 1e-10}, Case{bodies, 0.003, 1, 2e-3, 2e-3}, Case{bodies, 0.003, 3, 2e-3, 2e-3},
-        Case{bodies, 0.03, 3, 2e-3, 0.02}}) {
+        Case{walls, 0.03, 3, 1e-10, 1e-10}, Case{bodies, 0.003, 1, 2e-3, 2e-3}, Case{bodies, 0.003, 3, 1e-9, 1e-9},
+        Case{bodies, 0.03, 3, 1e-4, 0.02}}) {
     const Outcome run = run_deck(describe_rattle(stops, speed, cells, 0.2 / cells));
     const double start = run.history["kinetic"].front();
     EXPECT_LT(find_largest_gain(run.history), gain * start) << speed << " " << cells;
@@ -68,12 +68,25 @@ TEST(PenaltyEnergy, OfABlockThatRattlesStaysAsItIs) {
   }
 }
 
-// Where the step changes while springs are pressed, they do not conserve: docs/theory_contact.md has the figure.
-TEST(PenaltyEnergy, OfABlockThatRattlesInUnevenStepsGrowsByAFewPercent) {
-  const Outcome run = run_deck(describe_rattle(walls, 0.03, 1, 1e9));
-  const double start = run.history["kinetic"].front(), gain = find_largest_gain(run.history) / start;
-  fmt::print("contact adds {:.3f} of the energy at the start\n", gain);
-  EXPECT_LT(gain, 0.035);
+// The step follows the elements that impacts press, by a tenth and more. Of rows that share nodes those that come
+// deeper than their cushion lose.
+TEST(PenaltyEnergy, OfABlockThatRattlesInUnevenStepsStaysAsItIs) {
+  struct Case {
+    const std::string& stops;
+    double speed;
+    int cells;
+    double gain, loss;  // of the energy at the start
+  };
+  for (const auto& [stops, speed, cells, gain, loss] :
+       {Case{walls, 0.03, 1, 1e-10, 1e-10}, Case{walls, 0.03, 3, 1e-10, 1e-10}, Case{walls, 0.05, 1, 1e-10, 1e-10},
+        Case{bodies, 0.03, 1, 1e-9, 0.12}, Case{bodies, 0.03, 3, 2e-4, 0.02}}) {
+    const Outcome run = run_deck(describe_rattle(stops, speed, cells, 1e9));
+    const double start = run.history["kinetic"].front(), gained = find_largest_gain(run.history);
+    const double left = run.history.last("contact") + run.history.last("contact_stored");
+    fmt::print("contact adds {:.2e}, {:.2e} at the end\n", gained / start, left / start);
+    EXPECT_LT(gained, gain * start) << speed << " " << cells;
+    EXPECT_GT(left, -loss * start) << speed << " " << cells;
+  }
 }
 
 // Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.

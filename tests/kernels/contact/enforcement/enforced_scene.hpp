@@ -8,12 +8,19 @@ namespace percuss::test {
 
 enum class Solver { iterated, together, springs };
 
+/// A step, and the time from the middle of the one before to its own.
+struct SceneStep {
+  double dt, dt_mean;
+  SceneStep(double even) : dt(even), dt_mean(even) {}
+  SceneStep(double before, double now) : dt(now), dt_mean(0.5 * (before + now)) {}
+};
+
 /// A scene taken through one enforcement; v is corrected.
 template <class Space>
 struct EnforcedScene {
-  EnforcedScene(const BrickScene& bricks, double dt, double friction, const WallPairs& walls = no_walls(),
+  EnforcedScene(const BrickScene& bricks, const SceneStep& step, double friction, const WallPairs& walls = no_walls(),
                 Solver solver = Solver::iterated, double tolerance = 1e-3)
-      : scene(bricks, dt, friction),
+      : scene(bricks, step.dt, friction),
         before(to_rows(bricks.v)),
         inverse_mass(to_rows(bricks.inverse_mass)),
         impulse("test::impulse", bricks.v.size()) {
@@ -36,13 +43,13 @@ struct EnforcedScene {
     build_rows(space, inputs, sources, history, system, others);
     if (system.num_rows == 0) return;
     RowSumMemory memory;
-    const SolveQuery query{dt, dt, tolerance, 2, nodes};
+    const SolveQuery query{step.dt, step.dt_mean, tolerance, 2, nodes};
     solved = solver == Solver::springs    ? solve_penalty(space, query, system, memory, others)
              : solver == Solver::iterated ? solve_kinematic(space, query, system, memory, others)
                                           : solve_lagrange(space, query, system, memory, others);
     apply_impulses(space, system, scene.v, impulse);
-    sums = sum_outcome(space, dt, system, memory);
-    write_history(space, dt, system, history);
+    sums = sum_outcome(space, step.dt, system, memory);
+    write_history(space, step.dt, system, history);
   }
 
   static Array<std::int64_t> count_up(int count) {

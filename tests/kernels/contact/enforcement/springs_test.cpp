@@ -51,10 +51,10 @@ TEST(Springs, StopWhatWouldGoDeeperThanTheirCushion) {
 }
 
 /// A brick whose lower nodes are `depth` in a wall.
-Scene press_on_wall(double depth, double velocity) {
+Scene press_on_wall(double depth, double velocity, const SceneStep& step = dt) {
   BrickScene bricks;
   bricks.add_brick({0, 0, -depth}, {1, 1, 1}, {0, 0, velocity});
-  return Scene(bricks, dt, 0,
+  return Scene(bricks, step, 0,
                {to_array(std::vector<ContactWall>{{{0, 0, 0}, {0, 0, 1}}}), to_array(std::vector<int>{0, 0, 0, 0}),
                 to_array(std::vector<int>{0, 1, 2, 3}), to_array(std::vector<double>{1, 1, 1, 1})},
                Solver::springs);
@@ -71,6 +71,32 @@ TEST(Springs, BringWhatIsDeeperThanTheirCushionBackSlowly) {
   for (int n = 0; n < 4; ++n) {
     EXPECT_NEAR(within.v(n).z, 2 * 0.0195 * dt, 1e-12);
     EXPECT_NEAR(leaving.v(n).z, 1 + 2 * 0.06 * dt, 1e-12);
+  }
+}
+
+// Unit masses on springs of stiffness 2, so that the square of frequency times step is 1 / 2 and more.
+// What Hooke's law leaves of k d(n) d(n+1) / 2 where the step changes is known: the next step takes it.
+TEST(Springs, TakeFromTheSidesWhatTheyHoldWhereTheStepChanges) {
+  constexpr double depth = 0.02, now = 0.5;
+  for (const double before : {0.4, 0.5, 0.6}) {
+    for (const double inward : {0.03, 0.01, -0.002, -0.01}) {
+      const Scene scene = press_on_wall(depth, -inward, {before, now});
+      const double out = scene.v(0).z, last = depth - before * inward, after = depth - now * out;
+      const double held = 0.5 * 2 * depth * last, holds = 0.5 * 2 * depth * after;
+      const double given = 0.5 * (out * out - inward * inward), stored = scene.sums.stored.round() / 4;
+      ASSERT_GT(after, 0);
+      EXPECT_NEAR(held, given + stored, 1e-17) << before << " " << inward;
+      EXPECT_NEAR(stored - holds, 0.25 * 2 * depth * (now - before) * (out + inward), 1e-17) << before << " " << inward;
+    }
+  }
+}
+
+TEST(Springs, GiveBackAllThatTheyHoldAsTheyEnd) {
+  for (const double before : {0.3, 0.5, 0.7}) {
+    const double outward = 0.09, held = 0.5 * 2 * 0.02 * (0.02 + before * outward);
+    const Scene scene = press_on_wall(0.02, outward, {before, 0.5});
+    EXPECT_NEAR(0.5 * (std::pow(scene.v(0).z, 2) - outward * outward), held, 1e-17);
+    EXPECT_EQ(scene.sums.stored.round(), 0);
   }
 }
 
