@@ -32,10 +32,12 @@ struct SpringDeck {
 };
 
 /// Rigid connections of pairs of nodes that may fail: one for each node of the first end, with the nearest node of the
-/// second.
+/// second. With a radius one for each point of `at`, between what lies within it of the faces of both ends.
 struct WeldDeck {
   std::string name;
   std::array<SpringEndDeck, 2> between;
+  std::vector<Vec3> at;  // of welds with a radius
+  std::optional<double> radius;
   std::optional<Vec3> normal;             // at time 0, a unit vector; none: from the first node to the second
   std::optional<double> normal_strength;  // force along the normal at which it fails alone
   std::optional<double> shear_strength;   // likewise across

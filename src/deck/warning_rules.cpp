@@ -108,6 +108,8 @@ const std::vector<WarningRule>& warning_rules() {
       {"unconverged_contact", "contact enforcement that does not converge"},
       {"deep_penetration", "contact nodes deep in a face during the run"},
       {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
+      {"weld_distance", "weld whose point lies far from the faces that it holds"},
+      {"weld_rim", "weld whose region lies partly beyond the rim of its faces"},
       {"weld_failure", "weld that has failed"},
       {"missed_contact", "nodes and edges inside another body that no contact holds"},
       {"tie_failure", "ties whose nodes have let go"},

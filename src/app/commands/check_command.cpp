@@ -76,6 +76,10 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(pair.a);
     if (pair.b) faces(*pair.b);
   }
+  for (const WeldDeck& weld : deck.welds) {
+    if (!weld.radius) continue;
+    for (const SpringEndDeck& end : weld.between) faces(end.where);
+  }
   for (const TieDeck& tie : deck.contact.ties) {
     findings.gather([&] { select_surface_nodes(mesh, deck, tie.a); });
     faces(tie.b);
@@ -107,6 +111,7 @@ std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked,
   log.add(deck.warnings);
   log.add(find_start_warnings(deck, chunked));
   log.add(check_input(scene));
+  log.add(model.welds.warnings);
   log.add(start.warnings);
   log.add(check_start(scene));
   return log.list();

@@ -12,6 +12,7 @@
 #include "kernels/core/tensor.hpp"
 #include "kernels/core/views.hpp"
 #include "src/deck/spring_deck.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -81,24 +82,41 @@ struct ConnectedNodes {
   Array<int> local_node, local_place;  // of all that this rank holds
 };
 
-/// Two nodes that move as one until it fails; const after set-up.
+/// Of two nodes of a patch, as places among these: the mean of the product of their shape functions over a region.
+struct ShapeProduct {
+  int node = 0, other = 0;
+  double mean = 0;
+};
+
+/// Nodes whose mean rigid motion an end of a weld takes.
+struct WeldPatch {
+  std::vector<int> nodes;  // places in WeldModel::nodes, ascending
+  // Of a region of faces, otherwise masses are the weights:
+  std::vector<double> weights;         // [nodes] mean of the shape function of each over the region; their sum is 1
+  std::vector<ShapeProduct> products;  // of each node with each that it shares a face with, itself included
+  bool is_region() const { return !weights.empty(); }
+};
+
+/// Two nodes that move as one until it fails, or two regions of faces; const after set-up.
 struct Weld {
   std::string name;
   int law = 0;
-  std::array<int, 2> end{};          // places in WeldModel::nodes
+  std::array<int, 2> end{-1, -1};    // places in WeldModel::nodes; -1: it has a region
   std::array<int, 2> patch{-1, -1};  // of WeldModel::patches, in place of the node alone; -1: none
   double length = 0;                 // at time 0
   Vector3<double> normal{};          // unit vector at time 0
   bool is_normal_its_line = false;   // whether the normal stays the line between the nodes
   bool has_columns = true;           // of its own in the history
+  bool has_regions() const { return end[0] < 0; }
 };
 
 struct WeldModel : ConnectedNodes {
   std::vector<WeldLaw> laws;
   std::vector<Weld> welds;
-  std::vector<std::vector<int>> patches;  // nodes around an end that has no rotation: places in `nodes`, ascending
-  std::vector<std::string> notes;         // what is to be told of them
-  bool shares_nodes = false;              // whether some node has several welds
+  std::vector<WeldPatch> patches;
+  std::vector<std::string> notes;  // what is to be told of them
+  std::vector<Warning> warnings;   // likewise, of what is suspicious
+  bool shares_nodes = false;       // whether some node has several welds
 
   bool any() const { return !welds.empty(); }
 };

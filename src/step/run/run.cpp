@@ -61,6 +61,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   warnings_.print_over(*progress_);
   warnings_.add(find_start_warnings(deck_, chunked_));
   warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
+  warnings_.add(model_.welds.warnings);
   warnings_.end_input();
   say(chunked_.mesh.notes);
   say(model_.mass_notes);

@@ -27,20 +27,27 @@ Vector3<double> multiply_each(const Vector3<double>& a, const Vector3<double>& b
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-/// Spin that a moment gives.
-Vector3<double> turn_by(const WeldNode& node, const Vector3<double>& moment) {
-  return node.is_patch ? node.inverse_tensor * moment : multiply_each(node.inverse_inertia, moment);
+using Change = PatchResponse::Column;
+
+/// Of a node, by an impulse and a moment at itself; of a patch, at its centre.
+Change respond(const WeldNode& node, const Vector3<double>& p, const Vector3<double>& moment) {
+  if (!node.is_patch)
+    return {multiply_each(node.inverse_mass, p),
+            node.turns ? multiply_each(node.inverse_inertia, moment) : Vector3<double>{0, 0, 0}};
+  const auto& column = node.response.column;
+  const double by[6] = {p.x, p.y, p.z, moment.x, moment.y, moment.z};
+  Change change;
+  for (std::size_t k = 0; k < 6; ++k) {
+    change.velocity = change.velocity + by[k] * column[k].velocity;
+    change.spin = change.spin + by[k] * column[k].spin;
+  }
+  return change;
 }
 
 /// What an impulse at the common point and a moment change of the velocity of that point and of the spin of a node.
-struct Change {
-  Vector3<double> velocity{}, spin{};
-};
-
-Change respond(const WeldNode& node, const Vector3<double>& lever, const Vector3<double>& p, const Vector3<double>& q) {
-  Change change{multiply_each(node.inverse_mass, p), {0, 0, 0}};
-  if (!node.turns) return change;
-  change.spin = turn_by(node, q + cross(lever, p));
+Change respond_at(const WeldNode& node, const Vector3<double>& lever, const Vector3<double>& p,
+                  const Vector3<double>& q) {
+  Change change = respond(node, p, q + cross(lever, p));
   change.velocity = change.velocity + cross(change.spin, lever);
   return change;
 }
@@ -61,7 +68,7 @@ std::vector<double> fill_matrix(const std::array<WeldNode, 2>& nodes, const std:
     if (is_left_out(column)) continue;
     const Vector3<double> p = column < 3 ? unit_vector(column) : Vector3<double>{0, 0, 0},
                           q = column < 3 ? Vector3<double>{0, 0, 0} : unit_vector(column - 3);
-    const Change a = respond(nodes[0], lever[0], p, q), b = respond(nodes[1], lever[1], p, q);
+    const Change a = respond_at(nodes[0], lever[0], p, q), b = respond_at(nodes[1], lever[1], p, q);
     const Vector3<double> velocity = a.velocity + b.velocity, spin = a.spin + b.spin;
     for (int row = 0; row < size; ++row) {
       if (!is_left_out(row)) matrix[at(row * size + column)] = row < 3 ? pick(velocity, row) : pick(spin, row - 3);
@@ -83,9 +90,9 @@ WeldImpulse keep_distance(const std::array<WeldNode, 2>& nodes, const Vector3<do
 void add(const WeldImpulse& impulse, std::array<WeldNode, 2>& nodes) {
   for (std::size_t i = 0; i < 2; ++i) {
     WeldNode& node = nodes[i];
-    const Vector3<double> p = (i == 0 ? -1.0 : 1.0) * impulse.impulse;
-    node.velocity = node.velocity + multiply_each(node.inverse_mass, p);
-    if (node.turns) node.spin = node.spin + turn_by(node, impulse.moment[i]);
+    const Change change = respond(node, (i == 0 ? -1.0 : 1.0) * impulse.impulse, impulse.moment[i]);
+    node.velocity = node.velocity + change.velocity;
+    node.spin = node.spin + change.spin;
   }
 }
 
@@ -127,8 +134,9 @@ double find_energy(const Vector3<double>& velocity, const Vector3<double>& inver
 double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 2>& nodes) {
   double sum = 0;
   for (std::size_t i = 0; i < 2; ++i) {
-    sum += dot(multiply_each(nodes[i].inverse_mass, impulse.impulse), impulse.impulse);
-    if (nodes[i].turns) sum += dot(turn_by(nodes[i], impulse.moment[i]), impulse.moment[i]);
+    const Vector3<double> p = (i == 0 ? -1.0 : 1.0) * impulse.impulse;
+    const Change change = respond(nodes[i], p, impulse.moment[i]);
+    sum += dot(change.velocity, p) + dot(change.spin, impulse.moment[i]);
   }
   return std::sqrt(sum);
 }
@@ -136,7 +144,7 @@ double find_impulse_size(const WeldImpulse& impulse, const std::array<WeldNode, 
 double find_motion_size(const std::array<WeldNode, 2>& nodes) {
   double sum = 0;
   for (const WeldNode& node : nodes) {
-    sum += find_energy(node.velocity, node.inverse_mass);
+    sum += node.is_patch ? node.twice_energy : find_energy(node.velocity, node.inverse_mass);
     if (node.turns && !node.is_patch) sum += find_energy(node.spin, node.inverse_inertia);
   }
   return std::sqrt(sum);

@@ -10,17 +10,27 @@
 
 namespace percuss {
 
-/// A node as welds see it. Velocities are those at n+1/2, and change.
+/// What unit impulses along x, y and z at the centre of a patch of nodes change of its mean rigid motion, then unit
+/// moments about them.
+struct PatchResponse {
+  struct Column {
+    Vector3<double> velocity{}, spin{};
+  };
+  std::array<Column, 6> column{};
+};
+
+/// A node as welds see it, or a patch of nodes. Velocities are those at n+1/2, and change.
 struct WeldNode {
   Vector3<double> place{};                            // at n
   Vector3<double> velocity{}, spin{};                 // at n+1/2
   Vector3<double> inverse_mass{}, inverse_inertia{};  // by direction; 0 where it is held
   bool turns = false;                                 // whether it has rotary inertia
   bool is_gone = false;
-  // Of a patch of nodes: velocity, masses and spin are those of its mean rigid motion about its centre.
+  // Of a patch: velocity and spin are those of its mean rigid motion about its centre.
   bool is_patch = false;
-  Vector3<double> arm{};                // from the centre to `place`
-  Symmetric3<double> inverse_tensor{};  // in place of inverse_inertia
+  Vector3<double> arm{};     // from the centre to `place`
+  PatchResponse response{};  // in place of inverse_inertia
+  double twice_energy = 0;   // kinetic, of its nodes in directions that are not held
 };
 
 /// What the second node gets; the first gets the opposite impulse.

@@ -17,9 +17,6 @@ namespace {
 constexpr double settled_share = 1e-13, velocity_round_off = 1e-14;
 constexpr int most_turns = 500;
 
-/// Of a patch of nodes, over the mean of its moments of inertia cubed: below this they lie on a line.
-constexpr double least_patch_inertia = 1e-6;
-
 /// The share that may be left after so many turns without a warning.
 constexpr double tolerated_share = 1e-6;
 
@@ -51,91 +48,35 @@ void WeldStage::gather(const State& state) {
                  vector(n, NodeRow::inverse_mass), vector(n, NodeRow::inverse_inertia), row[NodeRow::inertia] > 0,
                  !(row[NodeRow::mass] > 0)};
   }
+  std::vector<double> masses(nodes_.size());
+  for (std::size_t n = 0; n < masses.size(); ++n) masses[n] = rows_[n * NodeRow::count + NodeRow::mass];
   patches_.clear();
-  for (const std::vector<int>& nodes : model_.welds.patches) patches_.push_back(find_patch(nodes));
-}
-
-/// Held nodes, and those that have vanished, take no part.
-WeldStage::Patch WeldStage::find_patch(const std::vector<int>& nodes) const {
-  Patch patch;
-  Vector3<double> first{0, 0, 0};
-  for (const int n : nodes) {
-    const WeldNode& node = nodes_[at(n)];
-    if (node.is_gone || !(std::min({node.inverse_mass.x, node.inverse_mass.y, node.inverse_mass.z}) > 0)) continue;
-    const double mass = rows_[at(n) * NodeRow::count + NodeRow::mass];
-    patch.nodes.push_back(n);
-    patch.mass += mass;
-    first = first + mass * node.place;
-  }
-  if (patch.nodes.empty()) return patch;
-  patch.center = (1 / patch.mass) * first;
-  Symmetric3<double> inertia{0, 0, 0, 0, 0, 0};
-  for (const int n : patch.nodes) {
-    const double m = rows_[at(n) * NodeRow::count + NodeRow::mass];
-    const Vector3<double> r = nodes_[at(n)].place - patch.center;
-    inertia = inertia + m * Symmetric3<double>{r.y * r.y + r.z * r.z,
-                                               r.z * r.z + r.x * r.x,
-                                               r.x * r.x + r.y * r.y,
-                                               -r.x * r.y,
-                                               -r.y * r.z,
-                                               -r.z * r.x};
-  }
-  const Adjugate<double> adjugate = find_adjugate(inertia);
-  const double size = trace(inertia) / 3;
-  patch.turns = adjugate.determinant > least_patch_inertia * size * size * size;
-  if (patch.turns) patch.inverse_tensor = (1 / adjugate.determinant) * adjugate.matrix;
-  return patch;
+  for (const WeldPatch& patch : model_.welds.patches) patches_.emplace_back(patch, nodes_, masses);
 }
 
 /// As bodies: nodes, or where both ends have patches that turn, these.
 std::array<WeldNode, 2> WeldStage::find_ends(const Weld& weld) const {
-  std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
-  if (weld.patch[0] < 0 || !patches_[at(weld.patch[0])].turns || !patches_[at(weld.patch[1])].turns) return ends;
-  for (std::size_t e = 0; e < 2; ++e) {
-    const Patch& patch = patches_[at(weld.patch[e])];
-    Vector3<double> momentum{0, 0, 0}, turning{0, 0, 0};
-    for (const int n : patch.nodes) {
-      const double m = rows_[at(n) * NodeRow::count + NodeRow::mass];
-      const WeldNode& node = nodes_[at(n)];
-      momentum = momentum + m * node.velocity;
-      turning = turning + m * cross(node.place - patch.center, node.velocity);
-    }
-    WeldNode& end = ends[e];
-    const double inverse = 1 / patch.mass;
-    end.velocity = inverse * momentum;
-    end.spin = patch.inverse_tensor * turning;
-    end.inverse_mass = {inverse, inverse, inverse};
-    end.inverse_tensor = patch.inverse_tensor;
-    end.arm = end.place - patch.center;
-    end.turns = end.is_patch = true;
-  }
-  return ends;
-}
-
-void WeldStage::give_to_patch(const Patch& patch, const WeldNode& before, const WeldNode& after) {
-  const Vector3<double> velocity = after.velocity - before.velocity, spin = after.spin - before.spin;
-  for (const int n : patch.nodes) {
-    const Vector3<double> change = velocity + cross(spin, nodes_[at(n)].place - patch.center);
-    nodes_[at(n)].velocity = nodes_[at(n)].velocity + change;
-    NodeImpulse& sum = on_nodes_[at(n)];
-    sum.impulse = sum.impulse + rows_[at(n) * NodeRow::count + NodeRow::mass] * change;
-  }
+  const auto find_patch = [&](std::size_t e) -> const MovingPatch& { return patches_[at(weld.patch[e])]; };
+  if (weld.has_regions()) return {find_patch(0).find_end(nodes_), find_patch(1).find_end(nodes_)};
+  const std::array<WeldNode, 2> ends{nodes_[at(weld.end[0])], nodes_[at(weld.end[1])]};
+  if (weld.patch[0] < 0 || !find_patch(0).turns() || !find_patch(1).turns()) return ends;
+  return {find_patch(0).find_end(nodes_, ends[0].place), find_patch(1).find_end(nodes_, ends[1].place)};
 }
 
 /// Makes the ends of a weld move as one. impulse, ends: out.
 void WeldStage::join_one(std::size_t index, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends) {
   const Weld& weld = model_.welds.welds[index];
   ends = find_ends(weld);
-  const std::array<WeldNode, 2> before = ends;
   impulse = join_nodes(ends, weld.length, dt);
   for (std::size_t e = 0; e < 2; ++e) {
+    const Vector3<double> own = (e == 0 ? -1.0 : 1.0) * impulse.impulse;
     if (ends[e].is_patch) {
-      give_to_patch(patches_[at(weld.patch[e])], before[e], ends[e]);
+      patches_[at(weld.patch[e])].give(own, impulse.moment[e], nodes_, on_nodes_);
       continue;
     }
     nodes_[at(weld.end[e])] = ends[e];
     NodeImpulse& sum = on_nodes_[at(weld.end[e])];
-    sum.impulse = sum.impulse + (e == 0 ? -1.0 : 1.0) * impulse.impulse;
+    sum.impulse = sum.impulse + own;
     sum.moment = sum.moment + impulse.moment[e];
   }
 }
@@ -178,6 +119,18 @@ void WeldStage::warn_of_unsettled(double time) {
        law.place, time, 1});
 }
 
+/// At n+1. That of regions turns with the first.
+Vector3<double> WeldStage::find_new_normal(const Weld& weld, const Vector3<double>& normal, double dt) const {
+  if (weld.has_regions()) return turn_normal(normal, patches_[at(weld.patch[0])].find_end(nodes_).spin, dt);
+  const WeldNode &a = nodes_[at(weld.end[0])], &b = nodes_[at(weld.end[1])];
+  if (weld.is_normal_its_line) {
+    const Vector3<double> across = b.place - a.place + dt * (b.velocity - a.velocity);
+    const double length = norm(across);
+    return length > 0 ? (1 / length) * across : normal;  // held nodes may meet
+  }
+  return a.turns || b.turns ? turn_normal(normal, a.turns ? a.spin : b.spin, dt) : normal;
+}
+
 /// Forces, new normals, and which welds have reached their strength or their time.
 void WeldStage::judge(State& state, double dt, double dt_mean) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
@@ -188,17 +141,11 @@ void WeldStage::judge(State& state, double dt, double dt_mean) {
     }
     const Weld& weld = model_.welds.welds[i];
     const WeldLaw& law = model_.welds.laws[at(weld.law)];
-    const WeldNode &a = nodes_[at(weld.end[0])], &b = nodes_[at(weld.end[1])];
     const Vector3<double> force = (-1 / dt_mean) * sums_[i].impulse;
     now.pull = dot(force, now.normal);
     now.shear = norm(force - now.pull * now.normal);
     const double reached = find_strength_use(law.strength, std::abs(now.pull), now.shear);
-    const Vector3<double> across = b.place - a.place + dt * (b.velocity - a.velocity);
-    const double length = norm(across);
-    if (weld.is_normal_its_line)
-      now.normal = length > 0 ? (1 / length) * across : now.normal;  // held nodes may meet
-    else if (a.turns || b.turns)
-      now.normal = turn_normal(now.normal, a.turns ? a.spin : b.spin, dt);
+    now.normal = find_new_normal(weld, now.normal, dt);
     if (reached < 1 && state.time + dt < law.time) continue;
     now.is_broken = 1;
     warnings_.push_back({"weld_failure",
@@ -268,12 +215,21 @@ void WeldStage::join(State& state, double dt, double dt_mean) {
   give_back(state);
 }
 
+/// Whether a node of its ends or regions has vanished.
+bool WeldStage::has_lost_nodes(const Weld& weld) const {
+  const auto is_gone = [&](int n) { return nodes_[at(n)].is_gone; };
+  if (!weld.has_regions()) return is_gone(weld.end[0]) || is_gone(weld.end[1]);
+  return std::any_of(weld.patch.begin(), weld.patch.end(), [&](int patch) {
+    const std::vector<int>& nodes = model_.welds.patches[at(patch)].nodes;
+    return std::any_of(nodes.begin(), nodes.end(), is_gone);
+  });
+}
+
 void WeldStage::drop_vanished(State& state) {
   gather(state);
   for (std::size_t i = 0; i < state.welds.size(); ++i) {
     WeldState& now = state.welds[i];
-    const auto& [first, second] = model_.welds.welds[i].end;
-    if (now.is_broken != 0 || !(nodes_[at(first)].is_gone || nodes_[at(second)].is_gone)) continue;
+    if (now.is_broken != 0 || !has_lost_nodes(model_.welds.welds[i])) continue;
     now.is_broken = 1;
     now.pull = now.shear = 0;
   }

@@ -8,7 +8,7 @@
 
 #include "src/step/model/state.hpp"
 #include "src/step/springs/gathered_rows.hpp"
-#include "src/step/springs/weld_solve.hpp"
+#include "src/step/springs/weld_patch.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
@@ -29,32 +29,19 @@ class WeldStage {
   std::vector<Warning> take_warnings();
 
  private:
-  /// Sums over the welds of a node.
-  struct NodeImpulse {
-    Vector3<double> impulse{}, moment{};
-  };
-
   Vector3<double> vector(std::size_t node, std::size_t first) const {
     const double* row = &rows_[node * NodeRow::count + first];
     return {row[0], row[1], row[2]};
   }
-  /// Nodes around an end that has no rotation, as one: those that move freely.
-  struct Patch {
-    std::vector<int> nodes;  // places in WeldModel::nodes
-    double mass = 0;
-    Vector3<double> center{};
-    Symmetric3<double> inverse_tensor{};  // of their inertia about the centre
-    bool turns = false;                   // whether they have inertia about every axis
-  };
 
   void gather(const State& state);
-  Patch find_patch(const std::vector<int>& nodes) const;
   std::array<WeldNode, 2> find_ends(const Weld& weld) const;
   void join_one(std::size_t weld, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends);
-  void give_to_patch(const Patch& patch, const WeldNode& before, const WeldNode& after);
   double solve(const State& state, double dt);
   double solve_once(const State& state, double dt);
   void warn_of_unsettled(double time);
+  Vector3<double> find_new_normal(const Weld& weld, const Vector3<double>& normal, double dt) const;
+  bool has_lost_nodes(const Weld& weld) const;
   void judge(State& state, double dt, double dt_mean);
   double find_work() const;
   double find_work_of_contact() const;
@@ -63,7 +50,7 @@ class WeldStage {
   const Model& model_;
   std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()
   std::vector<WeldNode> nodes_;        // [WeldModel::nodes]
-  std::vector<Patch> patches_;         // [WeldModel::patches] at n
+  std::vector<MovingPatch> patches_;   // [WeldModel::patches] at n
   std::vector<NodeImpulse> on_nodes_;  // [WeldModel::nodes] of the step
   std::vector<WeldImpulse> sums_;      // [welds] of the step
   std::size_t slowest_ = 0;            // weld that changed most in the last turn

@@ -243,4 +243,152 @@ output: {history: {every: 1e-4, forces: [{name: f, support: left/x_min}]}}
   EXPECT_NEAR(second, 0.5 * load, 0.02 * load);
 }
 
+namespace {
+
+/// Two strips that lap, of length 120 and width 20, clamped at one end; a weld in the middle of the lap; a force across
+/// the other end. Lengths in mm.
+std::string lap_strips(bool are_shells, double size, const std::string& rest) {
+  const auto count = [&](double length) { return static_cast<int>(std::lround(length / size)); };
+  const double thickness = are_shells ? 2 : 5, apart = are_shells ? 2 : 5.5;
+  const auto strip = [&](const std::string& at) {
+    return are_shells
+               ? fmt::format("{{shell_plate: {{size: [120, 20], cells: [{}, {}]}}, thickness: 2, {}material: m}}",
+                             count(120), count(20), at)
+               : fmt::format("{{box: {{size: [120, 20, 5], cells: [{}, {}, 2]}}, {}material: m}}", count(120),
+                             count(20), at);
+  };
+  return fmt::format(R"yaml(
+time: {{end: 1e-7}}
+parts:
+  a: {}
+  b: {}
+materials: {{m: {{model: elastic, density: 7.85e-9, youngs_modulus: 2e5, poissons_ratio: 0}}}}
+welds: {{spot: {{between: [{}], at: [100, 10, {}], radius: 6}}}}
+conditions: [{{nodes: a/x_min, fixed: [x, y, z{}]}}]
+{}
+start: {{relaxation: {{tolerance: 1e-8}}}}
+output: {{history: {{every: 0, nodes: [{{name: tip, near: [200, 10, {}], part: b}}]}}}}
+)yaml",
+                     strip(""), strip(fmt::format("at: [80, 0, {}], ", apart)),
+                     are_shells ? "a, b" : "a/z_max, b/z_min", 0.5 * (apart + (are_shells ? 0 : thickness)),
+                     are_shells ? ", rx, ry, rz" : "", rest, apart);
+}
+
+/// A force on the end of the second strip, shared by its nodes.
+std::string load_end(bool are_shells, double size, double x, double z) {
+  const double nodes = static_cast<double>(std::lround(20 / size) + 1) * (are_shells ? 1 : 3);
+  return fmt::format("loads: {{nodal: [{{nodes: b/x_max, force: {{x: {:.17g}, z: {:.17g}}}}}]}}", x / nodes, z / nodes);
+}
+
+}  // namespace
+
+// Across: a beam of the length of both, F L^3 / (3 E I). The weld passes on the force, whatever the mesh.
+TEST(WeldOfFaces, LapJointBendsAsOneBeamOnAnyMesh) {
+  for (const bool are_shells : {true, false}) {
+    const double thickness = are_shells ? 2 : 5, force = 1e-3 * std::pow(thickness, 3), exact = 0.008;
+    std::vector<double> tips;
+    for (const double size : {10.0, 5.0}) {
+      const Outcome run = run_deck(lap_strips(are_shells, size, load_end(are_shells, size, 0, force)));
+      const double start = are_shells ? 2 : 5.5;
+      tips.push_back(run.history["tip_z"][0] - start);
+      fmt::print("{} of {} mm: tip {:.4g}, exact {:.4g}\n", are_shells ? "shells" : "solids", size, tips.back(), exact);
+      EXPECT_NEAR(tips.back(), exact, 0.035 * exact);
+      EXPECT_NEAR(run.history["weld_normal:spot"].back(), force, 1e-3 * force);
+      EXPECT_LT(run.history["weld_shear:spot"].back(), 1e-3 * force);
+    }
+    EXPECT_NEAR(tips[0], tips[1], 0.025 * exact);
+  }
+}
+
+// Along: the weld carries the force as shear.
+TEST(WeldOfFaces, LapJointCarriesItsPullAsShear) {
+  const Outcome run = run_deck(lap_strips(true, 10, load_end(true, 10, 1, 0)));
+  EXPECT_NEAR(run.history["weld_shear:spot"].back(), 1, 2e-3);
+  EXPECT_LT(std::abs(run.history["weld_normal:spot"].back()), 2e-3);
+}
+
+// Free sheets of different meshes and a block that fly, turn and bend.
+TEST(WeldOfFaces, KeepsMomenta) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 5e-4}
+parts:
+  low: {shell_plate: {size: [0.1, 0.06], cells: [10, 6]}, thickness: 0.001, material: steel}
+  high: {shell_plate: {size: [0.1, 0.06], cells: [7, 4]}, thickness: 0.001, at: [0, 0, 0.002], material: steel}
+  block: {box: {size: [0.04, 0.06, 0.02], cells: [3, 5, 2]}, at: [0.02, 0, 0.003], material: steel}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+welds:
+  a: {between: [low, high], at: [[0.02, 0.03, 0.001], [0.083, 0.0331, 0.001], [0.05, 0.01, 0.001]], radius: 0.006}
+  b: {between: [high, block/z_min], at: [0.05, 0.03, 0.0025], radius: 0.008}
+initial:
+  - {part: low, velocity: [3, 1, 5], angular_velocity: [0, 60, 20]}
+  - {part: high, velocity: [3, 1, 5], angular_velocity: [0, 60, 20], center: [0.05, 0.03, 0]}
+output: {history: {every: 1e-4}}
+)yaml");
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-13);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
+}
+
+// Blocks of different meshes, one moved along the gap, the other held wholly: the weld fails at its strength in shear.
+TEST(WeldOfFaces, FailsByShearAlsoWhereOneSideIsHeld) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.004}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.02], cells: [4, 4, 2]}, material: m}
+  high: {box: {size: [0.1, 0.1, 0.02], cells: [5, 3, 2]}, at: [0, 0, 0.022], material: m}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 20e9, poissons_ratio: 0.3}}
+welds:
+  spot: {between: [low/z_max, high/z_min], at: [0.053, 0.047, 0.021], radius: 0.01, failure: {normal: 5000, shear: 3000}}
+conditions:
+  - {nodes: low, fixed: [x, y, z]}
+  - {nodes: high/z_max, velocity: {x: {table: [[0, 0], [0.004, 0.01]]}, y: 0, z: 0}}
+output: {history: {every: 1e-5, forces: [{name: f, support: high/z_max}]}}
+)yaml");
+  EXPECT_EQ(run.history.last("welds_failed"), 1);
+  EXPECT_NEAR(run.history.largest("weld_shear:spot"), 3000, 30);
+}
+
+TEST(WeldOfFaces, IsRefusedOrWarnedOfWhereItHoldsLittle) {
+  const std::string good = lap_strips(true, 10, "");
+  const auto change = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const auto refuse = [](const std::string& deck) -> std::string {
+    try {
+      run_deck(deck);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no refusal";
+  };
+  EXPECT_NE(refuse(change("at: [100, 10, 1]", "at: [100, 10, 100]")).find("finds no faces of its first end"),
+            std::string::npos);
+  EXPECT_NE(refuse(change("[a, b]", "[a, a]")).find("both ends of weld 'spot' have node"), std::string::npos);
+  EXPECT_NE(refuse(change(", radius: 6", "")).find("radius is missing"), std::string::npos);
+  EXPECT_NE(refuse(change("[a, b]", "[{near: [0, 0, 0]}, b]")).find("is a node"), std::string::npos);
+  const auto warns = [&](const std::string& deck, const std::string& rule) {
+    const Outcome run = run_deck(deck);
+    return std::any_of(run.summary.warnings.begin(), run.summary.warnings.end(),
+                       [&](const Warning& warning) { return warning.rule == rule; });
+  };
+  const std::string still = R"yaml(
+time: {end: 1e-7}
+parts:
+  a: {shell_plate: {size: [120, 20], cells: [12, 2]}, thickness: 2, material: m}
+  b: {shell_plate: {size: [120, 20], cells: [12, 2]}, thickness: 2, at: [80, 0, 2], material: m}
+materials: {m: {model: elastic, density: 7.85e-9, youngs_modulus: 2e5, poissons_ratio: 0}}
+welds: {spot: {between: [a, b], at: AT, radius: 6}}
+output: {history: {every: 0}}
+)yaml";
+  const auto put = [&](const std::string& at) {
+    std::string text = still;
+    return text.replace(text.find("AT"), 2, at);
+  };
+  EXPECT_TRUE(warns(put("[100, 10, 20]"), "weld_distance"));
+  EXPECT_TRUE(warns(put("[120, 10, 1]"), "weld_rim"));
+  EXPECT_FALSE(warns(put("[100, 10, 1]"), "weld_distance"));
+  EXPECT_FALSE(warns(put("[100, 10, 1]"), "weld_rim"));
+}
+
 }  // namespace percuss::test

@@ -110,13 +110,50 @@ const Keys<WeldDeck>& weld_failure_keys() {
   return keys;
 }
 
+/// One place, or several.
+struct PlacesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Vec3>& out) const {
+    const bool is_list = node.kind == Node::Kind::list && !node.items.empty() && node.items[0].kind == Node::Kind::list;
+    if (is_list) return ListValue<TupleValue<NumberValue, 3>>{vector3()}.read(reader, name, node, out);
+    Vec3 place{};
+    if (!vector3().read(reader, name, node, place)) return false;
+    out = {place};
+    return true;
+  }
+  std::string takes() const { return "a list of 3, each a number, or a list of these"; }
+  Form form() const { return any_form({vector3().form(), list_form(vector3().form(), 1)}); }
+};
+
 const Keys<WeldDeck>& weld_keys() {
   static const Keys<WeldDeck> keys = {
       need("between", &WeldDeck::between, TupleValue<SpringEndValue, 2>{}),
+      may("at", &WeldDeck::at, PlacesValue{}),
+      may("radius", &WeldDeck::radius, NumberValue{positive}),
       may("normal", &WeldDeck::normal, DirectionValue{}),
       group<WeldDeck>("failure", MapValue<WeldDeck>{weld_failure_keys, check_strengths<WeldDeck>}),
   };
   return keys;
+}
+
+/// A radius and places belong together, and have faces at their ends.
+bool check_weld(const Reader& reader, const Node& node, WeldDeck& weld) {
+  const Node* const radius = node.find("radius");
+  const Node* const places = node.find("at");
+  if (radius == nullptr && places == nullptr) return true;
+  if (radius == nullptr || places == nullptr) {
+    reader.error((radius == nullptr ? places : radius)->key,
+                 fmt::format("{} is missing{} (a weld at places holds the faces within a radius around each)",
+                             reader.name_of(radius == nullptr ? "radius" : "at"), reader.in()));
+    return false;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!weld.between[i].point) continue;
+    reader.error(node.find("between")->items[i].spot,
+                 fmt::format("{}.{} is a node (a weld with a radius is between faces): give a selector of faces",
+                             reader.name_of("between"), i));
+    return false;
+  }
+  return true;
 }
 
 // --- constraints
@@ -156,7 +193,7 @@ bool check_constraint(const Reader& reader, const Node& node, ConstraintDeck& co
 }  // namespace
 
 NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value() { return {"spring", {spring_keys, check_spring}}; }
-NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value() { return {"weld", {weld_keys}}; }
+NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value() { return {"weld", {weld_keys, check_weld}}; }
 NamedMapValue<ConstraintDeck, MapValue<ConstraintDeck>> constraints_value() {
   return {"constraint", {constraint_keys, check_constraint}};
 }
