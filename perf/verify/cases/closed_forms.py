@@ -186,6 +186,42 @@ output: {history: {every: 1e-4, forces: [{name: f, support: left/x_min}]}}
         bench.near(f"lap joint: shear of the {name} weld", h.mean(0.015, 0.02, f"weld_shear:{name}"), 500, relative=0.02, unit="N")
 
 
+@case("lap_weld", "failure", "A spot weld between faces in a lap joint, on three meshes")
+def lap_weld(bench):
+    """Two strips of 120 by 20 mm lap by 40 mm and have one weld of 12 mm diameter in the middle of the lap, given by its point
+    and its radius. One end is clamped, a force acts across the other: the joint bends as one beam of the length of both,
+    F L^3 / (3 E I) = 8 um. Elements have 10, 5 and 2.5 mm, shells of 4 mm and solids of 5 mm thickness. The
+    weld carries the force, and the deflection is within 4 % of the beam's on every mesh."""
+    rows = []
+    for kind, thickness, gap in (("shells", 4.0, 0.0), ("solids", 5.0, 0.5)):
+        force = 1e-3 * thickness**3
+        apart = thickness + gap
+        for size in (10.0, 5.0, 2.5):
+            along, across = round(120 / size), round(20 / size)
+            shells = kind == "shells"
+            shape = (f"shell_plate: {{size: [120, 20], cells: [{along}, {across}]}}, thickness: {thickness}" if shells else
+                     f"box: {{size: [120, 20, {thickness}], cells: [{along}, {across}, 2]}}")
+            nodes = (across + 1) * (1 if shells else 3)
+            run = bench.run("""
+time: {end: 1e-7}
+parts:
+  a: {$shape, material: m}
+  b: {$shape, at: [80, 0, $apart], material: m}
+materials: {m: {model: elastic, density: 7.85e-9, youngs_modulus: 2e5, poissons_ratio: 0}}
+welds: {spot: {between: [$faces], at: [100, 10, $middle], radius: 6}}
+conditions: [{nodes: a/x_min, fixed: [$held]}]
+loads: {nodal: [{nodes: b/x_max, force: {z: $share}}]}
+start: {relaxation: {tolerance: 1e-8, max_steps: 400000}}
+output: {history: {every: 0, nodes: [{name: tip, near: [200, 10, $apart], part: b}]}}
+""", shape=shape, apart=apart, faces="a, b" if shells else "a/z_max, b/z_min", middle=apart / 2 if shells else thickness + gap / 2,
+                            held="x, y, z, rx, ry, rz" if shells else "x, y, z", share=force / nodes)
+            tip = run.history.first("tip_z") - apart
+            rows.append([kind, size, f"{1e3 * tip:.4f}", f"{100 * (tip / 0.008 - 1):+.2f} %", run.summary["relaxation"]["damped_steps"]])
+            bench.near(f"{kind} of {size} mm: deflection", tip, 0.008, relative=0.04, unit="mm")
+            bench.near(f"{kind} of {size} mm: normal force of the weld", run.history.last("weld_normal:spot"), force, relative=1e-3, unit="N")
+    bench.table(["elements", "size [mm]", "deflection [um]", "difference from the beam", "damped steps"], rows)
+
+
 @case("rate_table", "plastic", "Bars at constant rates with a table of rates", quick=True)
 def rate_table(bench):
     """A bar of one cell is pulled at a constant rate to a logarithmic strain of 0.06. Its yield stress is given at 0.1 / s
