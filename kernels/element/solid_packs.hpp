@@ -153,6 +153,12 @@ struct SolidPack {
   const SolidScratch& scratch;
 
   KOKKOS_FUNCTION int first_element() const { return chunk.first_element + pack * solid_width; }
+
+  /// The step bounds of its elements, if they are watched.
+  KOKKOS_FUNCTION void leave_bound(const StepWatch& watch, const Lanes& step) const {
+    if (watch.bound.extent(0) == 0) return;
+    store_pack(&watch.bound(static_cast<std::size_t>(chunk.chunks.first_pack(chunk.c) + pack) * solid_width), step);
+  }
 };
 
 /// Forces of N corners by the shares that lanes leave of them; nothing from inactive lanes and from those that must

@@ -14,7 +14,8 @@ inline constexpr bool is_compiled_in = requires {
 
 template <class Law>
 CalledMaterial make_called_material(const Law& law, double density) {
-  static_assert(CalledMaterial::law_place + Law::history_count + state_history_count <= CalledMaterial::history_count);
+  static_assert(CalledMaterial::law_place + Law::history_count + state_history_count + 1 <=
+                CalledMaterial::history_count);
   CalledMaterial called;
   set_any_of(called.law, Materials(), law);
   called.reference = law.moduli();

@@ -12,7 +12,8 @@
 namespace percuss {
 
 /// A material that is called, with or without an equation of state. Its history: lambda + 2 mu, which bulk viscosity
-/// takes in the next step, then that of the law, then that of the equation of state.
+/// takes in the next step, then that of the law, then that of the equation of state, then the element's own mass where
+/// its mass is scaled.
 struct CalledMaterial {
   static constexpr int history_count = 32;  // room for the longest; a record has count_history()
   static constexpr bool can_yield = true;
@@ -26,11 +27,16 @@ struct CalledMaterial {
   int state_history = 0;
   bool changes_at_rest = false;  // whether the state changes with time alone
   bool stores_energy = false;    // whether the stress follows from an energy of the strain
+  bool is_scaled = false;        // whether mass is added to elements: then volumes follow from their own mass
 
   PERCUSS_FORCE_INLINE LameConstants moduli() const { return reference; }
-  KOKKOS_INLINE_FUNCTION int count_history() const { return law_place + law_history + state_history; }
+  KOKKOS_INLINE_FUNCTION int count_history() const {
+    return law_place + law_history + state_history + (is_scaled ? 1 : 0);
+  }
   /// Where the history of the equation of state begins; -1: there is none.
   int find_state_place() const { return state_history > 0 ? law_place + law_history : -1; }
+  /// Of the element's own mass, if it is_scaled.
+  KOKKOS_INLINE_FUNCTION int find_mass_place() const { return law_place + law_history + state_history; }
 
   /// Advances a point from n to n+1. step.history: [count_history()].
   template <class T>

@@ -39,10 +39,7 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
     sums.take_work(1, result.work.hourglass, on.lanes);
     sums.take_work(2, result.work.viscous, on.lanes);
     sums.take_step(result.stable_step, result.volume, on.first_element(), on.lanes);
-    if (motion.watch.bound.extent(0) > 0) {
-      const auto pack = static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack);
-      store_pack(&motion.watch.bound(pack * solid_width), result.stable_step);
-    }
+    on.leave_bound(motion.watch, result.stable_step);
   }
 
   static PERCUSS_FORCE_INLINE void settle(const Living& living, OnePointResult<Lanes>& result, Field& f) {

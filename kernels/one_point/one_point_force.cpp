@@ -45,10 +45,7 @@ struct FindOnePointForces : ForcePass<L> {
     }
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_step(step, volume, on.first_element(), on.lanes);
-    if (motion.watch.bound.extent(0) > 0) {
-      const int pack = chunks.first_pack(on.chunk.c) + on.pack;
-      store_pack(&motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
-    }
+    on.leave_bound(motion.watch, step);
   }
 
   static PERCUSS_FORCE_INLINE ModeVectors<Lanes, Shape> load_modes(const double* record) {

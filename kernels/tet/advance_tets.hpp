@@ -89,6 +89,8 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     this->template advance_chunk<State>(
         member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
+    const StepWatch& watch = this->motion.watch;
+    if (watch.bound.extent(0) > 0) watch.growth(this->block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const SolidPack& on,
@@ -113,9 +115,7 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     sums.take_work(2, point.work.viscous, on.lanes);
     sums.take_work(3, point.work.guard, on.lanes);
     sums.take_step(step, volume, on.first_element(), on.lanes);
-    if (this->motion.watch.bound.extent(0) == 0) return;
-    const int pack = this->chunks.first_pack(on.chunk.c) + on.pack;
-    store_pack(&this->motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
+    on.leave_bound(this->motion.watch, step);
   }
 };
 

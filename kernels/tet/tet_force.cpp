@@ -19,6 +19,7 @@ struct FindForces : ForcePass<L> {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->sum_chunk(
         member, [&](const SolidPack& on, const Living& living, SolidChunkSums& sums) { add_pack(on, living, sums); });
+    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, SolidChunkSums& sums) const {
@@ -49,9 +50,7 @@ struct FindForces : ForcePass<L> {
     }
     scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_step(step, volume, on.first_element(), on.lanes);
-    if (motion.watch.bound.extent(0) == 0) return;
-    const int pack = chunks.first_pack(on.chunk.c) + on.pack;
-    store_pack(&motion.watch.bound(static_cast<std::size_t>(pack) * solid_width), step);
+    on.leave_bound(motion.watch, step);
   }
 };
 

@@ -106,7 +106,7 @@ PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& pa
     const VolumeGradient<T> b = find_volume_gradient(a);
     told.modulus = find_longitudinal_modulus<T>(state.history);
     told.point.length = find_thickness(find_gradient_size(b), b.volume);
-    told.point.volume_ratio = number<T>(par.material.density) * b.volume / state.mass;
+    told.point.volume_ratio = find_volume_ratio(par, state, b.volume);
     const T density = state.mass * (T(1) / b.volume),
             speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
     const T pressure = find_viscous_pressure(par.viscosity, density, told.point.length, speed, step.trace_d).pressure;

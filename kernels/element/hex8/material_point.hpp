@@ -76,6 +76,14 @@ PERCUSS_FORCE_INLINE T find_longitudinal_modulus(const History& history) {
   return largest;
 }
 
+/// V / V(0) of an element with a called material and the volume now: mass that was added is not its material's.
+template <class T, class Parameters, class State>
+PERCUSS_FORCE_INLINE T find_volume_ratio(const Parameters& par, const State& state, const T& volume) {
+  const CalledMaterial& material = par.material;
+  const T own_mass = material.is_scaled ? state.history.value[material.find_mass_place()][0] : state.mass;
+  return number<T>(material.density) * volume / own_mass;
+}
+
 /// A tensor as the sum of value and rest, part of its lanes in double, and back.
 template <int Part, class T>
 PERCUSS_FORCE_INLINE Wide<T> widen_sum(const T& value, const T& rest) {

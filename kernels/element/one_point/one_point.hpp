@@ -134,7 +134,7 @@ PERCUSS_FORCE_INLINE PointMotion<T> tell_one_point(const HexParameters<Material>
   if constexpr (is_called<Material>) {
     point.length = viscous.length;
     point.viscosity = T(0.5) * (state.viscous_pressure + viscous.q.pressure);
-    point.volume_ratio = T(par.material.density) * volume / state.mass;
+    point.volume_ratio = find_volume_ratio(par, state, volume);
   }
   return point;
 }

@@ -99,7 +99,7 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const HexParameters<Material>& par
   if constexpr (is_called<Material>) {
     point.length = length;
     point.viscosity = half * (state.viscous_pressure + viscous.pressure);
-    point.volume_ratio = Mixed ? exponential(state.log_volume) : T(par.material.density) / density;
+    point.volume_ratio = Mixed ? exponential(state.log_volume) : find_volume_ratio(par, state, volume);
   }
   const Symmetric3<T> old_stress = state.stress;
   NoStressRests<T> no_rest;

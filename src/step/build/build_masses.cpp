@@ -6,36 +6,18 @@
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/rigid_bodies.hpp"
-#include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/step/beams/build_beams.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/check_precision.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
+#include "src/step/build/chunks/element_mass.hpp"
 #include "src/step/build/mass_scaling.hpp"
 #include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
-
-/// By the modes of the element's kernel.
-double find_kernel_volume(const Mesh& mesh, std::size_t element) {
-  if (mesh.topology_of(element).family != ElementFamily::hexahedra) return find_element_volume(mesh, element);
-  const HexCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
-  double x[8], y[8], z[8];
-  for (std::size_t i = 0; i < 8; ++i) {
-    x[i] = corners[i][0];
-    y[i] = corners[i][1];
-    z[i] = corners[i][2];
-  }
-  to_modes(x);
-  to_modes(y);
-  to_modes(z);
-  VectorModes<double> a{};
-  for (int m = 1; m < 8; ++m) a[m] = {x[m], y[m], z[m]};
-  return find_volume_gradient(a).volume;
-}
 
 /// The share of each chunk in what its nodes get of their elements, in so many columns: elements in ascending order.
 /// values: [elements][columns].
@@ -113,10 +95,7 @@ void build_inertia(const Deck& deck, const Mesh& mesh, std::vector<double> eleme
 std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const Mesh& mesh = chunked.mesh;
   std::vector<double> element_mass(mesh.elements.size());
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const auto material = static_cast<std::size_t>(mesh.block_of(e).material);
-    element_mass[e] = deck.materials[material].density * find_kernel_volume(mesh, e);
-  }
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) element_mass[e] = find_element_mass(deck, mesh, e);
   if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);
   scale_masses(deck, chunked, element_mass, model);
   model.scales_in_run = deck.scales_mass_in_run();

@@ -14,6 +14,7 @@
 #include "src/step/model/element_records.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/tets/tet_stage.hpp"
 
 namespace percuss {
 namespace {
@@ -23,47 +24,76 @@ bool is_asked_for(const Deck& deck) {
                                                [](const PartDeck& part) { return part.mass_scaling.has_value(); });
 }
 
-/// Other laws of solids take the change of volume from the density, which is not the material's own where mass is
-/// added.
-void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassScalingDeck& request) {
-  if (!find_topology(block.topology).is_solid()) return;
-  const auto part = static_cast<std::size_t>(block.part);
-  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-  const std::string& model = material.law.model;
-  if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
-  throw InputError(
-      fmt::format("{}: error: mass scaling of part '{}', whose material '{}' is {}{} (its law derives the volume from "
-                  "the density): do not scale its mass, or use elastic or j2_plasticity without an equation of state",
-                  deck.where(request.place), deck.parts[part].name, material.name, model,
-                  material.equation_of_state ? " with an equation of state" : ""));
+/// Step bounds of solids at rest in their first shape.
+class SolidBounds {
+ public:
+  /// The model outlives this. Collective.
+  explicit SolidBounds(const Model& model) : resting_(model), tets_(resting_) {
+    resting_.has_rotations = resting_.has_beams =
+        false;  // what shells and beams need beside follows from the scaled masses
+    resting_.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
+  }
+
+  /// Of each element; of shells and beams 0. Collective.
+  std::vector<double> find(const std::vector<double>& element_mass) {
+    resting_.element_mass = to_view("percuss::mass_of_bounds", element_mass);
+    const State state = make_initial_state(resting_);
+    StepWatch watch;
+    watch.bound = Array<Real>("percuss::element_bounds", resting_.chunks.corner_slots.extent(0) / 8);
+    watch.reference = watch.bound;
+    watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(resting_.chunks.count));
+    const ElementMotion motion{state.x, state.v, 0, false, 0, watch};
+    for (const HexBlocks& blocks : {resting_.sending_blocks, resting_.blocks})
+      advance_elements(ExecSpace(), resting_.chunks, blocks, motion, state.chunk_fields());
+    if (resting_.has_small_solids) {
+      tets_.prepare(state, motion);
+      tets_.advance(state, resting_.sending_tet_blocks, resting_.sending_one_point_blocks, motion);
+      tets_.advance(state, resting_.tet_blocks, resting_.one_point_blocks, motion);
+    }
+    return take_bounds(watch);
+  }
+
+ private:
+  std::vector<double> take_bounds(const StepWatch& watch) const {
+    const auto lanes = to_host(watch.bound);
+    const HostChunks chunks(resting_.chunks);
+    std::vector<double> bounds(static_cast<std::size_t>(resting_.element_count));
+    for (int c = 0; c < chunks.count; ++c)
+      for (int i = 0; i < count_elements(chunks, c); ++i)
+        bounds[static_cast<std::size_t>(find_element(chunks, c, i))] = lanes(number_lane(chunks, c, i));
+    return bounds;
+  }
+
+  Model resting_;
+  TetStage tets_;
+};
+
+/// The mass that an element needs for the wanted step.
+double find_wanted_mass(double step, double bound, double mass) {
+  if (!(bound > 0 && bound < step)) return mass;  // one without volume is told elsewhere
+  const double ratio = step / bound;
+  return ratio * ratio * mass;
 }
 
-/// Step bound of each hexahedron, wedge and pyramid at rest in its first shape; of others 0.
-std::vector<double> find_solid_bounds(const Model& model, const std::vector<double>& element_mass) {
-  Model resting = model;
-  resting.has_rotations = resting.has_beams =
-      false;  // what shells and beams need beside follows from the scaled masses
-  resting.element_mass = to_view("percuss::unscaled_mass", element_mass);
-  resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
-  const State state = make_initial_state(resting);
-  StepWatch watch;
-  watch.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
-  watch.reference = watch.bound;
-  watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
-  for (const HexBlocks& blocks : {model.sending_blocks, model.blocks}) {
-    advance_elements(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
+/// Where solids share the mass of their nodes, an element that is given mass still lacks what it has to share: it is
+/// given more until its bound is the step. masses: in and out. Collective.
+void give_shared_mass(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks, SolidBounds& solids,
+                      std::vector<double>& masses) {
+  constexpr int most_passes = 100;
+  constexpr double tolerance = 1e-6;  // of the step
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const std::vector<double> bounds = solids.find(masses);
+    int lacking = 0;
+    for (std::size_t e = 0; e < masses.size(); ++e) {
+      const MassScalingDeck* request = deck.find_mass_scaling(static_cast<std::size_t>(chunked.mesh.part_of(e)));
+      if (request == nullptr || !(bounds[e] < request->step * (1 - tolerance))) continue;
+      const double wanted = find_wanted_mass(request->step, bounds[e], masses[e]);
+      lacking += wanted > masses[e] ? 1 : 0;
+      masses[e] = wanted;
+    }
+    all_reduce(ranks, Reduce::sum, lacking);
+    if (lacking == 0) return;
   }
-  for (const OnePointBlocks& blocks : {model.sending_one_point_blocks, model.one_point_blocks}) {
-    advance_one_points(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
-  }
-  const auto lanes = to_host(watch.bound);
-  const HostChunks chunks(model.chunks);
-  std::vector<double> bounds(element_mass.size());
-  for (int c = 0; c < chunks.count; ++c) {
-    for (int i = 0; i < count_elements(chunks, c); ++i)
-      bounds[static_cast<std::size_t>(find_element(chunks, c, i))] = lanes(number_lane(chunks, c, i));
-  }
-  return bounds;
 }
 
 struct Least {
@@ -77,16 +107,14 @@ struct PartShare {
   Least least;
 };
 
-void take_element(const MassScalingDeck& request, double bound, double& mass, PartShare& share) {
+/// bound, before: without scaling; mass: with it.
+void take_element(double bound, double before, double mass, PartShare& share) {
   ++share.least.all;
-  share.mass.add(mass);
+  share.mass.add(before);
   share.least.bound = std::min(share.least.bound, bound);
-  if (!(bound > 0 && bound < request.step)) return;  // one without volume is told elsewhere
-  const double ratio = request.step / bound;
-  const double scaled = ratio * ratio * mass;
-  share.added.add(scaled - mass);
+  if (mass == before) return;
+  share.added.add(mass - before);
   ++share.least.scaled;
-  mass = scaled;
 }
 
 AddedMass sum_over_ranks(const Communicator& ranks, const std::string& part, PartShare& share) {
@@ -134,20 +162,20 @@ NodeTotal find_node_total(const ChunkedMesh& chunked, const Model& model, const 
 
 void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model) {
   if (!is_asked_for(deck)) return;
-  for (const ElementBlock& block : chunked.mesh.elements.blocks) {
-    if (const auto* request = deck.find_mass_scaling(static_cast<std::size_t>(block.part)))
-      refuse_other_laws(deck, block, *request);
-  }
-  std::vector<double> bounds = find_solid_bounds(model, element_mass);
+  SolidBounds solids(model);
+  std::vector<double> bounds = solids.find(element_mass);
   const std::vector<double> of_shells = find_shell_bounds(deck, chunked.mesh, element_mass);
   for (std::size_t e = 0; e < bounds.size(); ++e) bounds[e] = std::max(bounds[e], of_shells[e]);
   set_beam_bounds(deck, chunked.mesh, element_mass, bounds);
-  std::vector<PartShare> shares(deck.parts.size());
+  const std::vector<double> before = element_mass;
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
-    const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));
-    const MassScalingDeck* request = deck.find_mass_scaling(part);
-    if (request != nullptr) take_element(*request, bounds[e], element_mass[e], shares[part]);
+    const MassScalingDeck* request = deck.find_mass_scaling(static_cast<std::size_t>(chunked.mesh.part_of(e)));
+    if (request != nullptr) element_mass[e] = find_wanted_mass(request->step, bounds[e], element_mass[e]);
   }
+  if (model.mixes_solids) give_shared_mass(deck, chunked, model.ranks, solids, element_mass);
+  std::vector<PartShare> shares(deck.parts.size());
+  for (std::size_t e = 0; e < element_mass.size(); ++e)
+    take_element(bounds[e], before[e], element_mass[e], shares[static_cast<std::size_t>(chunked.mesh.part_of(e))]);
   for (std::size_t p = 0; p < shares.size(); ++p) {
     const MassScalingDeck* request = deck.find_mass_scaling(p);
     if (request == nullptr) continue;

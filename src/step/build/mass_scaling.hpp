@@ -2,8 +2,10 @@
 // Mass scaling on request: elements whose step bound is below a wanted step are given mass until it is that step.
 //
 // At rest every term of the bound goes with the square root of the element's mass (section 3.5 of docs/theory.md), so
-// that (step / bound)^2 times the mass gives the bound exactly. The mass is added once, at time 0, and is mass in all
-// that follows: inertia, weight, momentum and energy. Mass that the deck adds to nodes, without elements, is here too.
+// that (step / bound)^2 times the mass gives the bound exactly. Tetrahedra that share the mass of their nodes are given
+// mass in several passes. The volume of a material follows from the element's own mass (CalledMaterial). The mass is
+// added once, at time 0, and is mass in all that follows: inertia, weight, momentum and energy. Mass that the deck adds
+// to nodes, without elements, is here too.
 
 #include <string>
 #include <vector>

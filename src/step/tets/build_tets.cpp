@@ -13,8 +13,6 @@ namespace percuss {
 
 namespace {
 
-bool is_of_tets(const ElementBlock& block) { return find_topology(block.topology).family == ElementFamily::tetrahedra; }
-
 /// What its elements are called in messages; null: hexahedra, or no solids.
 const char* name_small_solids(const ElementBlock& block) {
   switch (find_topology(block.topology).family) {
@@ -64,9 +62,6 @@ void check_small_solids(const Deck& deck, const Mesh& mesh) {
     if (deck.time.step_estimate == TimeDeck::StepEstimate::global)
       refuse_small_solids(deck, block,
                           "time.step_estimate: global supports hexahedra only): leave time.step_estimate out");
-    if (is_of_tets(block) && deck.find_mass_scaling(static_cast<std::size_t>(block.part)) != nullptr)
-      refuse_small_solids(
-          deck, block, "mass scaling does not support them): leave mass_scaling out, or set it for other parts only");
   }
 }
 

@@ -70,6 +70,9 @@ LARGE = 1.2
 I1, I2 = LARGE**2 + 2 / LARGE - 3, 2 * LARGE + LARGE**-2 - 3
 PRONY = "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n"
 
+HOT = ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n"
+HEATED = [("internal", LAST, 1000 * (100 * DENSITY * 1e7) * (1 - math.exp(-300 * (strain() - 150 / (3 * SHEAR)) / (100 * DENSITY * 1e7))), 3e-2)]
+
 PROOFS = [
     Proof("ELASTIC: TYPE", driven(ELASTIC, 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "half of (lambda + 2 mu) e^2"),
     Proof("ELASTIC: TYPE", driven("*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1e5, 1e5, 1e5, 0.3, 0.3, 0.3, 4e4, 4e4\n4e4\n", 1e-4, 0.0, 0.0), refused="ENGINEERING CONSTANTS"),
@@ -96,9 +99,12 @@ PROOFS = [
           [("internal", LAST, plastic_work(450.0), 2e-2)], "the last ratio holds beyond its rate"),
     Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + "*RATE DEPENDENT, TYPE=USER\n1., 0.\n"), refused="of the kind USER"),
     Proof("DYNAMIC: ADIABATIC; DYNAMIC TEMPERATURE-DISPLACEMENT",
-          stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n", dynamic=", ADIABATIC"),
-          [("internal", LAST, 1000 * (100 * DENSITY * 1e7) * (1 - math.exp(-300 * (strain() - 150 / (3 * SHEAR)) / (100 * DENSITY * 1e7))), 3e-2)],
-          "sigma = 300 (1 - T / 100) and rho c dT = sigma dp"),
+          stretched(HOT, dynamic=", ADIABATIC"),
+          HEATED, "sigma = 300 (1 - T / 100) and rho c dT = sigma dp"),
+    *[Proof(f"{card}: {field}", stretched(HOT, dynamic=", ADIABATIC").replace(NO_VISCOSITY, NO_VISCOSITY + f"*{card}, {text}\n"), HEATED,
+            "the stress of the driven element does not depend on the mass that is added")
+      for card, field, text in (("FIXED MASS SCALING", "DT TYPE", "DT=4e-6, TYPE=BELOW MIN"), ("FIXED MASS SCALING", "FACTOR", "FACTOR=5."),
+                                ("VARIABLE MASS SCALING", "DT TYPE FREQUENCY", "DT=4e-6, TYPE=BELOW MIN, FREQUENCY=1"))],
     Proof("DYNAMIC TEMPERATURE-DISPLACEMENT", stretched(ELASTIC + PLASTIC).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), refused="conduction of heat"),
     Proof("HYPERELASTIC: NEO_HOOKE", stretched(rubber("NEO HOOKE", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "C10 (I1 - 3) of a motion that keeps the volume"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "C10 (I1 - 3) + C01 (I2 - 3)"),

@@ -3,10 +3,10 @@
 from ..fields import clip
 from ..ledger import BadInput
 from ..model import Block as Part
+from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
 
-SCALED = ("elastic", "j2_plasticity")  # laws of solids whose mass percuss scales
 MOST_ADDED = 1000.0  # a share of the mass of a part: there is no limit in Abaqus
 EVERY = 10  # steps between two looks, where the deck does not say
 
@@ -56,7 +56,7 @@ def scale_density(deck: AbaqusDeck, block: Block, parts: list[Part], factor: flo
         name = part.keys["material"]
         if name not in copies:
             copies[name] = deck.model.names.take(f"{name}_scaled", "material")
-            materials[copies[name]] = {**materials[name], "density": materials[name]["density"] * factor}
+            materials[copies[name]] = add_weight(materials[name], factor)
         part.keys["material"], part.density = copies[name], part.density * factor
     used = {part.keys["material"] for part in deck.model.blocks}
     for name in [name for name in materials if name not in used]:
@@ -64,16 +64,21 @@ def scale_density(deck: AbaqusDeck, block: Block, parts: list[Part], factor: flo
     deck.ledger.approximated(f"{block.keyword}.FACTOR", block.place, "FACTOR: the density of the parts times the factor, which counts in gravity too")
 
 
+def add_weight(law: Deck, factor: float) -> Deck:
+    """A law of more density whose stress and temperature follow from its motion as before: what is by mass goes with the density."""
+    heavy = {**law, "density": law["density"] * factor}
+    if "specific_heat" in law:
+        heavy["specific_heat"] = law["specific_heat"] / factor
+    state = law.get("equation_of_state", {})
+    if "sound_speed" in state:
+        heavy["equation_of_state"] = {**state, "sound_speed": state["sound_speed"] / factor**0.5}
+    return heavy
+
+
 def set_step(deck: AbaqusDeck, block: Block, parts: list[Part], step: float) -> None:
-    left = set()
     frequency = block.integer((block.place.line, [block.options.get("FREQUENCY", "")]), 0, EVERY)
     every = {"every": max(frequency, 1)} if block.keyword.startswith("VARIABLE") else {}
     for part in parts:
-        law = deck.model.materials[part.keys["material"]]
-        if part.solids and (law["model"] not in SCALED or "equation_of_state" in law):
-            left.add(law["model"])
-        elif "rigid" not in part.keys:
+        if "rigid" not in part.keys:
             part.keys["mass_scaling"] = {"step": step, "max_added": MOST_ADDED, **every}
-    if left:
-        deck.ledger.refuse(f"{block.keyword}.law", block.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass")
     deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part: DT is that of percuss' bound of an element")

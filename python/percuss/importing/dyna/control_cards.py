@@ -138,23 +138,14 @@ def limit_step(deck: KeywordDeck, row: Row) -> None:
 
 
 def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Row) -> None:
-    """Mass scaling of the parts that percuss can scale."""
-    left: set[str] = set()
+    """Mass scaling of the parts that limit the step."""
     most = min(deck.most_added_mass, NO_LIMIT) if deck.most_added_mass > 0 else NO_LIMIT
     held = deck.held_as_bodies()
     for block in deck.model.blocks:
         if block.part in deck.rigid:
             continue
-        law = deck.model.materials[block.keys["material"]]
-        if block.solids and (law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law):
-            left.add(law["model"])
-            continue
         again = {} if once or held else {"every": 10}
         block.keys["mass_scaling"] = {"step": step, "max_added": most, **again}
-    if left:
-        deck.ledger.refuse(
-            "CONTROL_TIMESTEP.DT2MS", row.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass"
-        )
     text = "mass_scaling of each part; percuss check says how much mass that adds; gravity acts on it too"
     if row.number("DT2MS") > 0:
         text += "; no element loses mass"

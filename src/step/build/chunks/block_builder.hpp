@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -16,6 +17,7 @@
 #include "src/deck/deck.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
+#include "src/step/build/chunks/element_mass.hpp"
 #include "src/step/model/model.hpp"
 
 namespace percuss {
@@ -99,22 +101,28 @@ struct BlockBuilder {
   void add_chunks(const IsOurs& is_ours, Block& block, const Describe& describe) {
     std::vector<int> chunks;
     std::vector<HexParameters<Material>> rows;
-    std::map<std::pair<int, std::array<double, 3>>, int> row_of_settings;
+    std::map<std::tuple<int, bool, std::array<double, 3>>, int> row_of_settings;
     for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
       if (!is_ours(chunked.chunks[c])) continue;
       const int index = find_block(chunked, chunked.chunks[c]).material;
       const ElementDeck settings = find_elements(chunked.chunks[c]);
       const KernelMaterial& of_chunk = materials[static_cast<std::size_t>(index)];
-      const auto* material = std::get_if<Material>(&of_chunk.material);
-      if (material == nullptr) continue;
-      const std::pair key{
-          index, std::array{settings.hourglass_coefficient, settings.linear_viscosity, settings.quadratic_viscosity}};
+      if (!std::holds_alternative<Material>(of_chunk.material)) continue;
+      const bool is_scaled = deck.find_mass_scaling(static_cast<std::size_t>(chunked.chunks[c].part)) != nullptr;
+      const std::tuple key{
+          index, is_scaled,
+          std::array{settings.hourglass_coefficient, settings.linear_viscosity, settings.quadratic_viscosity}};
       const auto [row, is_new] = row_of_settings.emplace(key, static_cast<int>(rows.size()));
-      if (is_new) rows.push_back(make_parameters(*material, settings));
+      if (is_new) {
+        Material material = std::get<Material>(of_chunk.material);
+        if constexpr (is_called<Material>) material.is_scaled = is_scaled;
+        rows.push_back(make_parameters(material, settings));
+      }
+      const Material& material = rows[static_cast<std::size_t>(row->second)].material;
       if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
       parameters[c] = row->second;
-      describe(c, *material, of_chunk.named_history);
-      if constexpr (is_called<Material>) add_start_history(c, *material);
+      describe(c, material, of_chunk.named_history);
+      if constexpr (is_called<Material>) add_start_history(c, material);
     }
     block.chunks = to_view("percuss::chunks_of_block", chunks);
     block.parameters = to_view("percuss::parameters", rows);
@@ -143,7 +151,10 @@ struct BlockBuilder {
       const Vec3 x =
           find_center(gather_corners(chunked.mesh.elements, static_cast<std::size_t>(e), chunked.mesh.nodes));
       start_values.resize(start_values.size() + count);
-      start_history(material, &start_values[start_values.size() - count], {x[0], x[1], x[2]});
+      double* const values = &start_values[start_values.size() - count];
+      start_history(material, values, {x[0], x[1], x[2]});
+      if (material.is_scaled)
+        values[material.find_mass_place()] = find_element_mass(deck, chunked.mesh, static_cast<std::size_t>(e));
     }
   }
 

@@ -134,8 +134,8 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
     add_erosion(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
-    if use.is_beam and law.pop("failure", None):
-        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail", "they do not")
+    if use.is_beam and "failure" in law:
+        keep_limits_of_beams(deck, card, law, use)
     law["density"] += block.more_density
     deck.ledger.translated(card.keyword, card.place, law["model"])
     same = next((name for name in deck.names_of_laws.get(part.material, []) if deck.model.materials[name] == law), None)
@@ -172,6 +172,16 @@ def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDec
         return law(deck, card, use)
     except ArithmeticError as error:
         raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+
+
+def keep_limits_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> None:
+    """Beams fail by the forces of their section or at a time, and by nothing else."""
+    limits = law.pop("failure")
+    kept = {name: limits[name] for name in ("resultants", "time") if name in limits}
+    if kept:
+        law["failure"] = kept
+    if limits.keys() - kept.keys() - {"layers"}:
+        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail by stress or strain", "they do not")
 
 
 def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
