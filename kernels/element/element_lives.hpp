@@ -32,6 +32,9 @@ struct FailureLimits {
   double plastic_strain = none;    // equivalent
   double principal_stress = none;  // largest
   double principal_strain = none;  // largest logarithmic
+  double thinning = none;          // of a layer of a shell, logarithmic
+  double mean_thinning = none;     // over the thickness of a shell
+  double compressibility = 0;      // volume strain over the sum of the normal stresses, for these two
   double tension = none;           // of the mean stress
   double yield_time = none;        // at yield, in all
   JohnsonCookDamage johnson_cook;
@@ -52,6 +55,8 @@ struct FailureLimits {
     FailureLimits scaled = *this;
     scaled.plastic_strain *= factor;
     scaled.principal_strain *= factor;
+    scaled.thinning *= factor;
+    scaled.mean_thinning *= factor;
     scaled.johnson_cook.d1 *= factor;
     scaled.johnson_cook.d2 *= factor;
     return scaled;

@@ -41,6 +41,21 @@ KOKKOS_INLINE_FUNCTION Symmetric3<double> read_strain(const FailingShell& shell,
   return {strain(0), strain(1), 0, 0.5 * strain(2), 0, 0};
 }
 
+/// How much thinner a layer has become.
+KOKKOS_INLINE_FUNCTION double read_thinning(const FailingShell& shell, int p, double place,
+                                            const FailureLimits& limits) {
+  return find_thinning(read_strain(shell, place), shell.read(p, 0) + shell.read(p, 1), limits.compressibility);
+}
+
+/// Whether the whole shell has become too thin.
+KOKKOS_INLINE_FUNCTION bool is_thin(const FailingShell& shell, const ThicknessPoints& rule,
+                                    const FailureLimits& limits) {
+  if (!(limits.mean_thinning < FailureLimits::none)) return false;
+  double mean = 0;
+  for (int p = 0; p < rule.count; ++p) mean += rule.weight[p] * read_thinning(shell, p, rule.place[p], limits);
+  return mean >= limits.mean_thinning;
+}
+
 /// Adds the step to what the layer remembers; returns whether it fails.
 KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double place, const FailureLimits& limits,
                                         double dt) {
@@ -53,6 +68,7 @@ KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double
   life[LayerLives::plastic_strain * width] = history.plastic_strain;
   life[LayerLives::damage * width] = history.damage;
   life[LayerLives::time_at_yield * width] = history.time_at_yield;
+  if (limits.thinning < FailureLimits::none && read_thinning(shell, p, place, limits) >= limits.thinning) return true;
   return failed ||
          (limits.principal_strain < FailureLimits::none && reaches(read_strain(shell, place), limits.principal_strain));
 }
@@ -91,7 +107,7 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
     failed += rule.weight[p];
     ++count;
   }
-  if (count == rule.count || failed >= limits.layers * (1 - round_off)) return true;
+  if (count == rule.count || failed >= limits.layers * (1 - round_off) || is_thin(shell, rule, limits)) return true;
   for (int p = 0; p < rule.count; ++p) {
     if (!fresh[p]) continue;
     set_layer_left(shell.life(p), limits.fade_steps, limits.fade_steps);

@@ -222,6 +222,8 @@ struct FailureDeck {
   std::optional<double> yield_time;         // at yield, in all
   std::optional<double> step;               // the step that the element allows falls below this
   bool inverted = false;                    // no positive volume: the element fails, and the run continues
+  std::optional<double> thinning;          // of a layer of a shell, logarithmic
+  std::optional<double> mean_thinning;     // of a shell over its thickness, logarithmic
   int fade_steps = 1;                       // steps in which its force falls to zero
   double layers = 1;                        // of shells: share of the thickness that has to fail
   std::vector<std::array<double, 2>> size;  // rows [size of an element, factor of the failure strains]; none: 1

@@ -53,6 +53,13 @@ KOKKOS_INLINE_FUNCTION bool reaches(const Symmetric3<double>& a, double limit) {
   return find_largest_eigenvalue(a) >= limit;
 }
 
+/// Logarithm of the thickness at the start over that now, of a layer in plane stress whose strain in the plane is
+/// known: plastic flow keeps the volume, so that its change is that of the stress.
+KOKKOS_INLINE_FUNCTION double find_thinning(const Symmetric3<double>& strain, double stress_sum,
+                                            double compressibility) {
+  return strain.xx + strain.yy - compressibility * stress_sum;
+}
+
 /// Plastic strain at which a material fails under this load.
 /// Source: Johnson and Cook, Eng. Fracture Mech. 21 (1985), eq. (4), for mean stresses up to 1.5 times von Mises'; the
 /// stress ratio counts as 1.5 beyond. Rates below the reference count as the reference.

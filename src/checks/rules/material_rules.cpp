@@ -82,7 +82,10 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene) {
   for (const MaterialDeck& material : scene.deck.materials) {
     if (!material.failure) continue;
     const std::pair<const char*, std::optional<double>> strains[] = {
-        {"plastic_strain", material.failure->plastic_strain}, {"principal_strain", material.failure->principal_strain}};
+        {"plastic_strain", material.failure->plastic_strain},
+        {"principal_strain", material.failure->principal_strain},
+        {"thinning", material.failure->thinning},
+        {"mean_thinning", material.failure->mean_thinning}};
     for (const auto& [key, strain] : strains) {
       if (!strain || *strain <= most) continue;
       warnings.push_back(warn_at(scene.deck, "failure_strain", find_key_path(material, std::string("failure.") + key),

@@ -102,7 +102,8 @@ bool is_obstacle(const Deck& deck, const PartDeck& part) {
 /// Whether a material fails by a strain, which is that of a whole element.
 bool fails_by_strain(const MaterialDeck& material) {
   return material.failure &&
-         (material.failure->plastic_strain || material.failure->principal_strain || material.failure->johnson_cook);
+         (material.failure->plastic_strain || material.failure->principal_strain || material.failure->thinning ||
+          material.failure->mean_thinning || material.failure->johnson_cook);
 }
 
 /// The smallest and the largest element of a material, and their parts.

@@ -46,14 +46,18 @@ const Keys<FailureDeck>& failure_keys() {
 }
 
 bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure) {
-  if (!failure.size.empty() && !(failure.plastic_strain || failure.principal_strain || failure.johnson_cook)) {
+  const bool has_strain = failure.plastic_strain || failure.principal_strain || failure.thinning ||
+                          failure.mean_thinning || failure.johnson_cook;
+  if (!failure.size.empty() && !has_strain) {
     reader.error(node.find("size")->spot,
-                 fmt::format("{} scales failure strains (there are none): give plastic_strain, principal_strain or "
-                             "johnson_cook",
+                 fmt::format("{} scales failure strains (there are none): give plastic_strain, principal_strain, "
+                             "thinning, mean_thinning or johnson_cook",
                              reader.name_of("size")));
     return false;
   }
   if (failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.pressure ||
+      may("thinning", &FailureDeck::thinning, NumberValue{positive}),
+      may("mean_thinning", &FailureDeck::mean_thinning, NumberValue{positive}),
       failure.johnson_cook || failure.yield_time || failure.step || failure.inverted)
     return true;
   reader.error(node.spot,

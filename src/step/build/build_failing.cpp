@@ -24,6 +24,12 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   limits.plastic_strain = deck.plastic_strain.value_or(none);
   limits.principal_stress = deck.principal_stress.value_or(none);
   limits.principal_strain = deck.principal_strain.value_or(none);
+  limits.thinning = deck.thinning.value_or(none);
+  limits.mean_thinning = deck.mean_thinning.value_or(none);
+  if (deck.thinning || deck.mean_thinning) {
+    const LameConstants c = find_moduli(material);
+    limits.compressibility = 1 / (3 * c.lambda + 2 * c.mu);
+  }
   limits.tension = deck.pressure.value_or(none);
   limits.yield_time = deck.yield_time.value_or(none);
   if (const auto& d = deck.johnson_cook) {

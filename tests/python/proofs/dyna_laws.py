@@ -32,17 +32,24 @@ def led(material, points, direction, more, rows=100):
                 end=END, rows=rows)  # fmt: skip
 
 
-def stretched_shell(material, ratio, *more):
+def stretched_shell(material, ratio, *more, rows=100):
     """A square shell of 10 mm that is stretched equally along x and y."""
     x, y = node_set(1, 2, 3), node_set(2, 3, 4)
     return deck(shell(1.0, material), x, y, "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,0,1,1,1,1,1\n3,0,0,0,1,1,1,1\n4,0,1,0,1,1,1,1\n",
                 "*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,2,7\n2,2,2,7\n", curve(7, (0.0, 0.0), (END, 10.0 * (ratio - 1))),
-                "*DATABASE_HISTORY_SHELL\n1\n*DATABASE_ELOUT\n1e-5\n", *more, end=END)  # fmt: skip
+                "*DATABASE_HISTORY_SHELL\n1\n*DATABASE_ELOUT\n1e-5\n", *more, end=END, rows=rows)  # fmt: skip
 
 
 def plastic_strain(strain, yield_stress, hardening, shear=SHEAR):
     """Uniaxial strain: the von Mises stress 2 G strain - 3 G p is the yield stress."""
     return (2 * shear * strain - yield_stress) / (3 * shear + hardening)
+
+
+def strain_of_thinning(thinning):
+    """Of a shell that yields at 300 and is stretched equally along both axes: its stress s = 300 + H p, with p = 2 (e - (1 - nu) / E s)."""
+    slope = 1 + 2 * HARDENING * (1 - POISSON) / YOUNG
+    share = (1 - 2 * POISSON) / YOUNG
+    return (thinning / 2 + share * 300.0 / slope) / (1 - share * 2 * HARDENING / slope)
 
 
 def mises(strain, yield_stress, hardening, shear=SHEAR):

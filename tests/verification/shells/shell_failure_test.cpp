@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/reading/read_deck.hpp"
@@ -93,6 +94,31 @@ TEST(ShellFailure, PrincipalStrainIsMetInItsStep) {
   expect_death(history, [&](std::size_t row) { return std::log1p(speed * history["time"][row]) >= 0.2; });
 }
 
+TEST(ShellFailure, ThinningIsMetInItsStep) {
+  // Held along y, an elastic sheet becomes thinner by nu / (1 - nu) of its strain along x.
+  const auto is_met = [](const HistoryTable& history, double limit) {
+    return [&history, limit](std::size_t row) {
+      return poisson / (1 - poisson) * std::log1p(speed * history["time"][row]) >= limit;
+    };
+  };
+  for (const char* key : {"thinning", "mean_thinning"}) {
+    const HistoryTable history = pull_shell(elastic, fmt::format("{}: 0.06", key));
+    expect_death(history, is_met(history, 0.06));
+  }
+  const HistoryTable small = pull_shell(elastic, "thinning: 0.06, size: [[1, 0.5]]");
+  expect_death(small, is_met(small, 0.03));
+}
+
+TEST(ShellFailure, BendingThinsTheLayersOfOneSideAlone) {
+  const HistoryTable mean = bend_shell(elastic, "mean_thinning: 0.001");
+  EXPECT_EQ(find_death(mean), mean.rows());
+  const HistoryTable history = bend_shell(elastic, "thinning: 0.01, layers: 0.1");
+  const ThicknessPoints rule = find_thickness_points(5);
+  expect_death(history, [&](std::size_t row) {
+    return poisson / (1 - poisson) * 0.05 * rule.place[4] * 2 * history["time"][row] >= 0.01;
+  });
+}
+
 TEST(ShellFailure, PrincipalStressIsMetInItsStep) {
   const HistoryTable history = pull_shell(elastic, "principal_stress: 20");
   expect_death(history, [&](std::size_t row) { return history["e_stress_xx"][row] >= 20; });
@@ -133,11 +159,15 @@ TEST(ShellFailure, FadesInEqualParts) {
 TEST(ShellFailure, TensionBarFailsAtTheStrainOfTheUniaxialLaw) {
   // Slowly, so that it stays uniaxial: 30 traversals of the bar by waves until it yields.
   constexpr double yield = 0.5, hardening = 1, limit = 0.1, pull = 0.02;
-  const Outcome run = run_deck(fmt::format(R"(
+  // At the plastic strain p the stress s is yield + H p, and the strain across the strip -(p / 2 + nu s / E).
+  const double of_thinning = (limit - poisson * yield / young) / (0.5 + poisson * hardening / young);
+  for (const auto& [key, plastic_strain] :
+       {std::pair{"plastic_strain", limit}, {"thinning", of_thinning}, {"mean_thinning", of_thinning}}) {
+    const Outcome run = run_deck(fmt::format(R"(
 title: a strip is pulled until it fails
-time: {{end: 8, max_step: 0.004}}
+time: {{end: 16, max_step: 0.004}}
 parts: {{strip: {{shell_plate: {{size: [1, 0.5], cells: [1, 1]}}, thickness: 0.1, material: m}}}}
-materials: {{m: {{model: j2_plasticity, density: 1, youngs_modulus: 100, poissons_ratio: 0.25, yield_stress: {}, hardening_modulus: {}, failure: {{plastic_strain: {}}}}}}}
+materials: {{m: {{model: j2_plasticity, density: 1, youngs_modulus: 100, poissons_ratio: 0.25, yield_stress: {}, hardening_modulus: {}, failure: {{{}: {}}}}}}}
 conditions:
   - {{nodes: strip, fixed: [z, rx, ry, rz]}}
   - {{nodes: strip/x_min, fixed: x}}
@@ -145,14 +175,15 @@ conditions:
   - {{nodes: strip/x_max, velocity: {{x: {{table: [[0, 0], [1, {}]]}}}}}}
 output: {{history: {{}}}}
 )",
-                                           yield, hardening, limit, pull));
-  // Cauchy stress over logarithmic strain: p = (E e - yield) / (E + H); the pull is pull (t - 1/2).
-  const double strain = (limit * (100 + hardening) + yield) / 100;
-  const double time = 0.5 + std::expm1(strain) / pull;
-  const double died = run.history["time"][find_death(run.history)];
-  fmt::print("the strip fails at {:.5f} of the exact elongation\n", (died - 0.5) / (time - 0.5));
-  EXPECT_NEAR((died - 0.5) / (time - 0.5), 1, 2e-3);  // a step is 8e-4 of it, and death comes one after the criterion
-  EXPECT_LT(run.history.largest("energy_error"), 1e-3);
+                                             yield, hardening, key, limit, pull));
+    // Cauchy stress over logarithmic strain: p = (E e - yield) / (E + H); the pull is pull (t - 1/2).
+    const double strain = (plastic_strain * (young + hardening) + yield) / young;
+    const double time = 0.5 + std::expm1(strain) / pull;
+    const double died = run.history["time"][find_death(run.history)];
+    fmt::print("by {} the strip fails at {:.5f} of the exact elongation\n", key, (died - 0.5) / (time - 0.5));
+    EXPECT_NEAR((died - 0.5) / (time - 0.5), 1, 2e-3);  // a step is 8e-4 of it, and death comes one after the criterion
+    EXPECT_LT(run.history.largest("energy_error"), 1e-3);
+  }
 }
 
 TEST(ShellFailure, LayersFailOneByOneInBending) {

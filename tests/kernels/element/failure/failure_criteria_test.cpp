@@ -126,6 +126,17 @@ TEST(Failure, EachLimitIsMetAtItsValue) {
   EXPECT_TRUE(damaged.reads_stress());
 }
 
+TEST(Failure, ThinningIsTheStrainAcrossALayer) {
+  constexpr double young = 200e9, poisson = 0.3, compressibility = (1 - 2 * poisson) / young;
+  const double sxx = 3e8, syy = -1e8;
+  const Symmetric3<double> elastic{(sxx - poisson * syy) / young, (syy - poisson * sxx) / young, 0, 0, 0, 0};
+  const double across = -poisson / young * (sxx + syy);  // Hooke's law in plane stress
+  EXPECT_NEAR(find_thinning(elastic, sxx + syy, compressibility), -across, 1e-16);
+  // plastic flow along x keeps the volume: half of it across
+  const Symmetric3<double> flown{elastic.xx + 0.2, elastic.yy - 0.1, 0, 0, 0, 0};
+  EXPECT_NEAR(find_thinning(flown, sxx + syy, compressibility), 0.1 - across, 1e-15);
+}
+
 TEST(Failure, TimeAtYieldCountsTheStepsThatFlow) {
   FailureLimits limits;
   limits.yield_time = 2.5;

@@ -168,13 +168,18 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 
 def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use) -> None:
-    """Failure of *MAT_123 by the largest strain, and by so many layers."""
+    """Failure of *MAT_123 by the largest strain, by thinning, and by so many layers."""
     strain = more.number("EPSMAJ")
     set_failure(law, principal_strain=abs(strain))
     if strain < 0:
         deck.ledger.approximated(f"{card.keyword}.EPSMAJ", more.place, "the largest strain is not filtered")
-    if not use.is_shell:
-        more.skip("EPSTHIN")  # of shells alone
+    thinning = more.number("EPSTHIN")
+    if use.is_shell and thinning > 0:
+        set_failure(law, thinning=thinning)
+    elif use.is_shell:
+        set_failure(law, mean_thinning=-thinning)
+    if use.is_shell and thinning:
+        deck.ledger.approximated(f"{card.keyword}.EPSTHIN", more.place, "a logarithmic strain, of the layers or (below 0) of the whole thickness")
     read_layers(deck, card, law, more, use)
 
 
@@ -226,7 +231,7 @@ def soften(table: list[list[float]], start: float, end: float, most: int = MOST_
 
 
 def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
-    """*MAT_SPOTWELD of beams and solids. Of what makes a weld fail percuss has the plastic strain of solids."""
+    """*MAT_SPOTWELD of beams, which fail by the forces of their section or at a time, and of solids, which fail by their plastic strain."""
     reader = card.reader()
     row = reader.row("MID RO E PR SIGY EH DT TFAIL")
     more = reader.row("EFAIL NRR NRS NRT MRR MSS MTT NF~output")
