@@ -99,8 +99,10 @@ inline BeamStiffness find_beam_stiffness(const BeamSection& s, double youngs_mod
           shear_modulus * s.torsion, youngs_modulus * s.inertia_y,   youngs_modulus * s.inertia_z};
 }
 
-/// Second moment of the area about the beam.
-inline double find_polar_moment(const BeamSection& s) { return s.inertia_y + s.inertia_z; }
+/// Second moment of the area about the beam, by which it turns.
+inline double find_polar_moment(const BeamSection& s) {
+  return s.polar_inertia > 0 ? s.polar_inertia : s.inertia_y + s.inertia_z;
+}
 
 /// Forces after a strain.
 template <class T>

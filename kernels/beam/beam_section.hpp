@@ -14,6 +14,7 @@ struct BeamSection {
   double inertia_y = 0, inertia_z = 0;        // of bending about e2 and e3
   double torsion = 0;                         // J of Saint-Venant
   double shear_area_y = 0, shear_area_z = 0;  // A times the shear factor, for shear along e2 and e3
+  double polar_inertia = 0;                   // that turns about the beam; 0: the sum of both inertias
 };
 
 /// A solid circle: shear factor 9/10 (Timoshenko).

@@ -21,6 +21,14 @@ def sheet(section: str, kind: str = "S4R", more: str = "", after: str = "") -> s
     return moved(QUAD.format(kind) + more, section + STEEL + after)
 
 
+MODULI = f"{YOUNG!r}, {YOUNG / (2 * (1 + POISSON))!r}\n"
+
+
+def twisted(section: str) -> str:
+    """A beam that spins about its axis."""
+    return abaqus(BEAM.format("B31"), section, "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nall, 7.\n0., 0., 0., 1., 0., 0.\n")
+
+
 def of(volume: float) -> list:
     return [("momentum_x", FIRST, 100.0 * DENSITY * volume, 1e-9)]
 
@@ -131,6 +139,18 @@ PROOFS = [
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=BOX\n4., 3., 0.5, 0.5, 0.5, 0.5\n0., 1., 0.\n" + STEEL), of(60.0), "12 - 3 x 2 mm2"),
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=PIPE\n2., 0.5\n0., 1., 0.\n" + STEEL), of(10 * 3.141592653589793 * 1.75), "pi (4 - 2.25)"),
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=L\n2., 2., 0.5, 0.5\n0., 1., 0.\n" + STEEL), refused="a section of type L"),
+    *[Proof("BEAM GENERAL SECTION: ELSET SECTION DENSITY", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar{shape}, DENSITY={DENSITY!r}\n{sizes}\n0., 1., 0.\n{MODULI}"),
+            of(volume), "area times 10 mm")
+      for shape, sizes, volume in (("", "6., 2., 0., 4.5, 5.", 60.0), (", SECTION=GENERAL", "6., 2., 0., 4.5, 5.", 60.0), (", SECTION=RECT", "2., 3.", 60.0))],
+    *[Proof("BEAM GENERAL SECTION; BEAM ADDED INERTIA", twisted(f"*BEAM GENERAL SECTION, ELSET=bar, DENSITY={DENSITY!r}\n6., 2., 0., 4.5, {torsion}\n0., 1., 0.\n{moduli}{added}"),
+            [("kinetic", FIRST, 0.5 * (DENSITY * 65.0 + turning) * 7.0**2, 1e-6)], "half of (rho (I11 + I22) + I) 10 mm w^2")
+      for torsion, moduli, added, turning in ((5.0, MODULI, "", 0.0), (5.0, "2e5, 1e3\n", "", 0.0), (5.0, MODULI, "*BEAM ADDED INERTIA\n0., 0., 0., 0., 2e-9, 3e-9, 0.\n", 5e-8),
+                                              (5.0, MODULI, "*BEAM ADDED INERTIA\n1e-8, 0., 0., 0., 2e-9, 3e-9, 0.\n", 5e-8))],
+    Proof("BEAM ADDED INERTIA", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar, DENSITY={DENSITY!r}\n6., 2., 0., 4.5, 5.\n0., 1., 0.\n{MODULI}*BEAM ADDED INERTIA\n1e-8, 0., 0., 0., 2e-9, 3e-9, 0.\n"),
+          [("momentum_x", FIRST, 100.0 * (DENSITY * 60.0 + 1e-7), 1e-9)], "mass by length times 10 mm"),
+    Proof("BEAM ADDED INERTIA", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar, DENSITY={DENSITY!r}\n6., 2., 0., 4.5, 5.\n0., 1., 0.\n{MODULI}*BEAM ADDED INERTIA\n1e-8, 1.\n"), refused="off the axis"),
+    Proof("BEAM GENERAL SECTION", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar, DENSITY={DENSITY!r}\n6., 2., 1., 4.5, 5.\n0., 1., 0.\n{MODULI}"), refused="principal"),
+    Proof("BEAM GENERAL SECTION", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar\n6., 2., 0., 4.5, 5.\n0., 1., 0.\n{MODULI}"), refused="no positive DENSITY"),
     Proof("SOLID SECTION", moved(BEAM.format("T3D2"), "*SOLID SECTION, ELSET=bar, MATERIAL=steel\n7.,\n" + STEEL), of(70.0), "a truss of 7 mm2"),
     Proof("FIXED MASS SCALING: FACTOR ELSET", abaqus(abaqus_cube(), MOVING, "*ELSET, ELSET=e\ncube\n", step="*FIXED MASS SCALING, ELSET=e, FACTOR=4.\n"), [("momentum_x", FIRST, 400.0 * CUBE_MASS, 1e-9)], "four times the mass"),
     Proof("FIXED MASS SCALING: DT ELSET TYPE", abaqus(abaqus_cube(), MOVING, end=1e-4, step="*FIXED MASS SCALING, ELSET=cube, DT=4e-6, TYPE=BELOW MIN\n"),
@@ -148,7 +168,7 @@ NUMERICS = "numerics of elements: percuss has its own"
 NOT_PHYSICS = {
     "HEADING": "a title", "NSET.INTERNAL": "hides it in a user interface", "ELSET.INTERNAL": "hides it in a user interface", "ELSET.UNSORTED": "an order",
     "SURFACE.INTERNAL": "hides it in a user interface", "SOLID SECTION.ORIENTATION": AXES, "SHELL SECTION.ORIENTATION": AXES, "MEMBRANE SECTION.ORIENTATION": AXES,
-    "MEMBRANE SECTION.CONTROLS": "hourglass control of shells is that of percuss", "BEAM SECTION.CONTROLS": "beams have no hourglass modes",
+    "BEAM GENERAL SECTION.POISSON": "how the section shrinks under tension: that of percuss keeps its area", "MEMBRANE SECTION.CONTROLS": "hourglass control of shells is that of percuss", "BEAM SECTION.CONTROLS": "beams have no hourglass modes",
     "SOLID SECTION.STACK DIRECTION": AXES, "SHELL SECTION.TEMPERATURE": OF_TEMPERATURES, "BEAM SECTION.TEMPERATURE": OF_TEMPERATURES,
     "SHELL SECTION.SECTION INTEGRATION": "the report says that percuss has Gauss points", "SECTION CONTROLS.MAX DEGRADATION": "elements keep their stress until they fail, as the report says",
     "SECTION CONTROLS.DISTORTION CONTROL": NUMERICS, "SECTION CONTROLS.LENGTH RATIO": NUMERICS, "SECTION CONTROLS.KINEMATIC SPLIT": NUMERICS,

@@ -66,6 +66,9 @@ TEST(Torsion, FrequencyIsThatOfTheShaftOnEveryMesh) {
       "{general: {area: 4e-4, inertia_y: 4e-9, inertia_z: 38.5e-9, torsion: 10e-9, shear_area_y: 3.3e-4, shear_area_z: "
       "3.3e-4}}";
   EXPECT_NEAR(find_torsion_frequency(20, section, strip), strip, 0.01 * strip);
+  const double given = round * std::sqrt(0.1 / 0.9);  // of a section whose rotary inertia is given
+  EXPECT_NEAR(find_torsion_frequency(20, section.substr(0, section.size() - 2) + ", polar_inertia: 90e-9}}", given),
+              given, 0.01 * given);
 }
 
 // A shaft that spins is stopped at one end: the torque there is rho c J w until the wave is back, and the angular

@@ -1,4 +1,4 @@
-"""*BEAM SECTION, and the areas of trusses: cross sections of beams."""
+"""*BEAM SECTION, *BEAM GENERAL SECTION, and the areas of trusses: cross sections of beams."""
 
 from ..ledger import BadInput
 from ..model import Block as Part
@@ -13,9 +13,10 @@ DIMENSIONS = {"CIRC": 1, "PIPE": 2, "RECT": 2, "BOX": 6}
 
 def read_beam_section(section: Section, block: Block) -> None:
     """Line 1 has the dimensions, line 2 the direction n1, which is y of percuss."""
-    section.shape = block.option("SECTION")
+    section.shape = block.option("SECTION") or ("GENERAL" if section.general else "")
     if block.lines:
-        section.sizes = [block.number(block.lines[0], i) for i in range(DIMENSIONS.get(section.shape, 0))]
+        count = 5 if section.shape == "GENERAL" and section.general else DIMENSIONS.get(section.shape, 0)
+        section.sizes = [block.number(block.lines[0], i) for i in range(count)]
     if len(block.lines) > 1:
         section.toward = [block.number(block.lines[1], i) for i in range(3)]
 
@@ -27,6 +28,8 @@ def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
             raise BadInput(section.place, "the area of this truss is not positive: correct it")
         return {"truss": {"area": section.area}}
     sizes = section.sizes
+    if section.general and section.shape == "GENERAL":
+        return make_general(deck, section)
     if section.shape not in DIMENSIONS:
         deck.ledger.refuse("BEAM SECTION.SECTION", section.place, f"a section of type {section.shape or '(none)'}", "it is left out")
         return None
@@ -57,9 +60,65 @@ def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> 
         deck.ledger.refuse("BEAM SECTION.MATERIAL", section.place, f"beams of the material model {law['model']}", "they are left out")
         return False
     part.keys["section"] = found
-    if "rectangle" in found or "box" in found:
+    if {"rectangle", "box", "general"} & found.keys():
         part.keys["toward"] = section.toward
+    if section.added and "general" not in found:
+        deck.ledger.refuse("BEAM ADDED INERTIA", section.added[0].place, "added inertia of sections other than GENERAL", "it is left out")
     deck.ledger.approximated(
         f"{section.kind} SECTION", section.place, "percuss has one beam: normal stress in fibres, elastic shear and torque"
     )
     return True
+
+
+def read_moduli(section: Section) -> tuple[float, float, float]:
+    """Young's modulus, shear modulus and density of *BEAM GENERAL SECTION, which stand with the section."""
+    block = section.general
+    assert block is not None
+    line = block.lines[2] if len(block.lines) > 2 else (block.place.line, [])
+    young, shear = block.number(line, 0), block.number(line, 1)
+    density = block.number((block.place.line, [block.options.get("DENSITY", "")]), 0)
+    if min(young, shear) <= 0:
+        raise BadInput(block.place, "*BEAM GENERAL SECTION has no positive Young's and shear modulus in its third line: add them")
+    if density <= 0:
+        raise BadInput(block.place, "*BEAM GENERAL SECTION has no positive DENSITY (a dynamic run needs mass): add it")
+    return young, shear, density
+
+
+def add_inertia(section: Section) -> tuple[float, float]:
+    """Mass and rotary inertia about the beam, both by length, of *BEAM ADDED INERTIA: with x1 and x2 it lies off the beam."""
+    mass = turning = 0.0
+    for block in section.added:
+        for line in block.lines:
+            values = [block.number(line, i) for i in range(7)]
+            if values[1] or values[2]:
+                raise BadInput(block.at(line[0]), "added inertia off the axis of the beam (percuss has it on the axis alone): set x1 and x2 to 0")
+            mass, turning = mass + values[0], turning + values[4] + values[5]
+    return mass, turning
+
+
+def read_general_law(section: Section) -> Deck:
+    """Elastic, with the density of all of the mass. Poisson's ratio is that of both moduli, or 0.3 where none fits."""
+    young, shear, density = read_moduli(section)
+    poisson = young / (2 * shear) - 1
+    mass, _ = add_inertia(section) if section.shape == "GENERAL" else (0.0, 0.0)
+    density += mass / section.sizes[0] if mass else 0.0
+    return {"model": "elastic", "density": density, "youngs_modulus": young, "poissons_ratio": poisson if -0.9 < poisson < 0.49 else 0.3}
+
+
+def make_general(deck: AbaqusDeck, section: Section) -> Deck | None:
+    """A I11 I12 I22 J: n1 is y of percuss, and I11 the moment about it."""
+    area, about_y, mixed, about_z, torsion = section.sizes
+    if min(area, about_y, about_z, torsion) <= 0:
+        raise BadInput(section.place, "an area or a moment of this beam section is not positive: correct it")
+    if mixed:
+        deck.ledger.refuse("BEAM GENERAL SECTION.I12", section.place, "axes of a section that are not its principal ones", "I12 is left out")
+    young, shear, density = read_moduli(section)
+    law = read_general_law(section)
+    share = shear / (young / (2 * (1 + law["poissons_ratio"])))  # of the shear modulus that the law has
+    general = {"area": area, "inertia_y": about_y, "inertia_z": about_z, "torsion": share * torsion, "shear_area_y": share * area, "shear_area_z": share * area}
+    _, turning = add_inertia(section)
+    if section.added:
+        general["polar_inertia"] = (density * (about_y + about_z) + turning) / law["density"]
+        deck.ledger.translated("BEAM ADDED INERTIA", section.added[0].place, "a higher density, polar_inertia of the section; about other axes it has that of the mass")
+    deck.ledger.approximated("BEAM GENERAL SECTION", section.place, "the shear areas are the area")
+    return {"general": general}

@@ -35,7 +35,7 @@ Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
 @dataclass
 class Section:
-    """*SOLID SECTION, *SHELL SECTION or *BEAM SECTION."""
+    """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION or *BEAM GENERAL SECTION."""
 
     kind: str
     elements: str
@@ -52,6 +52,8 @@ class Section:
     shape: str = ""  # of beams, with dimensions and the direction n1
     sizes: list[float] = field(default_factory=list)
     toward: list[float] = field(default_factory=lambda: [0.0, 0.0, -1.0])
+    general: Block | None = None  # *BEAM GENERAL SECTION, which has a material of its own
+    added: list[Block] = field(default_factory=list)  # *BEAM ADDED INERTIA behind it
 
 
 @dataclass

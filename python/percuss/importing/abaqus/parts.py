@@ -8,7 +8,7 @@ from ..model import NOT_DAMPED
 from ..model import Block as Part
 from ..model import Deck, takes_stiffness_damping
 from ..solids import NAMES, collapse
-from .beams import add_beam_keys, read_beam_section
+from .beams import add_beam_keys, read_beam_section, read_general_law
 from .bodies import add_reference_masses
 from .deck import AbaqusDeck
 from .lines import Block
@@ -35,7 +35,7 @@ def read_layers(section: Section, block: Block, ledger: Ledger) -> None:
 
 
 def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
-    """*SOLID SECTION, *SHELL SECTION and *BEAM SECTION."""
+    """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION and *BEAM GENERAL SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     section.controls = block.option("CONTROLS")
     if "COMPOSITE" in block.options:
@@ -51,6 +51,8 @@ def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
             section.offset = block.number((block.place.line, [offset]), 0)
     if section.kind == "SOLID" and block.lines:
         section.area = block.number(block.lines[0], 0)
+    if block.keyword == "BEAM GENERAL SECTION":
+        section.general, section.material = block, f"general section of line {block.place.line}"
     if section.kind == "BEAM":
         read_beam_section(section, block)
     scope.sections.append(section)
@@ -114,7 +116,7 @@ def build_parts(deck: AbaqusDeck) -> None:
             deck.left_elements |= set(deck.elements_of(section.elements, section.place))
             continue
         if name not in made:
-            law = translate_material(deck, name, section.place)
+            law = read_general_law(section) if section.general else translate_material(deck, name, section.place)
             if law is None:
                 deck.left_elements |= set(deck.elements_of(section.elements, section.place))
             made[name] = (deck.model.names.take(name, "material"), law) if law else None
@@ -190,7 +192,7 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
 
 def add_damping(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> None:
     """ALPHA and BETA of *DAMPING of the material."""
-    block = find(deck.materials[section.material.upper()], "DAMPING")
+    block = None if section.general else find(deck.materials[section.material.upper()], "DAMPING")
     if block is None:
         return
     line = (block.place.line, [block.options.get(name, "") for name in ("ALPHA", "BETA")])

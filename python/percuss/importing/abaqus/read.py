@@ -143,6 +143,12 @@ class Reader:
     def section(self, block: Block) -> None:
         read_section(self.scope, block, self.deck.ledger)
 
+    def added_inertia(self, block: Block) -> None:
+        """*BEAM ADDED INERTIA of the section before it."""
+        if not self.scope.sections or self.scope.sections[-1].kind != "BEAM":
+            raise BadInput(block.place, "*BEAM ADDED INERTIA stands behind no section of beams: move it there")
+        self.scope.sections[-1].added.append(block)
+
     def controls(self, block: Block) -> None:
         self.deck.controls[block.option("NAME")] = block
 
@@ -274,7 +280,8 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
     **dict.fromkeys(generators.GENERATORS, Reader.generate), "TRANSFORM": Reader.transform,
-    "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
+    "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section, "BEAM GENERAL SECTION": Reader.section,
+    "BEAM ADDED INERTIA": Reader.added_inertia,
     "MEMBRANE SECTION": Reader.section,
     "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness,
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,

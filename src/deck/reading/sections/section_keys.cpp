@@ -66,6 +66,7 @@ const Keys<BeamSection>& general_section_keys() {
       need("torsion", &BeamSection::torsion, NumberValue{positive}),
       need("shear_area_y", &BeamSection::shear_area_y, NumberValue{positive}),
       need("shear_area_z", &BeamSection::shear_area_z, NumberValue{positive}),
+      may("polar_inertia", &BeamSection::polar_inertia, NumberValue{positive}),
   };
   return keys;
 }
