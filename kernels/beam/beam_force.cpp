@@ -1,28 +1,14 @@
 #include "kernels/beam/beam_force.hpp"
 
+#include "kernels/beam/beam_nodes.hpp"
 #include "kernels/core/same_bits.hpp"
-#include "kernels/element/chunk_records.hpp"
 
 namespace percuss {
 namespace {
 
-constexpr int width = pack_size<Real>;
-constexpr int beam_force_record = 6;  // force, moment
-using BeamScratch = ChunkScratch<0, beam_force_record>;
-
-KOKKOS_INLINE_FUNCTION Vector3<double> load_vector(const Rows3<const double>& rows, int n) {
-  return {rows(n, 0), rows(n, 1), rows(n, 2)};
-}
-
-KOKKOS_INLINE_FUNCTION void subtract_vector(const Vector3<double>& u, double* sum) {
-  sum[0] -= u.x;
-  sum[1] -= u.y;
-  sum[2] -= u.z;
-}
-
 /// A record, whose scalars lie a pack apart.
 KOKKOS_INLINE_FUNCTION BeamState load_state(const Real* record) {
-  const auto value = [&](int i) { return static_cast<double>(record[i * width]); };
+  const auto value = [&](int i) { return static_cast<double>(record[i * beam_width]); };
   constexpr int e2 = BeamRecord::e2, f = BeamRecord::forces;
   return {value(BeamRecord::mass),
           value(BeamRecord::gyration_square),
@@ -36,7 +22,7 @@ KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, Real* record) {
   const double values[] = {s.e2.x, s.e2.y, s.e2.z, f.normal, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z};
   bool changed = false;
   for (int i = 0; i < BeamRecord::fibres - BeamRecord::e2; ++i) {
-    Real& stored = record[(BeamRecord::e2 + i) * width];
+    Real& stored = record[(BeamRecord::e2 + i) * beam_width];
     const Real value = static_cast<Real>(values[i]);
     changed = changed || !has_same_bits(stored, value);
     stored = value;
@@ -117,43 +103,17 @@ struct AdvanceBeamChunk {
                                                     Real* record, bool& changed) {
     double fibres[2 * most_beam_fibres] = {};
     const int scalars = 2 * parameters.fibres.count;
-    Real* const stored = record + BeamRecord::fibres * width;
-    for (int k = 0; k < scalars; ++k) fibres[k] = stored[k * width];
+    Real* const stored = record + BeamRecord::fibres * beam_width;
+    for (int k = 0; k < scalars; ++k) fibres[k] = stored[k * beam_width];
     BeamState now = load_state(record);
     const BeamResult result = advance_beam(parameters, motion, now, fibres);
     changed = store_state(now, record) || changed;
     for (int k = 0; k < scalars; ++k) {
       const Real value = static_cast<Real>(fibres[k]);
-      changed = changed || !has_same_bits(stored[k * width], value);
-      stored[k * width] = value;
+      changed = changed || !has_same_bits(stored[k * beam_width], value);
+      stored[k * beam_width] = value;
     }
     return result;
-  }
-
-  KOKKOS_FUNCTION int find_slot(int c, int lane, int corner) const {
-    const auto pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(lane / width);
-    return chunks.corner_slots((pack * 8 + static_cast<std::size_t>(corner)) * width +
-                               static_cast<std::size_t>(lane % width));
-  }
-
-  KOKKOS_FUNCTION BeamMotion find_motion(int c, const int (&slots)[2]) const {
-    const int a = chunks.slots_to_nodes(chunks.first_slot(c) + slots[0]),
-              b = chunks.slots_to_nodes(chunks.first_slot(c) + slots[1]);
-    BeamMotion motion{{load_vector(step.x, a), load_vector(step.x, b)},
-                      {load_vector(step.v, a), load_vector(step.v, b)},
-                      {{0, 0, 0}, {0, 0, 0}},
-                      step.dt};
-    if (step.w.extent(0) > 0) motion.w = {load_vector(step.w, a), load_vector(step.w, b)};
-    return motion;
-  }
-
-  KOKKOS_FUNCTION static void add_forces(const BeamNodalForces<double>& on, const int (&slots)[2], double* sums) {
-    double* const first = sums + beam_force_record * slots[0];
-    double* const second = sums + beam_force_record * slots[1];
-    subtract_vector(-1.0 * on.force_on_second, first);
-    subtract_vector(on.force_on_second, second);
-    subtract_vector(on.moment.first, first + 3);
-    subtract_vector(on.moment.second, second + 3);
   }
 };
 

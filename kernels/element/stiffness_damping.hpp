@@ -25,6 +25,12 @@ struct DampingFields {
   WorkRows work;             // viscous: added to, with the mean of the forces at n and n+1
 };
 
+/// What damping of elements reads and writes besides, whose nodes turn.
+struct SpinDampingFields : DampingFields {
+  Rows3<double> moment, slot_moment;  // as force and slot_force
+  Array<const Real> state;            // records of the elements
+};
+
 /// Damps every listed chunk, after its internal forces.
 void damp_solids(const ExecSpace& space, const HexChunks& chunks, const DampedSolids& damped,
                  const ElementMotion& motion, const DampingFields& fields);

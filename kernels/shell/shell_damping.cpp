@@ -49,7 +49,7 @@ struct DampShellChunk {
   HexChunks chunks;
   DampedShells damped;
   ShellMotion motion;
-  ShellDampingFields fields;
+  SpinDampingFields fields;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const int c = damped.chunks(member.league_rank());
@@ -116,7 +116,7 @@ struct DampShellChunk {
 /// Where solids are in single precision there are no shells.
 template <bool HasTriangles>
 void launch(const ExecSpace& space, int count, const HexChunks& chunks, const DampedShells& damped,
-            const ShellMotion& motion, const ShellDampingFields& fields) {
+            const ShellMotion& motion, const SpinDampingFields& fields) {
   if constexpr (!is_single_precision) {
     Kokkos::parallel_for("percuss::damp_shells", ShellScratch::make_policy(space, count, chunks.largest_slot_count),
                          DampShellChunk<HasTriangles>{chunks, damped, motion, fields});
@@ -126,7 +126,7 @@ void launch(const ExecSpace& space, int count, const HexChunks& chunks, const Da
 }  // namespace
 
 void damp_shells(const ExecSpace& space, const HexChunks& chunks, const DampedShells& damped, const ShellMotion& motion,
-                 const ShellDampingFields& fields) {
+                 const SpinDampingFields& fields) {
   const int count = static_cast<int>(damped.chunks.extent(0));
   if (count == 0) return;
   if (damped.has_triangles)

@@ -22,14 +22,8 @@ struct DampedShells {
   bool has_triangles = false;                       // among their elements
 };
 
-/// What damping of shells reads and writes besides that of solids.
-struct ShellDampingFields : DampingFields {
-  Rows3<double> moment, slot_moment;  // as force and slot_force
-  Array<const Real> state;            // records of the elements
-};
-
 /// Damps every listed chunk, after its internal forces.
 void damp_shells(const ExecSpace& space, const HexChunks& chunks, const DampedShells& damped, const ShellMotion& motion,
-                 const ShellDampingFields& fields);
+                 const SpinDampingFields& fields);
 
 }  // namespace percuss

@@ -364,7 +364,7 @@ void Stepper::advance_sending(State& state, const ElementMotion& motion) {
   if (tets_) tets_->advance(state, model_.sending_tet_blocks, model_.sending_one_point_blocks, motion);
   advance_shells_of(state, model_.sending_shell_blocks, motion);
   advance_beams_of(state, model_.sending_beam_block, motion);
-  if (stiffness_damping_) stiffness_damping_->damp_sending(state, {motion, find_shell_motion(state, motion)});
+  if (stiffness_damping_) stiffness_damping_->damp_sending(state, find_damped_motions(state, motion));
 }
 
 void Stepper::advance_others(State& state, const ElementMotion& motion) {
@@ -372,7 +372,7 @@ void Stepper::advance_others(State& state, const ElementMotion& motion) {
   if (tets_) tets_->advance(state, model_.tet_blocks, model_.one_point_blocks, motion);
   advance_shells_of(state, model_.shell_blocks, motion);
   advance_beams_of(state, model_.beam_block, motion);
-  if (stiffness_damping_) stiffness_damping_->damp_others(state, {motion, find_shell_motion(state, motion)});
+  if (stiffness_damping_) stiffness_damping_->damp_others(state, find_damped_motions(state, motion));
 }
 
 /// Where the launchers of shells and beams write the bounds of all elements; empty: nobody asks.
@@ -391,8 +391,11 @@ void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const E
 
 void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {
   if (!model_.has_beams) return;
-  advance_beams(space_, model_.chunks, beams,
-                {state.x, state.v, state.w, motion.dt, motion.skips_rest, find_other_bounds()}, state.chunk_fields());
+  advance_beams(space_, model_.chunks, beams, find_beam_step(state, motion), state.chunk_fields());
+}
+
+DampedMotions Stepper::find_damped_motions(const State& state, const ElementMotion& motion) const {
+  return {motion, find_shell_motion(state, motion), find_beam_step(state, motion)};
 }
 
 Traffic Stepper::traffic() const {

@@ -145,6 +145,8 @@ class Stepper {
   void advance_others(State& state, const ElementMotion& motion);
   Array<double> find_other_bounds() const;
   ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
+  BeamStep find_beam_step(const State& state, const ElementMotion& motion) const;
+  DampedMotions find_damped_motions(const State& state, const ElementMotion& motion) const;
   void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
   void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
   void apply_loads(State& state, double time);

@@ -41,7 +41,7 @@ class Block:
         return bool(self.shells or self.beams) and "truss" not in self.keys.get("section", {})
 
 
-NOT_DAMPED = "stiffness damping of elements other than hexahedra and shells, or of a law whose elastic constants change"
+NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and beams, or of a law whose elastic constants change"
 DAMPED_LAWS = {
     "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "rate_table_plasticity",
     "combined_hardening", "johnson_cook",
@@ -50,7 +50,7 @@ DAMPED_LAWS = {
 
 def takes_stiffness_damping(block: Block, law: Deck) -> bool:
     """Whether percuss knows it for these elements and this material."""
-    is_known = not block.beams and all(len(set(corners)) == 8 for _, corners in block.solids)
+    is_known = all(len(set(corners)) == 8 for _, corners in block.solids)
     return is_known and law["model"] in DAMPED_LAWS and "equation_of_state" not in law
 
 

@@ -80,6 +80,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                std::make_index_sequence<std::tuple_size_v<OnePointBlocks>>());
   split_block(sends, model.damped_solids, model.sending_damped_solids);
   split_block(sends, model.damped_shells, model.sending_damped_shells);
+  split_block(sends, model.damped_beams, model.sending_damped_beams);
   if (model.has_beams) split_block(sends, model.beam_block, model.sending_beam_block);
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};

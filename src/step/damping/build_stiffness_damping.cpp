@@ -19,8 +19,9 @@ ElementFamily find_block_family(const ElementBlock& block) { return find_topolog
 
 const char* find_refusal(const Deck& deck, const ElementBlock& block) {
   const ElementFamily family = find_block_family(block);
-  if (family != ElementFamily::hexahedra && family != ElementFamily::shells)
-    return "(stiffness_damping acts on hexahedra and shells): set it by part";
+  const bool is_damped =
+      family == ElementFamily::hexahedra || family == ElementFamily::shells || find_topology(block.topology).is_line();
+  if (!is_damped) return "(stiffness_damping acts on hexahedra, shells and beams): set it by part";
   if (!grows_in_increments(deck.materials[at(block.material)]))
     return "(stiffness_damping needs elastic constants that do not change: of elastic and of plastic materials without "
            "an equation of state): set it by part";
@@ -66,7 +67,7 @@ bool has_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
 
 /// The chunks of this rank, while they are listed.
 struct DampedLists {
-  std::vector<int> solids, shells, is_full;
+  std::vector<int> solids, shells, beams, is_full;
   std::vector<double> factor, lambda, mu;
   std::vector<DampedSection> sections;
   bool has_triangles = false;
@@ -86,6 +87,10 @@ void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::s
     lists.sections[c] = {make_plane_elasticity(moduli), beta, find_bending_square(points),
                          deck.parts[at(chunk.part)].offset};
     lists.has_triangles = lists.has_triangles || has_triangle(chunked, chunk);
+    return;
+  }
+  if (find_topology(block.topology).is_line()) {
+    lists.beams.push_back(static_cast<int>(c));
     return;
   }
   lists.solids.push_back(static_cast<int>(c));
@@ -111,6 +116,8 @@ void build_stiffness_damping(const Deck& deck, const ChunkedMesh& chunked, Model
                          to_view("percuss::has_full_damping", lists.is_full)};
   model.damped_shells = {to_view("percuss::damped_shells", lists.shells),
                          to_view("percuss::damped_sections", lists.sections), lists.has_triangles};
+  model.damped_beams = {to_view("percuss::damped_beams", lists.beams), model.stiffness_damping,
+                        model.beam_block.parameters};
 }
 
 }  // namespace percuss

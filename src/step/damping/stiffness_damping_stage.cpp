@@ -7,8 +7,8 @@ namespace percuss {
 StiffnessDampingStage::StiffnessDampingStage(const Model& model)
     : model_(model), factor_(to_host(model.stiffness_damping)) {}
 
-ShellDampingFields StiffnessDampingStage::find_fields(const State& state) const {
-  ShellDampingFields fields;
+SpinDampingFields StiffnessDampingStage::find_fields(const State& state) const {
+  SpinDampingFields fields;
   fields.force = state.damping_force;
   fields.slot_force = state.slot_force;
   fields.work = state.results.work;
@@ -19,15 +19,17 @@ ShellDampingFields StiffnessDampingStage::find_fields(const State& state) const 
 }
 
 void StiffnessDampingStage::damp_sending(const State& state, const DampedMotions& motions) const {
-  const ShellDampingFields fields = find_fields(state);
+  const SpinDampingFields fields = find_fields(state);
   damp_solids(ExecSpace(), model_.chunks, model_.sending_damped_solids, motions.solids, fields);
   damp_shells(ExecSpace(), model_.chunks, model_.sending_damped_shells, motions.shells, fields);
+  damp_beams(ExecSpace(), model_.chunks, model_.sending_damped_beams, motions.beams, fields);
 }
 
 void StiffnessDampingStage::damp_others(const State& state, const DampedMotions& motions) const {
-  const ShellDampingFields fields = find_fields(state);
+  const SpinDampingFields fields = find_fields(state);
   damp_solids(ExecSpace(), model_.chunks, model_.damped_solids, motions.solids, fields);
   damp_shells(ExecSpace(), model_.chunks, model_.damped_shells, motions.shells, fields);
+  damp_beams(ExecSpace(), model_.chunks, model_.damped_beams, motions.beams, fields);
 }
 
 }  // namespace percuss

@@ -5,10 +5,11 @@
 
 namespace percuss {
 
-/// What the stage needs of a step besides the state: as for elements and for shells.
+/// What the stage needs of a step besides the state: as for elements, for shells and for beams.
 struct DampedMotions {
   ElementMotion solids;
   ShellMotion shells;
+  BeamStep beams;
 };
 
 class StiffnessDampingStage {
@@ -25,7 +26,7 @@ class StiffnessDampingStage {
   double find_step(std::size_t chunk, double bound) const { return find_damped_step(bound, factor_(chunk)); }
 
  private:
-  ShellDampingFields find_fields(const State& state) const;
+  SpinDampingFields find_fields(const State& state) const;
 
   const Model& model_;
   HostMirror<Array<double>> factor_;

@@ -11,6 +11,7 @@
 
 #include "comm/communicator.hpp"
 #include "comm/halo/halo_plan.hpp"
+#include "kernels/beam/beam_damping.hpp"
 #include "kernels/beam/beam_force.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/internal_force.hpp"
@@ -160,6 +161,7 @@ struct Model {
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
   DampedSolids sending_damped_solids, damped_solids;  // as sending_blocks
   DampedShells sending_damped_shells, damped_shells;
+  DampedBeams sending_damped_beams, damped_beams;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

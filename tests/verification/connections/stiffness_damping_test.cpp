@@ -44,11 +44,11 @@ time: {{end: {}}}
 parts: {{bar: {{{}, material: steel, stiffness_damping: {}}}}}
 materials: {{steel: {{model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0}}}}
 elements: {{bulk_viscosity: {{linear: 0, quadratic: 0}}}}
-conditions: [{{nodes: bar/x_min, fixed: {}}}]
+conditions: [{{nodes: bar/{}, fixed: {}}}]
 initial: [{{part: bar, velocity: {}}}]
 output: {{history: {{every: 0, nodes: [{{name: end, near: [0.2, 0, 0]}}]}}}}
 )yaml",
-                     end, shape, beta, held, velocity);
+                     end, shape, beta, shape.find("line") == std::string::npos ? "x_min" : "start", held, velocity);
 }
 
 }  // namespace
@@ -59,7 +59,9 @@ TEST(StiffnessDamping, OfABarIsThatOfItsFrequency) {
   const double frequency = std::numbers::pi * speed / (2 * 0.2), beta = 2 * 0.05 / frequency;
   for (const char* shape : {"box: {size: [0.2, 0.01, 0.01], cells: [20, 1, 1]}",
                             "box: {size: [0.2, 0.01, 0.01], cells: [20, 1, 1]}, integration: full",
-                            "shell_plate: {size: [0.2, 0.01], cells: [20, 1]}, thickness: 0.01"}) {
+                            "shell_plate: {size: [0.2, 0.01], cells: [20, 1]}, thickness: 0.01",
+                            "line: {from: [0, 0, 0], to: [0.2, 0, 0], cells: 20}, section: {truss: {area: 1e-4}}",
+                            "line: {from: [0, 0, 0], to: [0.2, 0, 0], cells: 20}, section: {round: {radius: 0.005}}"}) {
     const Outcome run = run_deck(make_bar(shape, "[x, y, z]", "[0.01, 0, 0]", beta, 1.5e-3));
     const Vibration found = measure(run.history, "end_x", 0.2, 5e-4);
     EXPECT_NEAR(found.frequency, frequency, 2e-3 * frequency) << shape;
@@ -70,22 +72,26 @@ TEST(StiffnessDamping, OfABarIsThatOfItsFrequency) {
   }
 }
 
-// A cantilever strip that bends in its first mode. Near omega = 1.8751^2 sqrt(E t^2 / (12 rho)) / L^2, less what shear
-// and eight elements take of it: the ratio is that of the frequency that it has.
+// A cantilever that bends in its first mode, a strip and a beam. Near omega = 1.8751^2 sqrt(E t^2 / (12 rho)) / L^2,
+// less what shear and eight elements take of it: the ratio is that of the frequency that it has.
 TEST(StiffnessDamping, OfAStripThatBendsIsThatOfItsFrequency) {
   const double slender = std::pow(1.8751 / 0.2, 2) * 0.04 * std::sqrt(young / density / 12), beta = 2 * 0.01 / slender;
-  const Outcome run = run_deck(make_bar("shell_plate: {size: [0.2, 0.025], cells: [8, 1]}, thickness: 0.04",
-                                        "[x, y, z, rx, ry, rz]", "[0, 0, 0.01]", beta, 1.5e-2));
-  const Vibration found = measure(run.history, "end_z", 0, 5e-3);
-  EXPECT_NEAR(found.frequency, slender, 0.05 * slender);
-  EXPECT_NEAR(found.ratio, 0.5 * beta * found.frequency, 0.01 * found.ratio);
+  for (const char* shape : {"shell_plate: {size: [0.2, 0.025], cells: [8, 1]}, thickness: 0.04",
+                            "line: {from: [0, 0, 0], to: [0.2, 0, 0], cells: 8}, section: {rectangle: {size: [0.025, "
+                            "0.04]}}, toward: y"}) {
+    const Outcome run = run_deck(make_bar(shape, "[x, y, z, rx, ry, rz]", "[0, 0, 0.01]", beta, 1.5e-2));
+    const Vibration found = measure(run.history, "end_z", 0, 5e-3);
+    EXPECT_NEAR(found.frequency, slender, 0.05 * slender) << shape;
+    EXPECT_NEAR(found.ratio, 0.5 * beta * found.frequency, 0.01 * found.ratio) << shape;
+  }
 }
 
 // A free body keeps its momenta and, apart from round-off and what its spin strains, its energy.
 TEST(StiffnessDamping, LeavesRigidMotion) {
   for (const char* shape : {"box: {size: [0.03, 0.02, 0.01], cells: [3, 2, 1]}",
                             "box: {size: [0.03, 0.02, 0.01], cells: [3, 2, 1]}, integration: full",
-                            "shell_plate: {size: [0.03, 0.02], cells: [3, 2]}, thickness: 0.01"}) {
+                            "shell_plate: {size: [0.03, 0.02], cells: [3, 2]}, thickness: 0.01",
+                            "line: {from: [0, 0, 0], to: [0.03, 0, 0], cells: 3}, section: {round: {radius: 0.005}}"}) {
     const Outcome run = run_deck(fmt::format(R"yaml(
 time: {{end: 2e-4}}
 parts: {{body: {{{}, material: steel}}}}
@@ -128,7 +134,7 @@ TEST(StiffnessDamping, IsRefusedWhereItCannotBe) {
   };
   const std::string box = "box: {size: [1, 1, 1], cells: [1, 1, 1]}";
   const std::string elastic = "model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3";
-  EXPECT_NE(refuse(box + ", elements: tetrahedra", elastic, "").find("acts on hexahedra and shells"),
+  EXPECT_NE(refuse(box + ", elements: tetrahedra", elastic, "").find("acts on hexahedra, shells and beams"),
             std::string::npos);
   EXPECT_NE(refuse(box, "model: neo_hookean, density: 1000, youngs_modulus: 1e6, poissons_ratio: 0.45", "")
                 .find("elastic constants that do not change"),
