@@ -74,16 +74,19 @@ struct AdvanceBeamChunk {
   KOKKOS_FUNCTION bool advance_elements(int c, double* sums) const {
     const BeamParameters& parameters = block.parameters(chunks.parameters(c));
     const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-    const int lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width, size = chunks.record_size(c);
+    const int lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * beam_width, size = chunks.record_size(c);
+    const int first_lane = step.find_first_lane(c);
     double least = 1e300, work = 0;
     int controlling = first, failed = -1;
     bool changed = false;
     for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
-      const int slots[2] = {find_slot(c, i, 0), find_slot(c, i, 1)};
-      Real* const record = &state(chunks.first_state(c)) + i / width * size * width + i % width;
-      const BeamResult result = advance_element(parameters, find_motion(c, slots), record, changed);
+      if (first_lane >= 0 && step.lives.force_share(first_lane + i) < 0) continue;
+      const BeamSlots slots = find_beam_slots(chunks, c, i);
+      Real* const record = &state(chunks.first_state(c)) + i / beam_width * size * beam_width + i % beam_width;
+      BeamResult result = advance_element(parameters, find_beam_motion(chunks, c, slots, step), record, changed);
       if (i >= count) continue;
-      add_forces(result.on, slots, sums);
+      if (first_lane >= 0) settle(first_lane + i, result);
+      add_beam_forces(result.on, slots, sums);
       work += result.work;
       if (step.bound.extent(0) > 0) step.bound(first + i) = result.stable_step;
       if (failed < 0 && !(result.length > 0 && result.stable_step > 0)) failed = first + i;  // also for NaN
@@ -96,6 +99,13 @@ struct AdvanceBeamChunk {
     results.failed_element(c) = failed;
     results.work(c, 0) += work;
     return changed;
+  }
+
+  /// Forces and work by their shares.
+  KOKKOS_FUNCTION void settle(int lane, BeamResult& result) const {
+    result.on = scale_beam_forces(static_cast<double>(step.lives.force_share(lane)), result.on);
+    result.work *= static_cast<double>(step.lives.work_share(lane));
+    step.lives.work(lane / beam_width * work_kinds * beam_width + lane % beam_width) += result.work;
   }
 
   /// changed: true from here on if a bit of the record does.

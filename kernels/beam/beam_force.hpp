@@ -5,6 +5,7 @@
 // first two of the eight corners there. There are few of them beside solids and shells: lanes are computed one by one.
 
 #include "kernels/beam/beam_step.hpp"
+#include "kernels/element/element_lives.hpp"
 #include "kernels/element/hex_chunks.hpp"
 
 namespace percuss {
@@ -37,6 +38,14 @@ struct BeamStep {
   double dt = 0;
   bool skips_rest = false;  // as ElementMotion::skips_rest
   Array<double> bound{};    // [elements] out: step bound of each, without the deck's scale; empty: nobody asks
+  FailingChunks failing{};
+  ElementLives lives{};  // forces and work of the chunks that can fail count by these; work is added to
+
+  /// Of the first element of a chunk, among those that can fail; -1: none can.
+  KOKKOS_INLINE_FUNCTION int find_first_lane(int c) const {
+    const int pack = failing.find_pack(c);
+    return pack < 0 ? -1 : pack * pack_size<Real>;
+  }
 };
 
 /// Advances every beam from n to n+1.

@@ -5,6 +5,7 @@
 // on the geometry of n+1/2, forces act on that of n+1. Formulas and their sources: docs/theory_line_elements.md.
 
 #include "kernels/beam/beam_fibres.hpp"
+#include "kernels/beam/beam_limits.hpp"
 
 namespace percuss {
 
@@ -16,6 +17,7 @@ struct BeamParameters {
   bool bends = false;       // else a truss
   FibreLaw law;
   BeamFibres fibres;  // none: the section is elastic
+  BeamLimits limits;  // of an element that can fail
 };
 
 /// What an element remembers between steps. The stress and plastic strain of each fibre follow it in the record.

@@ -212,21 +212,28 @@ struct JohnsonCookDamageDeck {
   double d1 = 0, d2 = 0, d3 = 0, d4 = 0, d5 = 0;
   double reference_rate = 1;  // [1/time]
 };
+/// Forces of the section of a beam at which it fails, each of them alone.
+struct BeamFailureDeck {
+  std::optional<double> axial;  // of a tension
+  std::optional<double> shear_y, shear_z, torque, moment_y, moment_z;
+};
 /// When an element of a material fails: at the first of the criteria that are given.
 struct FailureDeck {
   std::optional<double> plastic_strain;    // equivalent
   std::optional<double> principal_stress;  // largest, tension positive
   std::optional<double> principal_strain;  // largest, logarithmic
-  std::optional<double> pressure;          // below minus this
-  std::optional<JohnsonCookDamageDeck> johnson_cook;
-  std::optional<double> yield_time;         // at yield, in all
-  std::optional<double> step;               // the step that the element allows falls below this
-  bool inverted = false;                    // no positive volume: the element fails, and the run continues
   std::optional<double> thinning;          // of a layer of a shell, logarithmic
   std::optional<double> mean_thinning;     // of a shell over its thickness, logarithmic
-  int fade_steps = 1;                       // steps in which its force falls to zero
-  double layers = 1;                        // of shells: share of the thickness that has to fail
-  std::vector<std::array<double, 2>> size;  // rows [size of an element, factor of the failure strains]; none: 1
+  std::optional<double> pressure;          // below minus this
+  std::optional<JohnsonCookDamageDeck> johnson_cook;
+  std::optional<double> yield_time;           // at yield, in all
+  std::optional<BeamFailureDeck> resultants;  // of beams
+  std::optional<double> time;                 // of beams: at this time
+  std::optional<double> step;                 // the step that the element allows falls below this
+  bool inverted = false;                      // no positive volume: the element fails, and the run continues
+  int fade_steps = 1;                         // steps in which its force falls to zero
+  double layers = 1;                          // of shells: share of the thickness that has to fail
+  std::vector<std::array<double, 2>> size;    // rows [size of an element, factor of the failure strains]; none: 1
 };
 /// Treatment of nodes whose elements are all eroded.
 struct ErosionDeck {

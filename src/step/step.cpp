@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/beam/beam_failure.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
@@ -389,6 +390,10 @@ void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const E
   advance_shells(space_, model_.chunks, shells, find_shell_motion(state, motion), state.chunk_fields());
 }
 
+BeamStep Stepper::find_beam_step(const State& state, const ElementMotion& motion) const {
+  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, find_other_bounds(), model_.failing, state.lives};
+}
+
 void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {
   if (!model_.has_beams) return;
   advance_beams(space_, model_.chunks, beams, find_beam_step(state, motion), state.chunk_fields());
@@ -413,6 +418,9 @@ void Stepper::judge_elements(State& state, double dt) {
   const FailureCounts counts = find_failures(space_, model_.chunks, elements, dt, state.results);
   const FailureCounts of_shells =
       find_shell_failures(space_, model_.chunks, elements, model_.thickness_rules, dt, state.results);
+  if (model_.has_beams)
+    find_beam_failures(space_, model_.chunks, {model_.is_beam_chunk, model_.beam_block.parameters, state.time + dt},
+                       elements, state.results);
   some_died_ = counts.died + of_shells.died > 0;
 }
 

@@ -28,14 +28,39 @@ bool check_damage(const Reader& reader, const Node& node, JohnsonCookDamageDeck&
   return false;
 }
 
+const Keys<BeamFailureDeck>& beam_failure_keys() {
+  static const Keys<BeamFailureDeck> keys = {
+      may("axial", &BeamFailureDeck::axial, NumberValue{positive}),
+      may("shear_y", &BeamFailureDeck::shear_y, NumberValue{positive}),
+      may("shear_z", &BeamFailureDeck::shear_z, NumberValue{positive}),
+      may("torque", &BeamFailureDeck::torque, NumberValue{positive}),
+      may("moment_y", &BeamFailureDeck::moment_y, NumberValue{positive}),
+      may("moment_z", &BeamFailureDeck::moment_z, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool check_resultants(const Reader& reader, const Node& node, BeamFailureDeck& limits) {
+  if (limits.axial || limits.shear_y || limits.shear_z || limits.torque || limits.moment_y || limits.moment_z)
+    return true;
+  reader.error(node.spot, fmt::format("{} names no limit (no beam would ever fail): give axial, shear_y, shear_z, "
+                                      "torque, moment_y or moment_z",
+                                      reader.self()));
+  return false;
+}
+
 const Keys<FailureDeck>& failure_keys() {
   static const Keys<FailureDeck> keys = {
       may("plastic_strain", &FailureDeck::plastic_strain, NumberValue{positive}),
       may("principal_stress", &FailureDeck::principal_stress, NumberValue{positive}),
       may("principal_strain", &FailureDeck::principal_strain, NumberValue{positive}),
+      may("thinning", &FailureDeck::thinning, NumberValue{positive}),
+      may("mean_thinning", &FailureDeck::mean_thinning, NumberValue{positive}),
       may("pressure", &FailureDeck::pressure, NumberValue{positive}),
       may("johnson_cook", &FailureDeck::johnson_cook, MapValue<JohnsonCookDamageDeck>{damage_keys, check_damage}),
       may("yield_time", &FailureDeck::yield_time, NumberValue{positive}),
+      may("resultants", &FailureDeck::resultants, MapValue<BeamFailureDeck>{beam_failure_keys, check_resultants}),
+      may("time", &FailureDeck::time, NumberValue{not_negative}),
       may("step", &FailureDeck::step, NumberValue{positive}),
       may("inverted", &FailureDeck::inverted, BooleanValue{}),
       may("fade_steps", &FailureDeck::fade_steps, IntegerValue{1, 1000000}),
@@ -55,15 +80,15 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
                              reader.name_of("size")));
     return false;
   }
-  if (failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.pressure ||
-      may("thinning", &FailureDeck::thinning, NumberValue{positive}),
-      may("mean_thinning", &FailureDeck::mean_thinning, NumberValue{positive}),
-      failure.johnson_cook || failure.yield_time || failure.step || failure.inverted)
+  if (has_strain || failure.principal_stress || failure.pressure || failure.yield_time || failure.resultants ||
+      failure.time || failure.step || failure.inverted)
     return true;
-  reader.error(node.spot,
-               fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
-                           "principal_strain, pressure, johnson_cook, yield_time, step or inverted: true",
-                           reader.self()));
+  reader.error(
+      node.spot,
+      fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
+                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, resultants, time, "
+                  "step or inverted: true",
+                  reader.self()));
   return false;
 }
 

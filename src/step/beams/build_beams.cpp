@@ -31,6 +31,12 @@ const MaterialDeck& find_material(const Deck& deck, const ElementBlock& block) {
   throw InputError(fmt::format("{}: error: part '{}' has beams {}", deck.where(part.place), part.name, what));
 }
 
+bool has_other_criteria(const FailureDeck& failure) {
+  return failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.thinning ||
+         failure.mean_thinning || failure.pressure || failure.johnson_cook || failure.yield_time || failure.step ||
+         failure.inverted;
+}
+
 /// On all ranks alike: they know all blocks.
 void check_blocks(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
@@ -42,12 +48,11 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
           deck, block,
           fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
                       material.name));
-    if (material.failure)
-      refuse_beams(
-          deck, block,
-          fmt::format(
-              "of material '{}', which can fail (beams do not support failure): give them a material without failure",
-              material.name));
+    if (material.failure && has_other_criteria(*material.failure))
+      refuse_beams(deck, block,
+                   fmt::format("of material '{}', which fails by a criterion of other elements (those of beams are "
+                               "resultants and time): give them a material with these alone, or without failure",
+                               material.name));
     if (model == "j2_plasticity" && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
       refuse_beams(
           deck, block,
@@ -72,6 +77,14 @@ BeamFibres list_fibres(const BeamSectionDeck& section) {
   return std::visit(List{}, section);
 }
 
+BeamLimits make_limits(const FailureDeck& failure) {
+  constexpr double none = BeamLimits::none;
+  const BeamFailureDeck deck = failure.resultants.value_or(BeamFailureDeck{});
+  return {deck.axial.value_or(none),  deck.shear_y.value_or(none),  deck.shear_z.value_or(none),
+          deck.torque.value_or(none), deck.moment_y.value_or(none), deck.moment_z.value_or(none),
+          failure.time.value_or(none)};
+}
+
 BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   const BeamSectionDeck& section = *find_part(deck, block).section;
   BeamParameters parameters;
@@ -81,6 +94,7 @@ BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   parameters.area = form.area;
   parameters.polar_square = find_polar_moment(form) / form.area;
   parameters.bends = bends(section);
+  if (const auto& failure = find_material(deck, block).failure) parameters.limits = make_limits(*failure);
   if (find_material(deck, block).law.model == J2Plasticity::name) {
     const auto law = make_law<J2Plasticity>(find_material(deck, block).law);
     parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};

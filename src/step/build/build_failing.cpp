@@ -60,6 +60,24 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
                   failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
 }
 
+/// Criteria of shells or of beams, for elements of another kind.
+void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
+  const FailureDeck& failure = *material.failure;
+  const Topology& topology = find_topology(block.topology);
+  const char* criterion = nullptr;
+  if (!topology.is_surface() && (failure.thinning || failure.mean_thinning))
+    criterion = failure.thinning ? "thinning (of shells)" : "mean_thinning (of shells)";
+  if (!topology.is_line() && (failure.resultants || failure.time))
+    criterion = failure.resultants ? "resultants (of beams)" : "time (of beams)";
+  if (criterion == nullptr) return;
+  const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
+  throw InputError(
+      fmt::format("{}: error: material '{}' of part '{}' has the failure criterion {}, and the part has "
+                  "{} elements: give them a material without it",
+                  deck.where(part.place), material.name, part.name, criterion, topology.name));
+}
+
 /// Appends the limits of each element of a chunk, whose strains depend on its size.
 void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const FailureLimits& material,
                         const ChunkedMesh& chunked, const Chunk& chunk, std::vector<FailureLimits>& limits) {
@@ -111,6 +129,7 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     row.push_back(is_rigid_chunk(deck, chunked.chunks[c]) ? -1 : row_of_material[static_cast<std::size_t>(material)]);
     first.push_back(row.back() < 0 ? -1 : failing.pack_count);
     if (row.back() < 0) continue;
+    refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));
     list.push_back(static_cast<int>(c));
     const auto& size = deck.materials[static_cast<std::size_t>(material)].failure->size;
     if (!size.empty()) {

@@ -401,4 +401,17 @@ TEST(BeamFibres, HardenAlongTheTangent) {
   EXPECT_NEAR(state.plastic_strain, (state.stress - 2) / 50, 1e-12);
 }
 
+TEST(BeamLimits, SquaresAddUpAndCompressionDoesNotCount) {
+  BeamLimits limits;
+  EXPECT_EQ(find_beam_load(limits, {1e300, 1, 1, 1, 1, 1}), 0);
+  limits.axial = 2;
+  limits.shear_y = 4;
+  limits.shear_z = 5;
+  limits.torque = 10;
+  limits.moment_y = 20;
+  limits.moment_z = 50;
+  EXPECT_DOUBLE_EQ(find_beam_load(limits, {1, -2, 1, 5, -4, 5}), 0.25 + 0.25 + 0.04 + 0.25 + 0.04 + 0.01);
+  EXPECT_EQ(find_beam_load(limits, {-100, 0, 0, 0, 0, 0}), 0);
+}
+
 }  // namespace percuss::test

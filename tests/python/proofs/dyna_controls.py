@@ -139,6 +139,28 @@ FLAT = deck(hexahedron(size=(10.0, 10.0, 1.0)), part(), solid_section(), STEEL, 
 
 LOADED = node_set(9, *range(1, 9)) + "*LOAD_NODE_SET\n9,1,7,2.0\n9,3,7,3.0\n" + curve(7, (0.0, 1.0), (1.0, 1.0))
 
+def weld_beam(limits, motion, time=0.0):
+    """A weld of 4 mm diameter and 10 mm length that is led until the end."""
+    law = f"*MAT_SPOTWELD\n1,{DENSITY!r},{YOUNG!r},{POISSON!r},1e6,0,0,{time!r}\n{limits}\n"
+    return beam("*SECTION_BEAM\n1,9,1.0,2,1\n4.0,4.0,0,0\n", motion, law=law, end=END)
+
+
+WELD_AREA, WELD_INERTIA = 4 * math.pi, 4 * math.pi
+PULL_AT_HALF, MOMENT_AT_HALF = YOUNG * WELD_AREA * math.log(1.005), YOUNG * WELD_INERTIA * TURN / 10.0
+TORQUE_AT_HALF, SHEAR_AT_HALF = SHEAR * 2 * WELD_INERTIA * TURN / 10.0, 0.9 * SHEAR * WELD_AREA * 0.0005
+AT_HALF = [(erosion_time, LAST, 0.5 * END, 3e-2)]
+WELDS = [
+    Proof("MAT_SPOTWELD: NRR", weld_beam(f"0,{PULL_AT_HALF!r}", PULLED), AT_HALF, "the tension E A ln(1.005) at half of the time"),
+    Proof("MAT_SPOTWELD: NRR", weld_beam(f"0,{0.1 * PULL_AT_HALF!r}", PULLED.replace(f"{END!r},0.1", f"{END!r},-0.1")), [("eroded_elements", LAST, 0.0, 0.0)], "a compression does not count"),
+    Proof("MAT_SPOTWELD: NRS NRT", weld_beam(f"0,0,{SHEAR_AT_HALF!r},{SHEAR_AT_HALF!r}", SHEARED.format(axis="2")), AT_HALF, "0.9 G A times the angle at half of the time"),
+    Proof("MAT_SPOTWELD: MRR", weld_beam(f"0,0,0,0,{TORQUE_AT_HALF!r}", TWISTED), AT_HALF, "G J times the twist at half of the time"),
+    *[Proof("MAT_SPOTWELD: MSS MTT", weld_beam(f"0,0,0,0,0,{MOMENT_AT_HALF!r},{MOMENT_AT_HALF!r}", motion), AT_HALF, "E I times the curvature at half of the time") for motion in (ABOUT_Y, ABOUT_Z)],
+    Proof("MAT_SPOTWELD: NRS", weld_beam("0,0,1.0,2.0", PULLED), refused="differ between the axes"),
+    Proof("MAT_SPOTWELD: MSS", weld_beam("0,0,0,0,0,1.0,2.0", PULLED), refused="differ between the axes"),
+    Proof("MAT_SPOTWELD: TFAIL", weld_beam("0", PULLED, 0.5 * END), AT_HALF, "at TFAIL"),
+    Proof("MAT_SPOTWELD: EFAIL", weld_beam("0.1", PULLED), refused="fail by plastic strain"),
+]  # fmt: skip
+
 CONTROLS = [
     Proof("CONTROL_TERMINATION: ENDTIM", deck(cube(), velocity(100.0), end=3e-5), [("time", LAST, 3e-5, 1e-12)], "the end"),
     Proof("CONTROL_TERMINATION: ENDCYC", deck(cube(), velocity(100.0)).replace("1e-05\n*DATABASE", "1e-05,4\n*DATABASE"), [("step", LAST, 4.0, 0.0)], "four steps"),
@@ -313,4 +335,4 @@ ENDS = [
           [("time", LAST, 2.5e-7, 5e-2)], "the distance of two nodes that approach with 40 m/s"),
     Proof("SENSOR_SWITCH: TIMWIN", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6,0,1e-6\n*TERMINATION_SENSOR\n6\n"), refused="TIMWIN"),
 ]
-PROOFS = STARTS + MORE + SECTIONS + CONTROLS + OUTPUTS + SPRINGS + ENDS
+PROOFS = STARTS + MORE + SECTIONS + WELDS + CONTROLS + OUTPUTS + SPRINGS + ENDS

@@ -143,7 +143,7 @@ struct ReadThickness {
 template <int Count>
 struct ReadBeamForces {
   static constexpr int components = Count;
-  static constexpr bool fades = false;
+  static constexpr bool fades = true;
   BeamMarks is_beam;
   int first = 0;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const ElementRecord& record,

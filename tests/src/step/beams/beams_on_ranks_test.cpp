@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "src/error.hpp"
@@ -34,6 +35,19 @@ TEST(BeamsOnRanks, BesideShellsAndSolidsHaveTheBitsOfOneRank) {
   TwoScenes scenes(frame_text);
   expect_same_run(scenes, 20);
   EXPECT_GT(scenes.alone.stepper.contact_report().interactions, 0);
+}
+
+TEST(BeamsOnRanks, ThatFailHaveTheBitsOfOneRank) {
+  std::string text = frame_text;
+  text.replace(text.find("{radius: 0.004}}, material: sheet"), 33, "{radius: 0.004}}, material: weld");
+  text.replace(
+      text.find("  steel: {"), 10,
+      "  weld: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, failure: {time: 1e-5, "
+      "fade_steps: 3}}\n  steel: {");
+  TwoScenes scenes(text);
+  expect_same_run(scenes, 40);
+  const auto left = to_host(scenes.alone.state.lives.steps_left);
+  EXPECT_EQ(std::count(left.data(), left.data() + left.extent(0), 0), left.extent(0));  // all posts
 }
 
 // Without any other element, and without rotations.
@@ -67,7 +81,7 @@ TEST(BeamsOnRanks, AreRefusedWithWhatTheyDoNotHave) {
   build(round, elastic);
   expect(round, "model: neo_hookean, density: 1, youngs_modulus: 1, poissons_ratio: 0.3",
          "part 'bar' has beams of material 'm' (beams support elastic and j2_plasticity");
-  expect(round, yielding + ", failure: {plastic_strain: 0.1}", "which can fail (beams do not support failure)");
+  expect(round, yielding + ", failure: {plastic_strain: 0.1}", "which fails by a criterion of other elements");
   expect("section: {general: {area: 1, inertia_y: 1, inertia_z: 1, torsion: 1, shear_area_y: 1, shear_area_z: 1}}",
          yielding, "with a general section of a material that yields");
   expect("section: {rectangle: {size: [1, 2]}}, toward: x", elastic,

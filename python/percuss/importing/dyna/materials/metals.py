@@ -230,6 +230,9 @@ def soften(table: list[list[float]], start: float, end: float, most: int = MOST_
     return [list(row) for row in thin_rows([(x, y) for x, y in rows], most)[0]]
 
 
+RESULTANTS = {"NRR": "axial", "NRS": "shear_y", "NRT": "shear_z", "MRR": "torque", "MSS": "moment_y", "MTT": "moment_z"}
+
+
 def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     """*MAT_SPOTWELD of beams, which fail by the forces of their section or at a time, and of solids, which fail by their plastic strain."""
     reader = card.reader()
@@ -237,16 +240,38 @@ def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     more = reader.row("EFAIL NRR NRS NRT MRR MSS MTT NF~output")
     law = start_law(row, "j2_plasticity")
     law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": max(row.number("EH"), 0.0)}
-    set_failure(law, plastic_strain=more.number("EFAIL"))
+    if use.is_beam:
+        limit_weld(deck, card, law, row, more)
+    else:
+        set_failure(law, plastic_strain=more.number("EFAIL"))
     if row.number("DT"):
         deck.ledger.refuse(f"{card.keyword}.DT", row.place, "mass that is added to welds for their step", "no mass is added, and the step may be short")
-    if 0 < row.number("TFAIL") < deck.end_time:
-        deck.ledger.refuse(f"{card.keyword}.TFAIL", row.place, "welds that fail at a time", "they do not")
+    if not use.is_beam and 0 < row.number("TFAIL") < deck.end_time:
+        deck.ledger.refuse(f"{card.keyword}.TFAIL", row.place, "welds of solids that fail at a time", "they do not")
     row.skip("TFAIL")
     row.finish(deck.ledger)
     more.finish(deck.ledger, "welds do not fail by it")
     finish_lines(deck, card, reader)
     return law
+
+
+def limit_weld(deck: KeywordDeck, card: Card, law: Deck, row: Row, more: Row) -> None:
+    """The sum of the squares of the forces over NRR to MTT reaches 1. A weld is round: it has no axes s and t."""
+    limits = {ours: more.number(name) for name, ours in RESULTANTS.items()}
+    if min(limits.values()) < 0:
+        deck.ledger.refuse(f"{card.keyword}.NRR", more.place, "limits of welds that depend on the rate", "there is none")
+    limits = {name: value for name, value in limits.items() if 0 < value < NEVER}
+    for pair in (("shear_y", "shear_z"), ("moment_y", "moment_z")):
+        both = [limits.get(name, 0.0) for name in pair]
+        if both[0] == both[1]:
+            continue
+        deck.ledger.refuse(f"{card.keyword}.{'NRS' if pair[0] == 'shear_y' else 'MSS'}", more.place, "limits of welds that differ between the axes s and t", "both are the smaller one")
+        limits |= dict.fromkeys(pair, min(value for value in both if value > 0))
+    if limits:
+        law.setdefault("failure", {})["resultants"] = limits
+    set_failure(law, time=row.number("TFAIL"))
+    if 0 < more.number("EFAIL") < NEVER:
+        deck.ledger.refuse(f"{card.keyword}.EFAIL", more.place, "weld beams that fail by plastic strain", "they do not")
 
 
 def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:

@@ -1,0 +1,50 @@
+#include "kernels/beam/beam_failure.hpp"
+
+#include "kernels/element/failure/dying_lanes.hpp"
+
+namespace percuss {
+namespace {
+
+KOKKOS_INLINE_FUNCTION BeamForces<double> read_forces(const Real* record) {
+  const auto force = [&](int k) {
+    return static_cast<double>(record[(BeamRecord::forces + k) * FailingRecords::width]);
+  };
+  return {force(0), force(1), force(2), force(3), force(4), force(5)};
+}
+
+}  // namespace
+
+FailureCounts find_beam_failures(const ExecSpace& space, const HexChunks& chunks, const JudgedBeams& beams,
+                                 const FailingElements& elements, const ChunkResults& results) {
+  const FailingChunks failing = elements.chunks;
+  const ElementLives lives = elements.lives;
+  const Array<Real> records = elements.records;
+  FailureCounts counts;
+  if (beams.is_beam.marks.extent(0) == 0) return counts;
+  Kokkos::parallel_reduce(
+      "percuss::find_beam_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+      KOKKOS_LAMBDA(const int i, int& sum_failing) {
+        const int c = failing.list(i);
+        if (!beams.is_beam(c)) return;
+        const BeamLimits limits = beams.parameters(chunks.parameters(c)).limits;
+        const FailingRecords of = find_records(chunks, failing, records, c);
+        const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+        bool changed = false;
+        for (int e = 0; e < count; ++e) {
+          const int lane = of.first_lane + e;
+          if (lives.steps_left(lane) != ElementLives::whole) continue;
+          if (find_beam_load(limits, read_forces(of.find(e))) < 1 && beams.time < limits.time) continue;
+          const FailureLimits& fading = failing.find_limits(c, e);
+          set_left(lives, lane, fading.fade_steps, fading);
+          ++sum_failing;
+          changed = true;
+        }
+        if (!changed) return;
+        results.is_settled(c) = 0;
+        end_lanes_past_end(lives, of, count);
+      },
+      counts.failing);
+  return counts;
+}
+
+}  // namespace percuss

@@ -1,0 +1,20 @@
+#pragma once
+// The pass over beams that can fail: after that of other elements, which also brings failed ones nearer to death.
+
+#include "kernels/beam/beam_force.hpp"
+#include "kernels/element/failure/failure.hpp"
+
+namespace percuss {
+
+/// What the pass reads of beams.
+struct JudgedBeams {
+  BeamMarks is_beam;
+  Kokkos::View<BeamParameters*, MemSpace> parameters;  // of BeamBlock
+  double time = 0;                                     // at n+1
+};
+
+/// Tests the undamaged beams. results: chunks in which anything changed are no longer settled.
+FailureCounts find_beam_failures(const ExecSpace& space, const HexChunks& chunks, const JudgedBeams& beams,
+                                 const FailingElements& elements, const ChunkResults& results);
+
+}  // namespace percuss
