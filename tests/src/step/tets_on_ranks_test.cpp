@@ -66,16 +66,17 @@ parts: {box: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, elements: tetrahedra, ma
 
 TEST(TetsOnRanks, GetMassWhereTheDeckScalesIt) {
   for (const char* form : {"mixed", "plain"}) {
-    TwoScenes scenes(std::string("time: {end: 1, mass_scaling: {step: 3e-5, max_added: 99, every: 1}}\n") + R"yaml(
+    TwoScenes scenes(std::string("time: {end: 1, mass_scaling: {step: 1e-5, max_added: 99, every: 1}}\n") + R"yaml(
 parts: {box: {box: {size: [1, 1, 0.4], cells: [6, 5, 4]}, elements: tetrahedra, material: rubber}}
 materials: {rubber: {model: neo_hookean, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
-initial: [{velocity: [0, 0, -100]}]
+initial: [{velocity: [0, 0, -20]}]
 walls: [{normal: z}]
 elements: {tetrahedra: )yaml" +
                      form + "}\n");
     EXPECT_GT(scenes.alone.model.total_mass, 1.1 * 7850 * 0.4) << form;
     expect_same_run(scenes, 20);
-    EXPECT_GT(scenes.alone.state.bound.step, 2.7e-5) << form;  // it dips by what an element shrinks in a step
+    // Of shared mass, an element that shrinks gets the rest of what it lacks in the steps that come.
+    EXPECT_GT(scenes.alone.state.bound.step, 0.9e-5) << form;
   }
 }
 
