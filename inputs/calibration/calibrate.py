@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
 """Fits yield stress and hardening modulus of deck.yaml to the curve of test.csv: calibrate.py [FOLDER OF THE RUNS].
 
-Needs SciPy, and percuss built or in PATH. Runs that are in the folder already are not run again."""
+Needs SciPy, the Python package percuss (or PYTHONPATH=python), and percuss built or in PATH.
+Runs that are in the folder already are not run again."""
 
 import os
 import sys
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-sys.path.insert(0, os.path.join(HERE, "../../python"))
-import numpy as np  # noqa: E402
-from percuss.sweep import Study, make_designs  # noqa: E402
-from scipy.optimize import least_squares  # noqa: E402
+import numpy as np
+from scipy.optimize import least_squares
 
+from percuss.sweep import Study, make_designs
+
+HERE = os.path.dirname(os.path.realpath(__file__))
 KEYS = ("materials.steel.yield_stress", "materials.steel.hardening_modulus")
 START, LOW, HIGH = (200e6, 400e6), (100e6, 50e6), (800e6, 5e9)
 PLASTIC = 2e-4  # m: below it the force is elastic and tells nothing about the hardening
