@@ -406,11 +406,15 @@ std::vector<WrongDeck> joined_bodies() {
       {"HingeWithoutAxis",
        change("material: steel}", "material: steel, rigid: true}") +
            "joints: {pin: {kind: revolute, bodies: [rod], at: [0, 0, 0]}}\n",
-       "6:15", "joint 'pin' has no axis (a revolute joint turns about one)"},
+       "6:15", "joint 'pin' has no axis (a revolute joint turns about one axis)"},
       {"BallWithAxis",
        change("material: steel}", "material: steel, rigid: true}") +
            "joints: {pin: {kind: spherical, bodies: [rod], at: [0, 0, 0], axis: x}}\n",
-       "6:63", "joint 'pin' has an axis (a spherical joint turns about every one)"},
+       "6:63", "joint 'pin' has a key axis (a spherical joint turns about every axis): leave it out"},
+      {"CrossOfSlantedAxes",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: universal, bodies: [rod], at: [0, 0, 0], axis: x, second_axis: [1, 1, 0]}}\n",
+       "6:72", "joint 'pin' has axes whose angle is 45 degrees (those of a cross are perpendicular)"},
       {"JointTwice",
        change("material: steel}", "material: steel, rigid: true}") +
            "joints: {a: {kind: spherical, bodies: [rod], at: [1, 0, 0]}, b: {kind: revolute, bodies: [rod], at: [1, 0, "
