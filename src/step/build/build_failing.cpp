@@ -83,7 +83,7 @@ void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const Fa
                         const ChunkedMesh& chunked, const Chunk& chunk, std::vector<FailureLimits>& limits) {
   const MaterialTable factor = make_table(size);
   for (int e = 0; e < chunk.element_count; ++e) {
-    const auto element = static_cast<std::size_t>(chunk.first_element + e);
+    const auto element = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(e);
     limits.push_back(material.scale_strains(
         factor(find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element))).y));
     limits.back().of_element = true;

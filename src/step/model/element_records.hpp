@@ -93,7 +93,7 @@ KOKKOS_INLINE_FUNCTION int number_lane(const Chunks& chunks, int c, int i) {
 
 /// Where HexChunks::corner_slots has a corner, of a chunk whose packs begin with this one.
 KOKKOS_INLINE_FUNCTION std::size_t find_corner_place(int first_pack, int lane, int corner) {
-  const auto pack = static_cast<std::size_t>(first_pack + lane / pack_width);
+  const std::size_t pack = static_cast<std::size_t>(first_pack) + static_cast<std::size_t>(lane / pack_width);
   const auto width = static_cast<std::size_t>(pack_width);
   return (pack * 8 + static_cast<std::size_t>(corner)) * width + static_cast<std::size_t>(lane % pack_width);
 }
