@@ -27,15 +27,12 @@ struct DampBeamChunk {
 
   KOKKOS_FUNCTION void damp_elements(int c, double* sums) const {
     const BeamParameters& parameters = damped.parameters(chunks.parameters(c));
-    const int count = chunks.first_element(c + 1) - chunks.first_element(c), size = chunks.record_size(c);
     const int first_lane = step.find_first_lane(c);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count_elements(chunks, c); ++i) {
       const double share = first_lane < 0 ? 1 : static_cast<double>(step.lives.force_share(first_lane + i));
       if (share < 0) continue;
-      const Real* const e2 = &fields.state(chunks.first_state(c)) + i / beam_width * size * beam_width +
-                             BeamRecord::e2 * beam_width + i % beam_width;
-      const Vector3<double> axis{static_cast<double>(e2[0]), static_cast<double>(e2[beam_width]),
-                                 static_cast<double>(e2[2 * beam_width])};
+      const ElementRecord e2 = find_record(chunks, fields.state, c, i).from(BeamRecord::e2);
+      const Vector3<double> axis{e2.get(0), e2.get(1), e2.get(2)};
       const BeamSlots slots = find_beam_slots(chunks, c, i);
       const BeamNodalForces<double> on =
           find_beam_damping(parameters, damped.beta(c), find_beam_motion(chunks, c, slots, step), axis);

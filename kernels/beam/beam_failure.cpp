@@ -5,11 +5,9 @@
 namespace percuss {
 namespace {
 
-KOKKOS_INLINE_FUNCTION BeamForces<double> read_forces(const Real* record) {
-  const auto force = [&](int k) {
-    return static_cast<double>(record[(BeamRecord::forces + k) * FailingRecords::width]);
-  };
-  return {force(0), force(1), force(2), force(3), force(4), force(5)};
+KOKKOS_INLINE_FUNCTION BeamForces<double> read_forces(const ElementRecord& record) {
+  const ElementRecord f = record.from(BeamRecord::forces);
+  return {f.get(0), f.get(1), f.get(2), f.get(3), f.get(4), f.get(5)};
 }
 
 }  // namespace
@@ -28,7 +26,7 @@ FailureCounts find_beam_failures(const ExecSpace& space, const HexChunks& chunks
         if (!beams.is_beam(c)) return;
         const BeamLimits limits = beams.parameters(chunks.parameters(c)).limits;
         const FailingRecords of = find_records(chunks, failing, records, c);
-        const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+        const int count = count_elements(chunks, c);
         bool changed = false;
         for (int e = 0; e < count; ++e) {
           const int lane = of.first_lane + e;

@@ -6,9 +6,8 @@
 namespace percuss {
 namespace {
 
-/// A record, whose scalars lie a pack apart.
-KOKKOS_INLINE_FUNCTION BeamState load_state(const Real* record) {
-  const auto value = [&](int i) { return static_cast<double>(record[i * beam_width]); };
+KOKKOS_INLINE_FUNCTION BeamState load_state(const ElementRecord& record) {
+  const auto value = [&](int i) { return record.get(i); };
   constexpr int e2 = BeamRecord::e2, f = BeamRecord::forces;
   return {value(BeamRecord::mass),
           value(BeamRecord::gyration_square),
@@ -17,12 +16,12 @@ KOKKOS_INLINE_FUNCTION BeamState load_state(const Real* record) {
 }
 
 /// Returns whether a bit has changed.
-KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, Real* record) {
+KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, const LaneRecord<Real>& record) {
   const BeamForces<double>& f = s.forces;
   const double values[] = {s.e2.x, s.e2.y, s.e2.z, f.normal, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z};
   bool changed = false;
   for (int i = 0; i < BeamRecord::fibres - BeamRecord::e2; ++i) {
-    Real& stored = record[(BeamRecord::e2 + i) * beam_width];
+    Real& stored = record[BeamRecord::e2 + i];
     const Real value = static_cast<Real>(values[i]);
     changed = changed || !has_same_bits(stored, value);
     stored = value;
@@ -73,8 +72,7 @@ struct AdvanceBeamChunk {
   /// Returns whether a bit of the records has changed.
   KOKKOS_FUNCTION bool advance_elements(int c, double* sums) const {
     const BeamParameters& parameters = block.parameters(chunks.parameters(c));
-    const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-    const int lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * beam_width, size = chunks.record_size(c);
+    const int first = chunks.first_element(c), count = count_elements(chunks, c), lanes = count_lanes(chunks, c);
     const int first_lane = step.find_first_lane(c);
     double least = 1e300, work = 0;
     int controlling = first, failed = -1;
@@ -82,8 +80,8 @@ struct AdvanceBeamChunk {
     for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
       if (first_lane >= 0 && step.lives.force_share(first_lane + i) < 0) continue;
       const BeamSlots slots = find_beam_slots(chunks, c, i);
-      Real* const record = &state(chunks.first_state(c)) + i / beam_width * size * beam_width + i % beam_width;
-      BeamResult result = advance_element(parameters, find_beam_motion(chunks, c, slots, step), record, changed);
+      BeamResult result = advance_element(parameters, find_beam_motion(chunks, c, slots, step),
+                                          find_record(chunks, state, c, i), changed);
       if (i >= count) continue;
       if (first_lane >= 0) settle(first_lane + i, result);
       add_beam_forces(result.on, slots, sums);
@@ -105,23 +103,23 @@ struct AdvanceBeamChunk {
   KOKKOS_FUNCTION void settle(int lane, BeamResult& result) const {
     result.on = scale_beam_forces(static_cast<double>(step.lives.force_share(lane)), result.on);
     result.work *= static_cast<double>(step.lives.work_share(lane));
-    step.lives.work(lane / beam_width * work_kinds * beam_width + lane % beam_width) += result.work;
+    step.lives.work(find_work_place(static_cast<std::size_t>(lane), 0)) += result.work;
   }
 
   /// changed: true from here on if a bit of the record does.
   KOKKOS_FUNCTION static BeamResult advance_element(const BeamParameters& parameters, const BeamMotion& motion,
-                                                    Real* record, bool& changed) {
+                                                    const LaneRecord<Real>& record, bool& changed) {
     double fibres[2 * most_beam_fibres] = {};
     const int scalars = 2 * parameters.fibres.count;
-    Real* const stored = record + BeamRecord::fibres * beam_width;
-    for (int k = 0; k < scalars; ++k) fibres[k] = stored[k * beam_width];
+    const LaneRecord<Real> stored = record.from(BeamRecord::fibres);
+    for (int k = 0; k < scalars; ++k) fibres[k] = stored[k];
     BeamState now = load_state(record);
     const BeamResult result = advance_beam(parameters, motion, now, fibres);
     changed = store_state(now, record) || changed;
     for (int k = 0; k < scalars; ++k) {
       const Real value = static_cast<Real>(fibres[k]);
-      changed = changed || !has_same_bits(stored[k * beam_width], value);
-      stored[k * beam_width] = value;
+      changed = changed || !has_same_bits(stored[k], value);
+      stored[k] = value;
     }
     return result;
   }

@@ -3,10 +3,10 @@
 
 #include "kernels/beam/beam_force.hpp"
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/element_records.hpp"
 
 namespace percuss {
 
-inline constexpr int beam_width = pack_size<Real>;
 inline constexpr int beam_force_record = 6;  // force, moment
 using BeamScratch = ChunkScratch<0, beam_force_record>;
 
@@ -16,9 +16,7 @@ struct BeamSlots {
 };
 
 KOKKOS_INLINE_FUNCTION BeamSlots find_beam_slots(const HexChunks& chunks, int c, int lane) {
-  const auto pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(lane / beam_width);
-  const std::size_t place = pack * 8 * beam_width + static_cast<std::size_t>(lane % beam_width);
-  return {chunks.corner_slots(place), chunks.corner_slots(place + beam_width)};
+  return {find_corner_slot(chunks, c, lane, 0), find_corner_slot(chunks, c, lane, 1)};
 }
 
 KOKKOS_INLINE_FUNCTION Vector3<double> load_vector(const Rows3<const double>& rows, int n) {

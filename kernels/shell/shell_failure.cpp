@@ -11,14 +11,14 @@ constexpr int width = pack_size<double>;
 
 /// One shell: its record and what its layers carry; scalars lie a pack of each apart.
 struct FailingShell {
-  const Real* record;
+  ElementRecord record;
   double* lives;
   int layer_size;                   // scalars of a layer in the record
   int plastic_strain, temperature;  // their places in a layer, or negative
 
   KOKKOS_INLINE_FUNCTION double* life(int p) const { return find_layer_life(lives, p); }
   KOKKOS_INLINE_FUNCTION double read(int p, int scalar) const {
-    return record[(ShellRecord::layers + layer_size * p + scalar) * FailingRecords::width];
+    return record[ShellRecord::layers + layer_size * p + scalar];
   }
   KOKKOS_INLINE_FUNCTION int left(int p) const { return static_cast<int>(life(p)[LayerLives::left * width]); }
 };

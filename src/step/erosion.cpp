@@ -7,9 +7,9 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "src/index.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/sensors/held_directions.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "src/index.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
@@ -55,30 +55,11 @@ void scale_tensors(const SpinTensors& tensors, const Array<double>& ratios, bool
 }  // namespace
 
 FictitiousMasses::FictitiousMasses(const ChunkedMesh& chunked, const Model& model)
-    : chunked_(chunked), model_(model), summer_(model), bounds_("percuss::relaxed_bounds", chunked.chunks.size()) {
-  watch_.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
-  watch_.growth = Array<double>("percuss::growth", chunked.chunks.size());
-  if (model.has_rotations || model.has_beams)
-    other_bounds_ = Array<double>("percuss::shell_and_beam_bounds", at(model.element_count));
-}
-
-/// [elements] 0: of a rigid part.
-std::vector<double> FictitiousMasses::list_bounds() const {
-  const auto solids = to_host(watch_.bound);
-  const auto others = to_host(other_bounds_);
-  const auto first_pack = to_host(model_.chunks.first_pack);
-  std::vector<double> bounds(chunked_.mesh.elements.size());
-  for (std::size_t c = 0; c < chunked_.chunks.size(); ++c) {
-    const Chunk& chunk = chunked_.chunks[c];
-    for (int i = 0; i < chunk.element_count; ++i) {
-      const std::size_t e = at(chunk.first_element + i);
-      bounds[e] = chunked_.mesh.topology_of(e).is_solid()
-                      ? static_cast<double>(solids(at(first_pack(c) * pack_width + i)))
-                      : others(e);
-    }
-  }
-  return bounds;
-}
+    : chunked_(chunked),
+      model_(model),
+      summer_(model),
+      bounds_(model),
+      least_("percuss::relaxed_bounds", chunked.chunks.size()) {}
 
 /// growth: [elements] of their masses. Collective.
 FictitiousMasses::NodeMasses FictitiousMasses::find_masses(const State& state, const std::vector<double>& growth) {
@@ -105,7 +86,7 @@ double FictitiousMasses::find_growth(std::size_t element, const std::vector<doub
 }
 
 double FictitiousMasses::give(State& state) {
-  const std::vector<double> bounds = list_bounds();
+  const std::vector<double> bounds = bounds_.list();
   double target = 0;
   for (const double bound : bounds) target = std::max(target, bound);
   all_reduce(model_.ranks, Reduce::largest, target);
@@ -117,8 +98,9 @@ double FictitiousMasses::give(State& state) {
     nodes = find_masses(state, growth);
     is_enough = 1;
     for (std::size_t e = 0; e < bounds.size(); ++e) {
+      if (!(bounds[e] > 0) || round + 1 == most_rounds) continue;
       const double lack = target / bounds[e] / std::sqrt(find_growth(e, growth, nodes));
-      if (!(bounds[e] > 0 && lack > 1 + tolerated_lack) || round + 1 == most_rounds) continue;
+      if (!(lack > 1 + tolerated_lack)) continue;
       growth[e] *= lack * lack;
       is_enough = 0;
     }
@@ -176,24 +158,18 @@ void FictitiousMasses::take(State& state) const {
 
 Array<double> FictitiousMasses::find_bounds(const ChunkResults& results) const {
   if (factors_.extent(0) == 0) return results.stable_step;
-  const auto bounds = bounds_, factors = factors_, others = other_bounds_;
-  const auto solids = watch_.bound;
-  const HexChunks chunks = model_.chunks;
-  const BeamMarks is_beam = model_.is_beam_chunk;
-  const auto least_of_chunk = results.stable_step;
+  const auto least = least_, factors = factors_, least_of_chunk = results.stable_step;
+  const ElementBounds bounds = bounds_;
   Kokkos::parallel_for(
-      "percuss::find_relaxed_bounds", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        const bool is_other = is_shell(chunks, c) || is_beam(c);
-        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
-        double least = INFINITY;
-        for (int i = 0; i < count; ++i) {
-          const double own = is_other ? others(first + i) : static_cast<double>(solids(number_lane(chunks, c, i)));
-          const double bound = own * factors(first + i);
-          if (bound < least) least = bound;
+      "percuss::find_relaxed_bounds", Range(ExecSpace(), 0, bounds.chunks.count), KOKKOS_LAMBDA(const int c) {
+        double here = INFINITY;
+        for (int i = 0; i < count_elements(bounds.chunks, c); ++i) {
+          const double bound = bounds(c, i) * factors(bounds.chunks.first_element(c) + i);
+          if (bound < here) here = bound;
         }
-        bounds(c) = least_of_chunk(c) < INFINITY ? least : INFINITY;  // of rigid parts
+        least(c) = least_of_chunk(c) < INFINITY ? here : INFINITY;  // of rigid parts
       });
-  return bounds_;
+  return least_;
 }
 
 void FictitiousMasses::pull(const State& state, double dt_mean) const {

@@ -9,6 +9,7 @@
 
 #include "src/mesh/ordering.hpp"
 #include "src/step/lumped_masses.hpp"
+#include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -19,8 +20,7 @@ class FictitiousMasses {
   FictitiousMasses(const ChunkedMesh& chunked, const Model& model);
 
   /// Where the launchers write the stable steps of elements with their physical masses.
-  const StepWatch& watch() const { return watch_; }
-  const Array<double>& other_bounds() const { return other_bounds_; }  // of shells and beams
+  const ElementBounds& bounds() const { return bounds_; }
 
   /// Gives the nodes of a state these masses, by the stable steps that have been written last. Returns what the
   /// smallest step has grown by. Collective.
@@ -41,7 +41,6 @@ class FictitiousMasses {
     std::vector<double> mass, mass_ratio, inertia_ratio;
   };
 
-  std::vector<double> list_bounds() const;
   NodeMasses find_masses(const State& state, const std::vector<double>& growth);
   double find_growth(std::size_t element, const std::vector<double>& growth, const NodeMasses& nodes) const;
   void set_nodes(State& state, const NodeMasses& nodes);
@@ -49,10 +48,9 @@ class FictitiousMasses {
   const ChunkedMesh& chunked_;
   const Model& model_;
   LumpedMasses summer_;
-  StepWatch watch_;
-  Array<double> other_bounds_;
+  ElementBounds bounds_;
   Array<double> factors_;                 // [elements] of their stable steps; empty: the masses are the physical ones
-  Array<double> bounds_;                  // [chunks] scratch
+  Array<double> least_;                   // [chunks] scratch
   Array<double> weights_;                 // [nodes] physical mass over that of the relaxation
   Array<double> tensor_ratios_;           // [rows of SpinTensors]
   Array<double> own_mass_, own_inertia_;  // of the run

@@ -1,7 +1,7 @@
 #include "src/step/lumped_masses.hpp"
 
+#include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {

@@ -7,36 +7,31 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {
 
 /// What an element of a chunk lacks of the mass that makes its bound the wanted step.
 struct MissingMass {
-  HexChunks chunks;
-  BeamMarks is_beam;
-  Array<Real> solid_bounds;
-  Array<double> other_bounds, mass;  // other_bounds: of shells and beams
+  ElementBounds bounds;
+  Array<double> mass;
   FailingChunks failing;
   ElementLives lives;
 
   KOKKOS_INLINE_FUNCTION double operator()(int c, int i, double target) const {
     const int pack = failing.find_pack(c);
     if (pack >= 0 && lives.steps_left(pack * pack_width + i) == 0) return 0;
-    const int e = chunks.first_element(c) + i;
-    const double bound = is_shell(chunks, c) || is_beam(c)
-                             ? other_bounds(e)
-                             : static_cast<double>(solid_bounds(number_lane(chunks, c, i)));
+    const double bound = bounds(c, i);
     if (!(bound > 0 && bound < target)) return 0;
     const double ratio = target / bound;
-    return mass(e) * (ratio * ratio - 1);
+    return mass(bounds.chunks.first_element(c) + i) * (ratio * ratio - 1);
   }
 };
 
-MissingMass find_missing(const Model& model, const State& state, const StepWatch& watch, const Array<double>& others) {
-  return {model.chunks, model.is_beam_chunk, watch.bound, others, state.element_mass, model.failing, state.lives};
+MissingMass find_missing(const Model& model, const State& state, const ElementBounds& bounds) {
+  return {bounds, state.element_mass, model.failing, state.lives};
 }
 
 }  // namespace
@@ -46,11 +41,8 @@ MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model
       target_("percuss::wanted_step", chunked.chunks.size()),
       wanted_("percuss::missing_mass", chunked.chunks.size()),
       share_("percuss::share_of_missing_mass", chunked.chunks.size()),
+      bounds_(model),
       summer_(model) {
-  watch_.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
-  watch_.growth = Array<double>("percuss::growth", chunked.chunks.size());
-  if (model.has_rotations || model.has_beams)
-    other_bounds_ = Array<double>("percuss::shell_and_beam_bounds", static_cast<std::size_t>(model.element_count));
   std::vector<int> places(deck.parts.size(), -1);
   for (const AddedMass& start : model.added_masses) {
     const auto part =
@@ -82,7 +74,7 @@ std::vector<double> MassScaler::find_shares(const State& state) {
     target(c) = due ? parts_[static_cast<std::size_t>(p)].request.step : 0;
   }
   Kokkos::deep_copy(target_, target);
-  const MissingMass missing = find_missing(model_, state, watch_, other_bounds_);
+  const MissingMass missing = find_missing(model_, state, bounds_);
   const auto wanted = wanted_, step = target_;
   const HexChunks chunks = model_.chunks;
   Kokkos::parallel_for(
@@ -113,7 +105,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c)
     by_chunk(c) = part_of_chunk_[c] >= 0 ? shares[static_cast<std::size_t>(part_of_chunk_[c])] : 0;
   Kokkos::deep_copy(share_, by_chunk);
-  const MissingMass missing = find_missing(model_, state, watch_, other_bounds_);
+  const MissingMass missing = find_missing(model_, state, bounds_);
   const auto wanted = wanted_, share = share_, target = target_, mass = state.element_mass;
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;

@@ -11,6 +11,7 @@
 
 #include "src/step/audit/books.hpp"
 #include "src/step/lumped_masses.hpp"
+#include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 #include "src/warning.hpp"
 
@@ -21,9 +22,8 @@ class MassScaler {
   /// All arguments outlive this.
   MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-  /// Where the launchers write the bounds of all elements: of solids, and of shells and beams.
-  const StepWatch& watch() const { return watch_; }
-  const Array<double>& other_bounds() const { return other_bounds_; }
+  /// Where the launchers write the bounds of all elements.
+  const ElementBounds& bounds() const { return bounds_; }
 
   /// Whether an element of this rank is to get mass after the forces of a step. bounds: [chunks] least of each.
   bool is_wanted(long step, const HostMirror<Array<double>>& bounds) const;
@@ -62,8 +62,7 @@ class MassScaler {
   Array<double> target_;            // [chunks] wanted step; 0: not now
   Array<double> wanted_;            // [chunks] mass that elements lack
   Array<double> share_;             // [chunks] of it that is given
-  StepWatch watch_;
-  Array<double> other_bounds_;
+  ElementBounds bounds_;
   LumpedMasses summer_;
   Rows3<double> lumped_;  // [nodes] mass and rotary inertia
   std::vector<Warning> warnings_;

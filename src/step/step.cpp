@@ -353,10 +353,8 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 ElementMotion Stepper::find_motion(const State& state, double dt) const {
-  const StepWatch watch = global_                  ? global_->watch()
-                          : scaler_                ? scaler_->watch()
-                          : fictitious_ != nullptr ? fictitious_->watch()
-                                                   : StepWatch{};
+  const ElementBounds* const asked = find_asked_bounds();
+  const StepWatch watch = global_ ? global_->watch() : asked != nullptr ? asked->watch : StepWatch{};
   return {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives};
 }
 
@@ -376,9 +374,15 @@ void Stepper::advance_others(State& state, const ElementMotion& motion) {
   if (stiffness_damping_) stiffness_damping_->damp_others(state, find_damped_motions(state, motion));
 }
 
-/// Where the launchers of shells and beams write the bounds of all elements; empty: nobody asks.
+/// Where the launchers write the bounds of all elements; null: nobody asks.
+const ElementBounds* Stepper::find_asked_bounds() const {
+  if (scaler_) return &scaler_->bounds();
+  return fictitious_ != nullptr ? &fictitious_->bounds() : nullptr;
+}
+
 Array<double> Stepper::find_other_bounds() const {
-  return scaler_ ? scaler_->other_bounds() : fictitious_ != nullptr ? fictitious_->other_bounds() : Array<double>();
+  const ElementBounds* const asked = find_asked_bounds();
+  return asked != nullptr ? asked->others : Array<double>();
 }
 
 ShellMotion Stepper::find_shell_motion(const State& state, const ElementMotion& motion) const {

@@ -143,6 +143,7 @@ class Stepper {
   ElementMotion find_motion(const State& state, double dt) const;
   void advance_sending(State& state, const ElementMotion& motion);
   void advance_others(State& state, const ElementMotion& motion);
+  const ElementBounds* find_asked_bounds() const;
   Array<double> find_other_bounds() const;
   ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
   BeamStep find_beam_step(const State& state, const ElementMotion& motion) const;

@@ -45,7 +45,7 @@ double push_springs(const Space& space, double scale, const SpringTimes& times, 
 template <class Space>
 double settle_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
 
-/// Books what the springs hold at n+1/2, with RowSystem::correction of all pushes: ContactRow::held and owed.
+/// Books what the springs hold at n+1/2, with RowSystem::correction of all pushes: ContactRow::held.
 template <class Space>
 void book_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
 

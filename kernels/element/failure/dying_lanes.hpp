@@ -1,29 +1,27 @@
 #pragma once
-// Loss of force of failed elements, lane by lane: shared by the loops over hexahedra and over shells.
+// Loss of force of failed elements, lane by lane: shared by the loops over solids, shells and beams.
 
 #include <cstddef>
 
 #include "kernels/element/element_lives.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/element/failure/failure.hpp"
 
 namespace percuss {
 
 /// The chunk's records, and where its lanes begin among those that can fail.
 struct FailingRecords {
-  static constexpr int width = pack_size<Real>;
   Real* records;
   int record_size;
   int first_lane;
   int packs;
 
-  KOKKOS_INLINE_FUNCTION Real* find(int i) const {
-    return records + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(record_size) * width + i % width;
-  }
+  KOKKOS_INLINE_FUNCTION LaneRecord<Real> find(int i) const { return {records + find_record_place(i, record_size)}; }
 };
 
 KOKKOS_INLINE_FUNCTION FailingRecords find_records(const HexChunks& chunks, const FailingChunks& failing,
                                                    const Array<Real>& elements, int c) {
-  return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * FailingRecords::width,
+  return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * pack_width,
           chunks.first_pack(c + 1) - chunks.first_pack(c)};
 }
 
@@ -51,16 +49,17 @@ KOKKOS_INLINE_FUNCTION bool go_on_dying(const ElementLives& lives, int lane, con
 
 /// Inactive lanes of each pack repeat the lowest active one: record and, in the evaluation, corners.
 KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const FailingRecords& of) {
-  constexpr int width = FailingRecords::width;
+  constexpr int width = pack_width;
   for (int p = 0; p < of.packs; ++p) {
     const int first = of.first_lane + p * width;
     int living = 0;
     while (living < width && lives.steps_left(first + living) == 0) ++living;
     if (living == width) continue;
-    Real* const record = of.find(p * width);
+    const ElementRecord of_living = of.find(p * width + living);
     for (int lane = 0; lane < width; ++lane) {
       if (lives.steps_left(first + lane) != 0) continue;
-      for (int s = 0; s < of.record_size; ++s) record[s * width + lane] = record[s * width + living];
+      const LaneRecord<Real> record = of.find(p * width + lane);
+      for (int s = 0; s < of.record_size; ++s) record[s] = of_living[s];
     }
   }
 }
@@ -76,7 +75,7 @@ KOKKOS_INLINE_FUNCTION bool is_any_ending(const ElementLives& lives, int first_l
 /// Lanes past the end are inactive when the last element is, so that they keep no pack active.
 KOKKOS_INLINE_FUNCTION void end_lanes_past_end(const ElementLives& lives, const FailingRecords& of, int count) {
   const int last = of.first_lane + count - 1;
-  for (int lane = last + 1; lane < of.first_lane + of.packs * FailingRecords::width; ++lane) {
+  for (int lane = last + 1; lane < of.first_lane + of.packs * pack_width; ++lane) {
     lives.steps_left(lane) = lives.steps_left(last);
     lives.force_share(lane) = lives.force_share(last);
     lives.work_share(lane) = lives.work_share(last);

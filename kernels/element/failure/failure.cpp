@@ -7,31 +7,29 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = FailingRecords::width;
-
 /// Six scalars of a record, their mean over points that follow each other.
-KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const Real* record, int first, int points) {
+KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const ElementRecord& record, int first, int points) {
   double mean[6];
   for (int k = 0; k < 6; ++k) {
-    double sum = record[(first + k) * width];
-    for (int p = 1; p < points; ++p) sum += record[(first + 6 * p + k) * width];
+    double sum = record[first + k];
+    for (int p = 1; p < points; ++p) sum += record[first + 6 * p + k];
     mean[k] = points > 1 ? sum / points : sum;
   }
   return {mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
 }
 
 /// A scalar of the history, the mean over the points; 0 where there is none.
-KOKKOS_INLINE_FUNCTION double read_scalar(const Real* record, int first, int points) {
+KOKKOS_INLINE_FUNCTION double read_scalar(const ElementRecord& record, int first, int points) {
   if (first < 0) return 0;
-  if (points == 1) return record[first * width];
+  if (points == 1) return record[first];
   double mean = 0;
-  for (int p = 0; p < points; ++p) mean += double{record[(first + p) * width]} / points;
+  for (int p = 0; p < points; ++p) mean += double{record[first + p]} / points;
   return mean;
 }
 
 /// What the limits ask of an element.
 KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, const FailureLimits& limits,
-                                             const Real* record) {
+                                             const ElementRecord& record) {
   const int points = chunks.points(c);
   ElementLoad load;
   if (limits.reads_stress()) load.stress = read_tensor(record, HexRecord::stress, points);

@@ -4,10 +4,10 @@
 
 #include "comm/exact_reduction.hpp"
 #include "comm/halo/halo_swap.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/mesh/surface_nodes.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/moving_nodes.hpp"
 
 namespace percuss {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kernels/element/element_records.hpp"
 #include "src/deck/rigid_bodies.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {

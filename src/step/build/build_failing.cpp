@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "kernels/shell/layer_lives.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 

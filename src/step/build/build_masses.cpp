@@ -5,6 +5,7 @@
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/step/beams/build_beams.hpp"
@@ -13,7 +14,6 @@
 #include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/build/chunks/element_mass.hpp"
 #include "src/step/build/mass_scaling.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {

@@ -11,7 +11,7 @@
 #include "src/error.hpp"
 #include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/element_records.hpp"
+#include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/tets/tet_stage.hpp"
@@ -38,11 +38,8 @@ class SolidBounds {
   std::vector<double> find(const std::vector<double>& element_mass) {
     resting_.element_mass = to_view("percuss::mass_of_bounds", element_mass);
     const State state = make_initial_state(resting_);
-    StepWatch watch;
-    watch.bound = Array<Real>("percuss::element_bounds", resting_.chunks.corner_slots.extent(0) / 8);
-    watch.reference = watch.bound;
-    watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(resting_.chunks.count));
-    const ElementMotion motion{state.x, state.v, 0, false, 0, watch};
+    const ElementBounds bounds(resting_);
+    const ElementMotion motion{state.x, state.v, 0, false, 0, bounds.watch};
     for (const HexBlocks& blocks : {resting_.sending_blocks, resting_.blocks})
       advance_elements(ExecSpace(), resting_.chunks, blocks, motion, state.chunk_fields());
     if (resting_.has_small_solids) {
@@ -50,20 +47,10 @@ class SolidBounds {
       tets_.advance(state, resting_.sending_tet_blocks, resting_.sending_one_point_blocks, motion);
       tets_.advance(state, resting_.tet_blocks, resting_.one_point_blocks, motion);
     }
-    return take_bounds(watch);
+    return bounds.list();
   }
 
  private:
-  std::vector<double> take_bounds(const StepWatch& watch) const {
-    const auto lanes = to_host(watch.bound);
-    const HostChunks chunks(resting_.chunks);
-    std::vector<double> bounds(static_cast<std::size_t>(resting_.element_count));
-    for (int c = 0; c < chunks.count; ++c)
-      for (int i = 0; i < count_elements(chunks, c); ++i)
-        bounds[static_cast<std::size_t>(find_element(chunks, c, i))] = lanes(number_lane(chunks, c, i));
-    return bounds;
-  }
-
   Model resting_;
   TetStage tets_;
 };

@@ -5,8 +5,8 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/streamed_view.hpp"
 
 namespace percuss {

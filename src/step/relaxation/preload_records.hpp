@@ -3,8 +3,8 @@
 // returns the energy that this takes. Internal to preload_stage.cpp.
 
 #include "kernels/beam/beam_force.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_force.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 

@@ -11,8 +11,10 @@
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
+#include "kernels/contact/geometry/face_geometry.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/joints/joint_rows.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -46,39 +48,14 @@ Vec3 make_unit(const Vec3& a) { return scale(1 / std::sqrt(dot(a, a)), a); }
 /// Twice the area, along the normal.
 Vec3 find_area(const std::array<Vec3, 4>& x) { return cross(subtract(x[2], x[0]), subtract(x[3], x[1])); }
 
-/// Nearest point of the line from a to b.
-Vec3 find_nearest_on_edge(const Vec3& a, const Vec3& b, const Vec3& place) {
-  const Vec3 along = subtract(b, a);
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::clamp(dot(subtract(place, a), along) / square, 0.0, 1.0) : 0;
-  return add(a, scale(share, along));
-}
-
-/// Nearest point of a triangle.
-Vec3 find_nearest_on_triangle(const std::array<Vec3, 3>& x, const Vec3& place) {
-  const Vec3 area = cross(subtract(x[1], x[0]), subtract(x[2], x[0]));
-  Vec3 nearest{};
-  double least = none;
-  bool is_inside = dot(area, area) > 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &a = x[i], &b = x[(i + 1) % 3];
-    is_inside = is_inside && dot(cross(subtract(b, a), subtract(place, a)), area) >= 0;
-    const Vec3 on_edge = find_nearest_on_edge(a, b, place);
-    if (const double distance = find_distance(on_edge, place); distance < least) {
-      least = distance;
-      nearest = on_edge;
-    }
-  }
-  if (!is_inside) return nearest;
-  const Vec3 normal = make_unit(area);
-  return subtract(place, scale(dot(subtract(place, x[0]), normal), normal));
-}
-
-/// Nearest point of a face, taken as two triangles.
+/// Nearest point of a face as contact sees it: a fan of four triangles around its middle.
 Vec3 find_nearest(const std::array<Vec3, 4>& x, const Vec3& place) {
-  const Vec3 first = find_nearest_on_triangle({x[0], x[1], x[2]}, place),
-             second = find_nearest_on_triangle({x[0], x[2], x[3]}, place);
-  return find_distance(second, place) < find_distance(first, place) ? second : first;
+  FacePoints face;
+  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = to_vector(subtract(x[i], place));
+  const FacePoint nearest = find_closest_point(face);
+  Vec3 sum{};
+  for (std::size_t i = 0; i < 4; ++i) sum = add(sum, scale(nearest.weight[i], x[i]));
+  return sum;
 }
 
 /// Not farther than a face is from a place.
@@ -151,14 +128,9 @@ Disc find_disc(std::span<const NearFace> faces, const WeldSpot& spot, double dis
     if (!is_found) disc.center = nearest;
     is_found = true;
   }
-  Vec3& normal = disc.axes[2] = make_unit(area);
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (std::abs(normal[k]) < std::abs(normal[least])) least = k;
-  Vec3 along{};
-  along[least] = 1;
-  disc.axes[0] = make_unit(cross(along, normal));
-  disc.axes[1] = cross(normal, disc.axes[0]);
+  const Vec3& normal = disc.axes[2] = make_unit(area);
+  const std::array<Vector3<double>, 2> sides = find_sides(to_vector(normal));
+  for (std::size_t k = 0; k < 2; ++k) disc.axes[k] = {sides[k].x, sides[k].y, sides[k].z};
   return disc;
 }
 

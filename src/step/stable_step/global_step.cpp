@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/step/model/element_records.hpp"
+#include "kernels/element/element_records.hpp"
 
 namespace percuss {
 namespace {

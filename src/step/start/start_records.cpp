@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_force.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {

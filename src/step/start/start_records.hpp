@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/material/point/elastic.hpp"
 #include "src/mesh/mesh.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {

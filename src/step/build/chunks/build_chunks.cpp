@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/block_builder.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
-#include "src/step/model/element_records.hpp"
 
 namespace percuss {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Reads the records of beams for output. Internal to element_fields.cpp.
 
-#include "src/step/model/element_records.hpp"
+#include "kernels/element/element_records.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 

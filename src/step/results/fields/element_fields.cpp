@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/step/model/element_records.hpp"
+#include "kernels/element/element_records.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
 #include "src/step/results/fields/shell_fields.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Reads the records of shells for output. Internal to element_fields.cpp.
 
+#include "kernels/element/element_records.hpp"
 #include "kernels/shell/shell_failure.hpp"
-#include "src/step/model/element_records.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/results/fields/element_fields.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/step/model/element_records.hpp"
+#include "kernels/element/element_records.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {
