@@ -32,12 +32,12 @@ def sliding(contact: str, more: str = "", before: str = "") -> str:
     return abaqus(two(0.01), more, before, "*INITIAL CONDITIONS, TYPE=VELOCITY\nnb, 1, 3000.\nnb, 3, -2000.\n*BOUNDARY\nna, 1, 3\n", end=2e-5, step=contact + history)
 
 
-def in_two(first: str, second: str, at: float) -> str:
+def in_two(first: str, second: str, at: float, before: str = "") -> str:
     """The same in two steps; b comes to a at 5e-6."""
     history = "*OUTPUT, HISTORY, TIME INTERVAL=1e-6\n*ENERGY OUTPUT, ELSET=b\nALLKE\n"
     start = "*INITIAL CONDITIONS, TYPE=VELOCITY\nnb, 1, 3000.\nnb, 3, -2000.\n*BOUNDARY\nna, 1, 3\n"
     next_step = f"*END STEP\n*STEP\n*DYNAMIC, EXPLICIT\n, {2e-5 - at!r}\n"
-    return abaqus(two(0.01), start, end=at, step=first + history + next_step + second + history)
+    return abaqus(two(0.01), before, start, end=at, step=first + history + next_step + second + history)
 
 
 def ratio(history):
@@ -130,6 +130,18 @@ PROOFS = [
     Proof("CONTACT PAIR", in_two("", PAIR, 8e-6), [*slides(0.3), (untouched, LAST, 0.0, 1e-9 * 2000.0 * CUBE_MASS)], "it begins with the second step, where b is in a"),
     Proof("CONTACT PAIR: INTERACTION", in_two(PAIR, PAIR.replace("=i", "=j"), 3e-6), slides(0.1), "another interaction in a later step"),
     Proof("CONTACT; CONTACT INCLUSIONS: ALL_EXTERIOR; CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL), slides(0.3), "Coulomb's friction of all"),
+    Proof("CONTACT INCLUSIONS: ALL_EXTERIOR", in_two("", GENERAL, 8e-6), [*slides(0.3), (untouched, LAST, 0.0, 1e-9 * 2000.0 * CUBE_MASS)], "general contact begins with the second step"),
+    Proof("CONTACT: OP", in_two(GENERAL, "*CONTACT, OP=NEW\n", 3e-6), MISSED, "general contact ends before b comes"),
+    Proof("CONTACT: OP", in_two(GENERAL, "*CONTACT, OP=MOD\n", 3e-6), slides(0.3), "it goes on"),
+    Proof("CONTACT: OP", in_two(GENERAL, GENERAL.replace("CONTACT\n", "CONTACT, OP=NEW\n").replace(", i", ", j"), 3e-6), slides(0.1), "another one in its place"),
+    Proof("CONTACT: OP", in_two("*CONTACT\n*CONTACT INCLUSIONS\nsb, sa\n", "*CONTACT, OP=NEW\n", 3e-6), MISSED, "a pair of general contact ends"),
+    Proof("CONTACT: OP", in_two(GENERAL + "sb, sa, j\n", "*CONTACT, OP=NEW\n", 3e-6), refused="frictions of pairs"),
+    Proof("CONTACT PROPERTY ASSIGNMENT", in_two(GENERAL, "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\n , , j\n", 3e-6), slides(0.1), "another friction in a later step"),
+    Proof("CONTACT PROPERTY ASSIGNMENT", in_two(GENERAL, "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\n , , j\n", 1.9e-5), slides(0.3), "one that comes too late"),
+    Proof("CONTACT PROPERTY ASSIGNMENT", in_two("*CONTACT\n*CONTACT INCLUSIONS\nsb, sa\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n", "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\n , , j\n", 3e-6),
+          refused="CONTACT PROPERTY ASSIGNMENT.step"),
+    Proof("CONTACT PROPERTY ASSIGNMENT", in_two(GENERAL, "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\nsb, sa, j\n", 3e-6), refused="friction of two surfaces"),
+    Proof("CONTACT EXCLUSIONS", in_two(GENERAL, "*CONTACT\n*CONTACT EXCLUSIONS\nwa, wb\n", 3e-6, "*SURFACE, NAME=wa\na,\n*SURFACE, NAME=wb\nb,\n"), refused="an exclusion that begins"),
     Proof("CONTACT PROPERTY ASSIGNMENT", sliding(GENERAL + "sb, sa, j\n"), slides(0.1), "that of the two surfaces"),
     Proof("CONTACT INCLUSIONS", sliding("*CONTACT, OP=NEW\n*CONTACT INCLUSIONS\nsb, sa\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"), slides(0.3), "one pair, with the friction of all"),
     Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nwa, wb\n", "*SURFACE, NAME=wa\na,\n*SURFACE, NAME=wb\nb,\n"), MISSED, "both bodies pass through each other"),

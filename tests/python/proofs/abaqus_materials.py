@@ -3,13 +3,14 @@
 import math
 
 from . import LAST, Proof
-from .pieces import CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
+from .pieces import CORNERS, CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube, returned
 
 END = 1e-3
 SHEAR, BULK = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON))
 ELASTIC = f"*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
 SIDES = "*NSET, NSET=xp\n2, 3, 6, 7\n*NSET, NSET=yp\n3, 4, 7, 8\n*NSET, NSET=zp\n5, 6, 7, 8\n*NSET, NSET=xm\n1, 4, 5, 8\n*NSET, NSET=ym\n1, 2, 5, 6\n*NSET, NSET=zm\n1, 2, 3, 4\n"
 FIXED = "*BOUNDARY\nxm, 1\nym, 2\nzm, 3\n"
+TWIST = "*INITIAL CONDITIONS, TYPE=VELOCITY\n" + "".join(f"{i}, 1, {(2.0 * y - 1) * (2.0 * z - 1)!r}\n" for i, (_, y, z) in enumerate(CORNERS, 1))
 NO_VISCOSITY = "*BULK VISCOSITY\n0., 0.\n"
 
 
@@ -122,6 +123,8 @@ PROOFS = [
     Proof("VISCOELASTIC", stretched(ELASTIC + "*VISCOELASTIC, TIME=CREEP TEST DATA\n1., 1.\n"), refused="viscoelasticity"),
     Proof("EOS: TYPE", driven("*EOS, TYPE=USUP\n4e6, 0., 0.\n", -0.01, -0.01, -0.01), [("internal", LAST, 1000 * 0.5 * DENSITY * 1.6e13 * (1 - 0.99**3) ** 2, 2e-2)],
           "p = rho0 c0^2 (1 - V / V0)"),
+    Proof("EOS: TYPE", abaqus(abaqus_cube().replace(ELASTIC, "*EOS, TYPE=USUP\n1.5e6, 0., 0.\n"), TWIST, end=1e-3), [(returned, LAST, 0.0, 1e-9)],
+          "a fluid resists no hourglass mode with a stiffness"),
     Proof("EOS: TYPE; ELASTIC: TYPE", stretched("*EOS, TYPE=USUP\n4e6, 0., 0.\n*ELASTIC, TYPE=SHEAR\n8e4,\n", 1e-3), [("internal", LAST, 1000 * 1.5 * 8e4 * strain(1e-3) ** 2, 2e-2)], "3 G e^2 / 2"),
     Proof("EOS: TYPE", driven("*EOS, TYPE=IDEALGAS\n287., 0.\n", -0.01, 0.0, 0.0), refused="IDEALGAS"),
     Proof("DAMPING: ALPHA", abaqus(abaqus_cube().replace("*DENSITY", "*DAMPING, ALPHA=50.\n*DENSITY"), "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 100.\n", end=1e-2),

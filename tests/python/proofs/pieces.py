@@ -76,6 +76,12 @@ def force(axis: str):
     return lambda h: h[f"momentum_{axis}"][-1] / (h["time"][-1] - 0.5 * h["dt"][-1])
 
 
+def returned(history: dict[str, list[float]]) -> float:
+    """The largest share of the kinetic energy that comes back."""
+    kinetic = history["kinetic"]
+    return max(0.0, *(b - a for a, b in zip(kinetic, kinetic[1:]))) / kinetic[0]
+
+
 def node_set(id: int, *ids: int) -> str:
     return f"*SET_NODE_LIST\n{id}\n{','.join(map(str, ids))}\n"
 

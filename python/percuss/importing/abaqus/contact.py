@@ -1,6 +1,5 @@
-"""*TIE, *CONTACT PAIR and general contact."""
+"""*TIE, *CONTACT PAIR and surfaces in contact."""
 
-from itertools import combinations_with_replacement
 from typing import Any
 
 from ..fields import clip
@@ -11,7 +10,6 @@ from .lines import Block
 from .surfaces import is_profile
 
 INSTEAD = "it is left out"
-MOST_PAIRS = 500
 
 
 def read_tie(deck: AbaqusDeck, block: Block) -> None:
@@ -149,74 +147,6 @@ def note_wall_pair(deck: AbaqusDeck, block: Block, names: tuple[str, str], place
     deck.ledger.translated(block.keyword, place, "walls.N.nodes")
 
 
-def read_inclusions(deck: AbaqusDeck, block: Block) -> None:
-    """*CONTACT INCLUSIONS: everything, or pairs."""
-    if "ALL EXTERIOR" in block.options:
-        if not deck.is_whole:
-            refuse_late(deck, block)
-        deck.is_whole = True
-        deck.ledger.translated("CONTACT INCLUSIONS", block.place, "contact.surfaces: all")
-        return
-    for line in block.lines:
-        first, second = block.text(line, 0), block.text(line, 1)
-        if first:  # alone it touches itself
-            add_pair(deck, block, (line[0], [first, "" if second.upper() == first.upper() else second]), None)
-        elif second:
-            deck.ledger.refuse("CONTACT INCLUSIONS.exterior", block.at(line[0]), "contact of one surface with everything", "everything touches everything")
-            deck.is_whole = True
-        else:
-            deck.is_whole = True
-
-
-def read_exclusions(deck: AbaqusDeck, block: Block) -> None:
-    """*CONTACT EXCLUSIONS: pairs of general contact that do not touch; one alone does not touch itself."""
-    parts = {part.name for part in deck.model.blocks}
-    for line in block.lines:
-        place = block.at(line[0])
-        names = [block.text(line, 0), block.text(line, 1)]
-        if not any(names):
-            continue
-        sides = [name_side(deck, block, name, place) for name in names if name]
-        if not all(sides):
-            deck.ledger.ignored(block.keyword, place, "its surfaces have no element")
-        elif not parts.issuperset(sides):
-            deck.ledger.refuse(block.keyword, place, "an exclusion of surfaces that are not whole parts", "they touch")
-        else:
-            deck.excluded += [frozenset(sides)] if names[0] else [frozenset({sides[0], part}) for part in parts]
-            deck.ledger.translated(block.keyword, place, "contact.surfaces without these pairs of parts")
-
-
-def read_property(deck: AbaqusDeck, block: Block) -> None:
-    """*CONTACT PROPERTY ASSIGNMENT: blank, blank, interaction for all."""
-    for line in block.lines:
-        place = block.at(line[0])
-        if not any(line[1]):
-            continue
-        friction = deck.friction(block.text(line, 2), place)
-        if not block.text(line, 0) and not block.text(line, 1):
-            deck.whole_friction = friction
-            deck.ledger.translated(block.keyword, place, "contact.friction")
-        else:
-            assign_friction(deck, block, (block.text(line, 0), block.text(line, 1)), place, friction)
-
-
-def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
-    """That of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
-    if not names[1]:  # of the first one with itself
-        names = (names[0], names[0])
-    if any(is_profile(deck, name) for name in names if name):
-        deck.ledger.refuse(block.keyword, place, "a friction of one pair with an analytical surface", "that of all is used")
-        return
-    sides = [deck.surface_name(name, place, of_contact=True) for name in reversed(names) if name]
-    if not all(sides):
-        deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
-        return
-    row = dict(zip("ab", sides))
-    others = [r for r in deck.pair_frictions if {r["a"], r.get("b")} != {row["a"], row.get("b")}]
-    deck.pair_frictions = [{**row, "friction": friction}, *others]
-    deck.ledger.translated(block.keyword, place, "contact.friction.pairs")
-
-
 def read_surface_property(deck: AbaqusDeck, block: Block) -> None:
     """*SURFACE PROPERTY ASSIGNMENT: thicknesses, offsets and edges of general contact."""
     kind = block.option("PROPERTY")
@@ -231,31 +161,3 @@ def read_surface_property(deck: AbaqusDeck, block: Block) -> None:
             deck.ledger.refuse(block.keyword, block.at(line[0]), text, "shells touch at half their thickness")
             return
     deck.ledger.ignored(block.keyword, block.place, "shells touch at half their thickness here too")
-
-
-def finish_contact(deck: AbaqusDeck) -> None:
-    section = deck.model.deck.setdefault("contact", {})
-    pairs = list(deck.pairs)
-    if deck.is_whole and deck.excluded:
-        pairs += list_rest(deck)
-    elif deck.is_whole and pairs:
-        pairs.append({"a": "all", "b": "all"})
-    if deck.is_whole or pairs:
-        section["surfaces"] = pairs or "all"
-        if deck.whole_friction and not all("friction" in pair for pair in pairs or [{}]):
-            section["friction"] = deck.whole_friction
-    elif "ties" in section:
-        section["surfaces"] = "none"
-    else:
-        del deck.model.deck["contact"]
-    if deck.pair_frictions and deck.model.deck.get("contact") and section["surfaces"] != "none":
-        section["friction"] = {"default": section.get("friction", 0.0), "pairs": deck.pair_frictions}
-
-
-def list_rest(deck: AbaqusDeck) -> list[Deck]:
-    """General contact as pairs of parts, without those that are excluded."""
-    names = [part.name for part in deck.model.blocks]
-    pairs = [pair for pair in combinations_with_replacement(names, 2) if frozenset(pair) not in deck.excluded]
-    if len(pairs) > MOST_PAIRS:
-        raise BadInput(deck.steps[0].place, f"general contact with exclusions makes {len(pairs)} pairs of parts (at most {MOST_PAIRS}): name the pairs that touch")
-    return [{"a": a, "b": b} for a, b in pairs]

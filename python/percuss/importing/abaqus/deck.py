@@ -42,6 +42,16 @@ class RigidGroup:
     profile: str = ""
 
 
+@dataclass
+class General:
+    """General contact of everything from one time to another; end: None is the end of the run."""
+
+    start: float
+    end: float | None
+    friction: float
+    place: Place
+
+
 class AbaqusDeck:
     """All definitions, and the model that they become."""
 
@@ -73,8 +83,8 @@ class AbaqusDeck:
         self.temperature_place: Place | None = None  # the last card of them
         self.pairs: list[Deck] = []
         self.wall_pairs: list[tuple[str, str, float | None]] = []  # analytical surface, what it stops, friction
-        self.is_whole = False  # everything touches everything
-        self.whole_friction = 0.0  # of general contact
+        self.generals: list[General] = []  # everything touches everything, one after the other
+        self.whole_friction = 0.0  # of general contact, at the last step that is read
         self.excluded: list[frozenset[str]] = []  # pairs of parts
         self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
         self.step_scale = 0.0  # 0: percuss' own
@@ -86,6 +96,11 @@ class AbaqusDeck:
         self.group_of_ref: dict[int, RigidGroup] = {}
         self._names: dict[tuple, str] = {}
         self._used: set[int] | None = None
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether everything touches everything at some time."""
+        return bool(self.generals)
 
     @property
     def end_time(self) -> float:

@@ -7,7 +7,7 @@ from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
 
-MOST_ADDED = 1000.0  # a share of the mass of a part: there is no limit in Abaqus
+MOST_ADDED = 1e6  # a share of the mass of a part: there is no limit in Abaqus
 EVERY = 10  # steps between two looks, where the deck does not say
 
 

@@ -166,7 +166,9 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
 
 
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS."""
+    """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS. A fluid does not resist by default."""
+    if part.solids and deck.model.materials[part.keys["material"]]["model"] == "fluid":
+        part.keys["hourglass"] = "viscous"
     if not section.controls:
         return
     block = deck.controls.get(section.controls)
@@ -308,7 +310,7 @@ def choose_integration(deck: AbaqusDeck) -> None:
         part = deck.model.blocks[block]
         if kind != chosen:
             part.keys["integration"] = kind
-        if kind == "full" and part.keys.pop("hourglass", ""):
+        if kind == "full" and part.keys.pop("hourglass", "") and deck.controls:
             deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", part.place, "hexahedra of eight points have no hourglass modes")
 
 

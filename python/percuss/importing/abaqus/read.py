@@ -7,7 +7,7 @@ from ..fields import clip
 from ..ledger import BadInput, Ledger, Place
 from ..model import Model
 from ..text_files import suggest, suggest_place
-from . import bodies, conditions, contact, damage, equations, generators, heat, initial, loads, outputs, surfaces
+from . import bodies, conditions, contact, damage, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
 from .amplitudes import read_amplitude
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
@@ -28,7 +28,7 @@ IGNORED = {
                      "EL FILE", "ENERGY FILE", "CONTACT FILE", "DIAGNOSTICS", "FILTER", "TIME POINTS", "FILE FORMAT", "PRINT", "CONSTRAINT CONTROLS",
                      "PREFERENCE", "VALIDATE", "INCREMENTATION OUTPUT"), OF_PRINTING),
     "CONTACT CONTROLS": "numerics of contact: percuss has its own", "CONTACT CONTROLS ASSIGNMENT": "numerics of contact: percuss has its own",
-    "CONTACT": "what follows it says all", "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
+    "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
     "CONTACT FORMULATION": "contact works both ways", "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
     "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
     "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
@@ -294,8 +294,8 @@ ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
     "INITIAL CONDITIONS": initial.read_initial, "BOUNDARY": conditions.read_boundary, "CLOAD": loads.read_node_force,
     "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "CONTACT PAIR": contact.read_contact_pair,
-    "CONTACT INCLUSIONS": contact.read_inclusions, "CONTACT EXCLUSIONS": contact.read_exclusions,
-    "CONTACT PROPERTY ASSIGNMENT": contact.read_property, "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
+    "CONTACT": general_contact.read_start, "CONTACT INCLUSIONS": general_contact.read_inclusions, "CONTACT EXCLUSIONS": general_contact.read_exclusions,
+    "CONTACT PROPERTY ASSIGNMENT": general_contact.read_property, "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
 }  # fmt: skip
 KEYWORDS = {
     squeeze(word): word
@@ -417,7 +417,7 @@ def finish(reader: Reader) -> None:
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
         (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
-        (contact.finish_contact, "CONTACT"),
+        (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

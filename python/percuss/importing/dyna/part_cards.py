@@ -352,7 +352,7 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
             if row:
                 deck.ledger.approximated(row.card, row.place, "2x2x2 points and other solids have no coefficient")
             continue
-        key = judge_hourglass(row)
+        key = judge_hourglass(row, deck.model.materials[block.keys["material"]])
         counts[key] += count
         chosen_by.append((block, key))
         text = key[0] + (f" with {key[1]}" if key[0] != "assumed_strain" else "")
@@ -402,10 +402,10 @@ def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row 
     return row
 
 
-def judge_hourglass(row: Row | None) -> tuple[str, float]:
-    """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too."""
+def judge_hourglass(row: Row | None, law: Deck) -> tuple[str, float]:
+    """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too; but a fluid does not resist, as by default in LS-DYNA."""
     if row is None:
-        return "assumed_strain", 0.0
+        return ("viscous", 0.1) if law["model"] == "fluid" else ("assumed_strain", 0.0)
     kind = HOURGLASS_KINDS.get(row.integer("IHQ") or 1, "assumed_strain")
     coefficient = row.number("QM" if row.card == "HOURGLASS" else "QH") or 0.1
     return kind, 0.0 if kind == "assumed_strain" else min(abs(coefficient), 1.0)
