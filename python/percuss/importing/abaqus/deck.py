@@ -61,7 +61,8 @@ class AbaqusDeck:
         self.parts: dict[str, Scope] = {}
         self.assembly = Scope()
         self.assembly_name = ""
-        self.left_elements: set[int] = set()  # whose section or material is refused
+        self.left_elements: set[int] = set()  # whose kind, section or material is refused
+        self.has_lost_section = False  # a keyword of a section is refused
         self.rigid_material = ""  # of elements without a section
         self.controls: dict[str, Block] = {}  # *SECTION CONTROLS
         self.instances: list[Instance] = []

@@ -117,17 +117,17 @@ def build_parts(deck: AbaqusDeck) -> None:
             continue
         if name not in made:
             law = read_general_law(section) if section.general else translate_material(deck, name, section.place)
-            if law is None:
-                deck.left_elements |= set(deck.elements_of(section.elements, section.place))
             made[name] = (deck.model.names.take(name, "material"), law) if law else None
             if law:
                 deck.model.materials[made[name][0]] = law  # type: ignore[index]
         if made[name]:
             build_part(deck, section, number, *made[name])  # type: ignore[misc]
+        else:
+            deck.left_elements |= set(deck.elements_of(section.elements, section.place))
     build_rigid_parts(deck)
     without = deck.blocks_of_elements.keys() | deck.left_elements
     left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in without and kind not in (*POINTS, *SPRINGS)]
-    if left and deck.mesh.place:
+    if left and deck.mesh.place and not deck.has_lost_section:
         kinds = sorted({deck.mesh.elements[id][0] for id in left})
         deck.ledger.refuse(
             "ELEMENT.left",
@@ -236,9 +236,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         part.solids.append((id, solid))
         deck.ledger.translated("ELEMENT.degenerate", section.place, f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
     else:
-        deck.ledger.refuse(
-            f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}", "they are left out"
-        )
+        how = " whose corners fall together in another way than those of wedges, pyramids and tetrahedra" if kind in SOLIDS else ""
+        deck.ledger.refuse(f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}{how}", "they are left out")
+        deck.left_elements.add(id)
         return
     deck.blocks_of_elements[id] = len(deck.model.blocks)
 

@@ -75,7 +75,8 @@ class Reader:
     def refuse(self, block: Block) -> None:
         """A keyword that is known and not read, or one that is not known."""
         if block.keyword in OTHERS or block.keyword in OF_MATERIALS:
-            self.deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword}", "it is left out")
+            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword}", "it is left out")
+            self.deck.has_lost_section |= block.keyword.endswith(" SECTION") and not is_allowed
             return
         self.unknown.append((clip(block.keyword), block.place))
         text = f"an unknown keyword{suggest(block.keyword, KEYWORDS.values())}"
@@ -325,8 +326,9 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     damage.finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
+    kinds = {section.place: f"{section.kind} SECTION" for section in deck.mesh.sections}
     for part in deck.model.blocks:
-        deck.model.origins.cards["parts", part.name] = deck.model.origins.cards["materials", part.keys["material"]] = ("SECTION", part.place)
+        deck.model.origins.cards["parts", part.name] = deck.model.origins.cards["materials", part.keys["material"]] = (kinds.get(part.place, "ELEMENT"), part.place)
     deck.model.origins.note(deck.model, "RIGID BODY", None)
     apply(reader)
     finish(reader)

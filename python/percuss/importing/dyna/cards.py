@@ -48,6 +48,8 @@ class Card:
         if "," in text:
             texts = [word.strip() for word in text.split(",")]
         else:
+            if "\t" in text:
+                self._refuse_tab(line, widths)
             texts, first = [], 0
             for width in widths:
                 width = max(width, self.least_width)
@@ -56,6 +58,12 @@ class Card:
         if "&" in text:
             texts = [self._replace(word, number, widths[i] if i < len(widths) else 0) if "&" in word else word for i, word in enumerate(texts)]
         return texts
+
+    def _refuse_tab(self, line: tuple[int, str], widths: tuple[int, ...]) -> None:
+        """A tab before the end of the fields, headings apart: nobody sees which column follows it."""
+        end = sum(max(width, self.least_width) for width in widths if width < HEADING)
+        if "\t" in line[1].rstrip()[:end]:
+            raise BadInput(self.at(line[0]), "a tab stands in a line of columns (LS-DYNA takes it as one, an editor as several): write blanks or commas")
 
     def _replace(self, word: str, number: int, width: int) -> str:
         """A field with its parameters put in place; in a heading '&' may be a character like others."""
