@@ -9,7 +9,7 @@
 
 #include "src/checks/scene_measures.hpp"
 #include "src/contact/start/start_overlap.hpp"
-#include "src/contact/ties/tie_hinges.hpp"
+#include "src/contact/ties/tie_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/warning.hpp"
 
@@ -21,7 +21,7 @@ struct CheckedScene {
   const SceneMeasures* measures = nullptr;  // of the mesh
   const StartOverlap* overlap = nullptr;    // of a scene with contact or walls, at time 0
   double stable_step = 0;                   // smallest bound of an element, without step_scale [time]
-  const std::vector<TieHinge>* hinges = nullptr;
+  const TieMeasures* ties = nullptr;
   const std::vector<double>* part_steps = nullptr;  // find_part_steps()
 };
 

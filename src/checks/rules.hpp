@@ -54,6 +54,8 @@ std::vector<Warning> check_yield_stress(const CheckedScene& scene);
 std::vector<Warning> check_hardening(const CheckedScene& scene);
 std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
+std::vector<Warning> check_shell_points(const CheckedScene& scene);
+std::vector<Warning> check_no_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
 std::vector<Warning> check_cowper_symonds(const CheckedScene& scene);
 std::vector<Warning> check_damage_sign(const CheckedScene& scene);
@@ -68,6 +70,7 @@ std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);
 std::vector<Warning> check_shear_locking(const CheckedScene& scene);
 std::vector<Warning> check_incompressible_solids(const CheckedScene& scene);
+std::vector<Warning> check_triangles(const CheckedScene& scene);
 std::vector<Warning> check_duplicate_parts(const CheckedScene& scene);
 std::vector<Warning> check_enclosed_parts(const CheckedScene& scene);
 std::vector<Warning> check_angles(const CheckedScene& scene);
@@ -104,6 +107,7 @@ std::vector<Warning> check_damping_size(const CheckedScene& scene);
 std::vector<Warning> check_idle_forces(const CheckedScene& scene);
 std::vector<Warning> check_wall_place(const CheckedScene& scene);
 std::vector<Warning> check_wall_radius(const CheckedScene& scene);
+std::vector<Warning> check_wall_thickness(const CheckedScene& scene);
 std::vector<Warning> check_spring_length(const CheckedScene& scene);
 
 // Who moves and who meets whom (motion_rules.cpp)
@@ -115,6 +119,10 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene);
 std::vector<Warning> check_beam_contact(const CheckedScene& scene);
 std::vector<Warning> check_restitution(const CheckedScene& scene);
 
+// Bodies that rest on each other (resting_rules.cpp)
+std::vector<Warning> check_lagrange_rigid(const CheckedScene& scene);
+std::vector<Warning> check_undamped_friction(const CheckedScene& scene);
+
 // Contact (contact_rules.cpp)
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene);
 std::vector<Warning> check_penalty_speed(const CheckedScene& scene);
@@ -123,6 +131,7 @@ std::vector<Warning> check_inside_wall(const CheckedScene& scene);
 std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
 std::vector<Warning> check_tie_hinges(const CheckedScene& scene);
+std::vector<Warning> check_tie_sides(const CheckedScene& scene);
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
 
 // The steps of parts (step_rules.cpp)

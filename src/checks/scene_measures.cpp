@@ -1,6 +1,7 @@
 #include "src/checks/scene_measures.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -71,32 +72,76 @@ void measure_layer(const Mesh& mesh, std::size_t element, PartMeasures& part) {
       part.layer_thickness, find_distance(mesh.nodes[at(corners[0])], mesh.nodes[at(corners[at(across->corner)])]));
 }
 
+/// A wedge between the two faces of a sheet: both of its triangles lie on them, or one of its sides does, where the cut
+/// of a cell runs from one face to the other.
+void measure_wedge(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  constexpr unsigned sides = 0b00111, triangles = 0b11000;  // of wedge6_topology
+  const unsigned exterior = mesh.exterior[element];
+  const std::span<const int> corners = mesh.corners(element);
+  const auto find_edge = [&](std::size_t a, std::size_t b) {
+    return find_distance(mesh.nodes[at(corners[a])], mesh.nodes[at(corners[b])]);
+  };
+  double thickness = find_edge(0, 3);
+  if ((exterior & triangles) != triangles) {
+    if (std::popcount(exterior & sides) != 1) return;
+    const auto side = static_cast<std::size_t>(std::countr_zero(exterior & sides));  // along the edge from this corner
+    thickness = std::min(find_edge((side + 1) % 3, (side + 2) % 3), find_edge((side + 2) % 3, side));
+  }
+  ++part.layered_wedges;
+  part.layer_thickness = std::max(part.layer_thickness, thickness);
+}
+
+/// Area of the faces of a tetrahedron or a pyramid that lie on the surface, and how many there are.
+double measure_open_faces(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  double area = 0;
+  const Topology& topology = mesh.topology_of(element);
+  for (int f = 0; f < topology.face_count; ++f) {
+    if ((mesh.exterior[element] >> f & 1) == 0) continue;
+    const std::array<int, 4> nodes = mesh.elements.face_nodes({static_cast<int>(element), f});
+    const auto place = [&](std::size_t i) { return mesh.nodes[at(nodes[i])]; };
+    const Vec3 twice = cross(subtract(place(2), place(0)), subtract(place(3), place(1)));
+    area += 0.5 * std::sqrt(dot(twice, twice));
+    ++part.cut_faces;
+  }
+  return area;
+}
+
 void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     PartMeasures& part = parts[at(mesh.part_of(e))];
     const Topology& topology = mesh.topology_of(e);
     measure_edges(mesh, e, part);
     ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
-    if (topology.family == ElementFamily::hexahedra)
-      measure_layer(mesh, e, part);
-    else if (topology.is_solid())
-      ++part.small_solids;
+    if (topology.is_surface() && topology.corner_count == 3) ++part.triangles;
+    if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
+    if (topology.family == ElementFamily::wedges) measure_wedge(mesh, e, part);
+    if (topology.is_solid() && topology.family != ElementFamily::hexahedra) ++part.small_solids;
   }
 }
 
-/// Masses by exact sums, which have no order, and sizes of elements.
+/// Masses and the sizes of tetrahedra and pyramids by exact sums, which have no order, and sizes of elements.
 void measure_masses(const Deck& deck, const Mesh& mesh, std::vector<PartMeasures>& parts) {
-  std::vector<ExactSum> masses(parts.size());
+  std::vector<ExactSum> sums(3 * parts.size());  // of each part: mass, volume and area of what is cut
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const ElementBlock& block = mesh.block_of(e);
     const double volume = find_element_volume(mesh, e), size = find_element_size(mesh, e, volume);
     PartMeasures& part = parts[at(block.part)];
+    const std::size_t first = 3 * at(block.part);
     part.smallest_element = std::min(part.smallest_element, size);
     part.largest_element = std::max(part.largest_element, size);
-    masses[at(block.part)].add(deck.materials[at(block.material)].density * volume);
+    sums[first].add(deck.materials[at(block.material)].density * volume);
+    const ElementFamily family = mesh.topology_of(e).family;
+    if (family != ElementFamily::tetrahedra && family != ElementFamily::pyramids) continue;
+    ++part.cut_solids;
+    sums[first + 1].add(volume);
+    sums[first + 2].add(measure_open_faces(mesh, e, part));
   }
-  if (mesh.ranks && mesh.ranks->size() > 1) sum_over_ranks(*mesh.ranks, masses);
-  for (std::size_t p = 0; p < parts.size(); ++p) parts[p].mass = masses[p].round();
+  if (mesh.ranks && mesh.ranks->size() > 1) sum_over_ranks(*mesh.ranks, sums);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    parts[p].mass = sums[3 * p].round();
+    parts[p].cut_volume = sums[3 * p + 1].round();
+    parts[p].cut_area = sums[3 * p + 2].round();
+  }
 }
 
 /// Velocities at time 0 on the host.
@@ -266,8 +311,8 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
   std::vector<double> largest;
   const auto list = [&](const auto& count, const auto& value) {
     for (PartMeasures& part : scene.parts) {
-      for (std::int64_t* c :
-           {&part.solids, &part.small_solids, &part.shells, &part.beams, &part.single_layer, &part.nodes})
+      for (std::int64_t* c : {&part.solids, &part.small_solids, &part.shells, &part.triangles, &part.beams,
+                              &part.single_layer, &part.layered_wedges, &part.cut_solids, &part.cut_faces, &part.nodes})
         count(*c);
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);

@@ -30,10 +30,14 @@ struct PartMeasures {
   // whole numbers, whose sum has no order.
   std::array<std::int64_t, 6> moments{};
   std::int64_t solids = 0, shells = 0, beams = 0;  // elements
+  std::int64_t triangles = 0;                      // shells of three corners
   std::int64_t small_solids = 0;                   // solids that are no hexahedra
-  std::int64_t single_layer = 0;                   // solids with just two opposite faces on the surface, as a sheet has
-  double layer_thickness = 0;                      // largest distance of these faces [length]
-  double shell_thickness = 0;                      // of the thickest of its shells [length]
+  std::int64_t single_layer = 0;               // hexahedra with just two opposite faces on the surface, as of a sheet
+  std::int64_t layered_wedges = 0;             // wedges with both triangles on the surface, or cut along such a cell
+  double layer_thickness = 0;                  // largest distance of these faces [length]
+  std::int64_t cut_solids = 0, cut_faces = 0;  // tetrahedra and pyramids, and their faces on the surface
+  double cut_volume = 0, cut_area = 0;         // of these [length^3, length^2]
+  double shell_thickness = 0;                  // of the thickest of its shells [length]
 
   std::int64_t elements() const { return solids + shells + beams; }
   double extent() const;  // longest edge of its box [length]

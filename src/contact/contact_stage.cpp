@@ -121,8 +121,9 @@ bool ContactStage::wants_speeds() const { return impl_->has_walls && impl_->cont
 
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
-std::vector<TieHinge> ContactStage::find_hinges() const {
-  return find_tie_hinges(impl_->chunks, impl_->deck, impl_->ties_of_start, impl_->ranks);
+TieMeasures ContactStage::measure_ties() const {
+  return {find_tie_hinges(impl_->chunks, impl_->deck, impl_->ties_of_start, impl_->ranks),
+          find_tie_sizes(impl_->chunks, impl_->ties_of_start, impl_->ranks)};
 }
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {

@@ -15,7 +15,7 @@
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/search/contact_finder.hpp"
-#include "src/contact/ties/tie_hinges.hpp"
+#include "src/contact/ties/tie_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -68,8 +68,8 @@ class ContactStage {
   /// What prepare() found, of all ranks; empty before it.
   const StartOverlap& start_overlap() const;
 
-  /// Rows of shell nodes that ties of the start let turn. Collective.
-  std::vector<TieHinge> find_hinges() const;
+  /// Of the ties of the start. Collective.
+  TieMeasures measure_ties() const;
 
   /// How much of the overlap of the start is left at positions x, in a line; empty if there was none. Collective.
   std::string describe_overlap_left(Rows3<const double> x) const;

@@ -104,9 +104,9 @@ std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked,
                                    const ContactStage& contact, const StartState& start) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   const double bound = model.rigid.is_all ? start.state.next_dt : start.state.bound.step;
-  const std::vector<TieHinge> hinges = contact.find_hinges();
+  const TieMeasures ties = contact.measure_ties();
   const std::vector<double> part_steps = find_part_steps(chunked, start.state.results);
-  const CheckedScene scene{deck, &measures, &contact.start_overlap(), bound, &hinges, &part_steps};
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), bound, &ties, &part_steps};
   WarningLog log(deck.silenced);
   log.add(deck.warnings);
   log.add(find_start_warnings(deck, chunked));

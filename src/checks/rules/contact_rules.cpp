@@ -177,7 +177,7 @@ std::vector<Warning> check_friction(const CheckedScene& scene) {
 
 std::vector<Warning> check_tie_hinges(const CheckedScene& scene) {
   std::vector<Warning> warnings;
-  for (const TieHinge& hinge : *scene.hinges) {
+  for (const TieHinge& hinge : scene.ties->hinges) {
     const auto i = static_cast<std::size_t>(hinge.tie);
     const std::string path = join_path("contact.ties", i) + ".rotations";
     if (scene.deck.places.has(path)) continue;  // a hinge is meant
@@ -188,6 +188,29 @@ std::vector<Warning> check_tie_hinges(const CheckedScene& scene) {
                             "(without rotations the row is a hinge, about which the shells turn freely): set "
                             "{}: true, or false if a hinge is meant",
                             tie.a.name, tie.b.name, hinge.nodes, hinge.first, hinge.last, path)));
+  }
+  return warnings;
+}
+
+// A tie moves its nodes a with faces b. Nodes of b between those of a belong to none of them: a force comes in at
+// single nodes. A bar of two blocks, 4 x 4 elements tied to 6 x 6, has stresses of 0.67 to 1.18 of the mean, to 12 x 12
+// of -0.6 to 2.7; with 6 x 6 or 12 x 12 as side a 0.92 to 1.07 and 1.
+std::vector<Warning> check_tie_sides(const CheckedScene& scene) {
+  constexpr double most = 1.4;  // size of the faces of a over that of b
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.ties->sizes.size(); ++i) {
+    const TieSizes& sizes = scene.ties->sizes[i];
+    const TieDeck& tie = deck.contact.ties[i];
+    const std::vector<std::size_t> parts = find_named_parts(deck, tie.b);
+    const auto is_rigid = [&](std::size_t p) { return deck.parts[p].rigid.has_value(); };
+    if (sizes.b == 0 || sizes.a <= most * sizes.b || std::all_of(parts.begin(), parts.end(), is_rigid)) continue;
+    warnings.push_back(
+        warn_at(deck, "tie_sides", join_path("contact.ties", i) + ".a",
+                fmt::format("faces of '{}' are {:.2g} times as large as those of '{}' beneath (the tie holds nodes of "
+                            "a; those of b between them stay free, and the stress jumps from one to the next): "
+                            "exchange a and b, or match their meshes",
+                            tie.a.name, sizes.a / sizes.b, tie.b.name)));
   }
   return warnings;
 }

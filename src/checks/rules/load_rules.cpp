@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/checks/rules.hpp"
+#include "src/checks/who_touches.hpp"
 #include "src/deck/asked_for.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -253,6 +254,51 @@ std::vector<Warning> check_wall_radius(const CheckedScene& scene) {
         fmt::format("the radius is {:.3g} times the shortest element edge of part '{}' (walls stop nodes, so that this "
                     "one may slip between them): use elements of at most half the radius",
                     radius / part.shortest_edge, deck.parts[nearest].name)));
+  }
+  return warnings;
+}
+
+namespace {
+
+/// Why the thickness of a sheet matters at a wall that stops it at its middle; empty: it hardly does.
+std::string find_fault_of_thickness(const WallDeck& wall, const PartMeasures& part) {
+  constexpr double most_bend = 0.05;                 // half a thickness over the radius that a sheet is bent to
+  constexpr double nearest = 0.45, farthest = 0.55;  // thicknesses off the wall: it was placed as if the wall saw them
+  constexpr double flat = 0.1;                       // of its width: a tube that stands on the wall touches by its edge
+  const double distance = find_distance(wall, part.low, part.high), thickness = part.shell_thickness;
+  if (wall.is_round()) {
+    const double radius = wall.cylinder ? wall.cylinder->radius : wall.sphere->radius;
+    if (0.5 * thickness <= most_bend * radius || distance > part.extent()) return "";
+    return fmt::format("the radius to its middle is {:.3g} and not {:.3g}", radius, radius + 0.5 * thickness);
+  }
+  const Vec3 size = subtract(part.high, part.low);
+  const double depth =
+      std::abs(wall.normal[0]) * size[0] + std::abs(wall.normal[1]) * size[1] + std::abs(wall.normal[2]) * size[2];
+  if (depth > flat * std::sqrt(dot(size, size)) || distance < nearest * thickness || distance > farthest * thickness)
+    return "";
+  return fmt::format("it begins {:.3g} off the wall, half its thickness, and has this way to go", distance);
+}
+
+}  // namespace
+
+std::vector<Warning> check_wall_thickness(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    const std::string path = join_path("walls", w) + ".thickness";
+    if (deck.places.has(path)) continue;
+    const Marks stopped = mark_stopped(deck, deck.walls[w]);
+    for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+      const PartMeasures& part = scene.measures->parts[p];
+      const std::string fault =
+          stopped[p] && part.shell_thickness > 0 ? find_fault_of_thickness(deck.walls[w], part) : "";
+      if (fault.empty()) continue;
+      warnings.push_back(warn_at(deck, "wall_thickness", path,
+                                 fmt::format("this wall stops the shells of part '{}' at their middle ({}): set "
+                                             "{}: seen, or ignored if that is meant",
+                                             deck.parts[p].name, fault, path)));
+      break;
+    }
   }
   return warnings;
 }

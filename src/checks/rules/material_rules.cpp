@@ -254,6 +254,49 @@ std::vector<Warning> check_viscosity(const CheckedScene& scene) {
   return warnings;
 }
 
+// The limit moment of n Gauss points at z_i with weights w_i over that of the section: 2 sum w_i |z_i|, z from -1 to 1
+// (Abramowitz and Stegun, Handbook of Mathematical Functions, table 25.4).
+std::vector<Warning> check_shell_points(const CheckedScene& scene) {
+  constexpr int least = 4;  // 4 % too much; 5, the default, 5.5 % too little
+  static constexpr const char* faults[] = {"", "one point has no bending stress",
+                                           "two give a limit moment 15 % too large",
+                                           "three give a limit moment 14 % too small"};
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    if (!part.points || *part.points >= least || part.rigid || scene.measures->parts[p].shells == 0) continue;
+    if (!find_yield_stress(find_material(scene.deck, part).law)) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "shell_points", "parts." + part.name + ".points",
+                fmt::format("the shells of part '{}' have {} point{} through their thickness and yield "
+                            "({}): take 5, the default, or more",
+                            part.name, *part.points, *part.points == 1 ? "" : "s", faults[*part.points])));
+  }
+  return warnings;
+}
+
+// Central differences conserve the energy of linear motion; what rounds and what is not linear adds up over many steps.
+std::vector<Warning> check_no_viscosity(const CheckedScene& scene) {
+  constexpr double most = 1e5;  // steps: docs/limits.md
+  const TimeDeck& time = scene.deck.time;
+  const double steps = time.end / (time.step_scale * scene.stable_step);
+  if (!(steps > most) || !scene.deck.dampings.empty()) return {};
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const ElementDeck elements = scene.deck.find_elements(p);
+    const std::string& name = scene.deck.parts[p].name;
+    const std::string own = "parts." + name + ".bulk_viscosity.linear";
+    if (scene.deck.parts[p].rigid || scene.measures->parts[p].solids == 0) continue;
+    if (elements.linear_viscosity > 0 || elements.stiffness_damping > 0) continue;
+    return {
+        warn_at(scene.deck, "no_viscosity", scene.deck.places.has(own) ? own : "elements.bulk_viscosity.linear",
+                fmt::format("part '{}' has no linear bulk viscosity in some {:.2g} steps (a free vibration gains or "
+                            "loses some per cent of its energy in 1e5 steps): keep the default 0.06, or halve "
+                            "time.step_scale",
+                            name, steps))};
+  }
+  return {};
+}
+
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene) {
   constexpr double most = 0.25;  // of a part's mass: then the motion is another one
   std::vector<Warning> warnings;

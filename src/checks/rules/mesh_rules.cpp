@@ -99,12 +99,14 @@ bool is_obstacle(const Deck& deck, const PartDeck& part) {
   return touches && material.law.model == "elastic" && !material.failure;
 }
 
-/// Whether a material fails by a strain, which is that of a whole element.
-bool fails_by_strain(const MaterialDeck& material) {
-  return material.failure &&
-         (material.failure->plastic_strain || material.failure->principal_strain || material.failure->thinning ||
-          material.failure->mean_thinning || material.failure->johnson_cook);
+/// Whether a material fails by a strain, which is that of a whole element, and which failure.size scales.
+bool fails_by_strain(const FailureDeck& failure) {
+  return failure.plastic_strain || failure.principal_strain || failure.thinning || failure.mean_thinning ||
+         failure.johnson_cook;
 }
+
+/// Likewise by a stress.
+bool fails_by_stress(const FailureDeck& failure) { return failure.principal_stress || failure.pressure; }
 
 /// The smallest and the largest element of a material, and their parts.
 struct ElementRange {
@@ -134,7 +136,7 @@ std::vector<Warning> check_held_parts(const CheckedScene& scene) {
     const std::string& name = scene.deck.parts[p].name;
     const PartMeasures& part = scene.measures->parts[p];
     if (scene.deck.parts[p].rigid || part.nodes == 0 || scene.measures->selections.held[p] < part.nodes) continue;
-    if (is_obstacle(scene.deck, scene.deck.parts[p])) continue;
+    if (is_obstacle(scene.deck, scene.deck.parts[p]) || part.beams > 0) continue;  // beams can twist
     warnings.push_back(warn_at(scene.deck, "held_part", find_holding_path(scene.deck, name),
                                fmt::format("all {} nodes of part '{}' are held (it cannot deform, and its elements are "
                                            "computed for nothing): hold one of its sides, or make it an obstacle by "
@@ -176,7 +178,9 @@ std::vector<Warning> check_failure_size(const CheckedScene& scene) {
   constexpr double rounding = 1e-3;  // of sizes that the table is meant to reach
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
-    if (!fails_by_strain(material)) continue;
+    if (!material.failure) continue;
+    const bool by_strain = fails_by_strain(*material.failure);
+    if (!by_strain && !fails_by_stress(*material.failure)) continue;
     const ElementRange range = find_elements(scene, material);
     const auto& rows = material.failure->size;
     const std::string what =
@@ -187,10 +191,10 @@ std::vector<Warning> check_failure_size(const CheckedScene& scene) {
     if (rows.empty() && range.largest > most * range.smallest)
       warnings.push_back(warn_at(
           scene.deck, "failure_size", "materials." + material.name + ".failure",
-          fmt::format("material '{}' fails at one strain in {} (necks and cracks are one element wide, so that the "
-                      "largest take {:.2g} times the energy of the smallest): give the factors of the strain over the "
-                      "size as failure.size, or mesh evenly where the material fails",
-                      material.name, what, range.largest / range.smallest)));
+          fmt::format("material '{}' fails at one {} in {} (necks and cracks are one element wide, so that the "
+                      "largest take {:.2g} times the energy of the smallest): {}mesh evenly where the material fails",
+                      material.name, by_strain ? "strain" : "stress", what, range.largest / range.smallest,
+                      by_strain ? "give the factors of the strain over the size as failure.size, or " : "")));
     else if (!rows.empty() && range.largest > 0 &&
              (range.smallest < (1 - rounding) * rows.front()[0] || range.largest > (1 + rounding) * rows.back()[0]))
       warnings.push_back(

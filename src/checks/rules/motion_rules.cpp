@@ -6,43 +6,16 @@
 
 #include "src/checks/flight.hpp"
 #include "src/checks/rules.hpp"
+#include "src/checks/who_touches.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
 
-/// Parts by their number that something holds for.
-using Marks = std::vector<bool>;
-
-void mark(const Deck& deck, const Selector& where, Marks& marks) {
-  for (const std::size_t p : find_named_parts(deck, where)) marks[p] = true;
-}
-
 template <class Entries>
 Marks mark_named(const Deck& deck, const Entries& entries) {
   Marks marks(deck.parts.size(), false);
   for (const auto& entry : entries) mark(deck, entry.where, marks);
-  return marks;
-}
-
-/// The parts that have someone to touch after a time, by the deck: a surface or a tie.
-Marks mark_touching(const Deck& deck, double time = 0) {
-  const ContactDeck& contact = deck.contact;
-  Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
-  const auto mark_both = [&](const auto& pair) {
-    mark(deck, pair.a, marks);
-    mark(deck, pair.b, marks);
-  };
-  for (const SurfacePairDeck& pair : contact.pairs)
-    if (may_act_after(deck, pair.when, time)) mark_both(pair);
-  std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
-  return marks;
-}
-
-/// The parts that a wall stops.
-Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
-  Marks marks(deck.parts.size(), wall.nodes.empty());
-  for (const Selector& where : wall.nodes) mark(deck, where, marks);
   return marks;
 }
 
@@ -106,7 +79,7 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
   for (std::size_t a = 0; a < flights.size(); ++a) {
     for (std::size_t b = a + 1; b < flights.size() && meetings.size() < most; ++b) {
       if ((!flights[a].moves() && !flights[b].moves()) || flights[a].moves_with(flights[b])) continue;
-      if (scene.measures->are_joined(a, b)) continue;
+      if (scene.measures->are_joined(a, b) || are_sprung(scene.deck, a, b)) continue;
       if (of_beams[a] || of_beams[b]) continue;  // check_beam_contact()
       if (do_overlap(flights[a].find_box(0), flights[b].find_box(0))) continue;
       const double time = find_meeting(flights[a], flights[b], scene.deck.time.end, overlapping_share);
@@ -368,18 +341,6 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
   return warnings;
 }
 
-/// Whether a joint holds two parts together. They are meant to touch there, and to have no contact.
-bool are_jointed(const Deck& deck, const Meeting& meeting) {
-  const auto holds = [&](const JointDeck& joint, std::size_t p) {
-    const PartDeck& part = deck.parts[p];
-    if (!part.rigid) return false;
-    const std::string& body = part.rigid->body.empty() ? part.name : part.rigid->body;
-    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
-  };
-  return std::any_of(deck.joints.begin(), deck.joints.end(),
-                     [&](const JointDeck& joint) { return holds(joint, meeting.a) && holds(joint, meeting.b); });
-}
-
 /// Of joined parts one that has a surface may lie on the others.
 Marks mark_touching_with_joined(const CheckedScene& scene, double time) {
   Marks touching = mark_touching(scene.deck, time);
@@ -407,7 +368,7 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   const bool is_switched = std::any_of(deck.contact.pairs.begin(), deck.contact.pairs.end(),
                                        [](const SurfacePairDeck& pair) { return pair.when.any(); });
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
-    if (are_jointed(deck, meeting)) continue;
+    if (are_jointed(deck, meeting.a, meeting.b)) continue;
     const Marks touching = is_switched ? mark_touching_with_joined(scene, meeting.time) : ever;
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
       if (touching[part]) continue;
@@ -430,7 +391,7 @@ std::vector<Warning> check_restitution(const CheckedScene& scene) {
   if (deck.parts.size() > most_compared_parts) return {};
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
     const PartDeck &a = deck.parts[meeting.a], &b = deck.parts[meeting.b];
-    if (!a.rigid || !b.rigid || are_jointed(deck, meeting)) continue;
+    if (!a.rigid || !b.rigid || are_jointed(deck, meeting.a, meeting.b)) continue;
     return {warn_at(deck, "restitution", "contact",
                     fmt::format("rigid parts '{}' and '{}' meet (from t = {:.2g} on) and part with {:g} times the "
                                 "velocity of approach (the default of contact.enforcement): set contact.restitution",

@@ -18,10 +18,12 @@ double find_distance(const Vec3& point, const Vec3& low, const Vec3& high) {
   return std::sqrt(square);
 }
 
-/// "40 minutes", "3 hours", "2 days".
+/// "a minute at most", "40 minutes", "3 hours", "2 days".
 std::string describe_wait(double seconds) {
-  if (seconds < 7200) return fmt::format("{:.0f} minutes", std::max(seconds / 60, 1.0));
-  return seconds < 172800 ? fmt::format("{:.0f} hours", seconds / 3600) : fmt::format("{:.0f} days", seconds / 86400);
+  if (seconds < 90) return "a minute at most";
+  if (seconds < 7200) return fmt::format("some {:.0f} minutes", seconds / 60);
+  return seconds < 172800 ? fmt::format("some {:.0f} hours", seconds / 3600)
+                          : fmt::format("some {:.0f} days", seconds / 86400);
 }
 
 }  // namespace
@@ -38,9 +40,9 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
   if (!is_short && steps <= most) return {};
   double elements = 0;
   for (const PartMeasures& part : scene.measures->parts) elements += static_cast<double>(part.elements());
-  const std::string why =
-      is_short ? std::string("waves cross fewer than five elements")
-               : fmt::format("they take some {} on one core", describe_wait(steps * elements * element_time));
+  const std::string why = is_short
+                              ? std::string("waves cross fewer than five elements")
+                              : fmt::format("they take {} on one core", describe_wait(steps * elements * element_time));
   return {
       warn_at(scene.deck, "end_time", "time.end",
               fmt::format("time.end = {:g} takes about {:.2g} step{} of {:.2g} ({}): check its unit and those of the "

@@ -7,6 +7,7 @@
 
 #include "src/checks/rules.hpp"
 #include "src/deck/make_material.hpp"
+#include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -97,14 +98,43 @@ std::size_t count_listed_turns(const Deck& deck, const PartDeck& part) {
   return std::min(listed, part.rotate.size());
 }
 
-/// Whether a part is a sheet of solid elements, one element thick.
-bool is_single_layer(const PartMeasures& part) {
+/// Whether a part is a sheet of solid elements of which so many are in one layer.
+bool is_single_layer(const PartMeasures& part, std::int64_t layered, double thickness) {
   constexpr double least_share = 0.9;   // of the elements: those of ribs and rims have other sides
   constexpr double least_slender = 10;  // width over thickness: a thicker block hardly bends
   constexpr std::int64_t least_elements = 9;
-  const double share = static_cast<double>(part.single_layer) / static_cast<double>(part.elements());
-  return part.single_layer >= least_elements && share >= least_share &&
-         sort_edges(part)[1] > least_slender * part.layer_thickness;
+  const double share = static_cast<double>(layered) / static_cast<double>(part.elements());
+  return layered >= least_elements && share >= least_share && sort_edges(part)[1] > least_slender * thickness;
+}
+
+bool is_single_layer(const PartMeasures& part) {
+  return is_single_layer(part, part.single_layer, part.layer_thickness);
+}
+
+/// Whether the tetrahedra and pyramids of a part fill one cell between two surfaces: of the twelve or six in a cell
+/// four or two then have a face there, of a mesh without middle nodes more. Two cells have half as many.
+bool fill_one_cell(const PartMeasures& part) {
+  constexpr double least_faces = 0.3;  // of each element
+  return static_cast<double>(part.cut_faces) >= least_faces * static_cast<double>(part.cut_solids);
+}
+
+/// Whether a condition keeps a whole part from moving across its thinnest direction: it is flat, and does not bend.
+bool is_held_flat(const Deck& deck, const PartDeck& part, const PartMeasures& measures) {
+  const Vec3 size = subtract(measures.high, measures.low);
+  const auto thin = static_cast<std::size_t>(std::min_element(size.begin(), size.end()) - size.begin());
+  return std::any_of(deck.conditions.begin(), deck.conditions.end(), [&](const ConditionDeck& condition) {
+    const bool is_whole = condition.where.name == part.name && !condition.where.inside && !condition.when.any();
+    return is_whole && condition.active[thin];
+  });
+}
+
+/// What one layer of elements cannot do.
+std::string describe_layer(const PartMeasures& part, bool is_cut) {
+  if (is_cut) return "constant strain does not bend: tetrahedra are nearly twice too stiff, and yield too late";
+  if (part.layered_wedges > 0)
+    return "one point has neither bending stress nor yield in bending, and the hourglass control of wedges is not as "
+           "stiff as the material";
+  return "one point has neither bending stress nor yield in bending";
 }
 
 }  // namespace
@@ -153,15 +183,21 @@ std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
 std::vector<Warning> check_single_layer(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
-    if (scene.deck.find_elements(p).integration == ElementDeck::Integration::full) continue;
     const PartDeck& part = scene.deck.parts[p];
     const PartMeasures& measures = scene.measures->parts[p];
-    if (!is_single_layer(measures) || is_driven(scene.deck, part)) continue;
+    const bool has_points = scene.deck.find_elements(p).integration == ElementDeck::Integration::full;
+    const bool is_cut = measures.cut_solids > 0 && fill_one_cell(measures);
+    const std::int64_t layered =
+        (has_points ? 0 : measures.single_layer) + measures.layered_wedges + (is_cut ? measures.cut_solids : 0);
+    const double thickness =
+        std::max(measures.layer_thickness, is_cut ? 2 * measures.cut_volume / measures.cut_area : 0);
+    if (part.rigid || is_driven(scene.deck, part) || is_held_flat(scene.deck, part, measures)) continue;
+    if (!is_single_layer(measures, layered, thickness)) continue;
     warnings.push_back(
         warn_at(scene.deck, "single_layer", find_shape_path(part),
-                fmt::format("part '{}' has one solid element through its thickness {:.3g} (one point has "
-                            "neither bending stress nor yield in bending): take 3 or more, or shells",
-                            part.name, measures.layer_thickness)));
+                fmt::format("part '{}' has one {} through its thickness {:.3g} ({}): take 3 or more{}, or shells",
+                            part.name, is_cut ? "cell of tetrahedra or pyramids" : "solid element", thickness,
+                            describe_layer(measures, is_cut), measures.small_solids > 0 ? " hexahedra" : "")));
   }
   return warnings;
 }
@@ -209,6 +245,25 @@ std::vector<Warning> check_incompressible_solids(const CheckedScene& scene) {
         fmt::format(
             "part '{}' has {} tetrahedra, wedges or pyramids of material '{}', whose volume hardly changes ({}): {}",
             part.name, measures.small_solids, material.name, why, remedy)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_triangles(const CheckedScene& scene) {
+  constexpr double most = 0.3;  // of the shells: meshes of quadrilaterals have a few per cent
+  constexpr std::int64_t least_elements = 20;
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    const double share =
+        static_cast<double>(measures.triangles) / static_cast<double>(std::max(measures.shells, std::int64_t{1}));
+    if (part.rigid || is_driven(scene.deck, part) || measures.triangles < least_elements || share <= most) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "shell_triangles", find_shape_path(part),
+                fmt::format("{} of the {} shells of part '{}' are triangles (their strain is constant in the plane, so "
+                            "that walls bend and fold too stiffly): mesh with quadrilaterals, with few triangles",
+                            measures.triangles, measures.shells, part.name)));
   }
   return warnings;
 }

@@ -100,10 +100,10 @@ void Run::begin() {
   compute_start_ = compute_seconds();
   stepper_.start(state_);
   begin_books();
-  const std::vector<TieHinge> hinges = contact_.find_hinges();
+  const TieMeasures ties = contact_.measure_ties();
   const double bound = model_.rigid.is_all ? state_.next_dt : state_.bound.step;
   const std::vector<double> part_steps = find_part_steps(chunked_, state_.results);
-  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &hinges, &part_steps}));
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), bound, &ties, &part_steps}));
   erode();
   // What collapses is the step of elements.
   const bool is_approach = stepper_.find_limiting_approach(state_) != nullptr;

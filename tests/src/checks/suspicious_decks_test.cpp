@@ -32,9 +32,9 @@ std::vector<Warning> check(const std::string& text) {
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
-  const std::vector<TieHinge> hinges = contact.find_hinges();
+  const TieMeasures ties = contact.measure_ties();
   const std::vector<double> part_steps = find_part_steps(chunked, state.results);
-  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step, &hinges, &part_steps};
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step, &ties, &part_steps};
   std::vector<Warning> warnings = deck.warnings;
   for (const auto& found : {chunked.mesh.warnings, check_input(scene), check_start(scene)})
     warnings.insert(warnings.end(), found.begin(), found.end());

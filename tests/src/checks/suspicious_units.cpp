@@ -113,6 +113,14 @@ Changes::value_type with_rate(const std::string& keys) {
           keys};
 }
 
+/// Elements of the sheet far smaller than those of the plate, of one material.
+const std::pair<std::string, std::string> fine_sheet{"cells: [5, 5]", "cells: [40, 40]"};
+
+/// The plate as shells.
+const std::string shells_of_plate[] = {
+    "box: {size: [0.1, 0.1, 0.01], cells: [6, 6, 3]}",
+    "shell_plate: {size: [0.1, 0.1], cells: [6, 6]}, at: [0, 0, 0.009], thickness: 0.002"};
+
 std::vector<SuspiciousDeck> material_decks() {
   const std::string start = "elements: {";
   return {
@@ -232,9 +240,34 @@ std::vector<SuspiciousDeck> material_decks() {
        {{"400e6}", "400e6, failure: {plastic_strain: 0.3}}"}, {"cells: [5, 5]", "cells: [12, 12]"}}},
       {"FailureStressOfTwoMeshes",
        "failure_size",
-       "failure: {plastic_strain: 0.3}",
-       {{"400e6}", "400e6, failure: {plastic_strain: 0.3}}"}, {"cells: [5, 5]", "cells: [40, 40]"}},
-       {{"400e6}", "400e6, failure: {principal_stress: 300e6}}"}, {"cells: [5, 5]", "cells: [40, 40]"}}},
+       "failure: {principal_stress: 300e6}",
+       {{"400e6}", "400e6, failure: {principal_stress: 300e6}}"}, {"cells: [5, 5]", "cells: [40, 40]"}},
+       {{"400e6}", "400e6, failure: {principal_stress: 300e6}}"}, {"cells: [5, 5]", "cells: [12, 12]"}}},
+      {"CutOffPressureOfTwoMeshes",
+       "failure_size",
+       "failure: {pressure: 300e6}",
+       {{"400e6}", "400e6, failure: {pressure: 300e6}}"}, fine_sheet},
+       {{"400e6}", "400e6, failure: {yield_time: 1e-4}}"}, fine_sheet}},
+      {"PrincipalStrainOfTwoMeshes",
+       "failure_size",
+       "failure: {principal_strain: 0.3}",
+       {{"400e6}", "400e6, failure: {principal_strain: 0.3}}"}, fine_sheet},
+       {{"400e6}", "400e6, failure: {principal_strain: 0.3, size: [[1e-6, 2], [1e6, 1]]}}"}, fine_sheet}},
+      {"DamageOfTwoMeshes",
+       "failure_size",
+       "failure: {johnson_cook",
+       {{"400e6}", "400e6, failure: {johnson_cook: {d1: 0.3}}}"}, fine_sheet},
+       {{"400e6}", "400e6, failure: {johnson_cook: {d1: 0.3}, size: [[1e-6, 2], [1e6, 1]]}}"}, fine_sheet}},
+      {"ThinningOfTwoMeshes",
+       "failure_size",
+       "failure: {thinning: 0.3}",
+       {{"400e6}", "400e6, failure: {thinning: 0.3}}"}, {shells_of_plate[0], shells_of_plate[1]}, fine_sheet},
+       {{"400e6}", "400e6, failure: {thinning: 0.3}}"}, {shells_of_plate[0], shells_of_plate[1]}}},
+      {"MeanThinningOfTwoMeshes",
+       "failure_size",
+       "failure: {mean_thinning: 0.3}",
+       {{"400e6}", "400e6, failure: {mean_thinning: 0.3}}"}, {shells_of_plate[0], shells_of_plate[1]}, fine_sheet},
+       {{"400e6}", "400e6, failure: {mean_thinning: 0.3}}"}, {shells_of_plate[0], shells_of_plate[1]}}},
       {"FailureStrainOfTwoMeshesWithSizes",
        "failure_size",
        "failure: {plastic_strain: 0.3}",

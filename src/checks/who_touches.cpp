@@ -1,0 +1,63 @@
+#include "src/checks/who_touches.hpp"
+
+#include <algorithm>
+
+#include "src/checks/checked_scene.hpp"
+
+namespace percuss {
+namespace {
+
+/// Whether an end of a spring may be at a part; a point without a name at any.
+bool is_at(const Deck& deck, const SpringEndDeck& end, std::size_t part) {
+  const std::string& point = end.point ? end.point->part : end.where.name;
+  if (point.empty()) return true;
+  Selector where;
+  where.name = point;
+  const std::vector<std::size_t> parts = find_named_parts(deck, where);
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+}  // namespace
+
+void mark(const Deck& deck, const Selector& where, Marks& marks) {
+  for (const std::size_t p : find_named_parts(deck, where)) marks[p] = true;
+}
+
+Marks mark_touching(const Deck& deck, double time) {
+  const ContactDeck& contact = deck.contact;
+  Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
+  const auto mark_both = [&](const auto& pair) {
+    mark(deck, pair.a, marks);
+    mark(deck, pair.b, marks);
+  };
+  for (const SurfacePairDeck& pair : contact.pairs)
+    if (may_act_after(deck, pair.when, time)) mark_both(pair);
+  std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
+  return marks;
+}
+
+Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
+  Marks marks(deck.parts.size(), wall.nodes.empty());
+  for (const Selector& where : wall.nodes) mark(deck, where, marks);
+  return marks;
+}
+
+bool are_jointed(const Deck& deck, std::size_t part, std::size_t other) {
+  const auto holds = [&](const JointDeck& joint, std::size_t p) {
+    const PartDeck& one = deck.parts[p];
+    if (!one.rigid) return false;
+    const std::string& body = one.rigid->body.empty() ? one.name : one.rigid->body;
+    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
+  };
+  return std::any_of(deck.joints.begin(), deck.joints.end(),
+                     [&](const JointDeck& joint) { return holds(joint, part) && holds(joint, other); });
+}
+
+bool are_sprung(const Deck& deck, std::size_t part, std::size_t other) {
+  return std::any_of(deck.springs.begin(), deck.springs.end(), [&](const SpringDeck& spring) {
+    const auto& [a, b] = spring.between;
+    return (is_at(deck, a, part) && is_at(deck, b, other)) || (is_at(deck, b, part) && is_at(deck, a, other));
+  });
+}
+
+}  // namespace percuss

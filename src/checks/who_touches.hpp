@@ -1,0 +1,29 @@
+#pragma once
+// Which parts may touch each other and walls, by what the deck names.
+
+#include <cstddef>
+#include <vector>
+
+#include "src/deck/deck.hpp"
+
+namespace percuss {
+
+/// Parts by their number that something holds for.
+using Marks = std::vector<bool>;
+
+/// Adds the parts that a selector may mean.
+void mark(const Deck& deck, const Selector& where, Marks& marks);
+
+/// The parts that have someone to touch after a time, by the deck: a surface or a tie.
+Marks mark_touching(const Deck& deck, double time = 0);
+
+/// The parts that a wall stops.
+Marks mark_stopped(const Deck& deck, const WallDeck& wall);
+
+/// Whether a joint holds two parts together. They are meant to touch there, and to have no contact.
+bool are_jointed(const Deck& deck, std::size_t part, std::size_t other);
+
+/// Whether a spring is between two parts: then neither flies freely.
+bool are_sprung(const Deck& deck, std::size_t part, std::size_t other);
+
+}  // namespace percuss
