@@ -7,6 +7,7 @@ T = 1e-4  # velocities are those of half a step before: 0.4 % of it
 STEEL = f"*MATERIAL, NAME=steel\n*DENSITY\n{DENSITY!r}\n*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
 REF = "*NODE\n9, 5., 5., 15.\n"
 RIGID = f"{REF}*RIGID BODY, REF NODE=9, ELSET=cube\n"
+CENTERED = RIGID.replace("REF NODE=9,", "REF NODE=9, POSITION=CENTER OF MASS,")
 PLATE = ("*NODE\n1, 0., 0., 0.\n2, 10., 0., 0.\n3, 10., 10., 0.\n4, 0., 10., 0.\n9, 5., 5., 0.\n*ELEMENT, TYPE=R3D4, ELSET=plate\n1, 1, 2, 3, 4\n*RIGID BODY, REF NODE=9, ELSET=plate\n"
          "*ELEMENT, TYPE=MASS, ELSET=m\n2, 9\n*MASS, ELSET=m\n2e-6,\n")
 ROTARY = "*ELEMENT, TYPE=ROTARYI, ELSET=r\n3, 9\n*ROTARY INERTIA, ELSET=r\n1e-5, 2e-5, 3e-5\n"
@@ -94,8 +95,12 @@ PROOFS = [
     Proof("RIGID BODY: REF_NODE ELSET; CLOAD", pushed(RIGID), [("momentum_x", LAST, 2.0 * T, 1e-2), ("angular_y", LAST, 2.0 * 10.0 * T, 2e-2), ("internal", ALL, 0.0, 1e-15)],
           "2 N at 10 mm above the centre"),
     Proof("RIGID BODY: REF_NODE; CLOAD", pushed(RIGID, "*CLOAD\n9, 5, 7.\n"), [("angular_y", LAST, 7.0 * T, 1e-2), ("momentum_x", LAST, 0.0, 1e-15)], "a moment of 7 N mm"),
-    Proof("RIGID BODY: POSITION; BOUNDARY", pushed(RIGID.replace("REF NODE=9,", "REF NODE=9, POSITION=CENTER OF MASS,"), "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n*CLOAD\nall, 2, 0.5\n"),
+    Proof("RIGID BODY: POSITION; BOUNDARY", pushed(CENTERED, "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n*CLOAD\nall, 2, 0.5\n"),
           [("momentum_x", LAST, 40.0 * CUBE_MASS, 1e-6), ("momentum_y", LAST, 4.0 * T, 1e-2)], "driven along x, free along y"),
+    Proof("RIGID BODY: POSITION; CLOAD", pushed(CENTERED), [("momentum_x", LAST, 2.0 * T, 1e-2), ("body_wy:CUBE", LAST, 0.0, 1e-12)], "a load at a reference node that goes to the centre does not turn the body"),
+    Proof("RIGID BODY: POSITION; INITIAL CONDITIONS: TYPE", pushed(CENTERED + "*INITIAL CONDITIONS, TYPE=VELOCITY\n9, 1, 100.\n9, 5, 3.\n", ""),
+          [("momentum_x", LAST, 100.0 * CUBE_MASS, 1e-9), ("body_wy:CUBE", FIRST, 3.0, 1e-9)], "so are its velocity and spin those of the centre"),
+    Proof("RIGID BODY: POSITION", pushed(CENTERED + "*ELEMENT, TYPE=MASS, ELSET=m\n2, 9\n*MASS, ELSET=m\n2e-6,\n"), refused="RIGID BODY.POSITION"),
     Proof("MASS: ELSET; RIGID BODY: ELSET", abaqus(PLATE, STEEL, end=T, step="*CLOAD\n9, 3, 4.\n"), [("body_vz:PLATE", LAST, 4.0 / 2e-6 * T, 1e-2), ("momentum_z", LAST, 4.0 * T, 1e-2)], "4 N on 2e-6 t"),
     Proof("ROTARY INERTIA: ELSET", abaqus(PLATE + ROTARY, STEEL, end=T, step="*CLOAD\n9, 4, 4.\n"), [("body_wx:PLATE", LAST, 4.0 / 1e-5 * 1e-4, 3e-2)], "4 N mm on 1e-5 t mm2"),
     Proof("ROTARY INERTIA: ELSET", abaqus(PLATE + ROTARY, STEEL, end=1e-4, step="*CLOAD\n9, 6, 4.\n"), [("body_wz:PLATE", LAST, 4.0 / 3e-5 * 1e-4, 3e-2)], "4 N mm on 3e-5 t mm2"),

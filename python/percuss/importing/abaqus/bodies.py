@@ -132,6 +132,7 @@ def build_bodies(deck: AbaqusDeck) -> None:
             deck.model.deck.setdefault("rigid_sets", {})[name] = entry
             group.keys = group.keys if blocks else entry
             group.name = group.name or name
+        group.moves_ref = group.at_center and not has_point_mass_alone(deck, group)
         deck.groups.append(group)
         deck.group_of_ref |= dict.fromkeys(group.refs, group)
         for m in together:
@@ -146,6 +147,8 @@ def add_reference_masses(deck: AbaqusDeck, nodes: list[int], keys: Deck, place: 
         if group is None:
             left.append(node)
             continue
+        if group.moves_ref:
+            deck.ledger.refuse("RIGID BODY.POSITION", place, "mass or inertia of a reference node that moves to the centre", "it stays at the place of the node")
         if "mass" in keys and "mass" in group.rigid_keys:
             raise BadInput(place, "a rigid body has two masses at its reference node: add them up")
         group.rigid_keys |= {**keys, "center": list(deck.mesh.nodes[node])}
@@ -153,10 +156,15 @@ def add_reference_masses(deck: AbaqusDeck, nodes: list[int], keys: Deck, place: 
     return left
 
 
+def has_point_mass_alone(deck: AbaqusDeck, group: RigidGroup) -> bool:
+    """Whether its elements are rigid ones, which have no mass."""
+    blocks = [block for block in deck.model.blocks if block.keys.get("rigid") is not None and group.nodes >= deck.model.nodes_of_blocks([block.id])]
+    return bool(blocks) and all(block.keys["material"] == deck.rigid_material for block in blocks)
+
+
 def add_point_mass(deck: AbaqusDeck, group: RigidGroup) -> None:
     """Rigid elements without mass have that of their reference node; to other bodies it is added."""
-    blocks = [block for block in deck.model.blocks if block.keys.get("rigid") is not None and group.nodes >= deck.model.nodes_of_blocks([block.id])]
-    if blocks and all(block.keys["material"] == deck.rigid_material for block in blocks):
+    if has_point_mass_alone(deck, group):
         group.at_center = True
         center = group.rigid_keys.get("center") or list(deck.mesh.nodes[min(group.refs)] if group.refs else deck.mesh.nodes[min(group.nodes)])
         group.keys |= {**group.rigid_keys, "center": center}

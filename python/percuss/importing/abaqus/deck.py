@@ -36,6 +36,7 @@ class RigidGroup:
     keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
     held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
     at_center: bool = False  # the reference node is the centre
+    moves_ref: bool = False  # POSITION=CENTER OF MASS: it goes there from its place
     rigid_keys: Deck = field(default_factory=dict)  # mass, centre and inertia at the reference node
     wall: Deck | None = None  # of an analytical surface, by its name
     card: BodyCard | None = None  # of such a surface

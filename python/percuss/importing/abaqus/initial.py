@@ -75,6 +75,8 @@ def add_velocities(deck: AbaqusDeck) -> None:
         group = deck.group_of_ref[node]
         if not any(velocity[3:]):
             groups.setdefault(tuple(velocity[:3]), []).extend(sorted(group.nodes))
+        elif group.moves_ref:
+            turning.append({"body": group.name, "velocity": velocity[:3], "angular_velocity": velocity[3:]})
         elif group.nodes:
             name = name_nodes(deck, sorted(group.nodes), "turning")
             turning.append({"nodes": name, "velocity": velocity[:3], "angular_velocity": velocity[3:], "center": list(deck.mesh.nodes[node])})

@@ -95,7 +95,7 @@ def write_body_load(deck: AbaqusDeck, ref: int, dof: int, place: Place) -> Calla
             deck.ledger.refuse("CLOAD.wall", place, "a load on an analytical surface that is held or moved", "it has no effect")
             return
         kind = "force" if dof <= 3 else "moment"
-        at = {"at": list(deck.mesh.nodes[ref])} if dof <= 3 else {}
+        at = {"at": list(deck.mesh.nodes[ref])} if dof <= 3 and not group.moves_ref else {}
         list_loads(deck, "nodal").append({"body": group.name, **at, kind: {AXES[(dof - 1) % 3]: value}})
         deck.ledger.translated("CLOAD", place, "loads.nodal on a body, at its reference node")
 
