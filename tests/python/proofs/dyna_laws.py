@@ -2,7 +2,7 @@
 
 import math
 
-from . import LAST, MAX, Proof
+from . import LAST, MAX, MIN, Proof
 from .pieces import CORNERS, CUBE_MASS, DENSITY, cube, curve, deck, elastic, node_set, rigid, shell, velocity
 
 END = 1e-3
@@ -98,9 +98,12 @@ STATE = "*EOS_LINEAR_POLYNOMIAL\n1,0.0,170000.0,40000.0,90000.0\n0.0,1.0\n"
 WITH_STATE = ",1"
 
 
-def state_cube(material, ratio, *more, rows=100):
-    text = stretched(material, ratio, *more, rows=rows)
+def state_cube(material, ratio, *more, rows=100, path=()):
+    text = stretched(material, ratio, *more, rows=rows, path=path)
     return text.replace("*PART\npart_1\n1,1,1\n", "*PART\npart_1\n1,1,1,1\n")
+
+
+CLOSED = ((0.0, 0.0), (END / 2, 10.0 * (UP - 1)), (END, 10.0 * (1 / UP - 1)))  # pulled, then pressed
 
 
 def follow_adiabat(pressure, energy):
@@ -252,7 +255,10 @@ STATES = [
           state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-9e9,0.008\n0\n0\n0\n0\n{STATE}", UP, "") ,
           [("eroded_elements", LAST, 1.0, 0.0)], "the plastic strain reaches 0.008; PC of -9e9 is none"),
     Proof("MAT_ELASTIC_PLASTIC_HYDRO: PC",
-          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-900.0\n0\n0\n0\n0\n{STATE}", UP), refused="tension cutoff"),
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-900.0\n0\n0\n0\n0\n{STATE}", UP),
+          [(PRESSURE, LAST, -900.0, 1e-6), (MISES, LAST, mises(STRAIN, 300.0, 2000.0), 3e-3)], "tension stays at the cutoff, and the deviator goes on"),
+    Proof("MAT_ELASTIC_PLASTIC_HYDRO: PC",
+          state_cube(f"*MAT_ELASTIC_PLASTIC_HYDRO\n1,{DENSITY!r},{SHEAR!r},300.0,2000.0,-900.0\n0\n0\n0\n0\n{STATE.replace('90000.0', '90000.0,0.5')}", UP), refused="tension cutoff"),
     Proof("MAT_JOHNSON_COOK: MID RO G A B N C EPSO VP; EOS_GRUNEISEN: EOSID C S1 GAMMA0", state_cube(COOK_SHOCK, 1 / UP), SHOCKED,
           "(A + B p^N) (1 + C ln(rate / EPSO)); Hugoniot pressure rho c^2 mu (1 + mu) / (1 - (S1 - 1) mu)^2, within the energy of 2 %"),
     *[Proof("CONTROL_TIMESTEP: DT2MS MS1ST", state_cube(COOK_SHOCK, 1 / UP, f"*CONTROL_TIMESTEP\n0,0.9,0,0,{-2 * STEP_OF_CUBE!r},0,0,{once}\n", rows=10),
@@ -270,7 +276,15 @@ STATES = [
           state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_LINEAR_POLYNOMIAL\n1,0,{BULK!r},0,0,0.4,0.4\n50.0,1.0\n", 1 / UP),
           [(lambda h: h[PRESSURE][-1] / (BULK * (UP - 1) + 0.4 * UP * (50.0 + BULK * (UP - 1) ** 2 / 2 / UP)), LAST, 1.0, 1e-2)],
           "K mu + 0.4 (1 + mu) E, E from 50 by compression work"),
-    Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n{STATE}", 1 / UP), refused="tension cutoff"),
+    Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n{STATE}", UP), [(PRESSURE, LAST, -5.0, 1e-6)], "tension stays at the cutoff"),
+    *[Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},{cutoff}\n{STATE}", UP, path=CLOSED), [(PRESSURE, LAST, polynomial(1 / UP), 5e-3)],
+            "a cavity closes where it has opened: C1 mu + C2 mu^2 + C3 mu^3 of the volume") for cutoff in (-5.0, -1e-6, -3000.0)],
+    Proof("MAT_NULL: PC; EOS_GRUNEISEN: C S1", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n*EOS_GRUNEISEN\n1,4.6e6,1.5\n1.0\n", UP, path=CLOSED),
+          [(PRESSURE, LAST, DENSITY * 4.6e6**2 * (1 - 1 / UP) / (1 - 1.5 * (1 - 1 / UP)) ** 2, 5e-3), (PRESSURE, MIN, -5.0, 1e-6)], "the Hugoniot, without energy"),
+    Proof("MAT_NULL: PC; EOS_TABULATED: LCC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n*EOS_TABULATED\n1,0,0,1.0,21\n", UP, curve(21, (-0.1, 3e4), (0.0, 0.0), (0.1, -2e4)), path=CLOSED),
+          [(PRESSURE, LAST, 3e5 * math.log(UP), 3e-3), (PRESSURE, MIN, -5.0, 1e-6)], "the table above the cutoff"),
+    Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n1.0\n", UP), refused="tension cutoff"),
+    Proof("MAT_ELASTIC_FLUID: CP", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},{E_NU}\n0,1.0\n", UP), [(PRESSURE, LAST, -1.0, 1e-6)], "tension stays at CP"),
     Proof("MAT_ELASTIC_FLUID: MID RO K", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},0,0,0,0,{BULK!r}\n", 1 / UP),
           [(PRESSURE, LAST, BULK * (UP - 1), 2e-3)], "K (V0 / V - 1)"),
     Proof("MAT_ELASTIC_FLUID: E PR", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},{E_NU}\n", 1 / UP),

@@ -354,7 +354,7 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law["absolute_zero"] = law["start_temperature"] - 293.15 if law["start_temperature"] == 0 else -273.15
         deck.ledger.approximated(f"{card.keyword}.TR", flow.place, "temperatures are taken as degrees Celsius; of 0 as room temperature")
     law |= {"specific_heat": heat.number("CP") or NEVER, "heating_share": 1.0}
-    limit_tension(deck, heat, law, find_bulk_modulus(law))
+    limit_tension(deck, heat, law, find_bulk_modulus(law), stays=heat.integer("SPALL") == 1)
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
     set_failure(law, step=row.number("DTF"))
     read_layers(deck, card, law, last, use)
