@@ -232,7 +232,7 @@ class Rigid(InFolder):
         scaled = "*VARIABLE MASS SCALING, DT=1e-5, TYPE=BELOW MIN, FREQUENCY=1\n*BOUNDARY, TYPE"
         model, ledger = self.read_abaqus(text.replace("9, 3, 3", "all, 3, 3").replace("*BOUNDARY, TYPE", scaled))
         self.assertEqual(outcomes(ledger, Status.REFUSED), set())
-        self.assertEqual(model.blocks[0].keys["mass_scaling"], {"step": 1e-5, "max_added": 1000.0, "every": 1})
+        self.assertEqual(model.blocks[0].keys["mass_scaling"], {"step": 1e-5, "max_added": 1e6, "every": 1})
 
     def test_numerics_of_the_step_are_told(self):
         _, ledger = self.read_abaqus(decks.ABAQUS_RIGID)
