@@ -44,12 +44,12 @@ bool bends_by_control(const Deck& deck, const ChunkedMesh& chunked, const Chunk&
 
 /// What there is to tell of a chunk.
 struct ChunkPattern {
-  double share = 1;       // of its hourglass energy that alternates
+  double share = 0;       // of its hourglass energy that alternates
   int worst_element = 0;  // with the largest hourglass displacement, as far as it counts
 };
 
 template <class Places>
-ChunkPattern find_pattern(const Deck& deck, const ChunkedMesh& chunked, const Places& x, const Chunk& chunk) {
+ChunkPattern find_pattern(const ChunkedMesh& chunked, const Places& x, const Chunk& chunk) {
   std::vector<HourglassDisplacement> motions(static_cast<std::size_t>(chunk.element_count));
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const auto e = static_cast<std::size_t>(chunk.first_element) + i;
@@ -58,10 +58,8 @@ ChunkPattern find_pattern(const Deck& deck, const ChunkedMesh& chunked, const Pl
     motions[i] = find_hourglass_displacement(chunked.mesh.topology_of(e), {corners.start.data(), corners.count},
                                              {corners.now.data(), corners.count});
   }
-  std::vector<double> shares(motions.size(), 1);
-  if (bends_by_control(deck, chunked, chunk))
-    shares = find_alternating_shares(chunked.mesh, chunk.first_element, motions);
-  ChunkPattern pattern{1, chunk.first_element};
+  const std::vector<double> shares = find_alternating_shares(chunked.mesh, chunk.first_element, motions);
+  ChunkPattern pattern{0, chunk.first_element};
   double all = 0, alternating = 0, largest = -1;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const double own = shares[i] * motions[i].square;
@@ -81,28 +79,31 @@ struct WorstChunk {
 };
 
 /// The hourglass energy that counts, of the parts for which it is to be found.
-class AlternatingEnergy {
+class CountedEnergy {
  public:
   /// is_wanted: [parts]. Collective.
-  AlternatingEnergy(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const State& state,
-                    const std::vector<char>& is_wanted)
+  CountedEnergy(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const State& state,
+                const std::vector<char>& is_wanted)
       : chunked_(chunked), ranks_(model.ranks), worst_(is_wanted.size()), own_elements_(is_wanted.size(), 0) {
     const auto work = to_host(state.results.work);
     x_ = to_host(state.x);
-    std::vector<ExactSum> sums(is_wanted.size());
+    std::vector<ExactSum> sums(2 * is_wanted.size());  // of each part: what alternates, and what counts as a whole
     for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
       const Chunk& chunk = chunked.chunks[c];
       const auto part = static_cast<std::size_t>(chunk.part);
       if (is_wanted[part] == 0 || chunk.element_count == 0) continue;
-      const ChunkPattern pattern = find_pattern(deck, chunked, x_, chunk);
-      const double energy = pattern.share * work(c, 1);
-      sums[part].add(energy);
+      const ChunkPattern pattern = find_pattern(chunked, x_, chunk);
+      const bool is_whole = !bends_by_control(deck, chunked, chunk);
+      const double energy = (is_whole ? 1 : pattern.share) * work(c, 1);
+      sums[2 * part].add(pattern.share * work(c, 1));
+      sums[2 * part + 1].add(is_whole ? work(c, 1) : 0);
       if (energy <= worst_[part].energy) continue;
       worst_[part] = {energy, chunk.number};
       own_elements_[part] = pattern.worst_element;
     }
     sum_over_ranks(ranks_, sums);
-    for (const ExactSum& sum : sums) energies_.push_back(sum.round());
+    for (std::size_t p = 0; p < is_wanted.size(); ++p)
+      energies_.push_back({sums[2 * p].round(), sums[2 * p + 1].round()});
     wait_mpi(
         [&] {
           return MPI_Allreduce(MPI_IN_PLACE, worst_.data(), static_cast<int>(worst_.size()), MPI_DOUBLE_INT, MPI_MAXLOC,
@@ -111,7 +112,8 @@ class AlternatingEnergy {
         "MPI_Allreduce");
   }
 
-  double of(std::size_t part) const { return energies_[part]; }
+  double alternating(std::size_t part) const { return energies_[part][0]; }
+  double whole(std::size_t part) const { return energies_[part][1]; }
 
   /// "element 7 of part 'bar' at (1, 2, 3)", in the words of the rank that has it. Collective.
   std::string describe_worst(std::size_t part) const {
@@ -133,7 +135,7 @@ class AlternatingEnergy {
   const ChunkedMesh& chunked_;
   Communicator ranks_;
   decltype(to_host(Rows3<double>())) x_;
-  std::vector<double> energies_;
+  std::vector<std::array<double, 2>> energies_;
   std::vector<WorstChunk> worst_;
   std::vector<int> own_elements_;  // [parts] of this rank's worst chunk
 };
@@ -144,24 +146,30 @@ std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const Chunke
                                                   const State& state, const HourglassLimits& limits) {
   const std::vector<PartEnergy> energies = sum_part_energies(chunked, model, state);
   // What is stored besides: stress, and bending where the control resists it as the material does.
-  const auto find_stored = [&](std::size_t p, double alternating) {
-    return energies[p].internal + energies[p].hourglass - alternating;
+  const auto find_stored = [&](std::size_t p, double counted) {
+    return energies[p].internal + energies[p].hourglass - counted;
   };
-  const auto is_much = [&](double alternating, double stored) {
-    return stored > 0 && alternating > limits.share * stored && alternating > limits.least;
+  const auto is_much = [&](double counted, double stored, double share) {
+    return stored > 0 && counted > share * stored && counted > limits.least;
   };
   std::vector<char> is_wanted;
   for (const PartEnergy& energy : energies)
-    is_wanted.push_back(static_cast<char>(is_much(energy.hourglass, energy.internal)));
+    is_wanted.push_back(static_cast<char>(is_much(energy.hourglass, energy.internal, limits.share)));
   std::vector<PartHourglass> found;
   if (std::none_of(is_wanted.begin(), is_wanted.end(), [](char wanted) { return wanted != 0; })) return found;
-  const AlternatingEnergy alternating(deck, chunked, model, state, is_wanted);
+  const CountedEnergy counted(deck, chunked, model, state, is_wanted);
   for (std::size_t p = 0; p < energies.size(); ++p) {
-    const double stored = find_stored(p, alternating.of(p));
-    if (is_wanted[p] == 0 || !is_much(alternating.of(p), stored)) continue;
-    found.push_back({chunked.mesh.parts[p].name, stored, alternating.of(p), alternating.describe_worst(p)});
+    if (is_wanted[p] == 0) continue;
+    const double whole = counted.whole(p), alternating = counted.alternating(p);
+    const bool is_whole = is_much(whole, find_stored(p, whole), limits.whole_share);
+    if (!is_whole && !is_much(alternating, find_stored(p, alternating), limits.share)) continue;
+    const double energy = is_whole ? std::max(whole, alternating) : alternating;
+    found.push_back({chunked.mesh.parts[p].name, find_stored(p, energy), energy, counted.describe_worst(p)});
   }
-  return found;
+  double stored = 0, hourglass = 0;
+  for (const PartEnergy& energy : energies) stored += energy.internal + energy.hourglass;
+  for (const PartHourglass& part : found) hourglass += part.hourglass;
+  return hourglass > limits.scene_share * stored ? found : std::vector<PartHourglass>{};
 }
 
 }  // namespace percuss

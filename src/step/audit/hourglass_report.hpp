@@ -14,20 +14,22 @@ namespace percuss {
 struct PartHourglass {
   std::string part;
   double stored = 0;  // of stresses, and of bending where the control resists it as the material does
-  // That of motion which alternates from element to element. Where the control is the stiffness of the material itself
-  // the rest is that of bending and twist; of other controls, wedges and pyramids all counts.
+  // That of motion which alternates from element to element; the rest is that of bending and twist. Or all of it, where
+  // another control than the stiffness of the material bends the elements, and holds more than `whole_share`.
   double hourglass = 0;
   std::string element;  // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
 };
 
-/// From where on hourglass energy is told: a share of what a part stores besides, and an energy.
+/// From where on hourglass energy is told: shares of what a part stores besides, and an energy.
 struct HourglassLimits {
   double share = 0, least = 0;
+  double whole_share = 0;  // of all of it, where it is not the stiffness of the material
+  double scene_share = 0;  // of what all parts store: less in all parts together means nothing
 };
 
-/// The parts whose hourglass energy is more than `share` of what they store besides and more than `least`, in the order
-/// of the deck; the same on every rank. The element is the one whose hourglass displacement is largest in the chunk
-/// that has most of the part's hourglass energy: the energy itself is summed by chunks only. Collective.
+/// The parts whose hourglass energy is more than these shares of what they store besides and more than `least`, in the
+/// order of the deck; the same on every rank. The element is the one whose hourglass displacement is largest in the
+/// chunk that has most of the part's hourglass energy: the energy itself is summed by chunks only. Collective.
 std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                                                   const State& state, const HourglassLimits& limits);
 

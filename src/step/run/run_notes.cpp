@@ -20,6 +20,11 @@ constexpr double noted_element_share = 0.01;
 
 /// Of what a part stores besides: more in its hourglass modes is told ...
 constexpr double noted_hourglass_share = 0.1;
+/// All of it where a control bends elements that is not the stiffness of the material: of three layers a ninth of the
+/// energy of bending is there, of two a quarter.
+constexpr double noted_whole_share = 0.2;
+/// Of what all parts store: a small body that rings beside one that bends means nothing.
+constexpr double noted_scene_share = 0.02;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
 constexpr double noted_energy_share = 1e-3;
 
@@ -92,7 +97,8 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
 }
 
 HourglassLimits find_hourglass_limits(const EnergyScales& scales) {
-  return {noted_hourglass_share, std::max(scales.resolved, noted_energy_share * scales.largest)};
+  return {noted_hourglass_share, std::max(scales.resolved, noted_energy_share * scales.largest), noted_whole_share,
+          noted_scene_share};
 }
 
 double find_given(double work, const EnergyScales& scales) { return work + scales.stored - scales.granted; }

@@ -29,8 +29,9 @@ conditions: [{nodes: bar/x_min, fixed: x}, {nodes: bar/x_max, velocity: {x: 0.1}
 contact: {surfaces: none}
 )";
 
-std::vector<PartHourglass> find_parts(const Scene& scene, double share, double least) {
-  return find_hourglassed_parts(scene.deck, scene.chunked, scene.model, scene.state, {share, least});
+std::vector<PartHourglass> find_parts(const Scene& scene, double share, double least, double scene_share = 0) {
+  return find_hourglassed_parts(scene.deck, scene.chunked, scene.model, scene.state,
+                                {share, least, 2 * share, scene_share});
 }
 
 TEST(HourglassedParts, AreNamedWithTheElementWhereMostOfItIs) {
@@ -53,6 +54,12 @@ TEST(HourglassedParts, AreNoneOfEnergiesThatMeanNothing) {
   scene.run(6);
   EXPECT_THAT(find_parts(scene, 0.1, 1), IsEmpty());
   EXPECT_THAT(find_parts(scene, 100, 0), IsEmpty());
+  const std::vector<PartEnergy> energies = sum_part_energies(scene.chunked, scene.model, scene.state);
+  double stored = 0;
+  for (const PartEnergy& energy : energies) stored += energy.internal + energy.hourglass;
+  const double share = find_parts(scene, 0.1, 0).at(0).hourglass / stored;
+  EXPECT_THAT(find_parts(scene, 0.1, 0, 1.01 * share), IsEmpty());
+  EXPECT_EQ(find_parts(scene, 0.1, 0, 0.99 * share).size(), 1U);
 }
 
 TEST(HourglassedParts, AreTheSameOnAnyNumberOfRanks) {
@@ -67,10 +74,12 @@ TEST(HourglassedParts, AreTheSameOnAnyNumberOfRanks) {
 }
 
 /// A strip one element thick that swings in its first mode: all of its bending is in hourglass modes.
-std::string make_strip(const std::string& control) {
+std::string make_strip(const std::string& control, const std::string& layers = "20, 2, 1",
+                       const std::string& elements = "hexahedra") {
   return R"(
 time: {end: 1000}
-parts: {strip: {box: {size: [20, 2, 1], cells: [20, 2, 1]}, material: m}}
+parts: {strip: {box: {size: [20, 2, 1], cells: [)" +
+         layers + "]}, " + (elements == "hexahedra" ? "" : "elements: " + elements + ", ") + R"(material: m}}
 materials: {m: {model: elastic, density: 1, youngs_modulus: 100, poissons_ratio: 0.3}}
 elements: {hourglass: )" +
          control + R"(}
@@ -89,6 +98,21 @@ TEST(HourglassedParts, AreNotThoseThatBendByTheStiffnessOfTheirMaterial) {
   Scene soft(make_strip("stiffness"));  // resists bending by a coefficient
   soft.run(600);
   EXPECT_EQ(find_parts(soft, 0.1, 0).size(), 1U);
+}
+
+// n layers of one point take 1 - 1/n^2 of the moment of a section, and leave the rest to their control.
+TEST(HourglassedParts, AreNotThoseOfThreeLayersThatBendByAnotherControl) {
+  const auto count = [](const std::string& control, const std::string& cells, const std::string& elements) {
+    Scene scene(make_strip(control, cells, elements));
+    scene.run(1200);
+    const PartEnergy energy = sum_part_energies(scene.chunked, scene.model, scene.state).at(0);
+    EXPECT_GT(energy.hourglass, 0.02 * energy.internal) << control << elements;  // else the scene tests nothing
+    return find_parts(scene, 0.1, 0).size();
+  };
+  EXPECT_EQ(count("stiffness", "40, 4, 3", "hexahedra"), 0U);
+  EXPECT_EQ(count("assumed_strain", "40, 4, 3", "wedges"), 0U);
+  EXPECT_EQ(count("stiffness", "20, 2, 1", "hexahedra"), 1U);
+  EXPECT_EQ(count("assumed_strain", "20, 2, 1", "wedges"), 1U);
 }
 
 /// Moves the nodes of a block by a field, and finds the share of its hourglass motion that alternates, chunk by chunk.
