@@ -7,6 +7,9 @@ from .pieces import CUBE_MASS, POISSON, YOUNG, cube, curve, deck, node_set, node
 
 CONSTANT = curve(7, (0, 1.0), (1, 1.0))
 EVERYTHING = node_set(4, 1, 2, 3, 4, 5, 6, 7, 8)
+# Motions of x, each from the death of the one before on.
+TURNS = ("4,1,0,7,40.0,0,3e-6\n", "4,1,0,7,-20.0,0,6e-6,3e-6\n", "4,1,0,7,60.0,0,0,6e-6\n")
+IN_TURN = [("momentum_x", when, value * CUBE_MASS, 1e-6) for when, value in ((2e-6, 40.0), (5e-6, -20.0), (8e-6, 60.0))]
 MOVE = "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,{dof},{vad},7,{sf}{more}\n"
 LARGE = 2 * YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))  # twice the modulus of uniaxial strain
 SQUARE = 2 * LARGE * 10.0 / CUBE_MASS  # of the angular frequency of two halves of the mass of a cube on the stiffness of its middle
@@ -76,6 +79,11 @@ PROOFS = [
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: BIRTH",
           deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,1,0,7,1.0,0,0.0,4e-5\n", curve(7, (0, 0.0), (1e-4, 100.0)), velocity(30.0), end=1e-4),
           [("momentum_x", 3e-5, 30.0 * CUBE_MASS, 1e-9), ("momentum_x", LAST, 60.0 * CUBE_MASS, 0.02)], "the curve begins at BIRTH"),
+    *(Proof("BOUNDARY_PRESCRIBED_MOTION_SET: BIRTH DEATH", deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n", *rows, CONSTANT), IN_TURN, "one motion after the other")
+      for rows in (TURNS, TURNS[::-1], (TURNS[1], TURNS[0], TURNS[2]))),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_SET: BIRTH DEATH VAD", deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,1,2,8,2.0,0,3e-6\n", *TURNS[1:], CONSTANT, curve(8, (0, 0.0), (1e-5, 2e-4))),
+          IN_TURN, "a displacement of 4e-4 in 1e-5 s, and velocities"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_SET: BIRTH DEATH", deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n", TURNS[0], TURNS[2], CONSTANT), refused="of which a sensor switches one"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: VID",
           deck(cube(), EVERYTHING, "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n", MOVE.format(dof=2, vad=0, sf=40.0, more=",-5"), CONSTANT),
           [("momentum_x", ALL, -40.0 * CUBE_MASS, 1e-9)], "the local y is -x"),

@@ -8,6 +8,7 @@ from ..ledger import Place
 from ..model import Deck, Vector
 from ..shapes import cross, dot, normalise, subtract
 from .deck import KeywordDeck
+from .windows import join_motions
 
 AXES = ("x", "y", "z")
 FREEDOMS = (*AXES, "rx", "ry", "rz")
@@ -106,13 +107,20 @@ class BodyHolds:
         rest = [name for name in fixed if name not in moved | already]
         if rest:
             self.deck.model.add("conditions", {"body": self.body, "fixed": rest})
-        first: dict[str, Hold] = {}
+        found: dict[str, Deck] = {}
+        read: list[tuple[str, Deck]] = []
         for hold in moving:
-            if hold.direction in already or (hold.direction in first and hold.motion != first[hold.direction].motion):
+            motion, known = hold.motion or {}, found.get(hold.direction)
+            if (hold.direction, motion) in read:
+                continue
+            read.append((hold.direction, motion))
+            joined = motion if known is None else join_motions(self.deck, known, motion) or join_motions(self.deck, motion, known)
+            if hold.direction in already or joined is None:
                 ledger.refuse(f"{hold.card}.two", hold.place, f"a second condition on direction {hold.direction} of a rigid body", "it is left out")
-            elif hold.direction not in first:
-                first[hold.direction] = hold
-                self.deck.model.add("conditions", {"body": self.body, **(hold.motion or {})})
+            else:
+                found[hold.direction] = joined
+        for motion in found.values():
+            self.deck.model.add("conditions", {"body": self.body, **motion})
         for hold in self.holds:
             if not hold.motion and hold.direction in moved:
                 ledger.approximated(f"{hold.card}.moved", hold.place, "where a rigid body is held and moved in one direction, the motion counts")

@@ -10,7 +10,7 @@ from .condition_cards import AXES, hold_bodies, refuse_lost
 from .deck import KeywordDeck
 from .starting import find_body_start, find_node_start
 from .turn_cards import apply_turn
-from .windows import Window, switch
+from .windows import Window, add_motion, switch
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION"
 VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2
@@ -185,6 +185,6 @@ def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
 
 def add_motions(deck: KeywordDeck, name: str, motions: list[tuple[str, Deck]], place: Place) -> None:
     for _, motion in motions:
-        deck.model.add("conditions", {"nodes": name, **motion})
+        add_motion(deck, {"nodes": name}, motion)
     if motions:
         deck.ledger.translated(CARD, place, "conditions: velocity or displacement")

@@ -13,6 +13,7 @@ from .condition_cards import AXES, DIRECTIONS, add_fixed
 from .deck import ExtraNodes, KeywordDeck, PartCard, RigidPart
 from .motion_cards import LAYOUT, MORE, list_motions
 from .starting import find_body_start
+from .windows import add_motion
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION_RIGID"
 
@@ -262,7 +263,7 @@ def move_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], place: Place)
     add_fixed(deck, name, held, deck.model.node_sets[name])
     for row in rows:
         for _, motion in list_motions(deck, row, find_body_start(deck, deck.body_names[find_lead(deck, id)])):
-            deck.model.add("conditions", {"nodes": name, **motion})
+            add_motion(deck, {"nodes": name}, motion)
 
 
 def find_all_bodies(deck: KeywordDeck) -> None:

@@ -1,7 +1,8 @@
-"""Birth and death: sensors of times, which switch conditions and loads."""
+"""Birth and death: sensors of times, which switch conditions and loads. A motion that begins where another ends continues it."""
 
 from dataclasses import dataclass
 
+from ..curves import Points, differentiate, interpolate, order_points
 from ..model import Deck
 from .deck import KeywordDeck
 
@@ -29,3 +30,48 @@ def switch(deck: KeywordDeck, window: Window) -> Deck:
     """`from` and `until` of what acts in a window."""
     keys: Deck = {"from": name_sensor(deck, window.start)} if window.start > 0 else {}
     return keys | ({"until": name_sensor(deck, window.end)} if window.end is not None else {})
+
+
+def add_motion(deck: KeywordDeck, target: Deck, motion: Deck) -> None:
+    """A condition of nodes or of a body; or one that is there goes on with it."""
+    for entry in deck.model.deck.get("conditions", []):
+        if {key: entry[key] for key in ("nodes", "body") if key in entry} == target:
+            for first, second in ((entry, motion), (motion, entry)):
+                joined = join_motions(deck, first, second)
+                if joined:
+                    entry.clear()
+                    entry.update({**target, **joined})
+                    return
+    deck.model.add("conditions", {**target, **motion})
+
+
+def join_motions(deck: KeywordDeck, first: Deck, second: Deck) -> Deck | None:
+    """A velocity over the time of both, where the second begins as the first ends, in the same direction; None otherwise."""
+    if "until" not in first or first["until"] != second.get("from"):
+        return None
+    sensors = deck.model.deck["sensors"]
+    times = [sensors[first["from"]]["time"] if "from" in first else 0.0, sensors[first["until"]]["time"]]
+    times.append(sensors[second["until"]]["time"] if "until" in second else deck.end_time)
+    directions, rows = set(), []
+    for motion, start, end in ((first, *times[:2]), (second, *times[1:])):
+        values = motion.get("velocity") or motion.get("displacement") or {}
+        points = list_velocities(motion, start, end) if len(values) == 1 else None
+        if points is None:
+            return None
+        directions |= set(values)
+        rows += points
+    if len(directions) > 1:
+        return None
+    ends = {key: motion[key] for motion, key in ((first, "from"), (second, "until")) if key in motion}
+    return {"velocity": {directions.pop(): {"table": [list(row) for row in order_points(rows)]}}, **ends}
+
+
+def list_velocities(motion: Deck, start: float, end: float) -> Points | None:
+    """Of a motion in one direction from one time to another; None of an expression."""
+    (value,) = (motion.get("velocity") or motion["displacement"]).values()
+    if isinstance(value, dict) and "table" not in value:
+        return None
+    points = [(x, y) for x, y in value["table"]] if isinstance(value, dict) else [(start, value), (end, value)]
+    if "displacement" in motion:
+        points = differentiate(points)
+    return [(start, interpolate(points, start)), *((x, y) for x, y in points if start < x < end), (end, interpolate(points, end))]
