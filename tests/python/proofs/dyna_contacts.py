@@ -177,6 +177,8 @@ PROOFS = FAMILIES + [
           "it holds"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS",
           tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,90.0,90.0\n"), [("momentum_z", MIN, -HALF, 5e-2)], "it holds"),
-    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,90.0,90.0\n"), refused="ties that fail"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,90.0,90.0\n"), refused="ties that fail by the rule of OPTION 9"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n1\n"),
+          refused="OPTION 1: nodes that come into contact later stick too"),
     Proof("CONTACT_TIEBREAK_NODES_TO_SURFACE", tied("*CONTACT_TIEBREAK_NODES_TO_SURFACE\n7,1,4,3\n\n\n90.0,90.0\n", node_set(7, 11, 12, 13, 14)), refused="ties that fail"),
 ]  # fmt: skip

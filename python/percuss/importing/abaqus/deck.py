@@ -75,6 +75,7 @@ class AbaqusDeck:
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)
         self.scaled: set[tuple] = set()  # keywords of mass scaling with their options
         self.renewed: set[tuple[str, int]] = set()  # keyword and step of OP=NEW
+        self.gravities: dict[str, tuple[int, list[float]]] = {}  # by the element set: step and direction
         self.condition_lines: list = []
         self.load_writers: dict[tuple, Callable] = {}
         self.transformed: set[int] = set()  # nodes of *TRANSFORM

@@ -155,7 +155,18 @@ def read_gravity(deck: AbaqusDeck, block: Block, line: Line) -> None:
         raise BadInput(block.at(line[0]), "the direction of gravity is zero: correct it")
     if not covers_all(deck, block.text(line, 0), block.at(line[0])):
         deck.ledger.refuse("DLOAD.GRAV", block.at(line[0]), "gravity on some of the elements", "it acts on all of them")
+    note_gravity(deck, block, block.text(line, 0).upper(), [a / length for a in axis], block.at(line[0]))
     add_gravity(deck, block, line, block.number(line, 2), [a / length for a in axis], "loads.gravity")
+
+
+def note_gravity(deck: AbaqusDeck, block: Block, name: str, axis: list[float], place: Place) -> None:
+    """Without OP=NEW a gravity modifies that of a step before: along another direction it is not said what becomes of the latter."""
+    step, before = deck.gravities.get(name, (block.step, axis))
+    is_renewed = any(("DLOAD", later) in deck.renewed for later in range(step + 1, block.step + 1))
+    if step < block.step and not is_renewed and max(abs(a * b - c * d) for a, b, c, d in zip(axis, before[1:] + before[:1], axis[1:] + axis[:1], before)) > 1e-9:
+        text = "gravity along another direction than in a step before, without OP=NEW, which would end that"
+        deck.ledger.refuse("DLOAD.GRAV", place, text, "both act")
+    deck.gravities[name] = (block.step, axis)
 
 
 def read_body_force(deck: AbaqusDeck, block: Block, line: Line, direction: int) -> None:

@@ -177,12 +177,20 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
             add_pairs(deck, contact, is_single=False)
         tie(deck, contact)
     elif breaks:
-        if deck.ledger.refuse(name, contact.place, "ties that fail", "they do not fail"):
+        if deck.ledger.refuse(name, contact.place, *tell_breaking(contact)):
             tie(deck, contact)
     elif kind == TIE:
         tie(deck, contact)
     else:
         add_pairs(deck, contact, is_single=kind == SINGLE)
+
+
+def tell_breaking(contact: Contact) -> tuple[str, str]:
+    """What a tie does that percuss lacks, and what is done instead."""
+    option = contact.failure.integer("OPTION") if contact.failure and "AUTOMATIC" in contact.keyword else 0
+    if option in (1, 4):
+        return f"OPTION {option}: nodes that come into contact later stick too", "those alone that touch at the start"
+    return f"ties that fail{f' by the rule of OPTION {option}' if option else ''}", "they do not fail"
 
 
 def list_side_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
