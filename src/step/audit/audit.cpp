@@ -231,6 +231,7 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.initial = initial_energy_;
   // A gas that expands gives its energy away: then what moves is more than what is held besides.
   largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held, e.kinetic});
+  largest_strain_energy_ = std::max(largest_strain_energy_, e.internal + e.hourglass);
   if (largest_energy_ > 0) {
     e.error = (balanced - e.external - e.contact - e.friction - e.damping - initial_energy_) / largest_energy_;
   }
@@ -258,6 +259,7 @@ void Audit::archive(CheckpointArchive& archive) {
   archive.number("audit/initial_energy", initial_energy_);
   archive.number("audit/start_half_steps", start_half_steps_);
   archive.number("audit/largest_energy", largest_energy_);
+  archive.number("audit/largest_strain_energy", largest_strain_energy_);
   archive.numbers("audit/initial_momentum", initial_momentum_);
   archive.numbers("audit/initial_moment", initial_moment_);
   archive.number("audit/momentum_scale", momentum_scale_);

@@ -69,6 +69,9 @@ class Audit {
   /// The largest energy that was held in any state so far, by which errors are measured.
   double largest_energy() const { return largest_energy_; }
 
+  /// The largest energy that elements held in stress and hourglass modes at an audit so far.
+  double largest_strain_energy() const { return largest_strain_energy_; }
+
   /// What the kinetic energy at time 0 lacks because velocities are those half a step before and after: work of the
   /// forces at the start, which contacts that hold from the start take part in.
   double start_half_steps() const { return start_half_steps_; }
@@ -90,6 +93,7 @@ class Audit {
   BodyForceFinder rigid_forces_;
   bool started_ = false;
   double initial_energy_ = 0, start_half_steps_ = 0;
+  double largest_strain_energy_ = 0;
   double largest_energy_ = 0;  // largest of the initial and any later kinetic, or kinetic plus stored, energy
   Vec3 initial_momentum_{}, initial_moment_{};
   double momentum_scale_ = 0, moment_scale_ = 0;  // largest sums of magnitudes so far

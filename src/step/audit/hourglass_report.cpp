@@ -166,10 +166,9 @@ std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const Chunke
     const double energy = is_whole ? std::max(whole, alternating) : alternating;
     found.push_back({chunked.mesh.parts[p].name, find_stored(p, energy), energy, counted.describe_worst(p)});
   }
-  double stored = 0, hourglass = 0;
-  for (const PartEnergy& energy : energies) stored += energy.internal + energy.hourglass;
+  double hourglass = 0;
   for (const PartHourglass& part : found) hourglass += part.hourglass;
-  return hourglass > limits.scene_share * stored ? found : std::vector<PartHourglass>{};
+  return hourglass > limits.least_of_all ? found : std::vector<PartHourglass>{};
 }
 
 }  // namespace percuss

@@ -20,11 +20,11 @@ struct PartHourglass {
   std::string element;  // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
 };
 
-/// From where on hourglass energy is told: shares of what a part stores besides, and an energy.
+/// From where on hourglass energy is told: shares of what a part stores besides, and energies.
 struct HourglassLimits {
   double share = 0, least = 0;
-  double whole_share = 0;  // of all of it, where it is not the stiffness of the material
-  double scene_share = 0;  // of what all parts store: less in all parts together means nothing
+  double whole_share = 0;   // of all of it, where it is not the stiffness of the material
+  double least_of_all = 0;  // of all these parts together
 };
 
 /// The parts whose hourglass energy is more than these shares of what they store besides and more than `least`, in the

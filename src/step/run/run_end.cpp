@@ -50,6 +50,7 @@ EnergyScales Run::find_scales() const {
   const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
   EnergyScales scales;
   scales.largest = audit_.largest_energy();
+  scales.largest_strain = audit_.largest_strain_energy();
   scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
   scales.stored = stepper_.contact_report().stored;
   scales.granted = audit_.start_half_steps();

@@ -23,7 +23,8 @@ constexpr double noted_hourglass_share = 0.1;
 /// All of it where a control bends elements that is not the stiffness of the material: of three layers a ninth of the
 /// energy of bending is there, of two a quarter.
 constexpr double noted_whole_share = 0.2;
-/// Of what all parts store: a small body that rings beside one that bends means nothing.
+/// Of the largest strain energy of the scene, all parts together: what still rings after an impact means nothing, nor
+/// does a small body that rings beside one that bends.
 constexpr double noted_scene_share = 0.02;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
 constexpr double noted_energy_share = 1e-3;
@@ -98,7 +99,7 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
 
 HourglassLimits find_hourglass_limits(const EnergyScales& scales) {
   return {noted_hourglass_share, std::max(scales.resolved, noted_energy_share * scales.largest), noted_whole_share,
-          noted_scene_share};
+          noted_scene_share * scales.largest_strain};
 }
 
 double find_given(double work, const EnergyScales& scales) { return work + scales.stored - scales.granted; }

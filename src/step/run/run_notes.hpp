@@ -33,9 +33,10 @@ Warning warn_of_depth(double time, const std::string& deepest);
 
 /// What the energies of a run are judged by at its end [energy].
 struct EnergyScales {
-  double largest = 0;   // that was held in any state
-  double resolved = 0;  // below this it is of motions that positions or steps do not resolve: round-off
-  double stored = 0;    // in the springs of contact
+  double largest = 0;         // that was held in any state
+  double resolved = 0;        // below this it is of motions that positions or steps do not resolve: round-off
+  double stored = 0;          // in the springs of contact
+  double largest_strain = 0;  // that elements held in any state
   double granted =
       0;  // that contact may have given: to push out overlap as asked, to hold what was loaded at the start
 };

@@ -101,6 +101,13 @@ TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
                         HasSubstr("[hourglass_energy]"))));
 }
 
+TEST(HourglassLimits, LeaveAloneWhatRingsAfterAnImpact) {
+  const HourglassLimits limits = find_hourglass_limits({.largest = 1000, .resolved = 0.5, .largest_strain = 400});
+  EXPECT_EQ(limits.least, 1);
+  EXPECT_EQ(limits.least_of_all, 8);
+  EXPECT_LT(limits.share, limits.whole_share);
+}
+
 TEST(StepWarnings, TellContactThatDidNotConvergeOrIsDeep) {
   ContactReport report;
   report.deepest = 0.09;
