@@ -34,8 +34,18 @@ loads:
     - {nodes: bar, force: {x: 2}}
 )";
 
-SceneMeasures measure(const Communicator& ranks) {
-  const Deck deck = parse_deck(text, "deck.yaml");
+constexpr const char* sheets = R"(
+time: {end: 1}
+parts:
+  wedges:   {box: {size: [1, 1, 0.1], cells: [4, 4, 1]}, elements: wedges, material: m}
+  pipe:     {tube: {inner_radius: 0.45, outer_radius: 0.5, length: 1, cells: [1, 16, 8]}, at: [9, 0, 0], elements: wedges, material: m}
+  cut:      {box: {size: [1, 1, 0.1], cells: [4, 4, 1]}, at: [3, 0, 0], elements: tetrahedra, material: m}
+  pyramids: {box: {size: [1, 1, 0.1], cells: [4, 4, 1]}, at: [6, 0, 0], elements: pyramids, material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
+)";
+
+SceneMeasures measure(const Communicator& ranks, const char* scene = text) {
+  const Deck deck = parse_deck(scene, "deck.yaml");
   const ChunkedMesh chunked = load_mesh(deck, ranks);
   return measure_scene(deck, chunked, build_model(deck, chunked).start_velocity);
 }
@@ -82,6 +92,25 @@ TEST(SceneMeasures, SayHowLargeAndHowThickPartsAre) {
   EXPECT_EQ(parts[1].single_layer, 0);  // a bar, not a sheet
   EXPECT_EQ(parts[2].shells, 256);
   EXPECT_EQ(parts[2].speed, 5);
+}
+
+TEST(SceneMeasures, FindLayersOfWedgesAndTheOpenFacesOfWhatIsCut) {
+  const std::vector<PartMeasures> parts = measure(Communicator::world(), sheets).parts;
+  const std::vector<PartMeasures> alone = measure(Communicator(MPI_COMM_SELF), sheets).parts;
+  ASSERT_EQ(parts.size(), 4U);
+  for (std::size_t p = 0; p < parts.size(); ++p) EXPECT_EQ(parts[p], alone[p]) << p;
+  EXPECT_EQ(parts[0].layered_wedges, 2 * 16);
+  EXPECT_NEAR(parts[0].layer_thickness, 0.1, 1e-14);
+  EXPECT_EQ(parts[1].layered_wedges, 2 * 16 * 8);  // cut from the inner side to the outer
+  EXPECT_NEAR(parts[1].layer_thickness, 0.05, 1e-14);
+  EXPECT_EQ(parts[2].cut_solids, 12 * 16);
+  EXPECT_EQ(parts[2].cut_faces, 2 * (2 * 16 + 4 * 4));  // both sides and the rim
+  EXPECT_EQ(parts[3].cut_solids, 6 * 16);
+  EXPECT_EQ(parts[3].cut_faces, 2 * 16 + 4 * 4);
+  for (const std::size_t p : {std::size_t{2}, std::size_t{3}}) {
+    EXPECT_NEAR(parts[p].cut_volume, 0.1, 1e-14);
+    EXPECT_NEAR(parts[p].cut_area, 2 + 4 * 0.1, 1e-14);
+  }
 }
 
 TEST(SceneMeasures, CountNodesThatMoveAndThatAreStopped) {
