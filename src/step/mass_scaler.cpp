@@ -30,19 +30,17 @@ struct MissingMass {
   }
 };
 
-MissingMass find_missing(const Model& model, const State& state, const ElementBounds& bounds) {
-  return {bounds, state.element_mass, model.failing, state.lives};
-}
-
 }  // namespace
 
 MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
     : model_(model),
       target_("percuss::wanted_step", chunked.chunks.size()),
-      wanted_("percuss::missing_mass", chunked.chunks.size()),
+      missing_("percuss::missing_mass", static_cast<std::size_t>(model.element_count)),
+      wanted_("percuss::missing_mass_of_chunks", chunked.chunks.size()),
       share_("percuss::share_of_missing_mass", chunked.chunks.size()),
       bounds_(model),
-      summer_(model) {
+      summer_(model),
+      shared_(chunked, model) {
   std::vector<int> places(deck.parts.size(), -1);
   for (const AddedMass& start : model.added_masses) {
     const auto part =
@@ -65,8 +63,8 @@ bool MassScaler::is_wanted(long step, const HostMirror<Array<double>>& bounds) c
   return false;
 }
 
-/// The share of what its elements lack that each part may have, the same on all ranks.
-std::vector<double> MassScaler::find_shares(const State& state) {
+/// What each element lacks of the mass for the step of its part.
+void MassScaler::find_missing(const State& state) {
   const auto target = Kokkos::create_mirror_view(target_);
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {
     const int p = part_of_chunk_[c];
@@ -74,14 +72,25 @@ std::vector<double> MassScaler::find_shares(const State& state) {
     target(c) = due ? parts_[static_cast<std::size_t>(p)].request.step : 0;
   }
   Kokkos::deep_copy(target_, target);
-  const MissingMass missing = find_missing(model_, state, bounds_);
-  const auto wanted = wanted_, step = target_;
+  const MissingMass find{bounds_, state.element_mass, model_.failing, state.lives};
+  const auto missing = missing_, step = target_;
   const HexChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::find_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        for (int i = 0; i < count_elements(chunks, c); ++i)
+          missing(find_element(chunks, c, i)) = step(c) > 0 ? find(c, i, step(c)) : 0;
+      });
+  if (shared_.is_any()) shared_.spread(state.element_mass, summer_, missing_);
+}
+
+/// The share of what its elements lack that each part may have, the same on all ranks.
+std::vector<double> MassScaler::find_shares() {
+  const auto missing = missing_, wanted = wanted_;
+  const HexChunks chunks = model_.chunks;
+  Kokkos::parallel_for(
+      "percuss::sum_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         double sum = 0;
-        const int count = step(c) > 0 ? chunks.first_element(c + 1) - chunks.first_element(c) : 0;
-        for (int i = 0; i < count; ++i) sum += missing(c, i, step(c));
+        for (int i = 0; i < count_elements(chunks, c); ++i) sum += missing(find_element(chunks, c, i));
         wanted(c) = sum;
       });
   std::vector<ExactSum> sums(parts_.size());
@@ -105,8 +114,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c)
     by_chunk(c) = part_of_chunk_[c] >= 0 ? shares[static_cast<std::size_t>(part_of_chunk_[c])] : 0;
   Kokkos::deep_copy(share_, by_chunk);
-  const MissingMass missing = find_missing(model_, state, bounds_);
-  const auto wanted = wanted_, share = share_, target = target_, mass = state.element_mass;
+  const auto missing = missing_, wanted = wanted_, share = share_, mass = state.element_mass;
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;
   const HexChunks chunks = model_.chunks;
@@ -114,7 +122,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
       "percuss::add_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!(wanted(c) > 0 && share(c) > 0)) return;
         for (int i = 0; i < count_elements(chunks, c); ++i)
-          mass(find_element(chunks, c, i)) += share(c) * missing(c, i, target(c));
+          mass(find_element(chunks, c, i)) += share(c) * missing(find_element(chunks, c, i));
         for (int i = 0; i < count_lanes(chunks, c); ++i)
           find_record(chunks, elements, c, i)[HexRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
         settled(c) = 0;
@@ -168,7 +176,8 @@ void MassScaler::set_nodes(State& state) const {
 void MassScaler::add(State& state, Bookkeeper& books) {
   std::vector<bool> were_full;
   for (const ScaledPart& part : parts_) were_full.push_back(part.is_full());
-  const std::vector<double> shares = find_shares(state);
+  find_missing(state);
+  const std::vector<double> shares = find_shares();
   give(state, shares);
   sum_lumped(state);
   books.book_added(lumped_, state);

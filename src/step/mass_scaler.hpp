@@ -13,6 +13,7 @@
 #include "src/step/lumped_masses.hpp"
 #include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
+#include "src/step/shared_mass.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
@@ -50,7 +51,8 @@ class MassScaler {
   };
 
   bool is_due(const ScaledPart& part, long step) const { return step % *part.request.every == 0 && !part.is_full(); }
-  std::vector<double> find_shares(const State& state);
+  void find_missing(const State& state);
+  std::vector<double> find_shares();
   void give(const State& state, const std::vector<double>& shares);
   void sum_lumped(const State& state);
   void scale_tensors(const State& state) const;
@@ -60,10 +62,12 @@ class MassScaler {
   std::vector<ScaledPart> parts_;
   std::vector<int> part_of_chunk_;  // [chunks] of parts_; -1: none
   Array<double> target_;            // [chunks] wanted step; 0: not now
-  Array<double> wanted_;            // [chunks] mass that elements lack
+  Array<double> missing_;           // [elements] mass that each is to get
+  Array<double> wanted_;            // [chunks] its sum
   Array<double> share_;             // [chunks] of it that is given
   ElementBounds bounds_;
   LumpedMasses summer_;
+  SharedMass shared_;
   Rows3<double> lumped_;  // [nodes] mass and rotary inertia
   std::vector<Warning> warnings_;
 };
