@@ -131,8 +131,7 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
-  stage.start_overlap =
-      seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.contact.holds_overlap(), stage.history);
+  stage.start_overlap = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.history);
   const StartOverlap& found = stage.start_overlap;
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
@@ -150,8 +149,8 @@ std::string ContactStage::describe_overlap_left(Rows3<const double> x) const {
   ContactDeck once = stage.contact;
   once.rebalance = ContactDeck::Rebalance::never;
   const auto finder = make_contact_finder(stage.seen(), stage.share, once);
-  ContactHistory unused = make_history(stage.share, stage.walls);
-  return percuss::describe_overlap_left(seed_history(stage.look_for_overlap(*finder), {x, x, 0}, true, unused));
+  ContactHistory unused = make_history(stage.share, stage.walls, once);
+  return percuss::describe_overlap_left(seed_history(stage.look_for_overlap(*finder), {x, x, 0}, unused));
 }
 
 const StartOverlap& ContactStage::start_overlap() const { return impl_->start_overlap; }
@@ -185,7 +184,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   if (stage.archive_active(archive)) restore_surface();
   if (stage.breaking.archive(archive, stage.ties_of_start)) restore_surface();
   if (stage.folds.archive(archive, stage.share)) restore_surface();
-  archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
+  archive_history(archive, stage.chunks, stage.share, stage.walls, stage.contact, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
   if (stage.ties.any())
     archive_ties(archive, stage.chunks, stage.tie_rows.keys(), stage.contact.ties_rotations(), stage.history);

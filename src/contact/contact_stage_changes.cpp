@@ -54,14 +54,13 @@ void ContactStage::Impl::redefine(const SurfaceMotion& here, const ReleasedTies*
   folds.redefine();
   redefine_surface();
   const HistoryOwners now = list_owners();
-  history = carry_history(ranks, history, before, now, share, walls);
+  history = carry_history(ranks, history, before, now, make_history(share, walls, contact));
   if (!has_pairs()) return;
   search_changed(here);
   const ReleasedTies released = ties_let_go == nullptr ? ReleasedTies{} : *ties_let_go;
   if (ties_let_go != nullptr)
     seed_edges(look_for_overlap(*finder), here, {before.edges, now.edges, released.nodes}, history.edges);
-  seed_opened(look_for_overlap(*finder), here, contact.holds_overlap(), {before, now, released.nodes, released.faces},
-              history);
+  seed_opened(look_for_overlap(*finder), here, {before, now, released.nodes, released.faces}, history);
 }
 
 /// Nodes, faces, walls and ties are as they were.
@@ -79,7 +78,7 @@ void ContactStage::Impl::redefine_folds(const SurfaceMotion& here) {
 void ContactStage::Impl::restore_surface() {
   folds.redefine();
   redefine_surface();
-  history = make_history(share, walls);
+  history = make_history(share, walls, contact);
   history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
 }
 
@@ -148,8 +147,8 @@ std::vector<std::string> ContactStage::switch_now(const std::vector<char>& happe
   if (stage.active == before) return {};
   const SurfaceMotion here{x, v, 0};
   stage.redefine(here, nullptr);
-  const StartOverlap found = seed_born(stage.look_for_overlap(*stage.finder), here, stage.contact.holds_overlap(),
-                                       stage.list_born(before), stage.history);
+  const StartOverlap found =
+      seed_born(stage.look_for_overlap(*stage.finder), here, stage.list_born(before), stage.history);
   const std::string line = stage.describe(found, "as contact begins");
   if (line.empty()) return {};
   if (stage.contact.overlap == ContactDeck::Overlap::refuse)

@@ -44,7 +44,7 @@ struct ContactStage::Impl {
         finder(make_contact_finder(seen(), share, deck.contact)),
         forces(scene, chunked, world),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
-        history(make_history(share, walls)) {
+        history(make_history(share, walls, contact)) {
     history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
     forces.set_surface(seen(), share);
     is_active = has_pairs() || has_switched_pairs(deck.contact) || has_walls || ties.any();

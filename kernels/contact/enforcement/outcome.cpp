@@ -1,6 +1,7 @@
 // What the impulses of a step did: velocities, work, what is left over, history.
 
 #include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/enforcement/push_out.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/contact/rows/tie_row.hpp"
 
@@ -61,6 +62,11 @@ KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, 
   sums.add_torn(row.torn / row.size, row.key);
 }
 
+/// The gap at n+1.
+KOKKOS_INLINE_FUNCTION double find_gap(const ContactRow& row, const Rows3<const double>& dv, double dt) {
+  return row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
+}
+
 KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                         const Array<const TurningRow>& turning, double dt, EnforcementSums& sums) {
   const RowWork work = find_work(row, at, dv, turning);
@@ -73,7 +79,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
   if (work.normal != 0) sums.normal_work.add(work.normal);
   sums.add_given(work.normal, row.key);
   if (row.friction > 0) sums.friction_work.add(work.friction);
-  const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
+  const double gap = find_gap(row, dv, dt);
   if (row.spring > 0) {
     sums.stored.add(row.held + find_rub_energy(row, at, dv, dt));
     const double rate =
@@ -96,11 +102,30 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
 
-/// What a record keeps of slip; without friction, of the energy of a spring along the push.
-KOKKOS_INLINE_FUNCTION Point3 find_kept_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
-  if (row.friction > 0) return find_owed_slip(row, dv, dt);
-  return row.spring > 0 && row.held > 0 ? row.held * row.normal : Point3{};
-}
+/// What a record keeps of a row besides impulses. A spring is pressed by what its row lets go of.
+struct KeptValues {
+  Point3 slip{};
+  double reference = 0, held = 0, to_push = 0;
+
+  KOKKOS_INLINE_FUNCTION KeptValues(const ContactRow& row, const Rows3<const double>& dv, double dt)
+      : reference(row.reference), held(row.held), to_push(row.to_push) {
+    if (row.friction > 0) slip = find_owed_slip(row, dv, dt);
+    if (!(row.to_push > 0)) return;
+    const double gap = find_gap(row, dv, dt), release = find_release(row, gap, dt);
+    const double before = find_floor(row) - row.gap_start, after = find_floor(row) - gap;
+    reference -= release;
+    if (row.held > 0 && before > 0 && after > 0)
+      held += 0.5 * row.spring * ((before + release) * (after + release) - before * after);
+  }
+
+  template <class History>
+  KOKKOS_INLINE_FUNCTION void store(const History& history, int record) const {
+    store_row(history.slip, record, slip);
+    history.reference(record) = reference;
+    if (history.held.extent(0) > 0) history.held(record) = held;
+    if (history.to_push.extent(0) > 0) history.to_push(record) = to_push;
+  }
+};
 
 KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
                                               const EdgeHistory& history) {
@@ -110,8 +135,7 @@ KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3
   history.holds(r) = row.impulse.push > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
   store_row(history.normal, r, row.normal);
   store_row(history.impulse, r, row.force);
-  store_row(history.slip, r, find_kept_slip(row, dv, dt));
-  history.reference(r) = row.reference;
+  KeptValues(row, dv, dt).store(history, r);
 }
 
 KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
@@ -125,8 +149,7 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
     return;
   }
   store_row(history.impulse, row.record, row.force);
-  store_row(history.slip, row.record, find_kept_slip(row, dv, dt));
-  history.reference(row.record) = row.reference;
+  KeptValues(row, dv, dt).store(history, row.record);
   if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
     history.face(row.record) = row.face;
 }
@@ -141,6 +164,8 @@ KOKKOS_INLINE_FUNCTION void clear_record(int record, const ContactHistory& histo
   store_row(history.impulse, record, Point3{});
   store_row(history.slip, record, Point3{});
   history.reference(record) = 0;
+  if (history.held.extent(0) > 0) history.held(record) = 0;
+  if (history.to_push.extent(0) > 0) history.to_push(record) = 0;
 }
 
 void reserve_edge_history(EdgeHistory& history, int records) {
@@ -148,7 +173,7 @@ void reserve_edge_history(EdgeHistory& history, int records) {
   for (Array<std::int64_t>* list : {&history.a, &history.b}) reserve(*list, records);
   for (Rows3<double>* rows : {&history.normal, &history.impulse, &history.slip}) reserve(*rows, records);
   reserve(history.holds, records);
-  reserve(history.reference, records);
+  for (Array<double>* values : {&history.reference, &history.held, &history.to_push}) reserve(*values, records);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ struct ContactRow {
   double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0
+  double to_push = 0;            // overlap that is to be pushed out, of which the reference is left
   double play = 0;               // RowInputs::play
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
   double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]

@@ -14,9 +14,9 @@ struct alignas(64) TouchPack {
 
   double weight[bearing][lanes];  // of the corners, <= 0; that of the node is 1
   double normal[3][lanes], gap_start[lanes], gap_end[lanes], size[lanes], friction[lanes];
-  double thickness[lanes];                                     // 1 where it is between the two sides, else 0
-  double continues[lanes];                                     // 1: a record, which follows; 0: none
-  double impulse[3][lanes], slip[3][lanes], reference[lanes];  // LastContact
+  double thickness[lanes];  // 1 where it is between the two sides, else 0
+  double continues[lanes];  // 1: a record, which follows; 0: none
+  double impulse[3][lanes], slip[3][lanes], reference[lanes], held[lanes], to_push[lanes];  // LastContact
   int place[row_nodes][lanes];
   int row[lanes];
   int count = 0;
@@ -35,12 +35,12 @@ struct alignas(64) TouchPack {
     set(impulse, lane, record.impulse);
     set(slip, lane, record.slip);
     reference[lane] = record.reference;
+    held[lane] = record.held;
+    to_push[lane] = record.to_push;
     for (int slot = 0; slot < row_nodes; ++slot) place[slot][lane] = places[slot];
     row[lane] = r;
     if (touch.friction > 0) rubs = 1;
   }
-
-  KOKKOS_INLINE_FUNCTION Point3 find_slip(int lane) const { return {slip[0][lane], slip[1][lane], slip[2][lane]}; }
 
   /// Lanes to spare repeat the first.
   KOKKOS_INLINE_FUNCTION void fill_up() {
@@ -185,10 +185,6 @@ KOKKOS_FORCEINLINE_FUNCTION void complete_rows(const TouchPack& touch, const Sid
   const Packed reference = load_pack(touch.reference);
   const Packed accepted = select(reference < overlap, reference, overlap);
   row.reference = select(goes_on, accepted, overlap);
-  if (inputs.releases_overlap) {
-    const Packed left = accepted - recovery * load_pack(touch.size);
-    row.reference = select(goes_on, select(left > zero, left, zero), overlap);
-  }
   row.impulse[0] = select(goes_on && push > zero, push, zero);
   row.force = row.impulse[0] * row.normal;
   for (int d = 0; d < 2; ++d) {
@@ -302,9 +298,9 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION inline void make_face_rows(const TouchPack& pack
     take_touch(touches(pack.row[lane]), row);
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = pack.place[slot][lane];
     row.play = inputs.play;
+    row.held = pack.held[lane];
+    row.to_push = pack.to_push[lane];
     filled.store(lane, row);
-    if (has_springs(inputs) && pack.continues[lane] > 0)
-      row.held = find_held(pack.find_slip(lane), row.normal, row.friction, inputs.releases_overlap);
   }
 }
 

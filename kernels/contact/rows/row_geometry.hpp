@@ -109,20 +109,6 @@ KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row)
   if (reachable < row.target) row.target = reachable;
 }
 
-/// Accepted overlap after a step in which springs push it out: they are pressed by no more than they give way under
-/// load, whatever the overlap.
-KOKKOS_INLINE_FUNCTION double release_overlap(double reference, double size) {
-  const double left = reference - contact_limits::recovery * size;
-  return left > 0 ? left : 0;
-}
-
-/// What the spring of a contact that goes on held in the last step, 0: not known. Without friction slip keeps it along
-/// the push. Where overlap is released, that adds energy which is not booked.
-KOKKOS_INLINE_FUNCTION double find_held(const Point3& slip, const Point3& normal, double friction,
-                                        bool releases_overlap) {
-  return friction > 0 || releases_overlap || !(dot(slip, normal) > 0) ? 0 : norm(slip);
-}
-
 /// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
 KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
   const Point3 last = inputs.impulse_scale * record.impulse;
@@ -130,8 +116,8 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   row.impulse.push = push > 0 ? push : 0;
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = record.reference < overlap ? record.reference : overlap;
-  if (inputs.releases_overlap) row.reference = release_overlap(row.reference, row.size);
-  if (has_springs(inputs)) row.held = find_held(record.slip, row.normal, row.friction, inputs.releases_overlap);
+  row.to_push = record.to_push;
+  row.held = record.held;
   if (!(row.friction > 0)) return;
   const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
   for (int d = 0; d < 2; ++d) {

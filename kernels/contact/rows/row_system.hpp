@@ -174,7 +174,6 @@ struct RowInputs {
   SpinInputs spins{};
   // Parting over approach of rows between rigid bodies; negative: 0, and mark_rigid_rows() need not tell them.
   double restitution = -1;
-  bool releases_overlap = false;  // what was accepted comes back by contact_limits::recovery a step (springs)
 };
 
 /// Whether springs push (penalty).

@@ -93,6 +93,8 @@ struct EdgeHistory {
   Rows3<double> impulse = Rows3<double>("contact::edge_history_impulse", 0);      // as in ContactHistory
   Rows3<double> slip = Rows3<double>("contact::edge_history_slip", 0);            // likewise
   Array<double> reference = Array<double>("contact::edge_history_reference", 0);  // likewise
+  Array<double> held = Array<double>("contact::edge_history_held", 0);            // likewise
+  Array<double> to_push = Array<double>("contact::edge_history_to_push", 0);      // likewise
 };
 
 /// What a contact remembers from one step to the next, in the FE decomposition with the owner of the node. Record
@@ -101,22 +103,25 @@ struct EdgeHistory {
 struct ContactHistory {
   Array<std::int64_t> face;  // [3 contact nodes] number of the face of this record; -1: none
   Rows3<double> impulse;     // [records] impulse on the node in the last step
-  // [records] tangential displacement that sticking still owes; without friction, energy of a spring along the push
-  Rows3<double> slip;
-  Array<double> reference;  // [records] overlap accepted at the start, >= 0
+  Rows3<double> slip;        // [records] tangential displacement that sticking still owes
+  Array<double> reference;   // [records] overlap accepted at the start, >= 0
   EdgeHistory edges{};
-  Rows3<double> ties{};  // [ties] impulse on the tied node in the last step
+  Rows3<double> ties{};     // [ties] impulse on the tied node in the last step
+  Array<double> held{};     // [records] energy of the spring along the push, 0: not known; empty: no springs
+  Array<double> to_push{};  // [records] overlap that is to be pushed out; reference: what is left of it; empty: none
 };
 
 /// One record of the history.
 struct LastContact {
   Point3 impulse{}, slip{};
-  double reference = 0;
+  double reference = 0, held = 0, to_push = 0;
 };
 
 template <class History>
 KOKKOS_INLINE_FUNCTION LastContact load_record(const History& history, int record) {
-  return {load_row(history.impulse, record), load_row(history.slip, record), history.reference(record)};
+  return {load_row(history.impulse, record), load_row(history.slip, record), history.reference(record),
+          history.held.extent(0) > 0 ? history.held(record) : 0,
+          history.to_push.extent(0) > 0 ? history.to_push(record) : 0};
 }
 
 /// Corners at n relative to the node and their displacement over the step relative to the node's.

@@ -275,8 +275,7 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           last_pushes_ != 0,
           motion.bodies,
           ties_rotations_ ? motion.spins : SpinInputs{},
-          has_springs || deck_.find_restitution() > 0 ? deck_.find_restitution() : -1,
-          has_springs && deck_.overlap == ContactDeck::Overlap::push_out};
+          has_springs || deck_.find_restitution() > 0 ? deck_.find_restitution() : -1};
 }
 
 WallWays Enforcer::find_wall_ways(const ContactMotion& motion) const {

@@ -22,6 +22,8 @@ struct HostHistory {
         impulse(to_host(history.impulse)),
         slip(to_host(history.slip)),
         reference(to_host(history.reference)),
+        held(to_host(history.held)),
+        to_push(to_host(history.to_push)),
         ties(to_host(history.ties)) {}
 
   void copy_record(std::size_t to, const HostHistory& from, std::size_t record) const {
@@ -30,6 +32,8 @@ struct HostHistory {
       slip(to, k) = from.slip(record, k);
     }
     reference(to) = from.reference(record);
+    if (held.extent(0) > 0) held(to) = from.held(record);
+    if (to_push.extent(0) > 0) to_push(to) = from.to_push(record);
   }
 
   void write_to(const ContactHistory& history) const {
@@ -37,12 +41,14 @@ struct HostHistory {
     Kokkos::deep_copy(history.impulse, impulse);
     Kokkos::deep_copy(history.slip, slip);
     Kokkos::deep_copy(history.reference, reference);
+    Kokkos::deep_copy(history.held, held);
+    Kokkos::deep_copy(history.to_push, to_push);
     Kokkos::deep_copy(history.ties, ties);
   }
 
   HostMirror<Array<std::int64_t>> face;
   HostMirror<Rows3<double>> impulse, slip;
-  HostMirror<Array<double>> reference;
+  HostMirror<Array<double>> reference, held, to_push;
   HostMirror<Rows3<double>> ties;
 };
 
@@ -135,12 +141,16 @@ std::vector<SentRecord> gather_records(const Communicator& ranks, const EdgeHist
 
 }  // namespace
 
-ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls, const ContactDeck& contact) {
   const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
   const std::size_t records = faces + walls.node.extent(0);
   ContactHistory history{
       Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
       Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
+  if (contact.enforcement == ContactDeck::Enforcement::penalty)
+    history.held = Array<double>("contact::history_held", records);
+  if (contact.overlap == ContactDeck::Overlap::push_out)
+    history.to_push = Array<double>("contact::history_to_push", records);
   Kokkos::deep_copy(history.face, std::int64_t{-1});
   return history;
 }
@@ -199,8 +209,7 @@ EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const
 }
 
 ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,
-                             const HistoryOwners& now, const SurfaceShare& share, const WallPairs& walls) {
-  ContactHistory history = make_history(share, walls);
+                             const HistoryOwners& now, ContactHistory history) {
   history.ties = Rows3<double>("contact::history_ties", now.ties.size());
   HostHistory out(history);
   carry_nodes(HostHistory(old), before, now, out);

@@ -17,15 +17,15 @@ struct HistoryOwners {
 };
 
 /// An empty history.
-ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls, const ContactDeck& contact);
 
 HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
                                   const std::vector<std::int64_t>& tie_keys);
 
-/// A history of the new surface with the records of all that both surfaces have. Edges have new numbers and may have
-/// another home: their records are known by the ends. Collective.
+/// The history of the new surface, which is empty, with the records of all that both surfaces have. Edges have new
+/// numbers and may have another home: their records are known by the ends. Collective.
 ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,
-                             const HistoryOwners& now, const SurfaceShare& share, const WallPairs& walls);
+                             const HistoryOwners& now, ContactHistory history);
 
 /// The same of edges alone, where all else is as it was. before, now: whose home this rank is. Collective.
 EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const std::vector<EdgeTopology>& before,

@@ -23,16 +23,20 @@ struct RecordRange {
 };
 
 void archive_records(CheckpointArchive& archive, const std::string& name, const ChunkRows& rows,
-                     const ContactHistory& history, const RecordRange& range) {
+                     const ContactDeck& contact, const ContactHistory& history, const RecordRange& range) {
   const auto [first, end, size] = range;
   archive.rows(name + "/impulse", rows, 3 * size, take(history.impulse, first, end));
   archive.rows(name + "/slip", rows, 3 * size, take(history.slip, first, end));
   archive.rows(name + "/reference", rows, size, take(history.reference, first, end));
+  if (contact.enforcement == ContactDeck::Enforcement::penalty)
+    archive.rows(name + "/held", rows, size, take(history.held, first, end));
+  if (contact.overlap == ContactDeck::Overlap::push_out)
+    archive.rows(name + "/to_push", rows, size, take(history.to_push, first, end));
 }
 
 /// The pairs of a wall follow each other, ascending in their nodes.
 void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const WallPairs& walls,
-                   const ContactHistory& history, std::size_t first_record) {
+                   const ContactDeck& contact, const ContactHistory& history, std::size_t first_record) {
   const auto wall = to_host(walls.wall), node = to_host(walls.node);
   std::size_t begin = 0;
   for (std::size_t w = 0; w < walls.walls.extent(0); ++w) {
@@ -41,7 +45,7 @@ void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const
     for (; end < wall.extent(0) && wall(end) == static_cast<int>(w); ++end) {
       numbers.push_back(chunked.mesh.node_numbers[static_cast<std::size_t>(node(end))]);
     }
-    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), history,
+    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), contact, history,
                     {first_record + begin, first_record + end, 1});
     begin = end;
   }
@@ -50,13 +54,13 @@ void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const
 }  // namespace
 
 void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
-                     const WallPairs& walls, const ContactHistory& history) {
+                     const WallPairs& walls, const ContactDeck& contact, const ContactHistory& history) {
   const ChunkRows rows = find_rows_of_nodes(chunked, share.nodes.numbers);
   const int touches = contact_limits::max_touches;
   const std::size_t records = history.face.extent(0);
   archive.rows("contact/nodes/face", rows, touches, history.face);
-  archive_records(archive, "contact/nodes", rows, history, {0, records, touches});
-  archive_walls(archive, chunked, walls, history, records);
+  archive_records(archive, "contact/nodes", rows, contact, history, {0, records, touches});
+  archive_walls(archive, chunked, walls, contact, history, records);
 }
 
 void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const std::vector<std::int64_t>& keys,

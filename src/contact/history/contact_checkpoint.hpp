@@ -9,7 +9,7 @@ namespace percuss {
 
 /// The records of contact nodes, and of pairs of a wall and a node. Collective. Throws as CheckpointArchive does.
 void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
-                     const WallPairs& walls, const ContactHistory& history);
+                     const WallPairs& walls, const ContactDeck& contact, const ContactHistory& history);
 
 /// The records of edge pairs; nothing in a scene without edges. Likewise.
 void archive_edges(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,

@@ -11,8 +11,8 @@ namespace percuss {
 /// The records that count, by (a, b).
 struct HeldRecords {
   std::vector<std::int64_t> a, b;  // numbers of edges
-  std::vector<double> values;      // normal, impulse, slip, reference of each
-  static constexpr int value_count = 10;
+  std::vector<double> values;      // normal, impulse, slip, reference, held, to_push of each
+  static constexpr int value_count = 12;
 };
 
 HeldRecords take_held(const EdgeHistory& history);

@@ -84,9 +84,34 @@ struct HostWalls {
   decltype(to_host(Rows3<const double>())) x;
 };
 
+/// The records of a history on the host into which overlap is taken: it is held, and pushed out if the deck says so.
+struct SeededRecords {
+  explicit SeededRecords(const ContactHistory& history)
+      : face(to_host(history.face)), reference(to_host(history.reference)), to_push(to_host(history.to_push)) {}
+
+  void hold(int record, double depth) const {
+    reference(record) = depth;
+    if (to_push.extent(0) > 0) to_push(record) = depth;
+  }
+  void hold(int record, std::int64_t by_face, double depth) const {
+    face(record) = by_face;
+    hold(record, depth);
+  }
+  void write_to(const ContactHistory& history) const {
+    Kokkos::deep_copy(history.face, face);
+    Kokkos::deep_copy(history.reference, reference);
+    Kokkos::deep_copy(history.to_push, to_push);
+  }
+
+  HostMirror<Array<std::int64_t>> face;
+  HostMirror<Array<double>> reference, to_push;
+};
+
+bool pushes_out(const ContactHistory& history) { return history.to_push.extent(0) > 0; }
+
 /// What acts of the walls named, or of all, for records from `first` on.
-void seed_walls(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const std::vector<char>& only,
-                StartOverlap& found, const HostMirror<Array<double>>& reference) {
+void seed_walls(const OverlapSearch& search, const SurfaceMotion& motion, const std::vector<char>& only,
+                StartOverlap& found, const SeededRecords& records) {
   const HostWalls host(search.walls, motion.x);
   const int first = contact_limits::max_touches * search.share.nodes.count();
   for (int p = 0; p < host.count(); ++p) {
@@ -94,7 +119,7 @@ void seed_walls(const OverlapSearch& search, const SurfaceMotion& motion, bool a
     if (host.is_lost(p)) add({host.part(p), -1 - host.wall(p), 1, host.depth_inside(p)}, found.lost);
     if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
     note(found, host.number(p), {host.part(p), -1 - host.wall(p), 1, host.depth(p)}, true);
-    reference(first + p) = accept ? host.depth(p) : 0;
+    records.hold(first + p, host.depth(p));
   }
 }
 
@@ -107,34 +132,6 @@ int find_free_record(const HostMirror<Array<std::int64_t>>& history_face, const 
     if (history_face(record) < 0) free = record;
   }
   return free;
-}
-
-/// Overlap of edges, by (a, b), into a history of its own.
-EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool accept, StartOverlap& found) {
-  std::vector<std::int64_t> a, b;
-  std::vector<std::array<double, 3>> normals;
-  std::vector<double> references;
-  for (const EdgePenetration& p : penetrations) {
-    if (p.depth <= contact_limits::overlap * p.size) continue;
-    ++found.edge_pairs;
-    found.deepest_edges = std::max(found.deepest_edges, p.depth);
-    if (p.depth > p.limit) continue;
-    a.push_back(p.a);
-    b.push_back(p.b);
-    normals.push_back({p.normal.x, p.normal.y, p.normal.z});
-    references.push_back(accept ? p.depth : 0);
-  }
-  const std::vector<std::array<double, 3>> zeros(a.size(), {0, 0, 0});
-  EdgeHistory history;
-  history.count = static_cast<int>(a.size());
-  history.a = to_view("contact::edge_history_a", a);
-  history.b = to_view("contact::edge_history_b", b);
-  history.holds = to_view("contact::edge_history_holds", std::vector<int>(a.size(), 1));
-  history.normal = to_rows("contact::edge_history_normal", normals);
-  history.impulse = to_rows("contact::edge_history_impulse", zeros);
-  history.slip = to_rows("contact::edge_history_slip", zeros);
-  history.reference = to_view("contact::edge_history_reference", references);
-  return history;
 }
 
 /// A record of edges by itself.
@@ -193,17 +190,32 @@ std::vector<EdgeRecord> list_records(const EdgeHistory& history) {
   return records;
 }
 
-/// Records that are there stay. accept: the depth of what is added is its reference.
-void add_records(const std::vector<EdgePenetration>& found, bool accept, EdgeHistory& history) {
+/// Records that are there stay. pushes: what is added is to be pushed out.
+void add_records(const std::vector<EdgePenetration>& found, bool pushes, EdgeHistory& history) {
   if (found.empty()) return;
   std::vector<EdgeRecord> records = list_records(history);
   for (const EdgePenetration& p : found)
-    records.push_back({p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, accept ? p.depth : 0}});
+    records.push_back(
+        {p.a, p.b, {p.normal.x, p.normal.y, p.normal.z, 0, 0, 0, 0, 0, 0, p.depth, 0, pushes ? p.depth : 0}});
   history = make_edge_history(join_records(records));
 }
 
+/// Overlap of edges into an empty history.
+void seed_all_edges(const std::vector<EdgePenetration>& penetrations, bool pushes, StartOverlap& found,
+                    EdgeHistory& history) {
+  std::vector<EdgePenetration> held;
+  for (const EdgePenetration& p : penetrations) {
+    if (p.depth <= contact_limits::overlap * p.size) continue;
+    ++found.edge_pairs;
+    found.deepest_edges = std::max(found.deepest_edges, p.depth);
+    if (p.depth <= p.limit) held.push_back(p);
+  }
+  history = {};
+  add_records(held, pushes, history);
+}
+
 /// Of the pairs of edges that a history does not have, those with an end of `nodes`.
-void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
+void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, bool pushes,
                      const std::vector<std::int64_t>& nodes, StartOverlap& found, EdgeHistory& history) {
   std::vector<std::int64_t> own;
   const auto has = [](const std::vector<std::int64_t>& sorted, std::int64_t n) {
@@ -224,7 +236,7 @@ void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, b
     found.deepest_edges = std::max(found.deepest_edges, p.depth);
     if (p.depth <= p.limit) born.push_back(p);
   }
-  add_records(born, accept, history);
+  add_records(born, pushes, history);
 }
 
 }  // namespace
@@ -234,60 +246,51 @@ void OverlapSearch::search_everywhere(const SurfaceMotion& motion) const {
   finder.search(motion, margin * bound.find_mean_edge(motion));
 }
 
-StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
-                          ContactHistory& history) {
-  const auto history_face = to_host(history.face);
-  const auto reference = to_host(history.reference);
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactHistory& history) {
+  const SeededRecords records(history);
   StartOverlap found;
   for (const Penetration& p : look_everywhere(search, motion)) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
     const bool held = p.depth <= p.limit;
     const auto n = static_cast<std::size_t>(p.node);
     note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
-    if (!held) continue;
-    history_face(contact_limits::max_touches * p.node) = p.face;
-    reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
+    if (held) records.hold(contact_limits::max_touches * p.node, p.face, p.depth);
   }
-  seed_walls(search, motion, accept, {}, found, reference);
+  seed_walls(search, motion, {}, found, records);
   if (search.share.total_searched_faces > 0) {
-    history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);
+    seed_all_edges(search.finder.find_edge_penetrations(motion), pushes_out(history), found, history.edges);
     found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
   }
-  Kokkos::deep_copy(history.face, history_face);
-  Kokkos::deep_copy(history.reference, reference);
+  records.write_to(history);
   reduce(search.ranks, found);
   return found;
 }
 
-StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const BornContact& born,
+StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, const BornContact& born,
                        ContactHistory& history) {
   const auto has = [](const std::vector<std::int64_t>& sorted, std::int64_t number) {
     return std::binary_search(sorted.begin(), sorted.end(), number);
   };
-  const auto history_face = to_host(history.face);
-  const auto reference = to_host(history.reference);
+  const SeededRecords records(history);
   const bool has_faces = search.share.total_searched_faces > 0;
   StartOverlap found;
   for (const Penetration& p : has_faces ? search.finder.find_penetrations(motion) : std::vector<Penetration>{}) {
     if (p.depth <= contact_limits::overlap * p.size || !has(born.faces, p.face)) continue;
     const auto n = static_cast<std::size_t>(p.node);
-    const int record = find_free_record(history_face, p);
+    const int record = find_free_record(records.face, p);
     if (record < 0) continue;  // a contact of another pair that goes on
     const bool held = p.depth <= p.limit;
     note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
-    if (!held) continue;
-    history_face(record) = p.face;
-    reference(record) = accept ? p.depth : 0;
+    if (held) records.hold(record, p.face, p.depth);
   }
-  seed_walls(search, motion, accept, born.walls, found, reference);
-  Kokkos::deep_copy(history.face, history_face);
-  Kokkos::deep_copy(history.reference, reference);
-  if (has_faces) seed_born_edges(search, motion, accept, born.nodes, found, history.edges);
+  seed_walls(search, motion, born.walls, found, records);
+  records.write_to(history);
+  if (has_faces) seed_born_edges(search, motion, pushes_out(history), born.nodes, found, history.edges);
   reduce(search.ranks, found);
   return found;
 }
 
-void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const SurfaceChange& change,
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                  ContactHistory& history) {
   if (search.share.total_searched_faces == 0) return;
   const auto list_new = [](const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
@@ -300,8 +303,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, bool 
   own_faces.insert(own_faces.end(), change.released_faces.begin(), change.released_faces.end());
   std::vector<std::int64_t> faces = gather_items(search.ranks, own_faces);
   std::sort(faces.begin(), faces.end());
-  const auto history_face = to_host(history.face);
-  const auto reference = to_host(history.reference);
+  const SeededRecords records(history);
   for (const Penetration& p : search.finder.find_penetrations(motion)) {
     const std::int64_t number = search.share.nodes.numbers[static_cast<std::size_t>(p.node)];
     const bool is_new = std::binary_search(faces.begin(), faces.end(), p.face) ||
@@ -309,12 +311,10 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, bool 
                         std::binary_search(change.released_nodes.begin(), change.released_nodes.end(), number);
     const int record = contact_limits::max_touches * p.node;
     if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
-    if (history_face(record) >= 0) continue;  // a contact that continues
-    history_face(record) = p.face;
-    reference(record) = accept ? p.depth : 0;
+    if (records.face(record) >= 0) continue;  // a contact that continues
+    records.hold(record, p.face, p.depth);
   }
-  Kokkos::deep_copy(history.face, history_face);
-  Kokkos::deep_copy(history.reference, reference);
+  records.write_to(history);
 }
 
 std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change) {
@@ -349,7 +349,7 @@ void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
   std::erase_if(found, [&](const EdgePenetration& p) {
     return (!is_fresh(p.a) && !is_fresh(p.b)) || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit;
   });
-  add_records(found, true, history);
+  add_records(found, false, history);
 }
 
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {

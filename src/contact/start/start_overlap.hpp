@@ -52,13 +52,12 @@ struct BornContact {
 /// Of overlap at the positions of `motion`, whose dt is 0, takes into a history in use what is with these faces, the
 /// edges between these nodes, and these walls, as seed_history() does. Looks at the candidate pairs that the finder
 /// has. Collective.
-StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const BornContact& born,
+StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, const BornContact& born,
                        ContactHistory& history);
 
-/// Finds overlap at the positions of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or
-/// to be pushed out. Collective.
-StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, bool accept,
-                          ContactHistory& history);
+/// Finds overlap at the positions of `motion`, whose dt is 0, and writes it to the history: as accepted reference,
+/// which is to be pushed out where the history says so. Collective.
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactHistory& history);
 
 /// The surface before and after erosion, or ties that let go, have redefined it.
 struct SurfaceChange {
@@ -89,7 +88,7 @@ double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overla
 /// Of overlap at the positions of `motion`, whose dt is 0, takes into the history what a new node or a new face has, or
 /// one that was tied, as seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs
 /// that the finder has. Collective.
-void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, bool accept, const SurfaceChange& change,
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                  ContactHistory& history);
 
 /// Numbers of this rank's edges whose overlap has cost nothing: new ones, blunt ones that have folded, and those with

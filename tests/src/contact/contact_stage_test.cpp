@@ -262,7 +262,7 @@ TEST(ContactStage, OverlapAtTheStartIsReportedAndAcceptedWithoutForce) {
 TEST(ContactStage, OverlapAtTheStartIsPushedOutSlowlyIfTheDeckSaysSo) {
   FreeNodes nodes(overlapping + "push_out}");
   EXPECT_THAT(nodes.prepare(), testing::HasSubstr("pushed out"));
-  nodes.step(0.01);
+  for (int i = 0; i < 2; ++i) nodes.step(0.01);  // held in the first
   double fastest = 0;
   for (int n = 0; n < nodes.count(); ++n) fastest = std::max(fastest, norm(load_row(nodes.v, n)));
   EXPECT_GT(fastest, 0);

@@ -89,6 +89,25 @@ TEST(PenaltyEnergy, OfABlockThatRattlesInUnevenStepsStaysAsItIs) {
   }
 }
 
+// What friction holds as a spring is among what springs hold, and it only takes.
+TEST(PenaltyEnergy, OfABlockThatRattlesAndRubsInUnevenStepsOnlyFalls) {
+  const std::string rough = R"(
+walls: [{point: [0, 0, 0], normal: z, friction: 0.3}, {point: [0, 0, 1.5], normal: -z, friction: 0.3}]
+contact: {enforcement: penalty}
+)";
+  for (const int cells : {1, 3}) {
+    for (const double speed : {0.03, 0.05}) {
+      const Outcome run = run_deck(describe_rattle(rough, speed, cells, 1e9));
+      const HistoryTable& h = run.history;
+      double largest = 0;
+      for (std::size_t i = 0; i < h["contact"].size(); ++i)
+        largest = std::max(largest, h["contact"][i] + h["contact_stored"][i] + h["friction"][i]);
+      EXPECT_LT(largest, 1e-10 * h["kinetic"].front()) << speed << " " << cells;
+      EXPECT_LT(h.last("friction"), -0.05 * h["kinetic"].front());
+    }
+  }
+}
+
 // Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.
 // The work of push-out is less than that of closing 0.02 with both in uniform compression: the springs give way too.
 TEST(PenaltyEnergy, OfOverlapThatIsPushedOutIsThatOfTheOverlap) {
