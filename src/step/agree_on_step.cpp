@@ -57,8 +57,8 @@ void StepNotice::merge(const StepNotice& other) {
 }
 
 StepNotice Stepper::find_notice(const State& state) const {
-  const auto step =
-      to_host(fictitious_ != nullptr ? fictitious_->find_bounds(state.results) : state.results.stable_step);
+  const Action* const asker = find_asker();
+  const auto step = to_host(asker != nullptr ? asker->find_bounds(state.results) : state.results.stable_step);
   const auto element = to_host(state.results.controlling_element);
   const auto failed = to_host(state.results.failed_element);
   const auto work = to_host(state.results.work);
@@ -72,7 +72,8 @@ StepNotice Stepper::find_notice(const State& state) const {
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
                   std::isfinite(work(c, 0) + work(c, 1) + work(c, 2) + work(c, 3)) ? StepNotice::none : chunk.number});
   }
-  if (scaler_) notice.wants_mass = scaler_->is_wanted(state.step, step) ? 1 : 0;
+  for (const Action* const action : order_)
+    if (action->wants_masses(state, step)) notice.wants_mass = 1;
   if (global_) {
     const auto growth = to_host(global_->watch().growth);
     for (std::size_t c = 0; c < growth.extent(0); ++c) notice.growth = std::max(notice.growth, growth(c));
@@ -101,10 +102,13 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
   // Without springs the bound of the elements keeps its bits.
   const double step =
       notice.contact_rate > 0 ? 1 / std::sqrt(1 / (mesh_step * mesh_step) + 0.25 * notice.contact_rate) : mesh_step;
-  const SpringLimit limit = springs_ ? springs_->limit_step(state, step) : SpringLimit{step, -1};
-  state.bound = {
-      limit.step,       notice.element, notice.element_id, or_none(notice.failed_element), or_none(notice.broken_chunk),
-      notice.died != 0, limit.spring};
+  state.bound = {step,
+                 notice.element,
+                 notice.element_id,
+                 or_none(notice.failed_element),
+                 or_none(notice.broken_chunk),
+                 notice.died != 0};
+  for (const Action* const action : order_) action->limit_step(state, state.bound);
 }
 
 /// The bound of the elements, or what the whole mesh allows; an element that has failed ends the run anyhow.
@@ -132,7 +136,7 @@ double Stepper::find_undamped_bound(const State& state) const {
 
 void Stepper::choose_step(State& state) const {
   double dt = deck_.time.step_scale * state.bound.step;
-  if (model_.rigid.is_all) dt = std::min(dt, rigid_.find_step(state, deck_.time.end));
+  for (const Action* const action : order_) dt = std::min(dt, action->largest_step(state));
   if (state.step > 0 && dt > state.dt) {
     dt = dt > (1 + least_step_growth) * state.dt ? std::min(dt, largest_step_growth * state.dt) : state.dt;
   }

@@ -172,10 +172,11 @@ Array<double> FictitiousMasses::find_bounds(const ChunkResults& results) const {
   return least_;
 }
 
-void FictitiousMasses::pull(const State& state, double dt_mean) const {
+void FictitiousMasses::predict(State& state, const StepTimes& times) {
   const Gravity gravity = state.gravity;
   if (gravity.g[0] == 0 && gravity.g[1] == 0 && gravity.g[2] == 0) return;
   const auto weights = weights_;
+  const double dt_mean = times.dt_mean;
   const auto v = state.v, inverse_mass = state.inverse_mass;
   Kokkos::parallel_for(
       "percuss::pull_by_weight", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {

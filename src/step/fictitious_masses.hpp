@@ -9,18 +9,17 @@
 
 #include "src/mesh/ordering.hpp"
 #include "src/step/lumped_masses.hpp"
-#include "src/step/model/element_bounds.hpp"
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 
 namespace percuss {
 
-class FictitiousMasses {
+class FictitiousMasses : public Action {
  public:
   /// Both outlive this.
   FictitiousMasses(const ChunkedMesh& chunked, const Model& model);
 
-  /// Where the launchers write the stable steps of elements with their physical masses.
-  const ElementBounds& bounds() const { return bounds_; }
+  /// With their physical masses.
+  const ElementBounds* asked_bounds() const override { return &bounds_; }
 
   /// Gives the nodes of a state these masses, by the stable steps that have been written last. Returns what the
   /// smallest step has grown by. Collective.
@@ -29,11 +28,11 @@ class FictitiousMasses {
   /// Gives the physical ones back.
   void take(State& state) const;
 
-  /// [chunks] least stable step of the elements of each, with the masses that the nodes have.
-  Array<double> find_bounds(const ChunkResults& results) const;
+  Array<double> find_bounds(const ChunkResults& results) const override;
 
-  /// Adds gravity to velocities that have none of it yet.
-  void pull(const State& state, double dt_mean) const;
+  /// Weights remain those of the physical masses.
+  bool gives_gravity() const override { return true; }
+  void predict(State& state, const StepTimes& times) override;
 
  private:
   /// [nodes] of elements, and over the physical ones; 0 and 1 where elements give nothing.

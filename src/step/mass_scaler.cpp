@@ -9,6 +9,8 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/mesh/mesh.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
+#include "src/step/audit/books.hpp"
 
 namespace percuss {
 namespace {
@@ -33,7 +35,8 @@ struct MissingMass {
 }  // namespace
 
 MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
-    : model_(model),
+    : chunked_(chunked),
+      model_(model),
       target_("percuss::wanted_step", chunked.chunks.size()),
       missing_("percuss::missing_mass", static_cast<std::size_t>(model.element_count)),
       wanted_("percuss::missing_mass_of_chunks", chunked.chunks.size()),
@@ -54,11 +57,11 @@ MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model
   for (const Chunk& chunk : chunked.chunks) part_of_chunk_.push_back(places[static_cast<std::size_t>(chunk.part)]);
 }
 
-bool MassScaler::is_wanted(long step, const HostMirror<Array<double>>& bounds) const {
+bool MassScaler::wants_masses(const State& state, const HostMirror<Array<double>>& bounds) const {
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {
     if (part_of_chunk_[c] < 0) continue;
     const ScaledPart& part = parts_[static_cast<std::size_t>(part_of_chunk_[c])];
-    if (bounds(c) < part.request.step && is_due(part, step)) return true;
+    if (bounds(c) < part.request.step && is_due(part, state.step)) return true;
   }
   return false;
 }
@@ -173,7 +176,7 @@ void MassScaler::set_nodes(State& state) const {
       });
 }
 
-void MassScaler::add(State& state, Bookkeeper& books) {
+void MassScaler::change_masses(State& state, Bookkeeper& books) {
   std::vector<bool> were_full;
   for (const ScaledPart& part : parts_) were_full.push_back(part.is_full());
   find_missing(state);
@@ -194,6 +197,7 @@ void MassScaler::add(State& state, Bookkeeper& books) {
   }
 }
 
+/// Masses of the nodes from those of the elements, which a checkpoint holds.
 void MassScaler::restore(State& state) {
   const bool is_untouched = std::all_of(parts_.begin(), parts_.end(), [](const auto& part) { return part.added == 0; });
   if (is_untouched) return;
@@ -207,9 +211,14 @@ std::vector<Warning> MassScaler::take_warnings() {
   return taken;
 }
 
-void MassScaler::archive(CheckpointArchive& archive) {
+void MassScaler::archive(CheckpointArchive& archive, State& state) {
   for (std::size_t p = 0; p < parts_.size(); ++p)
     archive.number("mass_scaling/added/" + std::to_string(p), parts_[p].added);
+  archive.rows("elements/mass", find_element_rows(chunked_), 1, state.element_mass);
+  archive.number("books/added_mass", state.books.added_mass);
+  archive.number("books/added_energy", state.books.added_energy);
+  if (!model_.can_erode) archive.number("books/total_mass", state.total_mass);
+  if (archive.is_loading()) restore(state);
 }
 
 }  // namespace percuss

@@ -11,35 +11,29 @@
 
 #include "src/step/audit/books.hpp"
 #include "src/step/lumped_masses.hpp"
-#include "src/step/model/element_bounds.hpp"
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 #include "src/step/shared_mass.hpp"
-#include "src/warning.hpp"
 
 namespace percuss {
 
-class MassScaler {
+class MassScaler : public Action {
  public:
   /// All arguments outlive this.
   MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-  /// Where the launchers write the bounds of all elements.
-  const ElementBounds& bounds() const { return bounds_; }
+  const ElementBounds* asked_bounds() const override { return &bounds_; }
 
-  /// Whether an element of this rank is to get mass after the forces of a step. bounds: [chunks] least of each.
-  bool is_wanted(long step, const HostMirror<Array<double>>& bounds) const;
+  /// Whether an element of this rank is to get mass.
+  bool wants_masses(const State& state, const HostMirror<Array<double>>& bounds) const override;
 
-  /// Adds the mass that is due, and books it. Collective.
-  void add(State& state, Bookkeeper& books);
+  /// Adds the mass that is due, and books it.
+  void change_masses(State& state, Bookkeeper& books) override;
 
-  /// Masses of the nodes from those of the elements, which a checkpoint holds. Collective.
-  void restore(State& state);
+  /// Of parts that have reached their limit.
+  std::vector<Warning> take_warnings() override;
 
-  /// Parts that have reached their limit since the last call.
-  std::vector<Warning> take_warnings();
-
-  /// What each part was given.
-  void archive(CheckpointArchive& archive);
+  /// What each part was given, and the masses of the elements.
+  void archive(CheckpointArchive& archive, State& state) override;
 
  private:
   struct ScaledPart {
@@ -57,7 +51,9 @@ class MassScaler {
   void sum_lumped(const State& state);
   void scale_tensors(const State& state) const;
   void set_nodes(State& state) const;
+  void restore(State& state);
 
+  const ChunkedMesh& chunked_;
   const Model& model_;
   std::vector<ScaledPart> parts_;
   std::vector<int> part_of_chunk_;  // [chunks] of parts_; -1: none

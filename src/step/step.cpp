@@ -7,7 +7,6 @@
 #include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
 #include "src/step/phases.hpp"
-#include "src/step/sensors/held_directions.hpp"
 
 namespace percuss {
 namespace {
@@ -18,10 +17,6 @@ double bound_speed(double component) {
   return component < 0 ? component : root_of_3 * component;
 }
 
-TurningNodes find_turning(const State& state, double dt) {
-  return {state.w_before, state.w, state.moment, state.step == 0 ? 0 : state.dt, dt};
-}
-
 }  // namespace
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -30,35 +25,20 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       model_(model),
       contact_(contact),
       halo_(model.ranks, model.halo),
-      rigid_(model),
-      bookkeeper_(deck, model),
-      forces_(deck, chunked, model, contact),
-      accelerometers_(deck, chunked, model),
-      pressures_("percuss::pressures", model.pressures.size()),
-      nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
+      actions_(make_actions(deck, chunked, model, contact)),
+      bookkeeper_(deck, model) {
   if (model.has_rotations) moment_halo_.emplace(model.ranks, model.halo);
-  std::vector<int> is_displacement;
-  for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
-  motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
-              to_view("percuss::is_displacement", is_displacement)};
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
-  if (model.springs.any()) springs_ = std::make_unique<SpringStage>(model);
-  if (model.welds.any()) welds_ = std::make_unique<WeldStage>(model);
-  if (model.constraints.any()) constraints_ = std::make_unique<ConstraintStage>(model);
   if (model.stiffness_damping.extent(0) > 0) stiffness_damping_ = std::make_unique<StiffnessDampingStage>(model);
-  if (!model.dampings.empty()) damping_ = std::make_unique<DampingStage>(model);
   if (model.has_small_solids) tets_ = std::make_unique<TetStage>(model);
-  if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
+  for (const auto& action : actions_.all) order_.push_back(action.get());
 }
 
 void Stepper::start(State& state, StepWishes wishes) {
   set_switches(state);
-  // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
-  hold_conditions(state, 0);
-  hold_spins(state, 0);
-  rigid_.start(state);
+  for (Action* const action : order_) action->start(state);
   compute_forces(state, 0);
   judge_elements(state, 0);
   agree_on_step(state, wishes);
@@ -68,57 +48,56 @@ void Stepper::start(State& state, StepWishes wishes) {
   bookkeeper_.start(state);
 }
 
-void Stepper::renew_loads(State& state) {
-  if (springs_) springs_->drop_vanished(state);
-  if (welds_) welds_->drop_vanished(state);
-  apply_loads(state, state.time);
+void Stepper::drop_vanished(State& state) {
+  for (Action* const action : order_) action->drop_vanished(state);
+  if (std::any_of(order_.begin(), order_.end(), [](const Action* action) { return action->adds_forces(); }))
+    share_forces(state);
+}
+
+/// The forces at n into the slots of this rank and of others.
+void Stepper::share_forces(State& state) {
+  add_forces(state, state.time);
   halo_.begin(space_, state.slot_force);
   halo_.end();
-  if (moment_halo_) {
-    moment_halo_->begin(space_, state.slot_moment);
-    moment_halo_->end();
-  }
+  if (!moment_halo_) return;
+  moment_halo_->begin(space_, state.slot_moment);
+  moment_halo_->end();
 }
 
 void Stepper::set_switches(State& state) {
   if (!model_.switches.switches_conditions) return;
-  set_held_directions(model_, state);
-  rigid_.set_switches(state);
-  forces_.renew_supports(state);
+  for (Action* const action : order_) action->set_switches(state);
 }
 
 /// The forces at n are new, and so is the half of their work that the last step has booked.
 void Stepper::switch_now(State& state, const std::vector<char>& happened) {
   const auto book = [&](double dt) {
     bookkeeper_.book_new_forces(state, dt, true);
-    rigid_.book_rest(state, dt, state.time, true);
+    for (Action* const action : order_) action->book_forces(state, dt, state.time, true);
   };
   book(-state.dt);
   state.happened = happened;
   set_switches(state);
-  renew_loads(state);
+  for (Action* const action : order_) action->drop_vanished(state);
+  share_forces(state);
   book(state.dt);
 }
 
-void Stepper::archive_masses(CheckpointArchive& archive) {
-  if (scaler_) scaler_->archive(archive);
-}
-
-void Stepper::restore_masses(State& state) {
-  if (scaler_) scaler_->restore(state);
+void Stepper::archive_actions(CheckpointArchive& archive, State& state) {
+  for (Action* const action : order_) action->archive(archive, state);
 }
 
 void Stepper::resume(State& state) {
-  forces_.resume(state.time);
-  accelerometers_.resume(state);
-  renew_loads(state);
+  for (Action* const action : order_) {
+    action->resume(state);
+    action->drop_vanished(state);
+  }
+  share_forces(state);
   choose_step(state);
 }
 
 void Stepper::archive(CheckpointArchive& archive) {
   bookkeeper_.archive(archive);
-  forces_.archive(archive);
-  accelerometers_.archive(archive);
   if (global_) global_->archive(archive);
   if (!contact_.is_active()) return;
   archive.integer("contact/report/interactions", report_.interactions);
@@ -141,20 +120,19 @@ void Stepper::archive(CheckpointArchive& archive) {
 // elements have died in it: Run::erode().
 void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
-  const double dt_mean = 0.5 * (state.dt + dt);
+  const StepTimes times{state.time, dt, 0.5 * (state.dt + dt)};
   const bool is_free = are_nodes_free();
-  accelerometers_.begin_step(state);
+  for (Action* const action : order_) action->begin_step(state, times);
   if (is_free)
-    integrate_free_motion(state, dt, dt_mean);  // (1.2) with the positions at n+1
+    integrate_free_motion(state, times);  // (1.2) with the positions at n+1
   else
-    predict_motion(state, dt, dt_mean);  // (1.2), (1.6) velocities without contact; contact forms x + dt v
-  integrate_spins(state, dt, dt_mean);
+    predict_motion(state, times);  // (1.2), (1.6) velocities without contact; contact forms x + dt v
+  integrate_spins(state, times);
   resolve_contact(state, dt);  // (1.7) search, (1.8) detailed check, (1.9) enforcement
-  rigid_.set_spins(state);
-  join_nodes(state, dt, dt_mean);
-  book_motion(state, dt, dt_mean);
+  follow_contact(state, times);
+  book_motion(state, times);
   if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
-  accelerometers_.end_step(state, dt_mean);
+  for (Action* const action : order_) action->move(state, times);
   compute_forces(state, dt);  // (1.3) strain rate, (1.4) stress, (1.5) internal forces
   book_forces(state, dt);
   turn_inertia(state, dt);
@@ -167,28 +145,31 @@ void Stepper::advance(State& state, StepWishes wishes) {
   choose_step(state);
 }
 
-/// Whether only elements, springs and gravity act on the nodes: then nothing comes between their velocities and their
-/// motion, and nothing asks for their forces, or for their places before they move.
+/// Whether nothing comes between the velocities of the nodes and their motion, and nothing asks for their forces, or for
+/// their places before they move: only elements, springs and gravity act on them.
 bool Stepper::are_nodes_free() const {
-  return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
-         model_.nodal_loads.count == 0 && !damping_ && !welds_ && !constraints_ && !forces_.has_sections();
+  return !contact_.is_active() &&
+         std::none_of(order_.begin(), order_.end(), [](const Action* action) { return action->comes_between(); });
 }
 
-/// Velocities at n+1/2 as they are without contact, conditions included.
-void Stepper::predict_motion(State& state, double dt, double dt_mean) {
-  integrate_motion(state, dt, dt_mean);
-  hold_conditions(state, dt);
-  if (contact_.is_active() && contact_.wants_speeds()) measure_predicted(state);
-}
-
-/// The nodal update has measured what it predicts; what changes velocities after it is measured again.
-void Stepper::measure_predicted(const State& state) {
+/// Velocities at n+1/2 as they are without contact, conditions included. Contact asks for the largest component: the
+/// nodal update measures what it predicts, what changes velocities after it is measured again.
+void Stepper::predict_motion(State& state, const StepTimes& times) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  if (rigid_.any() || damping_)
-    predicted_component_ = find_largest_component(space_, state.v);
-  else if (state.held.count > 0)
-    predicted_component_ =
-        std::max(predicted_component_, find_largest_component(space_, state.held.node, state.held.count, state.v));
+  const bool gives_gravity =
+      std::any_of(order_.begin(), order_.end(), [](const Action* action) { return action->gives_gravity(); });
+  const bool is_measured = contact_.is_active() && contact_.wants_speeds();
+  const NodeForces forces{model_.nodes_to_slots, state.slot_force, state.inverse_mass,
+                          gives_gravity ? Gravity{} : state.gravity};
+  if (is_measured)
+    predicted_component_ = predict_and_measure(space_, forces, times.dt_mean, state.force, state.v_before, state.v);
+  else
+    predict_velocities(space_, forces, times.dt_mean, state.force, state.v_before, state.v);
+  for (Action* const action : order_) action->predict(state, times);
+  if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
+  for (Action* const action : order_) action->change_velocities(state, times);
+  if (!is_measured) return;
+  for (const Action* const action : order_) predicted_component_ = action->bound_component(state, predicted_component_);
 }
 
 void Stepper::accept_motion(State& state, double dt) {
@@ -197,91 +178,43 @@ void Stepper::accept_motion(State& state, double dt) {
     moved_component_ = move_and_measure(space_, state.v, dt, state.x);
   else
     move_nodes(space_, state.v, dt, state.x);
-  rigid_.place(state);
 }
 
-void Stepper::book_motion(State& state, double dt, double dt_mean) {
+void Stepper::book_motion(State& state, const StepTimes& times) {
   const Phase phase("percuss::book", clocks_.reduce);
-  rigid_.book(state, dt, dt_mean);  // before gravity, which follows the momentum of all
-  if (damping_) damping_->book(state);
-  bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
-  forces_.book(state, dt_mean);
+  for (Action* const action : order_) action->book_motion(state, times);
+  bookkeeper_.book_impulses(state, times.dt, times.dt_mean, report_.walls);  // gravity follows the momentum of all
 }
 
 void Stepper::book_forces(State& state, double dt) {
   const Phase phase("percuss::book", clocks_.reduce);
   bookkeeper_.book_new_forces(state, dt);
-  rigid_.book_rest(state, dt, state.time + dt);
+  for (Action* const action : order_) action->book_forces(state, dt, state.time + dt, false);
 }
 
-void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
+void Stepper::integrate_free_motion(State& state, const StepTimes& times) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity}, dt_mean, dt,
-                     state.v, state.x);
-}
-
-void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
-  const Phase phase("percuss::integrate", clocks_.integrate);
-  if (damping_) damping_->begin_step(state.time);
-  const NodeForces forces{model_.nodes_to_slots, state.slot_force, state.inverse_mass,
-                          fictitious_ != nullptr ? Gravity{} : state.gravity};
-  if (contact_.is_active() && contact_.wants_speeds())
-    predicted_component_ = predict_and_measure(space_, forces, dt_mean, state.force, state.v_before, state.v);
-  else
-    predict_velocities(space_, forces, dt_mean, state.force, state.v_before, state.v);
-  if (fictitious_ != nullptr) fictitious_->pull(state, dt_mean);
-  if (rigid_.any()) rigid_.predict(state, dt, dt_mean, damping_ ? damping_->coefficients() : std::vector<double>());
-  if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
-  if (damping_) damping_->damp(state, dt_mean);
+  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity},
+                     times.dt_mean, times.dt, state.v, state.x);
 }
 
 /// Rotations of the nodes of shells and beams as they are without ties: elements' moments and conditions act on them.
-void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
+void Stepper::integrate_spins(State& state, const StepTimes& times) {
   if (!model_.has_rotations) return;
-  {
-    const Phase phase("percuss::integrate_spins", clocks_.integrate);
-    // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
-    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
-                       dt_mean, state.moment, state.w_before, state.w);
-    if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), find_turning(state, dt));
-    if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
-    if (damping_) damping_->damp_spins(state, dt_mean);
-  }
-  hold_spins(state, dt);
-  if (state.spin_tensors.any() && state.held_spins.count > 0)
-    follow_held_spins(space_, state.spin_inertia(), find_turning(state, dt));
+  const Phase phase("percuss::integrate_spins", clocks_.integrate);
+  // Nodes of solids alone have no rotation. By the inertia of the start: nodes that erosion leaves empty go on.
+  predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
+                     times.dt_mean, state.moment, state.w_before, state.w);
+  if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), state.turning_nodes(times.dt));
+  if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
+  for (Action* const action : order_) action->change_spins(state, times);
 }
 
 /// Their inertia turns with the nodes of beams, once elements and books have seen the spins of the step.
 void Stepper::turn_inertia(State& state, double dt) {
   if (!state.spin_tensors.any()) return;
   const Phase phase("percuss::turn_inertia", clocks_.integrate);
-  turn_tensors(space_, state.spin_inertia(), find_turning(state, dt));
-}
-
-void Stepper::hold_spins(State& state, double dt) {
-  if (state.held_spins.count == 0) return;
-  const Phase phase("percuss::conditions", clocks_.integrate);
-  evaluate_motions(state, dt);
-  hold_velocities(space_, state.held_spins, motions_, state.x, dt > 0 ? dt : 1, state.w);
-}
-
-void Stepper::hold_conditions(State& state, double dt) {
-  if (state.held.count == 0) return;
-  const Phase phase("percuss::conditions", clocks_.integrate);
-  evaluate_motions(state, dt);
-  hold_velocities(space_, state.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
-}
-
-/// Values of the prescribed motions for the step from n to n+1.
-void Stepper::evaluate_motions(const State& state, double dt) {
-  const auto values = Kokkos::create_mirror_view(motions_.value);
-  for (std::size_t m = 0; m < model_.motions.size(); ++m) {
-    const Motion& motion = model_.motions[m];
-    values(m) = motion.curve(motion.is_displacement ? state.time + dt : state.time + 0.5 * dt);
-    if (motion.is_displacement && dt == 0) values(m) = 0;  // at the start: at rest where the mesh put it
-  }
-  Kokkos::deep_copy(motions_.value, values);
+  turn_tensors(space_, state.spin_inertia(), state.turning_nodes(dt));
 }
 
 void Stepper::resolve_contact(State& state, double dt) {
@@ -294,13 +227,12 @@ void Stepper::resolve_contact(State& state, double dt) {
                              state.impulse,
                              dt,
                              {center[0], center[1], center[2]},
-                             rigid_.inputs(),
+                             actions_.rigid != nullptr ? actions_.rigid->inputs() : BodyInputs{},
                              state.time,
                              {state.w, state.w_before, state.inverse_inertia, state.inertia, state.tie_moment},
                              bound_speed(predicted_component_),
                              bound_speed(moved_component_)};
   report_ = contact_.apply(motion);
-  if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
   const ContactClocks spent = contact_.clocks();
@@ -310,19 +242,19 @@ void Stepper::resolve_contact(State& state, double dt) {
   clocks_.contact_enforce = spent.enforce;
 }
 
-/// Welded nodes move as one, and constrained ones equally, whatever else acts on them.
-void Stepper::join_nodes(State& state, double dt, double dt_mean) {
-  if (!welds_ && !constraints_) return;
-  const Phase phase("percuss::welds", clocks_.integrate);
-  if (welds_) welds_->join(state, dt, dt_mean);
-  if (constraints_) constraints_->join(state, dt_mean);
+/// Rigid bodies get the impulses of contact; welded nodes move as one, and constrained ones equally, whatever else acts
+/// on them.
+void Stepper::follow_contact(State& state, const StepTimes& times) {
+  const Phase phase("percuss::follow_contact", clocks_.integrate);
+  for (Action* const action : order_) action->follow_contact(state, times, contact_.is_active() ? &report_ : nullptr);
 }
 
 std::vector<Warning> Stepper::take_warnings() {
-  std::vector<Warning> taken = scaler_ ? scaler_->take_warnings() : std::vector<Warning>();
-  if (!welds_) return taken;
-  const std::vector<Warning> of_welds = welds_->take_warnings();
-  taken.insert(taken.end(), of_welds.begin(), of_welds.end());
+  std::vector<Warning> taken;
+  for (Action* const action : order_) {
+    const std::vector<Warning> more = action->take_warnings();
+    taken.insert(taken.end(), more.begin(), more.end());
+  }
   return taken;
 }
 
@@ -330,7 +262,7 @@ std::vector<Warning> Stepper::take_warnings() {
 void Stepper::scale_masses(State& state) {
   if (!is_mass_wanted_ || state.bound.failed_element >= 0) return;
   const Phase phase("percuss::scale_masses", clocks_.reduce);
-  scaler_->add(state, bookkeeper_);
+  for (Action* const action : order_) action->change_masses(state, bookkeeper_);
 }
 
 /// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on
@@ -341,8 +273,8 @@ void Stepper::compute_forces(State& state, double dt) {
     const ElementMotion motion = find_motion(state, dt);
     if (tets_) tets_->prepare(state, motion);
     advance_sending(state, motion);
-    if (springs_) springs_->advance(state, dt);
-    apply_loads(state, state.time + dt);
+    for (Action* const action : order_) action->advance(state, dt);
+    add_forces(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
     advance_others(state, motion);
@@ -353,8 +285,8 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 ElementMotion Stepper::find_motion(const State& state, double dt) const {
-  const ElementBounds* const asked = find_asked_bounds();
-  const StepWatch watch = global_ ? global_->watch() : asked != nullptr ? asked->watch : StepWatch{};
+  const Action* const asker = find_asker();
+  const StepWatch watch = global_ ? global_->watch() : asker != nullptr ? asker->asked_bounds()->watch : StepWatch{};
   return {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives};
 }
 
@@ -374,15 +306,16 @@ void Stepper::advance_others(State& state, const ElementMotion& motion) {
   if (stiffness_damping_) stiffness_damping_->damp_others(state, find_damped_motions(state, motion));
 }
 
-/// Where the launchers write the bounds of all elements; null: nobody asks.
-const ElementBounds* Stepper::find_asked_bounds() const {
-  if (scaler_) return &scaler_->bounds();
-  return fictitious_ != nullptr ? &fictitious_->bounds() : nullptr;
+/// Who wants the bounds of all elements; null: nobody.
+const Action* Stepper::find_asker() const {
+  const auto asker =
+      std::find_if(order_.begin(), order_.end(), [](const Action* action) { return action->asked_bounds() != nullptr; });
+  return asker == order_.end() ? nullptr : *asker;
 }
 
 Array<double> Stepper::find_other_bounds() const {
-  const ElementBounds* const asked = find_asked_bounds();
-  return asked != nullptr ? asked->others : Array<double>();
+  const Action* const asker = find_asker();
+  return asker != nullptr ? asker->asked_bounds()->others : Array<double>();
 }
 
 ShellMotion Stepper::find_shell_motion(const State& state, const ElementMotion& motion) const {
@@ -428,29 +361,8 @@ void Stepper::judge_elements(State& state, double dt) {
   some_died_ = counts.died + of_shells.died > 0;
 }
 
-void Stepper::apply_loads(State& state, double time) {
-  state.gravity = find_gravity(model_, time);
-  apply_forces(state, time);
-  if (springs_) springs_->apply(state);
-  if (model_.pressure_faces.count == 0) return;
-  const auto values = Kokkos::create_mirror_view(pressures_);
-  for (std::size_t i = 0; i < model_.pressures.size(); ++i) {
-    const auto entry = static_cast<std::size_t>(model_.pressure_entries[i]);
-    values(i) = model_.switches.pressures[entry].is_on(state.happened) ? model_.pressures[i](time) : 0;
-  }
-  Kokkos::deep_copy(pressures_, values);
-  apply_pressure(space_, state.pressure_faces, pressures_, state.x, state.slot_force);
-}
-
-void Stepper::apply_forces(State& state, double time) {
-  if (model_.nodal_loads.count == 0) return;
-  const auto values = Kokkos::create_mirror_view(nodal_values_);
-  for (std::size_t i = 0; i < model_.nodal_values.size(); ++i) {
-    const bool is_on = model_.switches.nodal_loads[i].is_on(state.happened);
-    for (std::size_t k = 0; k < 6; ++k) values(i, k) = is_on ? model_.nodal_values[i][k](time) : 0;
-  }
-  Kokkos::deep_copy(nodal_values_, values);
-  apply_nodal_loads(space_, state.nodal_loads, nodal_values_, state.slot_force, state.slot_moment);
+void Stepper::add_forces(State& state, double time) {
+  for (Action* const action : order_) action->add_forces(state, time);
 }
 
 }  // namespace percuss

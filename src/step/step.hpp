@@ -11,19 +11,11 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
-#include "src/step/constraints/constraint_stage.hpp"
-#include "src/step/damping/damping_stage.hpp"
 #include "src/step/damping/stiffness_damping_stage.hpp"
-#include "src/step/fictitious_masses.hpp"
-#include "src/step/forces/accelerometers.hpp"
-#include "src/step/forces/force_books.hpp"
-#include "src/step/mass_scaler.hpp"
+#include "src/step/make_actions.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
-#include "src/step/rigid/rigid_stage.hpp"
-#include "src/step/springs/spring_stage.hpp"
-#include "src/step/springs/weld_stage.hpp"
 #include "src/step/stable_step/global_step.hpp"
 #include "src/step/tets/tet_stage.hpp"
 
@@ -68,20 +60,20 @@ class Stepper {
   /// What the stepper remembers from step to step, its contact stage included. Collective.
   void archive(CheckpointArchive& archive);
 
-  /// Of a relaxation, before start(): the masses of its nodes, and who finds its step.
-  void take_masses(FictitiousMasses& masses) { fictitious_ = &masses; }
+  /// Before start(): an action before all others, which outlives this.
+  void act_first(Action& action) { order_.insert(order_.begin(), &action); }
 
   /// Instead of start(), for a state from a checkpoint: the forces that it does not hold, and the next step, which the
   /// deck may have changed. archive() has been called.
   void resume(State& state);
 
-  /// For a state from a checkpoint, before nodes vanish from it: the masses of its nodes. archive_masses() has been
-  /// called. Collective.
-  void restore_masses(State& state);
-  void archive_masses(CheckpointArchive& archive);
+  /// What the actions remember, and what the state has of them. Before nodes vanish from a state of a checkpoint.
+  /// Collective.
+  void archive_actions(CheckpointArchive& archive, State& state);
 
-  /// After faces have lost their pressure: the forces at n without it. Collective.
-  void renew_loads(State& state);
+  /// After nodes and faces have vanished: what acted on them is no more, and the forces at n are those without it.
+  /// Collective.
+  void drop_vanished(State& state);
 
   /// After State::happened has come from a checkpoint. Collective.
   void set_switches(State& state);
@@ -90,8 +82,8 @@ class Stepper {
   void switch_now(State& state, const std::vector<char>& happened);
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
-  ForceBooks& forces() { return forces_; }
-  Accelerometers& accelerometers() { return accelerometers_; }
+  ForceBooks& forces() { return *actions_.forces; }
+  Accelerometers& accelerometers() { return *actions_.accelerometers; }
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
@@ -101,7 +93,7 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
-  /// Of mass scaling and of welds, since the last call; the same on all ranks.
+  /// Of the actions, since the last call; the same on all ranks.
   std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
   /// Before the first step: energy in the springs of contact that a relaxation has left.
@@ -124,34 +116,29 @@ class Stepper {
 
  private:
   bool are_nodes_free() const;
-  void predict_motion(State& state, double dt, double dt_mean);
-  void measure_predicted(const State& state);
+  void predict_motion(State& state, const StepTimes& times);
   void accept_motion(State& state, double dt);
-  void book_motion(State& state, double dt, double dt_mean);
+  void book_motion(State& state, const StepTimes& times);
   void book_forces(State& state, double dt);
-  void integrate_free_motion(State& state, double dt, double dt_mean);
-  void integrate_motion(State& state, double dt, double dt_mean);
-  void integrate_spins(State& state, double dt, double dt_mean);
+  void integrate_free_motion(State& state, const StepTimes& times);
+  void integrate_spins(State& state, const StepTimes& times);
   void turn_inertia(State& state, double dt);
-  void hold_conditions(State& state, double dt);
-  void hold_spins(State& state, double dt);
-  void evaluate_motions(const State& state, double dt);
   void resolve_contact(State& state, double dt);
-  void join_nodes(State& state, double dt, double dt_mean);
+  void follow_contact(State& state, const StepTimes& times);
+  void add_forces(State& state, double time);
+  void share_forces(State& state);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
   ElementMotion find_motion(const State& state, double dt) const;
   void advance_sending(State& state, const ElementMotion& motion);
   void advance_others(State& state, const ElementMotion& motion);
-  const ElementBounds* find_asked_bounds() const;
+  const Action* find_asker() const;
   Array<double> find_other_bounds() const;
   ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
   BeamStep find_beam_step(const State& state, const ElementMotion& motion) const;
   DampedMotions find_damped_motions(const State& state, const ElementMotion& motion) const;
   void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
   void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
-  void apply_loads(State& state, double time);
-  void apply_forces(State& state, double time);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
   void scale_masses(State& state);
@@ -167,22 +154,12 @@ class Stepper {
   std::optional<HaloSwap> moment_halo_;  // only with shells
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
-  std::unique_ptr<GlobalStep> global_;      // only if the deck asks for it
-  std::unique_ptr<MassScaler> scaler_;      // likewise
-  FictitiousMasses* fictitious_ = nullptr;  // only in a relaxation
-  RigidStage rigid_;
+  std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
+  Actions actions_;
+  std::vector<Action*> order_;  // theirs, and what acts first
   std::unique_ptr<TetStage> tets_;                            // only with tetrahedra
-  std::unique_ptr<SpringStage> springs_;                      // only with springs
-  std::unique_ptr<WeldStage> welds_;                          // only with welds
-  std::unique_ptr<ConstraintStage> constraints_;              // only with constraints
-  std::unique_ptr<DampingStage> damping_;                     // only with damping
   std::unique_ptr<StiffnessDampingStage> stiffness_damping_;  // only with that in proportion to stiffness
   Bookkeeper bookkeeper_;
-  ForceBooks forces_;
-  Accelerometers accelerometers_;
-  PrescribedMotions motions_;
-  Array<double> pressures_;
-  NodalLoadValues nodal_values_;
   ContactReport report_;
   // Largest magnitudes of components of the velocities of this rank's nodes, for contact: as predicted, and as nodes
   // moved in the last step; negative: not measured.

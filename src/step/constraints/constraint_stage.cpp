@@ -1,9 +1,12 @@
 #include "src/step/constraints/constraint_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/model/impulses.hpp"
 
 namespace percuss {
@@ -120,12 +123,22 @@ void ConstraintStage::give_back(const State& state) const {
       });
 }
 
-void ConstraintStage::join(State& state, double dt_mean) {
+void ConstraintStage::follow_contact(State& state, const StepTimes& times, const ContactReport* /*contact*/) {
   gather(state);
   solve();
   book(state);
-  set_forces(state, dt_mean);
+  set_forces(state, times.dt_mean);
   give_back(state);
+}
+
+void ConstraintStage::archive(CheckpointArchive& archive, State& state) {
+  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
+    Vector3<double>& force = state.constraints[c].force;
+    double values[] = {force.x, force.y, force.z};
+    archive.numbers(fmt::format("constraints/{}", c), values);
+    force = {values[0], values[1], values[2]};
+  }
+  archive.number("books/equal_work", state.books.equal_work);
 }
 
 }  // namespace percuss

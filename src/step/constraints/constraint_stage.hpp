@@ -5,19 +5,20 @@
 
 #include <vector>
 
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 
-class ConstraintStage {
+class ConstraintStage : public Action {
  public:
   /// The model outlives this.
   explicit ConstraintStage(const Model& model);
 
-  /// Velocities at n+1/2 of constrained nodes, the forces that this takes, and their work. Call when contact and
-  /// conditions have acted, before the nodes move. Collective.
-  void join(State& state, double dt_mean);
+  /// Velocities at n+1/2 of constrained nodes, the forces that this takes, and their work.
+  void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
+  void archive(CheckpointArchive& archive, State& state) override;
+  bool comes_between() const override { return true; }
 
  private:
   /// A direction of a node: its velocity with the constraint, and the impulse that this takes.

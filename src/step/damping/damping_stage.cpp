@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/node/damping.hpp"
+#include "kernels/node/motion.hpp"
 #include "src/step/model/impulses.hpp"
 
 namespace percuss {
@@ -16,8 +17,8 @@ DampingStage::DampingStage(const Model& model)
     spin_impulse_ = Rows3<double>("percuss::damping_spin_impulse", static_cast<std::size_t>(model.node_count));
 }
 
-void DampingStage::begin_step(double time) {
-  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = std::max(model_.dampings[i](time), 0.0);
+void DampingStage::begin_step(const State& /*state*/, const StepTimes& times) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = std::max(model_.dampings[i](times.time), 0.0);
   is_active_ = std::any_of(values_.begin(), values_.end(), [](double value) { return value > 0; });
   if (!is_active_) return;
   const auto host = Kokkos::create_mirror_view(coefficients_);
@@ -25,20 +26,24 @@ void DampingStage::begin_step(double time) {
   Kokkos::deep_copy(coefficients_, host);
 }
 
-void DampingStage::damp(State& state, double dt_mean) {
+void DampingStage::change_velocities(State& state, const StepTimes& times) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, dt_mean, model_.damped_velocity},
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean, model_.damped_velocity},
                   {state.v_before, state.inverse_mass, state.mass, state.v, impulse_});
 }
 
-void DampingStage::damp_spins(State& state, double dt_mean) {
+double DampingStage::bound_component(const State& state, double /*predicted*/) const {
+  return find_largest_component(ExecSpace(), state.v);
+}
+
+void DampingStage::change_spins(State& state, const StepTimes& times) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, dt_mean, model_.damped_velocity},
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean, model_.damped_velocity},
                   {state.w_before, state.inverse_inertia, state.inertia, state.w, spin_impulse_});
   if (state.spin_tensors.any()) complete_damping(ExecSpace(), state.spin_inertia(), spin_impulse_);
 }
 
-void DampingStage::book(State& state) {
+void DampingStage::book_motion(State& state, const StepTimes& /*times*/) {
   if (!is_active_) return;
   const auto x = state.x, v = state.v, v_before = state.v_before, w = state.w, w_before = state.w_before;
   const auto impulse = impulse_, spin_impulse = spin_impulse_;

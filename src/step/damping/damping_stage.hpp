@@ -6,28 +6,26 @@
 #include <optional>
 #include <vector>
 
+#include "src/step/model/action.hpp"
 #include "src/step/model/owned_sums.hpp"
-#include "src/step/model/state.hpp"
 
 namespace percuss {
 
-class DampingStage {
+class DampingStage : public Action {
  public:
   /// The model outlives this.
   explicit DampingStage(const Model& model);
 
-  /// Coefficients of a step from this time on, by entry of the deck [1 / time].
-  void begin_step(double time);
+  void begin_step(const State& state, const StepTimes& times) override;
+  /// Of the step, by entry of the deck [1 / time].
   const std::vector<double>& coefficients() const { return values_; }
 
-  /// Damps v(n+1/2), which must be without contact. Call with v_before.
-  void damp(State& state, double dt_mean);
-
-  /// The same of the rotations of the nodes of shells and beams.
-  void damp_spins(State& state, double dt_mean);
-
-  /// Books the work and the impulses of both. Call with v and w at n+1/2, x at n.
-  void book(State& state);
+  void change_velocities(State& state, const StepTimes& times) override;
+  double bound_component(const State& state, double predicted) const override;
+  /// Of the nodes of shells and beams.
+  void change_spins(State& state, const StepTimes& times) override;
+  void book_motion(State& state, const StepTimes& times) override;
+  bool comes_between() const override { return true; }
 
  private:
   const Model& model_;

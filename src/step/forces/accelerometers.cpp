@@ -110,7 +110,7 @@ Vec3 Accelerometers::value(std::size_t accelerometer, std::size_t which) const {
   return {at[0], at[1], at[2]};
 }
 
-void Accelerometers::begin_step(const State& state) {
+void Accelerometers::begin_step(const State& state, const StepTimes& /*times*/) {
   if (nodes_.empty()) return;
   note_places(state.x);
   const auto v = to_host(state.v);
@@ -119,14 +119,14 @@ void Accelerometers::begin_step(const State& state) {
       values_[values_each * i + 9 + k] = v(static_cast<std::size_t>(nodes_[i].nodes[0]), k);
 }
 
-void Accelerometers::end_step(const State& state, double dt_mean) {
+void Accelerometers::move(State& state, const StepTimes& times) {
   if (nodes_.empty()) return;
   const auto v = to_host(state.v);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     for (std::size_t k = 0; nodes_[i].nodes[0] >= 0 && k < 3; ++k) {
       double& change = values_[values_each * i + 9 + k];
       change = v(static_cast<std::size_t>(nodes_[i].nodes[0]), k) - change;
-      if (nodes_[i].removes_gravity) change -= dt_mean * state.gravity.g[k];
+      if (nodes_[i].removes_gravity) change -= times.dt_mean * state.gravity.g[k];
     }
   }
   share_values();
@@ -141,7 +141,7 @@ void Accelerometers::end_step(const State& state, double dt_mean) {
   }
 }
 
-void Accelerometers::archive(CheckpointArchive& archive) {
+void Accelerometers::archive(CheckpointArchive& archive, State& /*state*/) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     const AccelerometerDeck& one = deck_.output.accelerometers[i];
     const std::string name = fmt::format("accelerometers/{}:{}:{}", one.name, fmt::join(one.nodes, ","),

@@ -12,7 +12,7 @@
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/output/history_columns.hpp"
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 
 namespace percuss {
 
@@ -29,23 +29,21 @@ struct FoundAxes {
 };
 FoundAxes find_local_axes(const Vec3& origin, const Vec3& along_x, const Vec3& in_plane);
 
-class Accelerometers {
+class Accelerometers : public Action {
  public:
   /// Collective. Throws InputError with the deck's place, the same on all ranks, for nodes on a line. deck outlives
   /// this.
   Accelerometers(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
   /// Notes places at n and velocities at n-1/2.
-  void begin_step(const State& state);
+  void begin_step(const State& state, const StepTimes& times) override;
 
-  /// Adds the change of the velocities. Call with v at n+1/2, gravity at n. Collective; one message a step.
-  void end_step(const State& state, double dt_mean);
+  /// Adds the change of the velocities; one message a step.
+  void move(State& state, const StepTimes& times) override;
 
   /// One that the checkpoint does not have begins with nothing at resume().
-  void archive(CheckpointArchive& archive);
-
-  /// After a restart.
-  void resume(const State& state);
+  void archive(CheckpointArchive& archive, State& state) override;
+  void resume(const State& state) override;
 
   /// The values of a row of this state, the same on every rank.
   std::vector<double> take(const State& state);

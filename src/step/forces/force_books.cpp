@@ -90,7 +90,7 @@ void ForceBooks::renew_supports(const State& state) {
   for (SupportForce& support : supports_) support.renew(state);
 }
 
-void ForceBooks::book(const State& state, double dt_mean) {
+void ForceBooks::book_motion(State& state, const StepTimes& times) {
   auto sums = sums_.begin();
   const auto add = [&](const std::array<ExactSum, 6>& step) {
     for (std::size_t k = 0; k < step.size(); ++k) {
@@ -99,8 +99,8 @@ void ForceBooks::book(const State& state, double dt_mean) {
     }
     ++sums;
   };
-  for (SupportForce& support : supports_) add(support.find_impulse(state, dt_mean));
-  for (SectionForce& section : sections_) add(section.find_impulse(state, dt_mean));
+  for (SupportForce& support : supports_) add(support.find_impulse(state, times.dt_mean));
+  for (SectionForce& section : sections_) add(section.find_impulse(state, times.dt_mean));
 }
 
 /// The sums of a force that is no contact: those of the supports stand before those of the sections.
@@ -121,7 +121,7 @@ ContactImpulse ForceBooks::take_sums(std::size_t force) {
   return since;
 }
 
-void ForceBooks::archive(CheckpointArchive& archive) {
+void ForceBooks::archive(CheckpointArchive& archive, State& /*state*/) {
   for (std::size_t f = 0; f < since_.size(); ++f) {
     const ForceDeck& force = deck_.output.forces[f];
     const std::string name = "forces/" + identify(force);
@@ -135,7 +135,7 @@ void ForceBooks::archive(CheckpointArchive& archive) {
   }
 }
 
-void ForceBooks::resume(double time) { std::replace(since_.begin(), since_.end(), not_begun, time); }
+void ForceBooks::resume(const State& state) { std::replace(since_.begin(), since_.end(), not_begun, state.time); }
 
 std::vector<double> ForceBooks::take(const State& state) {
   const double time = state.time;

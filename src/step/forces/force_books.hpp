@@ -11,32 +11,31 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/output/history_columns.hpp"
 #include "src/step/forces/force_sources.hpp"
+#include "src/step/model/action.hpp"
 
 namespace percuss {
 
 /// The columns, force after force.
 std::vector<HistoryColumn> list_force_columns(const Deck& deck);
 
-class ForceBooks {
+class ForceBooks : public Action {
  public:
   /// Collective. Throws InputError with the deck's place, the same on all ranks, for a support without held nodes and a
   /// section that cuts no element. deck and contact outlive this.
   ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
 
-  /// Books the supports and sections of a step. Call with v at n+1/2, x and forces at n. Collective.
-  void book(const State& state, double dt_mean);
+  /// Of supports and sections.
+  void book_motion(State& state, const StepTimes& times) override;
 
-  /// After sensors have switched conditions.
-  void renew_supports(const State& state);
+  void set_switches(State& state) override { renew_supports(state); }
+  void drop_vanished(State& state) override { renew_supports(state); }
 
-  /// Whether book() needs the places at n.
-  bool has_sections() const { return !sections_.empty(); }
+  /// Sections need the places at n.
+  bool comes_between() const override { return !sections_.empty(); }
 
   /// A force that the checkpoint does not have begins with nothing at resume().
-  void archive(CheckpointArchive& archive);
-
-  /// After a restart at this time.
-  void resume(double time);
+  void archive(CheckpointArchive& archive, State& state) override;
+  void resume(const State& state) override;
 
   /// The values of a row of this state: means since the last one. Collective; empty where the deck names no force.
   std::vector<double> take(const State& state);
@@ -45,6 +44,7 @@ class ForceBooks {
   const std::vector<unsigned char>& has_acted() const { return has_acted_; }
 
  private:
+  void renew_supports(const State& state);
   std::array<ExactSum, 6>& find_sums(std::size_t force);
   ContactImpulse take_sums(std::size_t force);
 

@@ -107,6 +107,8 @@ struct State {
   /// What an evaluation of the elements reads and writes.
   ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
   SpinInertia spin_inertia() const { return {inertia, inverse_inertia, spin_tensors}; }
+  /// Whose inertia turns in a step from n on.
+  TurningNodes turning_nodes(double step_dt) const { return {w_before, w, moment, step == 0 ? 0 : dt, step_dt}; }
   /// Those that can fail, of the model.
   FailingElements failing_elements(const FailingChunks& failing) const { return {failing, elements, lives}; }
 };

@@ -99,7 +99,7 @@ Relaxation::Relaxation(const Deck& deck, const ChunkedMesh& chunked, const Model
 /// damping that the deck gives belongs to the physical masses.
 void Relaxation::give_masses() {
   if (rules_.damping) return stepper_->start(state_);
-  stepper_->take_masses(masses_);
+  stepper_->act_first(masses_);
   stepper_->start(state_);
   const double growth = masses_.give(state_);
   if (relaxed_deck_.time.max_step) *relaxed_deck_.time.max_step *= growth;

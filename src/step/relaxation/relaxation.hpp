@@ -15,6 +15,7 @@
 #include "src/output/summary.hpp"
 #include "src/step/relaxation/motion_sums.hpp"
 #include "src/step/relaxation/preload_stage.hpp"
+#include "src/step/fictitious_masses.hpp"
 #include "src/step/step.hpp"
 #include "src/warning.hpp"
 

@@ -60,15 +60,6 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
   Kokkos::deep_copy(state.elements, packs);
 }
 
-/// What mass scaling during the run adds.
-void archive_scaled(CheckpointArchive& archive, const ChunkedMesh& chunked, const Model& model, State& state) {
-  if (!model.scales_in_run) return;
-  archive.rows("elements/mass", find_element_rows(chunked), 1, state.element_mass);
-  archive.number("books/added_mass", state.books.added_mass);
-  archive.number("books/added_energy", state.books.added_energy);
-  if (!model.can_erode) archive.number("books/total_mass", state.total_mass);
-}
-
 void archive_eroded(CheckpointArchive& archive, State& state) {
   Books& books = state.books;
   archive.sum("books/eroded_internal", books.eroded_internal);
@@ -142,80 +133,6 @@ void archive_bound(CheckpointArchive& archive, State& state) {
   archive.number_or_infinity("bound/step", bound.step);  // no element left: no bound
   archive.number("bound/element", bound.element);
   archive.number("bound/element_id", bound.element_id);
-  if (!state.springs.empty()) archive.number("bound/spring", bound.spring);
-}
-
-void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    RigidState& s = bodies[b];
-    Orientation& q = s.orientation;
-    double values[] = {s.center.x,
-                       s.center.y,
-                       s.center.z,
-                       q.w,
-                       q.x,
-                       q.y,
-                       q.z,
-                       s.velocity.x,
-                       s.velocity.y,
-                       s.velocity.z,
-                       s.spin_momentum.x,
-                       s.spin_momentum.y,
-                       s.spin_momentum.z,
-                       s.spin.x,
-                       s.spin.y,
-                       s.spin.z};
-    archive.numbers(fmt::format("bodies/{}", b), values);
-    s = {{values[0], values[1], values[2]},
-         {values[3], values[4], values[5], values[6]},
-         {values[7], values[8], values[9]},
-         {values[10], values[11], values[12]},
-         {values[13], values[14], values[15]}};
-  }
-}
-
-void archive_joints(CheckpointArchive& archive, std::vector<JointState>& joints) {
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    JointState& s = joints[j];
-    double values[] = {s.force.x, s.force.y, s.force.z, s.moment.x, s.moment.y, s.moment.z};
-    archive.numbers(fmt::format("joints/{}", j), values);
-    s = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
-  }
-}
-
-void archive_springs(CheckpointArchive& archive, State& state) {
-  for (std::size_t s = 0; s < state.springs.size(); ++s) {
-    SpringState& spring = state.springs[s];
-    double values[] = {spring.elongation, spring.elastic, spring.damping, spring.axis.x,
-                       spring.axis.y,     spring.axis.z,  spring.length};
-    archive.numbers(fmt::format("springs/{}", s), values);
-    archive.number(fmt::format("springs/{}/is_broken", s), spring.is_broken);
-    spring = {values[0], values[1], values[2], {values[3], values[4], values[5]}, values[6], spring.is_broken};
-  }
-  if (state.springs.empty()) return;
-  archive.number("books/spring_work", state.books.spring_work);
-  archive.number("books/damper_work", state.books.damper_work);
-}
-
-void archive_welds(CheckpointArchive& archive, State& state) {
-  for (std::size_t w = 0; w < state.welds.size(); ++w) {
-    WeldState& weld = state.welds[w];
-    double values[] = {weld.normal.x, weld.normal.y, weld.normal.z, weld.pull, weld.shear};
-    archive.numbers(fmt::format("welds/{}", w), values);
-    archive.number(fmt::format("welds/{}/is_broken", w), weld.is_broken);
-    weld = {{values[0], values[1], values[2]}, values[3], values[4], weld.is_broken};
-  }
-  if (!state.welds.empty()) archive.number("books/weld_work", state.books.weld_work);
-}
-
-void archive_constraints(CheckpointArchive& archive, State& state) {
-  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
-    Vector3<double>& force = state.constraints[c].force;
-    double values[] = {force.x, force.y, force.z};
-    archive.numbers(fmt::format("constraints/{}", c), values);
-    force = {values[0], values[1], values[2]};
-  }
-  if (!state.constraints.empty()) archive.number("books/equal_work", state.books.equal_work);
 }
 
 void archive_books(CheckpointArchive& archive, Books& books) {
@@ -264,16 +181,10 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   for (const auto& [name, slots] : {std::pair("elements/damping_force", state.damping_force),
                                     std::pair("elements/damping_moment", state.damping_moment)})
     if (slots.extent(0) > 0) archive_slots(archive, name, model, slots);
-  archive_bodies(archive, state.bodies);
-  archive_joints(archive, state.joints);
-  archive_springs(archive, state);
-  archive_welds(archive, state);
-  archive_constraints(archive, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);
   archive_books(archive, state.books);
-  archive_scaled(archive, chunked, model, state);
   if (!model.can_erode) return;
   archive_lives(archive, model, state);
   archive_eroded(archive, state);

@@ -7,7 +7,10 @@
 #include <limits>
 
 #include "kernels/node/damping.hpp"
+#include "kernels/node/motion.hpp"
+#include "src/contact/enforcement/contact_report.hpp"
 #include "src/error.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/model/impulses.hpp"
 #include "src/step/rigid/rigid_step.hpp"
 
@@ -29,10 +32,48 @@ namespace {
                   joint.name, state.step + 1, state.time));
 }
 
+void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    RigidState& s = bodies[b];
+    Orientation& q = s.orientation;
+    double values[] = {s.center.x,
+                       s.center.y,
+                       s.center.z,
+                       q.w,
+                       q.x,
+                       q.y,
+                       q.z,
+                       s.velocity.x,
+                       s.velocity.y,
+                       s.velocity.z,
+                       s.spin_momentum.x,
+                       s.spin_momentum.y,
+                       s.spin_momentum.z,
+                       s.spin.x,
+                       s.spin.y,
+                       s.spin.z};
+    archive.numbers(fmt::format("bodies/{}", b), values);
+    s = {{values[0], values[1], values[2]},
+         {values[3], values[4], values[5], values[6]},
+         {values[7], values[8], values[9]},
+         {values[10], values[11], values[12]},
+         {values[13], values[14], values[15]}};
+  }
+}
+
+void archive_joints(CheckpointArchive& archive, std::vector<JointState>& joints) {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    JointState& s = joints[j];
+    double values[] = {s.force.x, s.force.y, s.force.z, s.moment.x, s.moment.y, s.moment.z};
+    archive.numbers(fmt::format("joints/{}", j), values);
+    s = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+  }
+}
+
 }  // namespace
 
-RigidStage::RigidStage(const Model& model) : model_(model), joints_(model) {
-  if (!any()) return;
+RigidStage::RigidStage(const Model& model, const std::vector<double>& damping, double end)
+    : model_(model), damping_coefficients_(damping), end_(end), joints_(model) {
   for (const RigidBody& body : model.rigid.bodies) {
     for (const int motion : body.motion) is_moved_ = is_moved_ || motion > 0;  // row 0 is rest
     for (const int condition : body.switched_by) is_moved_ = is_moved_ || condition != RigidBody::free;
@@ -43,7 +84,7 @@ RigidStage::RigidStage(const Model& model) : model_(model), joints_(model) {
   inputs_ = {static_cast<int>(count), model.rigid.body_of_node, responses_};
 }
 
-void RigidStage::set_switches(State& state) const {
+void RigidStage::set_switches(State& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -65,7 +106,6 @@ void RigidStage::start(State& state) {
     }
     now.spin_momentum = find_inertia(body, now) * now.spin;
   }
-  if (!any()) return;
   if (joints_.any()) {
     joints_.begin_step(state);
     const int parting = joints_.settle(state, state.bodies);
@@ -89,12 +129,13 @@ void RigidStage::upload(const State& state, double dt) {
   Kokkos::deep_copy(steps_, steps);
 }
 
-/// Damps what next_ moves freely of a body. damping: coefficients by entry of the deck.
-void RigidStage::damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean) {
+/// Damps what next_ moves freely of a body.
+void RigidStage::damp(const State& state, std::size_t index, double dt_mean) {
   const RigidBody& body = model_.rigid.bodies[index];
   const int entry = model_.damped_bodies[index];
   const DampedVelocity damped = model_.damped_velocity;
-  const double share = entry < 0 ? 0 : find_damped_share(damping[static_cast<std::size_t>(entry)], dt_mean, damped);
+  const double share =
+      entry < 0 ? 0 : find_damped_share(damping_coefficients_[static_cast<std::size_t>(entry)], dt_mean, damped);
   const RigidState& now = state.bodies[index];
   RigidState& next = next_[index];
   const RigidState& after = damped == DampedVelocity::old ? now : next;
@@ -109,25 +150,25 @@ void RigidStage::damp(const State& state, std::size_t index, const std::vector<d
   damping_.push_back(lost);
 }
 
-void RigidStage::predict(State& state, double dt, double dt_mean, const std::vector<double>& damping) {
+void RigidStage::predict(State& state, const StepTimes& times) {
   forces_ = find_forces_(model_, state);
   contact_.clear();
   damping_.clear();
-  next_ = predict_momenta(model_, state, forces_, dt_mean);
+  next_ = predict_momenta(model_, state, forces_, times.dt_mean);
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
-    if (!damping.empty()) damp(state, b, damping, dt_mean);
+    if (!damping_coefficients_.empty()) damp(state, b, times.dt_mean);
     responses(b) = find_response(model_.rigid.bodies[b], state.bodies[b]);
   }
   Kokkos::deep_copy(responses_, responses);
   if (joints_.any()) joints_.begin_step(state);
-  move(state, dt);
-  upload(state, dt);
+  move_bodies(state, times.dt);
+  upload(state, times.dt);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
 }
 
 /// Bodies at n+1 by the momenta of next_, which get the impulses of joints.
-void RigidStage::move(State& state, double dt) {
+void RigidStage::move_bodies(State& state, double dt) {
   free_ = next_;
   for (std::size_t b = 0; b < next_.size(); ++b) move_body(model_, state, b, dt, next_[b]);
   if (!joints_.any()) return;
@@ -145,6 +186,15 @@ void RigidStage::move(State& state, double dt) {
   }
 }
 
+double RigidStage::bound_component(const State& state, double /*predicted*/) const {
+  return find_largest_component(ExecSpace(), state.v);
+}
+
+void RigidStage::follow_contact(State& state, const StepTimes& times, const ContactReport* contact) {
+  if (contact != nullptr) correct(state, contact->bodies, times.dt);
+  set_spins(state);
+}
+
 void RigidStage::correct(State& state, const std::vector<Wrench>& contact, double dt) {
   contact_ = contact;
   if (contact.empty()) return;
@@ -157,7 +207,7 @@ void RigidStage::correct(State& state, const std::vector<Wrench>& contact, doubl
     next_[b].velocity = next_[b].velocity + (1 / model_.rigid.bodies[b].mass) * contact[b].impulse;
     next_[b].spin_momentum = next_[b].spin_momentum + contact[b].moment;
   }
-  move(state, dt);
+  move_bodies(state, dt);
   if (joints_.any()) book_joined_contact(state, predicted);
   upload(state, dt);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
@@ -176,7 +226,7 @@ void RigidStage::book_joined_contact(State& state, const std::vector<RigidState>
 }
 
 void RigidStage::set_spins(const State& state) const {
-  if (!any() || !model_.has_rotations) return;
+  if (!model_.has_rotations) return;
   set_rigid_spins(ExecSpace(), model_.rigid.nodes, steps_, state.w);
 }
 
@@ -223,7 +273,8 @@ void RigidStage::book_grounded_joints(State& state) const {
   }
 }
 
-void RigidStage::book(State& state, double dt, double dt_mean) const {
+void RigidStage::book_motion(State& state, const StepTimes& times) {
+  const double dt = times.dt, dt_mean = times.dt_mean;
   if (model_.ranks.rank() != 0) return;
   const double share = model_.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   for (std::size_t b = 0; b < next_.size(); ++b) {
@@ -265,13 +316,12 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
   state.books.external_work.normalize();
 }
 
-void RigidStage::place(State& state) {
-  if (!any()) return;
+void RigidStage::move(State& state, const StepTimes& /*times*/) {
   place_rigid_nodes(ExecSpace(), model_.rigid.nodes, steps_, state.x);
   state.bodies = next_;
 }
 
-void RigidStage::book_rest(State& state, double dt, double time, bool takes_gravity) {
+void RigidStage::book_forces(State& state, double dt, double time, bool takes_gravity) {
   for (std::size_t b = 0; model_.ranks.rank() == 0 && b < state.bodies.size(); ++b) {
     for (const BodyLoad& load : model_.rigid.bodies[b].loads) {
       const PointForce on = find_point_force(model_, load, state, state.bodies[b], time);
@@ -298,9 +348,10 @@ void RigidStage::book_rest(State& state, double dt, double time, bool takes_grav
   state.books.external_work.normalize();
 }
 
-double RigidStage::find_step(const State& state, double end) const {
+double RigidStage::largest_step(const State& state) const {
+  if (!model_.rigid.is_all) return std::numeric_limits<double>::infinity();
   constexpr double share_of_end = 1e-3, share_of_edge = 0.2, turn_of_step = 0.02;  // rad
-  double step = share_of_end * end;
+  double step = share_of_end * end_;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const RigidState& now = state.bodies[b];
     const double spin = norm(now.spin), speed = norm(now.velocity) + spin * model_.rigid.bodies[b].radius;
@@ -308,6 +359,11 @@ double RigidStage::find_step(const State& state, double end) const {
     if (spin > 0) step = std::min(step, turn_of_step / spin);
   }
   return step;
+}
+
+void RigidStage::archive(CheckpointArchive& archive, State& state) {
+  archive_bodies(archive, state.bodies);
+  archive_joints(archive, state.joints);
 }
 
 }  // namespace percuss

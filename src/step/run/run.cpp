@@ -246,9 +246,7 @@ void Run::erode() {
   {
     const Phase phase("percuss::erosion", clock);
     erosion_.redefine(state_, stepper_.bookkeeper());
-    stepper_.forces().renew_supports(state_);
-    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty() || !deck_.springs.empty() || !deck_.welds.empty())
-      stepper_.renew_loads(state_);
+    stepper_.drop_vanished(state_);
   }
   clock += before;  // contact has phases of its own
   clock -= contact_.clocks().sum();
@@ -364,12 +362,8 @@ void Run::check_step_made() const {
 /// Everything that a run needs to go on as if it had never stopped.
 void Run::archive(CheckpointArchive& archive) {
   archive_state(archive, chunked_, model_, state_);
-  stepper_.archive_masses(archive);
-  if (archive.is_loading()) stepper_.restore_masses(state_);
-  if (archive.is_loading() && model_.can_erode) {
-    erosion_.restore(state_);
-    stepper_.forces().renew_supports(state_);
-  }
+  stepper_.archive_actions(archive, state_);
+  if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
   stepper_.archive(archive);
   audit_.archive(archive);
   sensors_.archive(archive);

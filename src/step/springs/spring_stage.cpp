@@ -1,10 +1,13 @@
 #include "src/step/springs/spring_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
@@ -112,7 +115,7 @@ void SpringStage::drop_vanished(State& state) {
   }
 }
 
-void SpringStage::apply(const State& state) {
+void SpringStage::add_forces(State& state, double /*time*/) {
   std::vector<Vector3<double>> forces(model_.springs.nodes.size(), {0, 0, 0});
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     const Spring& spring = model_.springs.springs[s];
@@ -174,11 +177,26 @@ SpringStage::StiffestSpring SpringStage::find_rates(const State& state) const {
   return stiffest;
 }
 
-SpringLimit SpringStage::limit_step(const State& state, double step) const {
+void SpringStage::limit_step(const State& state, StepBound& bound) const {
   const StiffestSpring stiffest = find_rates(state);
   const SpringRates& rates = stiffest.rates;
-  if (!(rates.stiffness > 0) && !(rates.damping > 0)) return {step, -1};
-  return {find_step_with_springs(rates, step), stiffest.step < step ? stiffest.spring : -1};
+  if (!(rates.stiffness > 0) && !(rates.damping > 0)) return;
+  if (stiffest.step < bound.step) bound.spring = stiffest.spring;
+  bound.step = find_step_with_springs(rates, bound.step);
+}
+
+void SpringStage::archive(CheckpointArchive& archive, State& state) {
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    SpringState& spring = state.springs[s];
+    double values[] = {spring.elongation, spring.elastic, spring.damping, spring.axis.x,
+                       spring.axis.y,     spring.axis.z,  spring.length};
+    archive.numbers(fmt::format("springs/{}", s), values);
+    archive.number(fmt::format("springs/{}/is_broken", s), spring.is_broken);
+    spring = {values[0], values[1], values[2], {values[3], values[4], values[5]}, values[6], spring.is_broken};
+  }
+  archive.number("bound/spring", state.bound.spring);
+  archive.number("books/spring_work", state.books.spring_work);
+  archive.number("books/damper_work", state.books.damper_work);
 }
 
 }  // namespace percuss

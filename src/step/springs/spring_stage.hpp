@@ -7,34 +7,23 @@
 #include <limits>
 #include <vector>
 
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 #include "src/step/springs/spring_law.hpp"
 
 namespace percuss {
 
-/// What springs leave of a step.
-struct SpringLimit {
-  double step = 0;
-  std::int64_t spring = -1;  // that alone allows less than what else there is, the one that allows least; -1: none
-};
-
-class SpringStage {
+class SpringStage : public Action {
  public:
   /// Collective over the model's ranks. The model outlives this.
   explicit SpringStage(const Model& model);
 
-  /// Forces at n+1, and the work of the step; dt = 0: those at time 0, and the energy that is stored then. Call with x
-  /// at n+1 and v at n+1/2. Collective.
-  void advance(State& state, double dt);
-
-  /// Springs break whose nodes have vanished. Collective.
-  void drop_vanished(State& state);
-
-  /// The forces into the slots of the nodes that this rank owns.
-  void apply(const State& state);
-
-  /// The largest stable step, if what else there is allows `step` alone. Call after advance() or drop_vanished().
-  SpringLimit limit_step(const State& state, double step) const;
+  /// At time 0 also the energy that is stored then.
+  void advance(State& state, double dt) override;
+  void drop_vanished(State& state) override;
+  bool adds_forces() const override { return true; }
+  void add_forces(State& state, double time) override;
+  void limit_step(const State& state, StepBound& bound) const override;
+  void archive(CheckpointArchive& archive, State& state) override;
 
  private:
   /// What the owner of a node tells.

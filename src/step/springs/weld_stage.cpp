@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
@@ -206,12 +207,12 @@ void WeldStage::give_back(const State& state) const {
       });
 }
 
-void WeldStage::join(State& state, double dt, double dt_mean) {
+void WeldStage::follow_contact(State& state, const StepTimes& times, const ContactReport* /*contact*/) {
   gather(state);
-  if (solve(state, dt) > tolerated_share) warn_of_unsettled(state.time + dt);
+  if (solve(state, times.dt) > tolerated_share) warn_of_unsettled(state.time + times.dt);
   state.books.weld_work += find_work();
   state.books.contact_work += find_work_of_contact();
-  judge(state, dt, dt_mean);
+  judge(state, times.dt, times.dt_mean);
   give_back(state);
 }
 
@@ -233,6 +234,17 @@ void WeldStage::drop_vanished(State& state) {
     now.is_broken = 1;
     now.pull = now.shear = 0;
   }
+}
+
+void WeldStage::archive(CheckpointArchive& archive, State& state) {
+  for (std::size_t w = 0; w < state.welds.size(); ++w) {
+    WeldState& weld = state.welds[w];
+    double values[] = {weld.normal.x, weld.normal.y, weld.normal.z, weld.pull, weld.shear};
+    archive.numbers(fmt::format("welds/{}", w), values);
+    archive.number(fmt::format("welds/{}/is_broken", w), weld.is_broken);
+    weld = {{values[0], values[1], values[2]}, values[3], values[4], weld.is_broken};
+  }
+  archive.number("books/weld_work", state.books.weld_work);
 }
 
 std::vector<Warning> WeldStage::take_warnings() {

@@ -6,27 +6,24 @@
 #include <array>
 #include <vector>
 
-#include "src/step/model/state.hpp"
+#include "src/step/model/action.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 #include "src/step/springs/weld_patch.hpp"
-#include "src/warning.hpp"
 
 namespace percuss {
 
-class WeldStage {
+class WeldStage : public Action {
  public:
   /// The model outlives this.
   explicit WeldStage(const Model& model);
 
   /// Velocities and spins at n+1/2 of welded nodes, their forces and work, and which welds fail at the end of the
-  /// step. Call when contact and conditions have acted, before the nodes move. Collective.
-  void join(State& state, double dt, double dt_mean);
-
-  /// Welds whose nodes have vanished are no more. Collective.
-  void drop_vanished(State& state);
-
-  /// Of welds that have failed, or have not settled, since the last call; the same on all ranks.
-  std::vector<Warning> take_warnings();
+  /// step.
+  void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
+  void drop_vanished(State& state) override;
+  void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<Warning> take_warnings() override;
+  bool comes_between() const override { return true; }
 
  private:
   Vector3<double> vector(std::size_t node, std::size_t first) const {

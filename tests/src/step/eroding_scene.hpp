@@ -28,7 +28,7 @@ struct ErodingScene {
     if (!scene.state.bound.died) return;
     ++events;
     erosion.redefine(scene.state, scene.stepper.bookkeeper());
-    if (!scene.deck.pressures.empty()) scene.stepper.renew_loads(scene.state);
+    scene.stepper.drop_vanished(scene.state);
   }
   void run(int steps) {
     for (int i = 0; i < steps; ++i) advance();

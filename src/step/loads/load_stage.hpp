@@ -1,0 +1,28 @@
+#pragma once
+// The loads of the deck in a step: gravity, forces and moments on nodes, pressures on faces.
+
+#include "src/step/model/action.hpp"
+
+namespace percuss {
+
+class LoadStage : public Action {
+ public:
+  /// The model outlives this.
+  LoadStage(const Deck& deck, const Model& model);
+
+  bool adds_forces() const override { return adds_forces_; }
+  /// The gravity of the state too. Not collective.
+  void add_forces(State& state, double time) override;
+  bool comes_between() const override { return model_.pressure_faces.count > 0 || model_.nodal_loads.count > 0; }
+
+ private:
+  void load_nodes(const State& state, double time);
+  void press_faces(const State& state, double time);
+
+  const Model& model_;
+  bool adds_forces_;
+  Array<double> pressures_;
+  NodalLoadValues nodal_values_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,41 @@
+#include "src/step/make_actions.hpp"
+
+#include "src/step/constraints/constraint_stage.hpp"
+#include "src/step/damping/damping_stage.hpp"
+#include "src/step/loads/condition_stage.hpp"
+#include "src/step/loads/load_stage.hpp"
+#include "src/step/mass_scaler.hpp"
+#include "src/step/springs/spring_stage.hpp"
+#include "src/step/springs/weld_stage.hpp"
+
+namespace percuss {
+namespace {
+
+const std::vector<double> no_damping;
+
+}  // namespace
+
+// The order counts where two act at the same moment: conditions hold what damping has slowed down; rigid bodies have
+// their velocities before welds and constraints join their nodes.
+Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact) {
+  Actions actions;
+  const auto add = [&](auto action) {
+    auto* const of = action.get();
+    actions.all.push_back(std::move(action));
+    return of;
+  };
+  const std::vector<double>* damping = &no_damping;
+  if (!model.dampings.empty()) damping = &add(std::make_unique<DampingStage>(model))->coefficients();
+  add(std::make_unique<ConditionStage>(model));
+  if (model.rigid.any()) actions.rigid = add(std::make_unique<RigidStage>(model, *damping, deck.time.end));
+  if (model.welds.any()) add(std::make_unique<WeldStage>(model));
+  if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
+  if (model.springs.any()) add(std::make_unique<SpringStage>(model));
+  add(std::make_unique<LoadStage>(deck, model));
+  if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
+  actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact));
+  actions.accelerometers = add(std::make_unique<Accelerometers>(deck, chunked, model));
+  return actions;
+}
+
+}  // namespace percuss

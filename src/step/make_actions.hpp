@@ -1,0 +1,26 @@
+#pragma once
+// The list of what acts in a step besides elements and contact. A new kind of action is a class and its line there.
+
+#include <memory>
+#include <vector>
+
+#include "src/contact/contact_stage.hpp"
+#include "src/step/forces/accelerometers.hpp"
+#include "src/step/forces/force_books.hpp"
+#include "src/step/model/action.hpp"
+#include "src/step/rigid/rigid_stage.hpp"
+
+namespace percuss {
+
+struct Actions {
+  std::vector<std::unique_ptr<Action>> all;  // in their order
+  // Of them, what others ask.
+  const RigidStage* rigid = nullptr;  // null: no body is rigid
+  ForceBooks* forces = nullptr;
+  Accelerometers* accelerometers = nullptr;
+};
+
+/// What the scene has. All arguments outlive the actions. Collective; throws InputError as the constructors do.
+Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
+
+}  // namespace percuss
