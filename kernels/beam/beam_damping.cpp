@@ -6,7 +6,7 @@ namespace percuss {
 namespace {
 
 struct DampBeamChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   DampedBeams damped;
   BeamStep step;
   SpinDampingFields fields;
@@ -43,7 +43,7 @@ struct DampBeamChunk {
 
 }  // namespace
 
-void damp_beams(const ExecSpace& space, const HexChunks& chunks, const DampedBeams& damped, const BeamStep& step,
+void damp_beams(const ExecSpace& space, const ElementChunks& chunks, const DampedBeams& damped, const BeamStep& step,
                 const SpinDampingFields& fields) {
   const int count = static_cast<int>(damped.chunks.extent(0));
   if (count == 0) return;

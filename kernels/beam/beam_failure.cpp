@@ -12,18 +12,18 @@ KOKKOS_INLINE_FUNCTION BeamForces<double> read_forces(const ElementRecord& recor
 
 }  // namespace
 
-FailureCounts find_beam_failures(const ExecSpace& space, const HexChunks& chunks, const JudgedBeams& beams,
+FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& chunks, const JudgedBeams& beams,
                                  const FailingElements& elements, const ChunkResults& results) {
   const FailingChunks failing = elements.chunks;
   const ElementLives lives = elements.lives;
   const Array<Real> records = elements.records;
   FailureCounts counts;
-  if (beams.is_beam.marks.extent(0) == 0) return counts;
+  if (beams.parameters.extent(0) == 0) return counts;
   Kokkos::parallel_reduce(
       "percuss::find_beam_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i, int& sum_failing) {
         const int c = failing.list(i);
-        if (!beams.is_beam(c)) return;
+        if (!is_beam(chunks, c)) return;
         const BeamLimits limits = beams.parameters(chunks.parameters(c)).limits;
         const FailingRecords of = find_records(chunks, failing, records, c);
         const int count = count_elements(chunks, c);

@@ -8,13 +8,12 @@ namespace percuss {
 
 /// What the pass reads of beams.
 struct JudgedBeams {
-  BeamMarks is_beam;
   Kokkos::View<BeamParameters*, MemSpace> parameters;  // of BeamBlock
   double time = 0;                                     // at n+1
 };
 
 /// Tests the undamaged beams. results: chunks in which anything changed are no longer settled.
-FailureCounts find_beam_failures(const ExecSpace& space, const HexChunks& chunks, const JudgedBeams& beams,
+FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& chunks, const JudgedBeams& beams,
                                  const FailingElements& elements, const ChunkResults& results);
 
 }  // namespace percuss

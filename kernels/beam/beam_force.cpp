@@ -30,7 +30,7 @@ KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, const LaneRecord<Rea
 }
 
 struct AdvanceBeamChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   BeamBlock block;
   BeamStep step;
   Array<Real> state;
@@ -127,7 +127,7 @@ struct AdvanceBeamChunk {
 
 }  // namespace
 
-void advance_beams(const ExecSpace& space, const HexChunks& chunks, const BeamBlock& block, const BeamStep& step,
+void advance_beams(const ExecSpace& space, const ElementChunks& chunks, const BeamBlock& block, const BeamStep& step,
                    const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;

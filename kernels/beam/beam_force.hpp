@@ -1,12 +1,13 @@
 #pragma once
 // Launcher of the part of beams in a step: (1.3) to (1.5) of the paper.
 //
-// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A beam takes the
-// first two of the eight corners there. There are few of them beside solids and shells: lanes are computed one by one.
+// They lie in the tables of all chunks (kernels/element/element_chunks.hpp) and write to the same slots. A beam takes
+// the first two of the eight corners there. There are few of them beside solids and shells: lanes are computed one by
+// one.
 
 #include "kernels/beam/beam_step.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_lives.hpp"
-#include "kernels/element/hex_chunks.hpp"
 
 namespace percuss {
 
@@ -21,13 +22,7 @@ struct BeamRecord {
 /// Chunks of beams.
 struct BeamBlock {
   Array<int> chunks;                                   // ascending chunk ids
-  Kokkos::View<BeamParameters*, MemSpace> parameters;  // by HexChunks::parameters
-};
-
-/// Which chunks are of beams.
-struct BeamMarks {
-  Array<int> marks;  // [chunks] 1: of beams; empty in a scene without any
-  KOKKOS_INLINE_FUNCTION bool operator()(int c) const { return marks.extent(0) > 0 && marks(c) != 0; }
+  Kokkos::View<BeamParameters*, MemSpace> parameters;  // by ElementChunks::parameters
 };
 
 /// The motion that beams see: positions at n+1, velocities and spins at n+1/2, the step between.
@@ -49,7 +44,7 @@ struct BeamStep {
 };
 
 /// Advances every beam from n to n+1.
-void advance_beams(const ExecSpace& space, const HexChunks& chunks, const BeamBlock& block, const BeamStep& step,
+void advance_beams(const ExecSpace& space, const ElementChunks& chunks, const BeamBlock& block, const BeamStep& step,
                    const ChunkFields& fields);
 
 }  // namespace percuss

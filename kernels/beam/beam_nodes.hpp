@@ -15,7 +15,7 @@ struct BeamSlots {
   int first, second;
 };
 
-KOKKOS_INLINE_FUNCTION BeamSlots find_beam_slots(const HexChunks& chunks, int c, int lane) {
+KOKKOS_INLINE_FUNCTION BeamSlots find_beam_slots(const ElementChunks& chunks, int c, int lane) {
   return {find_corner_slot(chunks, c, lane, 0), find_corner_slot(chunks, c, lane, 1)};
 }
 
@@ -23,7 +23,7 @@ KOKKOS_INLINE_FUNCTION Vector3<double> load_vector(const Rows3<const double>& ro
   return {rows(n, 0), rows(n, 1), rows(n, 2)};
 }
 
-KOKKOS_INLINE_FUNCTION BeamMotion find_beam_motion(const HexChunks& chunks, int c, const BeamSlots& slots,
+KOKKOS_INLINE_FUNCTION BeamMotion find_beam_motion(const ElementChunks& chunks, int c, const BeamSlots& slots,
                                                    const BeamStep& step) {
   const int a = chunks.slots_to_nodes(chunks.first_slot(c) + slots.first),
             b = chunks.slots_to_nodes(chunks.first_slot(c) + slots.second);

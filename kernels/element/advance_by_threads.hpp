@@ -47,7 +47,7 @@ class AdvanceByThreads {
   using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::LaunchBounds<round_elements, teams_at_once>>;
   using Member = typename Policy::member_type;
 
-  HexChunks chunks;
+  ElementChunks chunks;
   SlotCorners slot_corners;
   HexBlock<Material, Kind> block;
   ElementMotion motion;
@@ -127,7 +127,7 @@ class AdvanceByThreads {
     Real x[3][8], v[3][8];
     gather(c, element, motion.x, x);
     gather(c, element, motion.v, v);
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(c));
     parameters.time = motion.time;
     Real f[3][8];
     const HexResult<Real> result = advance_hex8(parameters, find_field_modes(x), find_field_modes(v),
@@ -200,7 +200,7 @@ class AdvanceByThreads {
 /// As advance_block(), for chunks stored for threads: records and corners of `Stored` elements side by side, first_pack
 /// counting these. fields.slot_force: out; each slot.
 template <int Stored, class Material, HexKind Kind>
-void advance_by_threads(const ExecSpace& space, const HexChunks& chunks, const SlotCorners& slot_corners,
+void advance_by_threads(const ExecSpace& space, const ElementChunks& chunks, const SlotCorners& slot_corners,
                         const HexBlock<Material, Kind>& block, const ElementMotion& motion, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;

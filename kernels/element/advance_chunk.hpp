@@ -110,7 +110,7 @@ PERCUSS_FORCE_INLINE double sum_lanes(const HexLanes& value, int lanes) {
 template <class Material, HexKind Kind>
 struct AdvanceChunk {
   static constexpr int width = pack_size<Real>;
-  HexChunks chunks;
+  ElementChunks chunks;
   HexBlock<Material, Kind> block;
   ElementMotion motion;
   Array<Real> state;
@@ -166,7 +166,7 @@ struct AdvanceChunk {
       threshold_ = of.chunks.fold_threshold(c);
       takes_all_ = of.results.resists(c) != 0;
     }
-    PERCUSS_FORCE_INLINE void resist(const HexParameters<Material>& parameters, const Real* nodes,
+    PERCUSS_FORCE_INLINE void resist(const SolidParameters<Material>& parameters, const Real* nodes,
                                      const std::uint16_t* corners, const HexLanes& mass, HexLanes (&f)[3][8],
                                      HexResult<HexLanes>& result) {
       acted_ = threshold_ > 0 && (takes_all_ || any(result.obliqueness > HexLanes(Real(unfolded_obliqueness))));
@@ -195,7 +195,7 @@ struct AdvanceChunk {
     constexpr int largest_size = hex_record_size<Material, Kind> * width;
     static_assert(sizeof(LaneState<Material, Kind>) == largest_size * sizeof(Real));
     const auto record_size = find_record_size(c);
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(c));
     parameters.time = motion.time;
     const int first = chunks.first_element(c);
     const int end = chunks.first_element(c + 1);
@@ -280,7 +280,7 @@ struct AdvanceChunk {
 };
 
 template <class Material, HexKind Kind>
-void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+void advance_block(const ExecSpace& space, const ElementChunks& chunks, const HexBlock<Material, Kind>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -291,8 +291,8 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlo
 }
 
 /// Compiles advance_block for a material and a kind of element.
-#define PERCUSS_COMPILE_ADVANCE(MATERIAL, KIND)                                                    \
-  template void advance_block(const ExecSpace&, const HexChunks&, const HexBlock<MATERIAL, KIND>&, \
+#define PERCUSS_COMPILE_ADVANCE(MATERIAL, KIND)                                                        \
+  template void advance_block(const ExecSpace&, const ElementChunks&, const HexBlock<MATERIAL, KIND>&, \
                               const ElementMotion&, const ChunkFields&);
 
 }  // namespace percuss

@@ -10,7 +10,7 @@ constexpr int width = pack_size<Real>;
 
 template <class Material, HexKind Kind>
 struct ProbeChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   HexBlock<Material, Kind> block;
   ElasticProbe probe;
   Array<Real> state;
@@ -71,7 +71,7 @@ struct ProbeChunk {
   }
 
   KOKKOS_FUNCTION void probe_packs(int c, const Real* nodes, double* forces) const {
-    const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    const SolidParameters<Material> parameters = block.parameters(chunks.parameters(c));
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     for (int i = 0; i * width < count; ++i) {
       const std::uint16_t* corners = find_corners(c, i);
@@ -105,7 +105,7 @@ struct ProbeChunk {
 };
 
 template <class Material, HexKind Kind>
-void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+void probe_block(const ExecSpace& space, const ElementChunks& chunks, const HexBlock<Material, Kind>& block,
                  const ElasticProbe& probe, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -117,7 +117,7 @@ void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock
 
 }  // namespace
 
-void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+void apply_elastic_operator(const ExecSpace& space, const ElementChunks& chunks, const HexBlocks& blocks,
                             const ElasticProbe& probe, const ChunkFields& fields) {
   std::apply([&](const auto&... block) { (probe_block(space, chunks, block, probe, fields), ...); }, blocks);
 }

@@ -20,7 +20,7 @@ struct ElasticProbe {
 
 /// fields.slot_force: out, minus the chunks' share of A(h) u; state and results: in, of the evaluation at n. Where
 /// `coarse` allows it a chunk counts as (h / bound)^2 m u, which is an upper bound of its A(h).
-void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+void apply_elastic_operator(const ExecSpace& space, const ElementChunks& chunks, const HexBlocks& blocks,
                             const ElasticProbe& probe, const ChunkFields& fields);
 
 /// What an element brings along besides its geometry.
@@ -35,7 +35,8 @@ struct ProbedElement {
 
 /// Those of the current volume; of a material that yields, those of the start.
 template <class T, class Material>
-PERCUSS_FORCE_INLINE Moduli<T> find_probed_moduli(const HexParameters<Material>& par, const ProbedElement<T>& element) {
+PERCUSS_FORCE_INLINE Moduli<T> find_probed_moduli(const SolidParameters<Material>& par,
+                                                  const ProbedElement<T>& element) {
   if constexpr (is_elastic<Material>) {
     return find_elastic_moduli(par.material.moduli(), element.pressure, T(1) / determinant(full(element.stretch)));
   } else {
@@ -55,7 +56,7 @@ PERCUSS_FORCE_INLINE T find_viscous_tangent(const BulkViscosity& b, const T& den
 
 /// h^2/4 K + h/2 C of the hourglass control on the rates u, on the geometry a, b; spatial frame.
 template <HexKind Kind, class T, class Material>
-PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                                        const VolumeGradient<T>& b, const T& gradient_square,
                                                        const ProbedElement<T>& element, const HourglassModes<T>& u) {
   const T elastic = number<T>(0.25) * element.step * element.step;
@@ -105,7 +106,7 @@ PERCUSS_FORCE_INLINE VectorModes<T> probe_points(const T& mu, const VectorModes<
 
 /// A(h) u of one element, or a pack of them. a, u: modes of x(n) and of the velocities.
 template <HexKind Kind, class T, class Material>
-PERCUSS_FORCE_INLINE void probe_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE void probe_hex8(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                      const VectorModes<T>& u, const ProbedElement<T>& element,
                                      const CornerForces<T>& out) {
   const VolumeGradient<T> b = find_volume_gradient(a);

@@ -2,15 +2,15 @@
 // Where the numbers of an element lie. A chunk holds packs of pack_width elements, a lane each; lanes past the last
 // element of a chunk repeat it. The scalars of a lane's record are pack_width apart, and so are its corners and works.
 //
-// The functions take HexChunks, in kernels, or HostChunks, on the host. c: a chunk; i: a lane of it, which is that of
-// the element of this number within the chunk.
+// The functions take ElementChunks, in kernels, or HostChunks, on the host. c: a chunk; i: a lane of it, which is that
+// of the element of this number within the chunk.
 
 #include <cstddef>
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 
 namespace percuss {
 
@@ -19,7 +19,7 @@ inline constexpr int pack_width = pack_size<Real>;
 
 /// What is said of chunks, on the host.
 struct HostChunks {
-  explicit HostChunks(const HexChunks& chunks)
+  explicit HostChunks(const ElementChunks& chunks)
       : count(chunks.count),
         first_element(to_host(chunks.first_element)),
         first_slot(to_host(chunks.first_slot)),
@@ -91,7 +91,7 @@ KOKKOS_INLINE_FUNCTION int number_lane(const Chunks& chunks, int c, int i) {
   return chunks.first_pack(c) * pack_width + i;
 }
 
-/// Where HexChunks::corner_slots has a corner, of a chunk whose packs begin with this one.
+/// Where ElementChunks::corner_slots has a corner, of a chunk whose packs begin with this one.
 KOKKOS_INLINE_FUNCTION std::size_t find_corner_place(int first_pack, int lane, int corner) {
   const std::size_t pack = static_cast<std::size_t>(first_pack) + static_cast<std::size_t>(lane / pack_width);
   const auto width = static_cast<std::size_t>(pack_width);

@@ -2,7 +2,7 @@
 
 namespace percuss {
 
-void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+void advance_elements(const ExecSpace& space, const ElementChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const ChunkFields& fields) {
   std::apply([&](const auto&... block) { (advance_block(space, chunks, block, motion, fields), ...); }, blocks);
 }

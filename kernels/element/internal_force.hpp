@@ -3,8 +3,8 @@
 
 #include <tuple>
 
+#include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_lives.hpp"
-#include "kernels/element/hex_chunks.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "kernels/material/point/elastic.hpp"
 
@@ -35,8 +35,8 @@ struct ElementMotion {
 /// element, with the chunks that use it.
 template <class Material, HexKind Kind>
 struct HexBlock {
-  Array<int> chunks;                                            // ascending chunk ids
-  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
+  Array<int> chunks;                                              // ascending chunk ids
+  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
 };
 
 /// The materials that the element is compiled for: those that say so, and one that calls all others.
@@ -53,12 +53,12 @@ struct AllHexBlocks<TypeList<Material...>> {
 using HexBlocks = AllHexBlocks<CompiledMaterials>::type;
 
 /// Advances every element from n to n+1.
-void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+void advance_elements(const ExecSpace& space, const ElementChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const ChunkFields& fields);
 
 /// The same for one variant; compiled in a file for each material.
 template <class Material, HexKind Kind>
-void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+void advance_block(const ExecSpace& space, const ElementChunks& chunks, const HexBlock<Material, Kind>& block,
                    const ElementMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

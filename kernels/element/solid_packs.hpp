@@ -43,10 +43,10 @@ PERCUSS_FORCE_INLINE void scatter_corners(const Field& f, const std::uint16_t* c
 
 /// The chunk of a team.
 struct SolidChunk {
-  const HexChunks& chunks;
+  const ElementChunks& chunks;
   int c, first_slot, slot_count, first_element, end_element;
 
-  KOKKOS_FUNCTION SolidChunk(const HexChunks& of, int chunk)
+  KOKKOS_FUNCTION SolidChunk(const ElementChunks& of, int chunk)
       : chunks(of),
         c(chunk),
         first_slot(of.first_slot(chunk)),
@@ -183,7 +183,7 @@ PERCUSS_FORCE_INLINE void settle_step(const Lanes& share, Lanes& step, Lanes& vo
 template <class Material, class Block>
 struct SolidKernel {
   using Living = LivingSolids<Material>;
-  HexChunks chunks;
+  ElementChunks chunks;
   Block block;
   ElementMotion motion;
   ChunkFields fields;
@@ -196,7 +196,7 @@ struct SolidKernel {
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
     SolidChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
@@ -216,7 +216,7 @@ struct SolidKernel {
 
 /// Launches a kernel over chunks, a team each.
 template <class Kernel>
-void launch_solids(const char* label, const ExecSpace& space, const HexChunks& chunks, const Array<int>& list,
+void launch_solids(const char* label, const ExecSpace& space, const ElementChunks& chunks, const Array<int>& list,
                    const Kernel& kernel) {
   const int count = static_cast<int>(list.extent(0));
   if (count == 0 || is_single_precision) return;

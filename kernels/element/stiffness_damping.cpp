@@ -10,7 +10,7 @@ namespace {
 constexpr int width = pack_size<Real>;
 
 struct DampSolidChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   DampedSolids damped;
   ElementMotion motion;
   DampingFields fields;
@@ -67,7 +67,7 @@ struct DampSolidChunk {
 
 }  // namespace
 
-void damp_solids(const ExecSpace& space, const HexChunks& chunks, const DampedSolids& damped,
+void damp_solids(const ExecSpace& space, const ElementChunks& chunks, const DampedSolids& damped,
                  const ElementMotion& motion, const DampingFields& fields) {
   const int count = static_cast<int>(damped.chunks.extent(0));
   if (count == 0) return;

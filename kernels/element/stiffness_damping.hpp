@@ -32,7 +32,7 @@ struct SpinDampingFields : DampingFields {
 };
 
 /// Damps every listed chunk, after its internal forces.
-void damp_solids(const ExecSpace& space, const HexChunks& chunks, const DampedSolids& damped,
+void damp_solids(const ExecSpace& space, const ElementChunks& chunks, const DampedSolids& damped,
                  const ElementMotion& motion, const DampingFields& fields);
 
 /// Lame's constants times beta.

@@ -22,12 +22,12 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
-        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(block.chunks(member.league_rank())) = 0;
   }
 
-  KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const SolidPack& on,
+  KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
                                     const Living& living, State& of, SolidChunkSums& sums) const {
     Field x, v, f;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
@@ -64,11 +64,11 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
-        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const SolidPack& on, const Living& living,
+  KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
                                 State& of, SolidChunkSums& sums) const {
     CornerField<Lanes, Shape> x, v;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
@@ -116,7 +116,7 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
 };
 
 template <class Material, class Shape>
-void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::advance_one_point_stresses", space, chunks, block.chunks,
@@ -125,7 +125,7 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const One
 }
 
 template <class Material, class Shape>
-void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void advance_block(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     static_assert(sizeof(OnePointState<double, Elastic, Shape>) ==
@@ -136,10 +136,10 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePoi
 }
 
 /// Compiles both shapes for a material.
-#define PERCUSS_COMPILE_ONE_POINT(MATERIAL, SHAPE)                                                          \
-  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, SHAPE>&,    \
-                              const ElementMotion&, const ChunkFields&);                                    \
-  template void advance_stresses(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, SHAPE>&, \
+#define PERCUSS_COMPILE_ONE_POINT(MATERIAL, SHAPE)                                                              \
+  template void advance_block(const ExecSpace&, const ElementChunks&, const OnePointBlock<MATERIAL, SHAPE>&,    \
+                              const ElementMotion&, const ChunkFields&);                                        \
+  template void advance_stresses(const ExecSpace&, const ElementChunks&, const OnePointBlock<MATERIAL, SHAPE>&, \
                                  const TetStep&, const Array<Real>&, const ChunkResults&);
 #define PERCUSS_COMPILE_ONE_POINTS(MATERIAL)  \
   PERCUSS_COMPILE_ONE_POINT(MATERIAL, Wedge6) \

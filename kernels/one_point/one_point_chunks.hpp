@@ -1,6 +1,6 @@
 #pragma once
 // Chunks of wedges and pyramids as their launcher sees them: in the tables of all chunks
-// (kernels/element/hex_chunks.hpp), of whose eight corners an element takes the first ones.
+// (kernels/element/element_chunks.hpp), of whose eight corners an element takes the first ones.
 
 #include <tuple>
 
@@ -22,8 +22,8 @@ struct OnePointRecord {
 /// Chunks of one material of one shape.
 template <class Material, class Shape>
 struct OnePointBlock {
-  Array<int> chunks;                                            // ascending chunk ids
-  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
+  Array<int> chunks;                                              // ascending chunk ids
+  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
 };
 
 template <class List>
@@ -36,23 +36,23 @@ struct AllOnePointBlocks<TypeList<Material...>> {
 using OnePointBlocks = AllOnePointBlocks<CompiledMaterials>::type;
 
 /// (1.3) to (1.5): advances every wedge and pyramid of the blocks from n to n+1, none of which averages.
-void advance_one_points(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                         const ElementMotion& motion, const ChunkFields& fields);
 
 /// The three passes of the mixed form, as those of tetrahedra (kernels/tet/tet_force.hpp), whose averages they share.
-void sum_one_point_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                          const TetStep& step);
-void advance_one_point_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                                 const TetStep& step, const Array<Real>& state, const ChunkResults& results);
-void sum_one_point_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void sum_one_point_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                           const TetStep& step, const ChunkFields& fields);
 
 /// The same for one variant; compiled in files of their own.
 template <class Material, class Shape>
-void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void advance_block(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                    const ElementMotion& motion, const ChunkFields& fields);
 template <class Material, class Shape>
-void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results);
 
 }  // namespace percuss

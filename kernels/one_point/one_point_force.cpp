@@ -77,7 +77,7 @@ void for_each_block(const OnePointBlocks& blocks, const Run& run) {
 }
 
 template <class Material, class Shape>
-void sum_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                const TetStep& step) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::sum_one_point_rates", space, chunks, block.chunks,
@@ -86,7 +86,7 @@ void sum_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBl
 }
 
 template <class Material, class Shape>
-void sum_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointBlock<Material, Shape>& block,
+void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                 const TetStep& step, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::sum_one_point_forces", space, chunks, block.chunks,
@@ -96,22 +96,22 @@ void sum_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointB
 
 }  // namespace
 
-void advance_one_points(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                         const ElementMotion& motion, const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) { advance_block(space, chunks, block, motion, fields); });
 }
 
-void sum_one_point_rates(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                          const TetStep& step) {
   for_each_block(blocks, [&](const auto& block) { sum_rates(space, chunks, block, step); });
 }
 
-void advance_one_point_stresses(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                                 const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
 }
 
-void sum_one_point_forces(const ExecSpace& space, const HexChunks& chunks, const OnePointBlocks& blocks,
+void sum_one_point_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                           const TetStep& step, const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) { sum_forces(space, chunks, block, step, fields); });
 }

@@ -46,7 +46,7 @@ struct GatheredShells {
 
 template <bool HasTriangles>
 struct DampShellChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   DampedShells damped;
   ShellMotion motion;
   SpinDampingFields fields;
@@ -115,7 +115,7 @@ struct DampShellChunk {
 
 /// Where solids are in single precision there are no shells.
 template <bool HasTriangles>
-void launch(const ExecSpace& space, int count, const HexChunks& chunks, const DampedShells& damped,
+void launch(const ExecSpace& space, int count, const ElementChunks& chunks, const DampedShells& damped,
             const ShellMotion& motion, const SpinDampingFields& fields) {
   if constexpr (!is_single_precision) {
     Kokkos::parallel_for("percuss::damp_shells", ShellScratch::make_policy(space, count, chunks.largest_slot_count),
@@ -125,8 +125,8 @@ void launch(const ExecSpace& space, int count, const HexChunks& chunks, const Da
 
 }  // namespace
 
-void damp_shells(const ExecSpace& space, const HexChunks& chunks, const DampedShells& damped, const ShellMotion& motion,
-                 const SpinDampingFields& fields) {
+void damp_shells(const ExecSpace& space, const ElementChunks& chunks, const DampedShells& damped,
+                 const ShellMotion& motion, const SpinDampingFields& fields) {
   const int count = static_cast<int>(damped.chunks.extent(0));
   if (count == 0) return;
   if (damped.has_triangles)

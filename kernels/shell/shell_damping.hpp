@@ -23,7 +23,7 @@ struct DampedShells {
 };
 
 /// Damps every listed chunk, after its internal forces.
-void damp_shells(const ExecSpace& space, const HexChunks& chunks, const DampedShells& damped, const ShellMotion& motion,
-                 const SpinDampingFields& fields);
+void damp_shells(const ExecSpace& space, const ElementChunks& chunks, const DampedShells& damped,
+                 const ShellMotion& motion, const SpinDampingFields& fields);
 
 }  // namespace percuss

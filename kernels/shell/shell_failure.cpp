@@ -148,7 +148,7 @@ KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ShellCriteria
 
 /// The shells of one chunk.
 struct JudgeShells {
-  HexChunks chunks;
+  ElementChunks chunks;
   FailingChunks failing;
   ThicknessRules rules;
   double dt;
@@ -175,7 +175,7 @@ struct JudgeShells {
 
   KOKKOS_INLINE_FUNCTION void operator()(const int place, int& sum_failing, int& sum_died) const {
     const int c = failing.list(place);
-    if (chunks.is_shell(c) == 0) return;
+    if (!is_shell(chunks, c)) return;
     const FailingRecords of = find_records(chunks, failing, elements, c);
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     if (results.is_settled(c) != 0 && !is_ending(of, c, count)) return;  // as it was judged last
@@ -197,7 +197,7 @@ struct JudgeShells {
 
 }  // namespace
 
-FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements,
+FailureCounts find_shell_failures(const ExecSpace& space, const ElementChunks& chunks, const FailingElements& elements,
                                   const ThicknessRules& rules, double dt, const ChunkResults& results) {
   const FailingChunks& failing = elements.chunks;
   FailureCounts counts;

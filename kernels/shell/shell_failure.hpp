@@ -13,7 +13,7 @@ namespace percuss {
 using ThicknessRules = Kokkos::View<ThicknessPoints*, MemSpace>;
 
 /// As find_failures(), for the chunks of shells.
-FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements,
+FailureCounts find_shell_failures(const ExecSpace& space, const ElementChunks& chunks, const FailingElements& elements,
                                   const ThicknessRules& rules, double dt, const ChunkResults& results);
 
 /// Sets the shares of a layer with so many evaluations left. layer: its first scalar in ElementLives::layers.

@@ -48,7 +48,7 @@ PERCUSS_NO_INLINE inline void store_bounds(const Lanes& step, int lanes, double*
 /// all the same: a body of their own would take longer to compile than it saves in a step (2 %).
 template <class Layer, bool CanFail, bool HasTriangles>
 struct AdvanceShellChunk {
-  HexChunks chunks;
+  ElementChunks chunks;
   ShellBlock<Layer> block;
   ShellMotion motion;
   Array<Real> state;
@@ -165,7 +165,7 @@ struct AdvanceShellChunk {
 };
 
 template <class Layer>
-void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellBlock<Layer>& block,
+void advance_block(const ExecSpace& space, const ElementChunks& chunks, const ShellBlock<Layer>& block,
                    const ShellMotion& motion, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -186,7 +186,7 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
 
 }  // namespace
 
-void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
+void advance_shells(const ExecSpace& space, const ElementChunks& chunks, const ShellBlocks& blocks,
                     const ShellMotion& motion, const ChunkFields& fields) {
   std::apply([&](const auto&... block) { (advance_block(space, chunks, block, motion, fields), ...); }, blocks);
 }

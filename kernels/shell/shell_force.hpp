@@ -1,12 +1,12 @@
 #pragma once
 // Launcher of the shells' part of a step: (1.3) to (1.5) of the paper, for all chunks of shells.
 //
-// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots, so that nodes add
-// up what shells and hexahedra give them in one order. A shell takes the first four of the eight corners there.
+// They lie in the tables of all chunks (kernels/element/element_chunks.hpp) and write to the same slots, so that nodes
+// add up what shells and hexahedra give them in one order. A shell takes the first four of the eight corners there.
 
 #include <tuple>
 
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "kernels/shell/hardening_layer.hpp"
 #include "kernels/shell/shell4.hpp"
 
@@ -26,7 +26,7 @@ constexpr int find_shell_record_size(int points, int history_count) {
 }
 
 /// Scalars of a point of the shells of a chunk.
-KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
+KOKKOS_INLINE_FUNCTION int find_layer_size(const ElementChunks& chunks, int c) {
   return (chunks.record_size(c) - ShellRecord::layers) / chunks.points(c);
 }
 
@@ -34,7 +34,7 @@ KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
 template <class Layer>
 struct ShellBlock {
   Array<int> chunks;                                           // ascending chunk ids
-  Kokkos::View<ShellParameters<Layer>*, MemSpace> parameters;  // by HexChunks::parameters
+  Kokkos::View<ShellParameters<Layer>*, MemSpace> parameters;  // by ElementChunks::parameters
   bool has_triangles = false;                                  // among their elements
 };
 
@@ -54,7 +54,7 @@ struct ShellMotion {
 };
 
 /// Advances every shell from n to n+1.
-void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
+void advance_shells(const ExecSpace& space, const ElementChunks& chunks, const ShellBlocks& blocks,
                     const ShellMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

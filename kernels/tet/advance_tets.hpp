@@ -18,11 +18,11 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
-        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const SolidPack& on, const Living& living,
+  KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
                                 State& of, SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
@@ -87,13 +87,13 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
-        member, [&](const HexParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
                     SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
     const StepWatch& watch = this->motion.watch;
     if (watch.bound.extent(0) > 0) watch.growth(this->block.chunks(member.league_rank())) = 0;
   }
 
-  KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const SolidPack& on,
+  KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
                                     const Living& living, State& of, SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
@@ -120,7 +120,7 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
 };
 
 template <class Material>
-void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlock<Material>& block,
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
@@ -130,7 +130,7 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
 }
 
 template <class Material>
-void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
+void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const TetBlock<Material>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::advance_plain_tets", space, chunks, block.chunks,
@@ -139,10 +139,10 @@ void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlo
 }
 
 /// Compiles both for a material.
-#define PERCUSS_COMPILE_TETS(MATERIAL)                                                                             \
-  template void advance_stresses(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const TetStep&,    \
-                                 const Array<Real>&, const ChunkResults&);                                         \
-  template void advance_plain(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const ElementMotion&, \
+#define PERCUSS_COMPILE_TETS(MATERIAL)                                                                                 \
+  template void advance_stresses(const ExecSpace&, const ElementChunks&, const TetBlock<MATERIAL>&, const TetStep&,    \
+                                 const Array<Real>&, const ChunkResults&);                                             \
+  template void advance_plain(const ExecSpace&, const ElementChunks&, const TetBlock<MATERIAL>&, const ElementMotion&, \
                               const ChunkFields&);
 
 }  // namespace percuss

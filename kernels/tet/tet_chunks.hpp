@@ -1,7 +1,7 @@
 #pragma once
 // Chunks of tetrahedra as their launchers see them.
 //
-// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A tetrahedron
+// They lie in the tables of all chunks (kernels/element/element_chunks.hpp) and write to the same slots. A tetrahedron
 // takes the first four of the eight corners there. What the mixed form averages has rows of its own by slot, which
 // nodes sum in the order of their forces: for each material of a node one record.
 
@@ -23,8 +23,8 @@ struct TetRecord {
 /// Chunks of one material of tetrahedra.
 template <class Material>
 struct TetBlock {
-  Array<int> chunks;                                            // ascending chunk ids
-  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
+  Array<int> chunks;                                              // ascending chunk ids
+  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
 };
 
 template <class List>

@@ -84,7 +84,7 @@ TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count)
                                                      static_cast<std::size_t>(solid_width))};
 }
 
-void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
+void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_rates", space, chunks, block.chunks,
@@ -104,8 +104,8 @@ void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
       });
 }
 
-void advance_tet_stresses(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                          const Array<Real>& state, const ChunkResults& results) {
+void advance_tet_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
+                          const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
 }
 
@@ -123,7 +123,7 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
       });
 }
 
-void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+void sum_tet_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
                     const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
@@ -133,7 +133,7 @@ void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBl
   });
 }
 
-void advance_plain_tets(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks,
+void advance_plain_tets(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
                         const ElementMotion& motion, const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) { advance_plain(space, chunks, block, motion, fields); });
 }

@@ -86,7 +86,7 @@ template <class L, class Shape>
 struct SumRates {
   using Living = LivingSolids<L>;
   static constexpr int corners_of = Shape::corners;
-  HexChunks chunks;
+  ElementChunks chunks;
   Array<int> list;
   ElementMotion motion;
   TetRateRows rows;
@@ -176,14 +176,14 @@ struct OwnStress {
 };
 
 /// The record of a pack.
-KOKKOS_INLINE_FUNCTION const double* find_pack_record(const HexChunks& chunks, const Array<Real>& state, int c,
+KOKKOS_INLINE_FUNCTION const double* find_pack_record(const ElementChunks& chunks, const Array<Real>& state, int c,
                                                       int pack) {
   return reinterpret_cast<const double*>(&state(chunks.first_state(c))) +
          static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(c)) * solid_width;
 }
 
 /// What the second pass leaves for the third [TetPasses::scalars][W].
-KOKKOS_INLINE_FUNCTION double* find_scalars(const HexChunks& chunks, const TetPasses& passes, int c, int pack) {
+KOKKOS_INLINE_FUNCTION double* find_scalars(const ElementChunks& chunks, const TetPasses& passes, int c, int pack) {
   const int place = chunks.first_pack(c) + pack;
   return &passes.elements(static_cast<std::size_t>(place) * TetPasses::scalars * solid_width);
 }
@@ -192,7 +192,7 @@ KOKKOS_INLINE_FUNCTION double* find_scalars(const HexChunks& chunks, const TetPa
 template <class Material, class Block>
 struct StressPass {
   using Living = LivingSolids<Material>;
-  HexChunks chunks;
+  ElementChunks chunks;
   Block block;
   ElementMotion motion;
   TetLaunch launch;
@@ -207,7 +207,7 @@ struct StressPass {
     chunk.fill_nodes(motion, scratch.nodes);
     double* const rows = find_rows(chunk);
     for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
-    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
     SolidChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
@@ -232,7 +232,7 @@ struct StressPass {
 template <class L>
 struct ForcePass {
   using Living = LivingSolids<L>;
-  HexChunks chunks;
+  ElementChunks chunks;
   Array<int> list;
   ElementMotion motion;
   TetLaunch launch;

@@ -95,9 +95,9 @@ std::vector<std::uint16_t> list_corner_slots(const BoxMesh& mesh, const BoxPlan&
   return repeat(of_chunk, mesh.chunk_count());
 }
 
-HexChunks make_chunks(const BoxMesh& mesh, const BoxPlan& plan) {
+ElementChunks make_chunks(const BoxMesh& mesh, const BoxPlan& plan) {
   const int count = mesh.chunk_count(), packs = count_packs(mesh, plan);
-  HexChunks chunks;
+  ElementChunks chunks;
   chunks.count = count;
   chunks.largest_slot_count = mesh.chunk_slots();
   chunks.first_element = to_view("first_element", count_up(count, mesh.chunk_elements()));

@@ -20,7 +20,7 @@ struct BoxPlan {
 /// A box between two steps, distorted a little; it spins, and its corners fly apart.
 struct Box {
   int node_count = 0, element_count = 0;
-  HexChunks chunks;
+  ElementChunks chunks;
   SlotCorners slot_corners;
   NodeSlots nodes_to_slots;
   Rows3<double> inverse_mass, x, v;

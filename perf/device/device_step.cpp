@@ -174,7 +174,7 @@ class Bench {
       : options_(options),
         box_(make_box({cells, options.chunk, lanes, hex_record_size<Material, Kind>, 7850})),
         block_{Array<int>("chunks", static_cast<std::size_t>(box_.chunks.count)),
-               Kokkos::View<HexParameters<Material>*, MemSpace>("parameters", 1)} {
+               Kokkos::View<SolidParameters<Material>*, MemSpace>("parameters", 1)} {
     std::vector<int> all;
     for (int c = 0; c < box_.chunks.count; ++c) all.push_back(c);
     block_.chunks = to_view("chunks", all);

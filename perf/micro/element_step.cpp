@@ -63,7 +63,7 @@ struct Block {
   }
 
   void advance(double dt) {
-    advance_elements(ExecSpace(), model.chunks, model.blocks, {state.x, state.v, dt}, state.chunk_fields());
+    advance_elements(ExecSpace(), model.chunks, model.others.hexahedra, {state.x, state.v, dt}, state.chunk_fields());
   }
 };
 

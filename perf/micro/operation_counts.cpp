@@ -33,7 +33,7 @@ void find_modes(Modes& a, Modes& v) {
 
 template <class Material, HexKind Kind>
 OperationCounts count(const Material& material) {
-  HexParameters<Material> parameters;
+  SolidParameters<Material> parameters;
   parameters.material = material;
   parameters.lambda = parameters.mu = 1;
   HexState<Counted, Material, Kind> state{};

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/core/views.hpp"
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "src/checks/selection_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"

@@ -67,7 +67,7 @@ StepNotice Stepper::find_notice(const State& state) const {
     const Chunk& chunk = chunked_.chunks[c];
     const std::int64_t shift =
         chunked_.numbering.first_element[static_cast<std::size_t>(chunk.number)] - chunk.first_element;
-    const double bound = stiffness_damping_ ? stiffness_damping_->find_step(c, step(c)) : step(c);
+    const double bound = elements_.find_step(c, step(c));
     notice.merge({bound, element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
                   std::isfinite(work(c, 0) + work(c, 1) + work(c, 2) + work(c, 3)) ? StepNotice::none : chunk.number});
@@ -128,7 +128,7 @@ double Stepper::find_undamped_bound(const State& state) const {
   double bounds[2] = {StepNotice{}.step, StepNotice{}.step};  // without and with it
   for (std::size_t c = 0; c < step.extent(0); ++c) {
     bounds[0] = std::min(bounds[0], step(c));
-    bounds[1] = std::min(bounds[1], stiffness_damping_ ? stiffness_damping_->find_step(c, step(c)) : step(c));
+    bounds[1] = std::min(bounds[1], elements_.find_step(c, step(c)));
   }
   all_reduce(model_.ranks, Reduce::least, bounds);
   return bounds[1] < bounds[0] ? bounds[0] : 0;

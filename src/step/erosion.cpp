@@ -149,7 +149,7 @@ void Erosion::count_holders(const State& state) {
     holders_ = Rows3<double>("percuss::holders", at(model_.node_count));
   }
   const Rows3<double> slots = slot_holders_;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   const FailingChunks failing = model_.failing;
   const Array<int> steps_left = state.lives.steps_left;
   Kokkos::parallel_for(

@@ -36,13 +36,12 @@ const Rows3<double>& LumpedMasses::sum(const Array<const double>& element_mass) 
   const auto slots = slots_;
   const auto mass = element_mass;
   const auto gyration_square = model_.gyration_square;
-  const HexChunks chunks = model_.chunks;
-  const BeamMarks is_beam = model_.is_beam_chunk;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::lump_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = slots(s, 1) = 0;
         const int first = chunks.first_element(c);
-        const bool of_shells = is_shell(chunks, c), of_beams = is_beam(c);
+        const bool of_shells = is_shell(chunks, c), of_beams = is_beam(chunks, c);
         const bool turns = (of_shells || of_beams) && gyration_square.extent(0) > 0;
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const auto slot = [&](int k) { return find_corner_slot(chunks, c, i, k); };

@@ -77,7 +77,7 @@ void MassScaler::find_missing(const State& state) {
   Kokkos::deep_copy(target_, target);
   const MissingMass find{bounds_, state.element_mass, model_.failing, state.lives};
   const auto missing = missing_, step = target_;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::find_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int i = 0; i < count_elements(chunks, c); ++i)
@@ -89,7 +89,7 @@ void MassScaler::find_missing(const State& state) {
 /// The share of what its elements lack that each part may have, the same on all ranks.
 std::vector<double> MassScaler::find_shares() {
   const auto missing = missing_, wanted = wanted_;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::sum_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         double sum = 0;
@@ -120,7 +120,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   const auto missing = missing_, wanted = wanted_, share = share_, mass = state.element_mass;
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::add_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!(wanted(c) > 0 && share(c) > 0)) return;

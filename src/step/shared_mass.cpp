@@ -46,7 +46,7 @@ template <class Value>
 void SharedMass::sum(Column column, LumpedMasses& summer, const Value& value) {
   const auto values = values_;
   const auto shares = shares_;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::set_shared_values", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e)
@@ -67,7 +67,7 @@ void SharedMass::spread(const Array<const double>& element_mass, LumpedMasses& s
       [element_mass, own] KOKKOS_FUNCTION(int e) { return own(e) > 0 ? raise_to_16(own(e) / element_mass(e)) : 0; });
   const auto shares = shares_;
   const Rows3<const double> nodes = nodes_;
-  const HexChunks chunks = model_.chunks;
+  const ElementChunks chunks = model_.chunks;
   Kokkos::parallel_for(
       "percuss::spread_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (shares(c) == 0) return;

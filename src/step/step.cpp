@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "kernels/beam/beam_failure.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "kernels/element/failure/failure.hpp"
-#include "kernels/shell/shell_failure.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {
@@ -26,13 +23,12 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       contact_(contact),
       halo_(model.ranks, model.halo),
       actions_(make_actions(deck, chunked, model, contact)),
+      elements_(model),
       bookkeeper_(deck, model) {
   if (model.has_rotations) moment_halo_.emplace(model.ranks, model.halo);
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
-  if (model.stiffness_damping.extent(0) > 0) stiffness_damping_ = std::make_unique<StiffnessDampingStage>(model);
-  if (model.has_small_solids) tets_ = std::make_unique<TetStage>(model);
   for (const auto& action : actions_.all) order_.push_back(action.get());
 }
 
@@ -145,8 +141,8 @@ void Stepper::advance(State& state, StepWishes wishes) {
   choose_step(state);
 }
 
-/// Whether nothing comes between the velocities of the nodes and their motion, and nothing asks for their forces, or for
-/// their places before they move: only elements, springs and gravity act on them.
+/// Whether nothing comes between the velocities of the nodes and their motion, and nothing asks for their forces, or
+/// for their places before they move: only elements, springs and gravity act on them.
 bool Stepper::are_nodes_free() const {
   return !contact_.is_active() &&
          std::none_of(order_.begin(), order_.end(), [](const Action* action) { return action->comes_between(); });
@@ -270,95 +266,43 @@ void Stepper::scale_masses(State& state) {
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
-    const ElementMotion motion = find_motion(state, dt);
-    if (tets_) tets_->prepare(state, motion);
-    advance_sending(state, motion);
+    const ElementInput input = find_input(state, dt);
+    elements_.prepare(state, input.motion);
+    elements_.advance(state, model_.sending, input);
     for (Action* const action : order_) action->advance(state, dt);
     add_forces(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
-    advance_others(state, motion);
+    elements_.advance(state, model_.others, input);
   }
   const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();
   if (moment_halo_) moment_halo_->end();
 }
 
-ElementMotion Stepper::find_motion(const State& state, double dt) const {
+ElementInput Stepper::find_input(const State& state, double dt) const {
   const Action* const asker = find_asker();
-  const StepWatch watch = global_ ? global_->watch() : asker != nullptr ? asker->asked_bounds()->watch : StepWatch{};
-  return {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives};
-}
-
-void Stepper::advance_sending(State& state, const ElementMotion& motion) {
-  advance_elements(space_, model_.chunks, model_.sending_blocks, motion, state.chunk_fields());
-  if (tets_) tets_->advance(state, model_.sending_tet_blocks, model_.sending_one_point_blocks, motion);
-  advance_shells_of(state, model_.sending_shell_blocks, motion);
-  advance_beams_of(state, model_.sending_beam_block, motion);
-  if (stiffness_damping_) stiffness_damping_->damp_sending(state, find_damped_motions(state, motion));
-}
-
-void Stepper::advance_others(State& state, const ElementMotion& motion) {
-  advance_elements(space_, model_.chunks, model_.blocks, motion, state.chunk_fields());
-  if (tets_) tets_->advance(state, model_.tet_blocks, model_.one_point_blocks, motion);
-  advance_shells_of(state, model_.shell_blocks, motion);
-  advance_beams_of(state, model_.beam_block, motion);
-  if (stiffness_damping_) stiffness_damping_->damp_others(state, find_damped_motions(state, motion));
+  const ElementBounds* const asked = asker != nullptr ? asker->asked_bounds() : nullptr;
+  const StepWatch watch = global_ ? global_->watch() : asked != nullptr ? asked->watch : StepWatch{};
+  return {{state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives},
+          asked != nullptr ? asked->others : Array<double>()};
 }
 
 /// Who wants the bounds of all elements; null: nobody.
 const Action* Stepper::find_asker() const {
-  const auto asker =
-      std::find_if(order_.begin(), order_.end(), [](const Action* action) { return action->asked_bounds() != nullptr; });
+  const auto asker = std::find_if(order_.begin(), order_.end(),
+                                  [](const Action* action) { return action->asked_bounds() != nullptr; });
   return asker == order_.end() ? nullptr : *asker;
 }
 
-Array<double> Stepper::find_other_bounds() const {
-  const Action* const asker = find_asker();
-  return asker != nullptr ? asker->asked_bounds()->others : Array<double>();
-}
-
-ShellMotion Stepper::find_shell_motion(const State& state, const ElementMotion& motion) const {
-  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, find_other_bounds()};
-}
-
-void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion) {
-  if (!model_.has_rotations) return;
-  advance_shells(space_, model_.chunks, shells, find_shell_motion(state, motion), state.chunk_fields());
-}
-
-BeamStep Stepper::find_beam_step(const State& state, const ElementMotion& motion) const {
-  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, find_other_bounds(), model_.failing, state.lives};
-}
-
-void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {
-  if (!model_.has_beams) return;
-  advance_beams(space_, model_.chunks, beams, find_beam_step(state, motion), state.chunk_fields());
-}
-
-DampedMotions Stepper::find_damped_motions(const State& state, const ElementMotion& motion) const {
-  return {motion, find_shell_motion(state, motion), find_beam_step(state, motion)};
-}
-
 Traffic Stepper::traffic() const {
-  Traffic sum = halo_.traffic();
-  if (!tets_) return sum;
-  const Traffic of_tets = tets_->traffic();
-  return {sum.messages + of_tets.messages, sum.bytes + of_tets.bytes};
+  const Traffic of_forces = halo_.traffic(), of_elements = elements_.traffic();
+  return {of_forces.messages + of_elements.messages, of_forces.bytes + of_elements.bytes};
 }
 
-/// Which elements fail, which die.
 void Stepper::judge_elements(State& state, double dt) {
-  if (model_.failing.pack_count == 0) return;
   const Phase phase("percuss::failure", clocks_.internal_force);
-  const FailingElements elements = state.failing_elements(model_.failing);
-  const FailureCounts counts = find_failures(space_, model_.chunks, elements, dt, state.results);
-  const FailureCounts of_shells =
-      find_shell_failures(space_, model_.chunks, elements, model_.thickness_rules, dt, state.results);
-  if (model_.has_beams)
-    find_beam_failures(space_, model_.chunks, {model_.is_beam_chunk, model_.beam_block.parameters, state.time + dt},
-                       elements, state.results);
-  some_died_ = counts.died + of_shells.died > 0;
+  some_died_ = elements_.judge(state, dt, state.time + dt).died > 0;
 }
 
 void Stepper::add_forces(State& state, double time) {

@@ -11,13 +11,12 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
-#include "src/step/damping/stiffness_damping_stage.hpp"
+#include "src/step/elements/element_stage.hpp"
 #include "src/step/make_actions.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/stable_step/global_step.hpp"
-#include "src/step/tets/tet_stage.hpp"
 
 namespace percuss {
 
@@ -129,16 +128,8 @@ class Stepper {
   void share_forces(State& state);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
-  ElementMotion find_motion(const State& state, double dt) const;
-  void advance_sending(State& state, const ElementMotion& motion);
-  void advance_others(State& state, const ElementMotion& motion);
+  ElementInput find_input(const State& state, double dt) const;
   const Action* find_asker() const;
-  Array<double> find_other_bounds() const;
-  ShellMotion find_shell_motion(const State& state, const ElementMotion& motion) const;
-  BeamStep find_beam_step(const State& state, const ElementMotion& motion) const;
-  DampedMotions find_damped_motions(const State& state, const ElementMotion& motion) const;
-  void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
-  void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
   void scale_masses(State& state);
@@ -157,8 +148,7 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   Actions actions_;
   std::vector<Action*> order_;  // theirs, and what acts first
-  std::unique_ptr<TetStage> tets_;                            // only with tetrahedra
-  std::unique_ptr<StiffnessDampingStage> stiffness_damping_;  // only with that in proportion to stiffness
+  ElementStage elements_;
   Bookkeeper bookkeeper_;
   ContactReport report_;
   // Largest magnitudes of components of the velocities of this rank's nodes, for contact: as predicted, and as nodes

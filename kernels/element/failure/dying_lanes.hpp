@@ -19,7 +19,7 @@ struct FailingRecords {
   KOKKOS_INLINE_FUNCTION LaneRecord<Real> find(int i) const { return {records + find_record_place(i, record_size)}; }
 };
 
-KOKKOS_INLINE_FUNCTION FailingRecords find_records(const HexChunks& chunks, const FailingChunks& failing,
+KOKKOS_INLINE_FUNCTION FailingRecords find_records(const ElementChunks& chunks, const FailingChunks& failing,
                                                    const Array<Real>& elements, int c) {
   return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * pack_width,
           chunks.first_pack(c + 1) - chunks.first_pack(c)};

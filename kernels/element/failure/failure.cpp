@@ -28,7 +28,7 @@ KOKKOS_INLINE_FUNCTION double read_scalar(const ElementRecord& record, int first
 }
 
 /// What the limits ask of an element.
-KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, const FailureLimits& limits,
+KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c, const FailureLimits& limits,
                                              const ElementRecord& record) {
   const int points = chunks.points(c);
   ElementLoad load;
@@ -59,8 +59,8 @@ KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const Fai
 
 }  // namespace
 
-FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements, double dt,
-                            const ChunkResults& results) {
+FailureCounts find_failures(const ExecSpace& space, const ElementChunks& chunks, const FailingElements& elements,
+                            double dt, const ChunkResults& results) {
   const FailingChunks failing = elements.chunks;
   const ElementLives lives = elements.lives;
   const Array<Real> records = elements.records;
@@ -91,7 +91,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
   return counts;
 }
 
-void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements) {
+void copy_into_dead_lanes(const ExecSpace& space, const ElementChunks& chunks, const FailingElements& elements) {
   const FailingChunks failing = elements.chunks;
   const ElementLives lives = elements.lives;
   const Array<Real> records = elements.records;

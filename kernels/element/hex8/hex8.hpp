@@ -97,7 +97,7 @@ struct ToldMotion {
 /// A called material gets the geometry at the end of the step. Others are compiled without it, so that their stress is
 /// complete before the end geometry needs the registers.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                                [[maybe_unused]] const State& state, const StepMotion<T>& step,
                                                const T& dt) {
   ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
@@ -118,7 +118,7 @@ PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& pa
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). out: the internal forces (they resist the
 /// motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
 template <class T, class Material, HexKind Kind>
-PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                                const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
                                                const CornerForces<T>& out) {
   const T half = number<T>(0.5);

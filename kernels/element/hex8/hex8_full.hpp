@@ -201,7 +201,7 @@ PERCUSS_FORCE_INLINE void take_larger(Moduli<T>& largest, const Moduli<T>& modul
 /// Strains, stresses and forces point by point. a, v: modes of positions at n+1 and of velocities at n+1/2, spatial;
 /// step, mean: the motion of the element's mean.
 template <class T, class Material>
-PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE auto advance_points(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                          const VectorModes<T>& v, const StepMotion<T>& step, const PointMotion<T>& mean,
                                          HexState<T, Material, HexKind::full>& state) {
   const Matrix3<T> turn = number<T>(0.5) * step.rotations;
@@ -244,7 +244,7 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
 /// As advance_hex8 of the one-point elements. HexResult::volume is 8 times the smallest of a point: an element that is
 /// inverted anywhere has failed.
 template <class T, class Material>
-PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const SolidParameters<Material>& par, const VectorModes<T>& a,
                                                const VectorModes<T>& v, const T& dt,
                                                HexState<T, Material, HexKind::full>& state,
                                                const CornerForces<T>& out) {

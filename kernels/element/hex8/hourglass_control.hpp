@@ -14,7 +14,7 @@ namespace percuss {
 
 /// Numbers that are the same for all elements of a block.
 template <class Material>
-struct HexParameters {
+struct SolidParameters {
   Material material;
   double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
   double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
@@ -197,7 +197,7 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
 /// The control of Kind over one step; mu and hourglass of the parameters size the forms of Flanagan and Belytschko. q:
 /// Q at n where it is kept, out at n+1. state: that of the element, with its stress at n+1.
 template <HexKind Kind, class T, class Material, class Plastic, class State>
-PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const HexParameters<Material>& par, const Plastic& plastic,
+PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const SolidParameters<Material>& par, const Plastic& plastic,
                                                         const HourglassMotion<T>& motion,
                                                         const HourglassElement<T>& element, HourglassModes<T>& q,
                                                         [[maybe_unused]] State& state) {

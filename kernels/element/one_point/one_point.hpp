@@ -101,7 +101,8 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& p, const ModeV
 
 /// lambda + 2 mu at n.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE T find_modulus_at_start(const HexParameters<Material>& par, [[maybe_unused]] const State& state) {
+PERCUSS_FORCE_INLINE T find_modulus_at_start(const SolidParameters<Material>& par,
+                                             [[maybe_unused]] const State& state) {
   if constexpr (is_called<Material>)
     return find_longitudinal_modulus<T>(state.history);
   else
@@ -116,7 +117,7 @@ struct OnePointViscosity {
 };
 
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE OnePointViscosity<T> find_viscosity(const HexParameters<Material>& par, const State& state,
+PERCUSS_FORCE_INLINE OnePointViscosity<T> find_viscosity(const SolidParameters<Material>& par, const State& state,
                                                          const GradientSizes<T>& size, const T& volume,
                                                          const T& trace_d) {
   const T density = state.mass / volume, length = find_thickness(size, volume);
@@ -126,7 +127,7 @@ PERCUSS_FORCE_INLINE OnePointViscosity<T> find_viscosity(const HexParameters<Mat
 
 /// What the material is told of the step.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE PointMotion<T> tell_one_point(const HexParameters<Material>& par, const Symmetric3<T>& de,
+PERCUSS_FORCE_INLINE PointMotion<T> tell_one_point(const SolidParameters<Material>& par, const Symmetric3<T>& de,
                                                    const T& dt, [[maybe_unused]] const OnePointViscosity<T>& viscous,
                                                    [[maybe_unused]] const T& volume,
                                                    [[maybe_unused]] const State& state) {
@@ -152,7 +153,7 @@ struct OnePointPoint {
 
 /// The pressure against a collapse that the averages do not see: state and work of the step.
 template <class T, class Material, class Shape>
-PERCUSS_FORCE_INLINE T advance_guard(const HexParameters<Material>& par, const T& difference, const T& half_volume,
+PERCUSS_FORCE_INLINE T advance_guard(const SolidParameters<Material>& par, const T& difference, const T& half_volume,
                                      const T& dt, OnePointState<T, Material, Shape>& state) {
   state.gap = state.gap + dt * difference;
   const T guard = find_guard(state.gap, par.lambda + 2.0 / 3.0 * par.mu);
@@ -165,7 +166,7 @@ PERCUSS_FORCE_INLINE T advance_guard(const HexParameters<Material>& par, const T
 /// with Mixed one that is averaged, else m.d. Its integral is then the volume of the material, too. With dt = 0 nothing
 /// changes.
 template <bool Mixed, class T, class Material, class Shape>
-PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const HexParameters<Material>& par,
+PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters<Material>& par,
                                                            const CornerField<T, Shape>& x,
                                                            const OnePointMotion<T, Shape>& m, const Symmetric3<T>& seen,
                                                            const T& dt, OnePointState<T, Material, Shape>& state) {
@@ -205,7 +206,7 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const HexParameters<M
 /// Advances an element that averages nothing from n to n+1. x, v: places at n+1 and velocities at n+1/2. f: out. With
 /// dt = 0 it evaluates forces and step only.
 template <class T, class Material, class Shape>
-PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const HexParameters<Material>& par,
+PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const SolidParameters<Material>& par,
                                                          const CornerField<T, Shape>& x, const CornerField<T, Shape>& v,
                                                          const T& dt, OnePointState<T, Material, Shape>& state,
                                                          CornerField<T, Shape>& f) {

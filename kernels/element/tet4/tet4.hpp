@@ -59,7 +59,7 @@ PERCUSS_FORCE_INLINE TetMotion<T> follow_tet(const TetCorners<T>& x, const TetCo
 
 /// lambda + 2 mu at n.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE T find_modulus_before(const HexParameters<Material>& par, const State& state) {
+PERCUSS_FORCE_INLINE T find_modulus_before(const SolidParameters<Material>& par, const State& state) {
   if constexpr (is_called<Material>)
     return find_longitudinal_modulus<T>(state.history);
   else
@@ -68,7 +68,7 @@ PERCUSS_FORCE_INLINE T find_modulus_before(const HexParameters<Material>& par, c
 
 /// Elastic moduli at n+1 as K and mu, by lane.
 template <class T, class Material, class Response>
-PERCUSS_FORCE_INLINE TetStiffness<T> find_tet_moduli(const HexParameters<Material>& par, const Response& response) {
+PERCUSS_FORCE_INLINE TetStiffness<T> find_tet_moduli(const SolidParameters<Material>& par, const Response& response) {
   const auto moduli = find_moduli(par, response);
   const T shear = T(moduli.mu);
   return {T(moduli.lambda) + T(2.0 / 3.0) * shear, shear, T(0)};
@@ -77,7 +77,7 @@ PERCUSS_FORCE_INLINE TetStiffness<T> find_tet_moduli(const HexParameters<Materia
 /// Advances stress and history from n to n+1. seen: the rate of deformation that the material sees, with Mixed one that
 /// is averaged, else m.d. Its integral is then the volume of the material, too. With dt = 0 nothing changes.
 template <bool Mixed, class T, class Material>
-PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const HexParameters<Material>& par, const TetCorners<T>& x,
+PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& par, const TetCorners<T>& x,
                                               const TetMotion<T>& m, const Symmetric3<T>& seen, const T& dt,
                                               TetState<T, Material>& state) {
   const T half = T(0.5);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "src/app/reports/scene_report.hpp"
 #include "src/contact/start/start_overlap.hpp"
 

@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "kernels/core/element_family.hpp"
+
 namespace percuss {
 
 /// The most of any topology. A face is numbered most_faces * element + face.
@@ -15,9 +17,6 @@ inline constexpr std::size_t most_corners = 8, most_faces = 6, most_edges = 12;
 
 /// Corners that kernels see of every element (chunk tables).
 inline constexpr std::size_t kernel_corner_count = 8;
-
-/// Elements that one launcher computes, side by side in the packs of a chunk.
-enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra, beams, wedges, pyramids };
 
 /// A face of a topology. Corners are places among those of the element, outward by the right-hand rule.
 struct FaceCorners {

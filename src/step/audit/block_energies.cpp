@@ -101,7 +101,7 @@ void BlockEnergies::find_shares(const Model& model, const State& state) {
   assemble_slots(ExecSpace(), model.nodes_to_slots, by_slot, by_node);
   const auto listed = listed_, first_share = first_share_;
   const auto shares = shares_;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::find_block_shares", Range(ExecSpace(), 0, static_cast<int>(chunks_.size())),
       KOKKOS_LAMBDA(const int i) {
@@ -124,7 +124,7 @@ void BlockEnergies::sum_nodes(const Model& model, const State& state) {
   const auto listed = listed_, first_share = first_share_;
   const auto shares = shares_;
   const auto sums = node_sums_;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::sum_blocks", Range(ExecSpace(), 0, static_cast<int>(chunks_.size())), KOKKOS_LAMBDA(const int i) {
         double sum[ChunkSum::count] = {}, f[3];

@@ -94,13 +94,13 @@ void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const Fa
 void build_failing_layers(Model& model) {
   if (!model.has_rotations) return;
   FailingChunks& failing = model.failing;
-  const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
-             points = to_host(model.chunks.points);
+  const auto list = to_host(failing.list), points = to_host(model.chunks.points);
+  const auto family = to_host(model.chunks.family);
   const HostChunks chunks(model.chunks);
   std::vector<std::size_t> first(static_cast<std::size_t>(model.chunks.count), 0);
   for (std::size_t i = 0; i < list.extent(0); ++i) {
     const auto c = static_cast<std::size_t>(list(i));
-    if (is_shell(c) == 0) continue;
+    if (family(c) != ElementFamily::shells) continue;
     first[c] = failing.layer_scalars;
     failing.layer_scalars += static_cast<std::size_t>(count_lanes(chunks, list(i))) *
                              static_cast<std::size_t>(LayerLives::count_rows(points(c)));

@@ -8,12 +8,12 @@
 #include "kernels/element/element_records.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/surface_nodes.hpp"
-#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/check_precision.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
 #include "src/step/build/chunks/element_mass.hpp"
 #include "src/step/build/mass_scaling.hpp"
+#include "src/step/elements/build_beams.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {

@@ -4,7 +4,6 @@
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/mesh.hpp"
-#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/build_failing.hpp"
 #include "src/step/build/build_masses.hpp"
@@ -13,11 +12,12 @@
 #include "src/step/constraints/build_constraints.hpp"
 #include "src/step/damping/build_damping.hpp"
 #include "src/step/damping/build_stiffness_damping.hpp"
+#include "src/step/elements/build_beams.hpp"
+#include "src/step/elements/build_tets.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "src/step/springs/build_welds.hpp"
-#include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
 
@@ -58,11 +58,6 @@ void split_block(const std::vector<char>& sends, Block& block, Block& sending) {
   block.chunks = to_view("percuss::chunks_of_block", rest);
 }
 
-template <class Blocks, std::size_t... Is>
-void split_blocks(const std::vector<char>& sends, Blocks& blocks, Blocks& sending, std::index_sequence<Is...>) {
-  (split_block(sends, std::get<Is>(blocks), std::get<Is>(sending)), ...);
-}
-
 void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& model) {
   UnstructuredExchange exchange(model.ranks);
   SharedNodes shared{{}, {0}, {}, std::vector<int>(chunked.mesh.nodes.size(), 0)};
@@ -71,17 +66,8 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
   const auto first_slot = to_host(model.chunks.first_slot);
   const std::vector<char> sends =
       mark_sending_chunks(halo.plan, {first_slot.data(), first_slot.data() + first_slot.extent(0)});
-  split_blocks(sends, model.blocks, model.sending_blocks, std::make_index_sequence<std::tuple_size_v<HexBlocks>>());
-  split_blocks(sends, model.shell_blocks, model.sending_shell_blocks,
-               std::make_index_sequence<std::tuple_size_v<ShellBlocks>>());
-  split_blocks(sends, model.tet_blocks, model.sending_tet_blocks,
-               std::make_index_sequence<std::tuple_size_v<TetBlocks>>());
-  split_blocks(sends, model.one_point_blocks, model.sending_one_point_blocks,
-               std::make_index_sequence<std::tuple_size_v<OnePointBlocks>>());
-  split_block(sends, model.damped_solids, model.sending_damped_solids);
-  split_block(sends, model.damped_shells, model.sending_damped_shells);
-  split_block(sends, model.damped_beams, model.sending_damped_beams);
-  if (model.has_beams) split_block(sends, model.beam_block, model.sending_beam_block);
+  ElementBlocks::visit_pairs(model.others, model.sending,
+                             [&](auto& block, auto& sending) { split_block(sends, block, sending); });
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();

@@ -9,12 +9,12 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
-#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
+#include "src/step/elements/build_beams.hpp"
+#include "src/step/elements/element_stage.hpp"
 #include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/tets/tet_stage.hpp"
 
 namespace percuss {
 namespace {
@@ -28,9 +28,7 @@ bool is_asked_for(const Deck& deck) {
 class SolidBounds {
  public:
   /// The model outlives this. Collective.
-  explicit SolidBounds(const Model& model) : resting_(model), tets_(resting_) {
-    resting_.has_rotations = resting_.has_beams =
-        false;  // what shells and beams need beside follows from the scaled masses
+  explicit SolidBounds(const Model& model) : resting_(without_others(model)), elements_(resting_) {
     resting_.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   }
 
@@ -40,19 +38,22 @@ class SolidBounds {
     const State state = make_initial_state(resting_);
     const ElementBounds bounds(resting_);
     const ElementMotion motion{state.x, state.v, 0, false, 0, bounds.watch};
-    for (const HexBlocks& blocks : {resting_.sending_blocks, resting_.blocks})
-      advance_elements(ExecSpace(), resting_.chunks, blocks, motion, state.chunk_fields());
-    if (resting_.has_small_solids) {
-      tets_.prepare(state, motion);
-      tets_.advance(state, resting_.sending_tet_blocks, resting_.sending_one_point_blocks, motion);
-      tets_.advance(state, resting_.tet_blocks, resting_.one_point_blocks, motion);
-    }
+    elements_.prepare(state, motion);
+    for (const ElementBlocks& blocks : {resting_.sending, resting_.others})
+      elements_.advance(state, blocks, {motion, {}});
     return bounds.list();
   }
 
  private:
+  /// What shells and beams need beside follows from the scaled masses.
+  static Model without_others(Model model) {
+    model.has_rotations = model.has_beams = false;
+    model.stiffness_damping = {};
+    return model;
+  }
+
   Model resting_;
-  TetStage tets_;
+  ElementStage elements_;
 };
 
 /// The mass that an element needs for the wanted step.

@@ -2,7 +2,7 @@
 
 namespace percuss {
 
-ElementBounds::ElementBounds(const Model& model) : chunks(model.chunks), is_beam(model.is_beam_chunk) {
+ElementBounds::ElementBounds(const Model& model) : chunks(model.chunks) {
   watch.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
   watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
   if (model.has_rotations || model.has_beams)

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "comm/communicator.hpp"
@@ -63,6 +64,35 @@ struct AddedMass {
   double least_bound = 0;                 // smallest step bound before
 };
 
+/// What the launchers need of some chunks, family by family.
+struct ElementBlocks {
+  HexBlocks hexahedra;
+  TetBlocks tetrahedra;
+  OnePointBlocks one_point;  // wedges and pyramids
+  ShellBlocks shells;
+  BeamBlock beams;
+  DampedSolids damped_solids;  // in proportion to stiffness
+  DampedShells damped_shells;
+  DampedBeams damped_beams;
+
+  /// visit(block of a, same block of b), for each block of every family.
+  template <class Visit>
+  static void visit_pairs(ElementBlocks& a, ElementBlocks& b, const Visit& visit) {
+    const auto visit_tuple = [&](auto& of_a, auto& of_b) {
+      std::apply([&](auto&... block_a) { std::apply([&](auto&... block_b) { (visit(block_a, block_b), ...); }, of_b); },
+                 of_a);
+    };
+    visit_tuple(a.hexahedra, b.hexahedra);
+    visit_tuple(a.tetrahedra, b.tetrahedra);
+    visit_tuple(a.one_point, b.one_point);
+    visit_tuple(a.shells, b.shells);
+    visit(a.beams, b.beams);
+    visit(a.damped_solids, b.damped_solids);
+    visit(a.damped_shells, b.damped_shells);
+    visit(a.damped_beams, b.damped_beams);
+  }
+};
+
 struct Model {
   // Not inline: every source would compile them, which takes longer than the rest of this header.
   Model();
@@ -76,9 +106,9 @@ struct Model {
   int node_count = 0;                 // of this rank, copies included
   int element_count = 0;              // of this rank
 
-  HexChunks chunks;
-  HexBlocks sending_blocks;    // chunks whose forces other ranks need, and wait for
-  HexBlocks blocks;            // the other chunks
+  ElementChunks chunks;
+  ElementBlocks sending;       // chunks whose forces other ranks need, and wait for
+  ElementBlocks others;        // the other chunks
   std::size_t state_size = 0;  // scalars of all element records
   StartHistory start_history;
   Array<int> is_rigid_chunk;  // [chunks] 1: of a rigid part, which no block has; empty without rigid bodies
@@ -88,8 +118,6 @@ struct Model {
   // Whether any rank has shells or beams that bend, whose nodes turn; without them what follows is empty.
   bool has_rotations = false;
   bool ties_rotations = false;
-  ShellBlocks sending_shell_blocks;  // as sending_blocks
-  ShellBlocks shell_blocks;
   Array<double> start_thickness;                             // [elements] of shells [length]
   Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
   Array<double> gyration_square;  // [elements] rotary inertia over mass, of beams across [length^2]
@@ -100,20 +128,12 @@ struct Model {
   HeldDirections held_spins;      // directions 0, 1, 2: about x, y, z
   Array<int> owned_held_spins;    // as owned_held
 
-  bool has_beams = false;  // whether any rank has some, trusses among them
-  BeamMarks is_beam_chunk;
-  BeamBlock sending_beam_block;  // as sending_blocks
-  BeamBlock beam_block;
+  bool has_beams = false;         // whether any rank has some, trusses among them
   Rows3<double> start_beam_axes;  // [elements] y of the section of each at time 0
 
   bool has_small_solids = false;  // whether any rank has tetrahedra, wedges or pyramids
   bool mixes_solids = false;      // whether their rates and stresses are averaged over nodes
-  TetBlocks sending_tet_blocks;   // as sending_blocks
-  TetBlocks tet_blocks;
-  TetNodes tet_nodes;  // of the mixed form, of wedges and pyramids too
-
-  OnePointBlocks sending_one_point_blocks;  // wedges and pyramids, as sending_blocks
-  OnePointBlocks one_point_blocks;
+  TetNodes tet_nodes;             // of the mixed form, of wedges and pyramids too
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;
@@ -159,9 +179,6 @@ struct Model {
   ConstraintModel constraints;
 
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
-  DampedSolids sending_damped_solids, damped_solids;  // as sending_blocks
-  DampedShells sending_damped_shells, damped_shells;
-  DampedBeams sending_damped_beams, damped_beams;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

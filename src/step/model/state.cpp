@@ -16,11 +16,10 @@ namespace {
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
 Array<Real> make_element_records(const Model& model) {
   const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
-  const HexChunks chunks = model.chunks;
-  const BeamMarks is_beam = model.is_beam_chunk;
+  const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        if (is_shell(chunks, c) || is_beam(c)) return;
+        if (is_shell(chunks, c) || is_beam(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
           for (int k = 0; k < 3; ++k) record[HexRecord::rotation + 4 * k] = record[HexRecord::stretch + k] = 1;
@@ -31,7 +30,7 @@ Array<Real> make_element_records(const Model& model) {
 
 /// Element masses into the records.
 void set_element_masses(const Model& model, const Array<Real>& elements) {
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const Array<double> mass = model.element_mass;
   Kokkos::parallel_for(
       "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
@@ -43,7 +42,7 @@ void set_element_masses(const Model& model, const Array<Real>& elements) {
 /// History that does not start at zero, at every point of an element the same.
 void set_start_history(const Model& model, const Array<Real>& elements) {
   if (model.start_history.values.extent(0) == 0) return;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const StartHistory start = model.start_history;
   Kokkos::parallel_for(
       "percuss::set_start_history", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
@@ -68,7 +67,7 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
 }
 
 /// Modes of the corners of an element at the start.
-KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const HexChunks& chunks, int c, int element,
+KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const ElementChunks& chunks, int c, int element,
                                                             const Rows3<double>& x) {
   double corners[3][8];
   for (int i = 0; i < 8; ++i) {
@@ -84,7 +83,7 @@ KOKKOS_INLINE_FUNCTION VectorModes<double> find_start_modes(const HexChunks& chu
 /// The volumes of points at the start into the records of chunks whose elements keep them.
 void set_point_volumes(const Model& model, const Array<int>& ids, const Array<Real>& elements) {
   constexpr int place = HexRecord::point_volumes<HexKind::full>;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const Rows3<double> x = model.start;
   Kokkos::parallel_for(
       "percuss::set_point_volumes", Range(ExecSpace(), 0, static_cast<int>(ids.extent(0))), KOKKOS_LAMBDA(const int i) {
@@ -106,7 +105,7 @@ void set_point_volumes(const Model& model, const HexBlock<Material, Kind>& block
 /// Thickness and rotary inertia of shells into the records.
 void start_shells(const Model& model, const Array<Real>& elements) {
   if (!model.has_rotations) return;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
   Kokkos::parallel_for(
       "percuss::start_shells", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
@@ -140,13 +139,12 @@ void start_connections(const Model& model, State& s) {
 /// Rotary inertia and axes of beams into the records.
 void start_beams(const Model& model, const Array<Real>& elements) {
   if (!model.has_beams) return;
-  const HexChunks chunks = model.chunks;
-  const BeamMarks is_beam = model.is_beam_chunk;
+  const ElementChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square;  // empty if all are trusses
   const Rows3<double> axes = model.start_beam_axes;
   Kokkos::parallel_for(
       "percuss::start_beams", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        if (!is_beam(c)) return;
+        if (!is_beam(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
           const int e = find_element(chunks, c, i);
@@ -188,7 +186,7 @@ ElementLives make_lives(const FailingChunks& failing) {
 void start_layers(const Model& model, const ElementLives& lives) {
   const FailingChunks failing = model.failing;
   if (failing.layer_scalars == 0) return;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::start_layers", Range(ExecSpace(), 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i) {
@@ -213,7 +211,7 @@ Rows3<double> copy_rows(const std::string& label, const Rows3<double>& from) {
   return to;
 }
 
-ChunkResults make_results(const HexChunks& chunks) {
+ChunkResults make_results(const ElementChunks& chunks) {
   const auto count = static_cast<std::size_t>(chunks.count);
   return {Array<double>("percuss::stable_step", count),
           Array<int>("percuss::controlling_element", count),
@@ -244,7 +242,7 @@ void start_rotations(const Model& model, State& s) {
 void rest_rigid_chunks(const Model& model, const ChunkResults& results) {
   if (!model.rigid.any()) return;
   const Array<int> is_rigid = model.is_rigid_chunk;
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::rest_rigid_chunks", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (is_rigid(c) == 0) return;
@@ -305,7 +303,7 @@ State make_initial_state(const Model& model) {
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
-  std::apply([&](const auto&... block) { (set_point_volumes(model, block, s.elements), ...); }, model.blocks);
+  std::apply([&](const auto&... block) { (set_point_volumes(model, block, s.elements), ...); }, model.others.hexahedra);
   start_shells(model, s.elements);
   start_beams(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
@@ -376,7 +374,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t mix_layers(double* rows, int points, std::u
 }
 
 std::uint64_t hash_elements(const Model& model, const State& state) {
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const auto elements = state.elements;
   const FailingChunks failing = model.failing;
   const ElementLives lives = state.lives;

@@ -114,7 +114,7 @@ Shortening make_shortening(const LameConstants& moduli, bool is_kirchhoff, const
 
 /// Places of the corners of elements, at n.
 struct CornerPlaces {
-  HexChunks chunks;
+  ElementChunks chunks;
   Rows3<const double> x;
 
   KOKKOS_INLINE_FUNCTION Vector3<double> find(int c, int e, int corner) const {
@@ -129,7 +129,7 @@ struct CornerPlaces {
 
 /// Lanes of the records of an element: those past the last element of a chunk repeat it.
 struct RecordLanes {
-  HexChunks chunks;
+  ElementChunks chunks;
   Array<Real> records;
 
   KOKKOS_INLINE_FUNCTION int find_end(int c, int e) const { return find_lane_end(chunks, c, e); }
@@ -140,7 +140,6 @@ struct RecordLanes {
 struct ShortenLayer {
   RecordLanes lanes;
   CornerPlaces places;
-  BeamMarks is_beam;
   Kokkos::View<BeamParameters*, MemSpace> beams;
   Kokkos::View<ThicknessPoints*, MemSpace> rules;
   Array<const int> chunks, first, elements;
@@ -163,8 +162,8 @@ struct ShortenLayer {
   }
 
   KOKKOS_FUNCTION double shorten_lane(int c, int j, const LaneRecord<Real>& record) const {
-    const HexChunks& all = lanes.chunks;
-    if (is_beam(c))
+    const ElementChunks& all = lanes.chunks;
+    if (is_beam(all, c))
       return places.find_length(c, elements(j)) *
              shorten_beam(record, beams(all.parameters(c)), by.strain * axes(2 * j) * axes(2 * j));
     if (!is_shell(all, c)) return volume(j) * shorten_solid(record, all.points(c), by);
@@ -247,8 +246,7 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
   Kokkos::parallel_for("percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(layer.chunks.extent(0))),
                        ShortenLayer{{model_.chunks, state.elements},
                                     {model_.chunks, state.x},
-                                    model_.is_beam_chunk,
-                                    model_.beam_block.parameters,
+                                    model_.others.beams.parameters,
                                     model_.thickness_rules,
                                     layer.chunks,
                                     layer.first,
@@ -263,7 +261,7 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
 double PreloadStage::shorten_beams(const Layer& layer, double force, State& state) const {
   const RecordLanes lanes{model_.chunks, state.elements};
   const CornerPlaces places{model_.chunks, state.x};
-  const auto beams = model_.beam_block.parameters;
+  const auto beams = model_.others.beams.parameters;
   const auto chunks = layer.chunks, first = layer.first, elements = layer.elements;
   const ChunkResults results = state.results;
   const double gain = gain_;

@@ -103,12 +103,13 @@ void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, 
 template <class Visit>
 void visit_failing_shells(const Model& model, const Visit& visit) {
   const FailingChunks& failing = model.failing;
-  const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
-             points = to_host(model.chunks.points), first_element = to_host(model.chunks.first_element);
+  const auto list = to_host(failing.list), points = to_host(model.chunks.points),
+             first_element = to_host(model.chunks.first_element);
+  const auto family = to_host(model.chunks.family);
   const auto first_layer = to_host(failing.first_layer);
   for (std::size_t l = 0; failing.layer_scalars > 0 && l < list.extent(0); ++l) {
     const auto c = static_cast<std::size_t>(list(l));
-    if (is_shell(c) == 0) continue;
+    if (family(c) != ElementFamily::shells) continue;
     const auto rows = static_cast<std::size_t>(LayerLives::count_rows(points(c)));
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(first_element(c + 1) - first_element(c)); ++i) {

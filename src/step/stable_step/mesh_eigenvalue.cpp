@@ -74,9 +74,9 @@ void MeshEigenvalue::apply(const State& state, double step) {
   const ElasticProbe probe{state.x, vector_, step, coarse_ratio * step};
   const ChunkFields fields{state.elements, slots_, state.results};
   const ExecSpace space;
-  apply_elastic_operator(space, model_.chunks, model_.sending_blocks, probe, fields);
+  apply_elastic_operator(space, model_.chunks, model_.sending.hexahedra, probe, fields);
   halo_.begin(space, slots_);
-  apply_elastic_operator(space, model_.chunks, model_.blocks, probe, fields);
+  apply_elastic_operator(space, model_.chunks, model_.others.hexahedra, probe, fields);
   halo_.end();
 }
 

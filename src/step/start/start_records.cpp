@@ -83,7 +83,7 @@ std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& 
 }
 
 std::string StartRecords::set_history(const StartElement& of, HistoryScalar name, std::int64_t layer, double value) {
-  const HexChunks& chunks = model_.chunks;
+  const ElementChunks& chunks = model_.chunks;
   const int place = chunks.find_scalar(of.chunk, name), points = chunks.points(of.chunk);
   if (place < 0 && name == HistoryScalar::equivalent_plastic_strain && value == 0) return "";
   if (place < 0)
@@ -103,7 +103,7 @@ double StartRecords::set_solid_stress(const StartElement& of, const double* stre
 
 /// In the frame of the shell: each layer has its stress in the plane, the shear across is the mean of all layers.
 std::string StartRecords::set_shell_stress(const StartElement& of, const StartRow& row, double& energy) {
-  const HexChunks& chunks = model_.chunks;
+  const ElementChunks& chunks = model_.chunks;
   const double thickness = get(of, ShellRecord::thickness);
   const ShellPlace place = find_place(mesh_, at(of.element), thickness, of.moduli.mu);
   const double* const g = row.stress;

@@ -21,7 +21,7 @@ template <class Material, HexKind Kind>
 HexBlock<Material, Kind> make_whole_block(const Box& box) {
   std::vector<int> all;
   for (int c = 0; c < box.chunks.count; ++c) all.push_back(c);
-  return {to_view("chunks", all), Kokkos::View<HexParameters<Material>*, MemSpace>("parameters", 1)};
+  return {to_view("chunks", all), Kokkos::View<SolidParameters<Material>*, MemSpace>("parameters", 1)};
 }
 
 /// The box after some steps. Stored: elements side by side; other than those of packs: by threads.

@@ -21,7 +21,7 @@ J2Plasticity make_material(const J2Plasticity*) { return {lambda, mu, 1e30, 0}; 
 
 template <class Material, HexKind Kind>
 struct Probed {
-  HexParameters<Material> par{make_material(static_cast<const Material*>(nullptr)), lambda, mu, 0.05, {0, 0}};
+  SolidParameters<Material> par{make_material(static_cast<const Material*>(nullptr)), lambda, mu, 0.05, {0, 0}};
   Corners corners;
   double mass;
 

@@ -38,7 +38,7 @@ struct Brick {
 /// Twice the energy rate of a velocity field, f . v / dt after a step dt from rest: v K v.
 template <HexKind Kind>
 double find_stiffness(const LameConstants& m, const Corners& c, const Corners& v) {
-  const HexParameters<Elastic> par{{m.lambda, m.mu}, m.lambda, m.mu, 0.05, {0, 0}};
+  const SolidParameters<Elastic> par{{m.lambda, m.mu}, m.lambda, m.mu, 0.05, {0, 0}};
   auto state = make_state<Elastic, Kind>(1.0);
   const double dt = 1e-8;
   Corners f{};
@@ -119,7 +119,7 @@ TYPED_TEST(HexKindsThatBend, BendingDoesNotLockAsTheMaterialBecomesIncompressibl
 TYPED_TEST(HexKinds, ForcesWorkWhatInternalAndHourglassEnergyGain) {
   Random random(5);
   const LameConstants m = find_lame_constants(1, 0.3);
-  const HexParameters<J2Plasticity> par{{m.lambda, m.mu, 1e3, 0}, m.lambda, m.mu, 0.05, {0.06, 1.2}};
+  const SolidParameters<J2Plasticity> par{{m.lambda, m.mu, 1e3, 0}, m.lambda, m.mu, 0.05, {0.06, 1.2}};
   for (int k = 0; k < 20; ++k) {
     const Corners x = make_element(random, 1, 0.6, 1.4, 0.2);
     const Corners v = make_element(random, 1, 1, 1, 1);
@@ -147,7 +147,7 @@ TYPED_TEST(HexKinds, ForcesWorkWhatInternalAndHourglassEnergyGain) {
 TEST(AssumedStrain, ForcesAreLimitedByWhatYieldLeavesAndFollowTheReturn) {
   const LameConstants m = find_lame_constants(1, 0.3);
   const double yield = 1e-3;
-  const HexParameters<J2Plasticity> par{{m.lambda, m.mu, yield, 0}, m.lambda, m.mu, 0, {0, 0}};
+  const SolidParameters<J2Plasticity> par{{m.lambda, m.mu, yield, 0}, m.lambda, m.mu, 0, {0, 0}};
   const Brick cube(1, 1, 1);
   auto state = make_state<J2Plasticity, HexKind::assumed_strain>(1.0);
   Corners f{};

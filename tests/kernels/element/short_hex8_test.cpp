@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "kernels/material/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double young = 200e9, poisson = 0.3, density = 7800, unit = 6e-8;
 
-HexParameters<J2Plasticity> make_parameters(double yield) {
+SolidParameters<J2Plasticity> make_parameters(double yield) {
   const LameConstants c = find_lame_constants(young, poisson);
   return {{c.lambda, c.mu, yield, 1e9}, c.lambda, c.mu, 0.05, {0.06, 1.2}};
 }
@@ -55,7 +55,7 @@ double find_size(const Symmetric3<double>& s) { return std::sqrt(contract(s, s))
 /// An element that both precisions go through.
 template <HexKind Kind>
 struct Twins {
-  HexParameters<J2Plasticity> par = make_parameters(100e6);
+  SolidParameters<J2Plasticity> par = make_parameters(100e6);
   Corners x;
   HexState<double, J2Plasticity, Kind> longer;
   HexState<float, J2Plasticity, Kind> shorter;
@@ -291,7 +291,7 @@ TYPED_TEST(ShortHex8, CalledMaterialsWorkInDouble) {
   constexpr HexKind kind = TypeParam::value;
   Random random(35);
   const J2Plasticity law = J2Plasticity::make({young, poisson, 100e6, 1e9});
-  HexParameters<CalledMaterial> par;
+  SolidParameters<CalledMaterial> par;
   par.material = make_called_material(law, density);
   par.lambda = law.lambda;
   par.mu = law.mu;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "kernels/material/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
@@ -14,9 +14,9 @@ namespace {
 constexpr double density = 7800, young = 200e9, poisson = 0.3;
 
 template <class Material>
-HexParameters<Material> make_parameters(const Material& material) {
+SolidParameters<Material> make_parameters(const Material& material) {
   const LameConstants c = find_lame_constants(young, poisson);
-  HexParameters<Material> par;
+  SolidParameters<Material> par;
   par.material = material;
   par.lambda = c.lambda;
   par.mu = c.mu;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kernels/element/hex_chunks.hpp"
+#include "kernels/element/element_chunks.hpp"
 #include "tests/kernels/element/random_element.hpp"
 #include "tests/kernels/material/point_driver.hpp"
 #include "tests/kernels/material/sample_materials.hpp"
@@ -117,7 +117,7 @@ class Element {
   double energy = 0;  // internal, per volume at the start
 
  private:
-  HexParameters<Material> par_;
+  SolidParameters<Material> par_;
   Corners start_{}, x_{};
   double volume_ = 0;
 };

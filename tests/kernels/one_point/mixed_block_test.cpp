@@ -84,7 +84,7 @@ struct MixedBlock {
   }
 
   /// Forces on the nodes, the least step and the power of the stresses, from positions at n+1 and velocities.
-  Outcome advance(const HexParameters<Elastic>& par, const NodeField& v, double dt) {
+  Outcome advance(const SolidParameters<Elastic>& par, const NodeField& v, double dt) {
     const auto tensor = [](const Sums& s) { return s.a; };
     std::vector<Sums> rates(x.size()), stresses(x.size());
     std::vector<OnePointMotion<double, Shape>> motions;
@@ -161,7 +161,7 @@ TYPED_TEST(MixedOnePoint, HasOneStressInALinearField) {
 TYPED_TEST(MixedOnePoint, HasForcesWhosePowerIsThatOfItsStresses) {
   Random random(12);
   MixedBlock<TypeParam> block(random, 3, 0.15);
-  const HexParameters<Elastic> par = make_solid_parameters({2e9, 1e9}, 0.05, {0.06, 1.2});
+  const SolidParameters<Elastic> par = make_solid_parameters({2e9, 1e9}, 0.05, {0.06, 1.2});
   const NodeField v = make_field(random, block.x.size());
   for (std::size_t e = 0; e < block.states.size(); e += 5) block.states[e].gap = -0.6;  // the guard acts
   const double dt = 1e-7;
@@ -187,7 +187,7 @@ TYPED_TEST(MixedOnePoint, HasAStepBelowTheTrueLargestFrequency) {
   for (int k = 0; k < 24; ++k) {
     MixedBlock<TypeParam> block(random, 2, 0.2 * std::abs(random()));
     const double hourglass[] = {0.05, 0.5, 2, 0};
-    const HexParameters<Elastic> par =
+    const SolidParameters<Elastic> par =
         make_solid_parameters(find_lame_constants(1e9, 0.25 + 0.2499 * random()), hourglass[k % 4]);
     for (auto& state : block.states)
       if (k % 2 == 1 && random() < 0) state.gap = -0.6;  // the guard acts

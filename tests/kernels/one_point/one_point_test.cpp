@@ -173,7 +173,7 @@ TYPED_TEST(OnePoint, StoresTheWorkThatItsForcesDo) {
 
 /// Largest eigenvalue of M^-1 K by the power method, from the forces of small motions.
 template <class Shape>
-double find_frequency_square(const Places<Shape>& x, const HexParameters<Elastic>& par, double mass, Random& random) {
+double find_frequency_square(const Places<Shape>& x, const SolidParameters<Elastic>& par, double mass, Random& random) {
   const double small = 1e-7;
   Places<Shape> u = make_motion<Shape>(random);
   double square = 0;

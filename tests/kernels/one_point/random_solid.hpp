@@ -73,8 +73,8 @@ ElasticSolid<Shape> make_solid(double mass) {
   return s;
 }
 
-inline HexParameters<Elastic> make_solid_parameters(const LameConstants& c, double hourglass = 0.05,
-                                                    BulkViscosity viscosity = {0, 0}) {
+inline SolidParameters<Elastic> make_solid_parameters(const LameConstants& c, double hourglass = 0.05,
+                                                      BulkViscosity viscosity = {0, 0}) {
   return {{c.lambda, c.mu}, std::max(c.lambda, 0.0), c.mu, hourglass, viscosity};
 }
 

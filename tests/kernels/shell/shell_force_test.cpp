@@ -42,7 +42,7 @@ struct Strip {
   }
 };
 
-HexChunks make_chunks() {
+ElementChunks make_chunks() {
   constexpr int packs = (element_count + width - 1) / width;
   std::vector<int> nodes(node_count);
   for (int n = 0; n < node_count; ++n) nodes[static_cast<std::size_t>(n)] = n;
@@ -53,7 +53,7 @@ HexChunks make_chunks() {
       corners[static_cast<std::size_t>((i / width * 8 + k) * width + i % width)] = static_cast<std::uint16_t>(node);
     }
   }
-  HexChunks chunks;
+  ElementChunks chunks;
   chunks.count = 1;
   chunks.largest_slot_count = node_count;
   chunks.first_element = to_view<int>("first_element", {0, element_count});
@@ -100,7 +100,7 @@ TEST(ShellLauncher, GivesWhatThePureFunctionGives) {
   for (int e = 0; e < element_count; ++e) {
     shells.emplace_back(make_material(), point_count, Strip::gather(strip.x, e), thickness, density);
   }
-  const HexChunks chunks = make_chunks();
+  const ElementChunks chunks = make_chunks();
   const Array<double> state = make_records(shells, find_shell_record_size(point_count, J2Layer::most_history));
   ShellBlocks blocks;
   auto& block = std::get<ShellBlock<J2Layer>>(blocks);

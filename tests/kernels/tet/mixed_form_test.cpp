@@ -12,7 +12,7 @@ namespace {
 TEST(MixedTets, HaveOneStressInALinearField) {
   Random random(11);
   TetPatch patch(random, 3, 0.2);
-  const HexParameters<Elastic> par = make_tet_parameters({2e9, 1e9});
+  const SolidParameters<Elastic> par = make_tet_parameters({2e9, 1e9});
   const Matrix3<double> g = random_matrix(random, 1);
   NodeField v;
   for (const auto& x : patch.x) v.push_back(g * x);
@@ -29,7 +29,7 @@ TEST(MixedTets, HaveOneStressInALinearField) {
 TEST(MixedTets, HaveForcesWhosePowerIsThatOfTheirStresses) {
   Random random(12);
   TetPatch patch(random, 3, 0.2);
-  const HexParameters<Elastic> par = make_tet_parameters({2e9, 1e9}, {0.06, 1.2});
+  const SolidParameters<Elastic> par = make_tet_parameters({2e9, 1e9}, {0.06, 1.2});
   const NodeField v = make_field(random, patch.x.size());
   for (std::size_t e = 0; e < patch.states.size(); e += 5) patch.states[e].gap = -0.6;
   // From the guard's own start: its work of the first step is that of the trapezoid from zero.
@@ -56,7 +56,7 @@ TEST(MixedTets, HaveAStepBelowTheTrueLargestFrequency) {
   double tightest = 0;
   for (int k = 0; k < 24; ++k) {
     TetPatch patch(random, 2, 0.3 * std::abs(random()));
-    const HexParameters<Elastic> par = make_tet_parameters(find_lame_constants(1e9, 0.2 + 0.299 * random()));
+    const SolidParameters<Elastic> par = make_tet_parameters(find_lame_constants(1e9, 0.2 + 0.299 * random()));
     for (auto& state : patch.states)
       if (k % 2 == 1 && random() < 0) state.gap = -0.6;  // the guard acts
     TetPatch evaluated = patch;

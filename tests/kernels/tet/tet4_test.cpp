@@ -98,7 +98,7 @@ TEST(Tet4Force, OfAStressSumsToNothingAndHasItsPower) {
 TEST(Tet4Force, ARigidTurnStrainsNothing) {
   Random random(6);
   TetCorners<double> x = make_corners(random);
-  const HexParameters<Elastic> par = make_tet_parameters({2e9, 1e9});
+  const SolidParameters<Elastic> par = make_tet_parameters({2e9, 1e9});
   ElasticTet state = make_tet(1);
   const Vector3<double> axis{0.3, -0.5, 0.4};
   for (int step = 0; step < 50; ++step) {  // each turns about the middle of its way, as the mid-point rule is exact for
@@ -132,7 +132,7 @@ TEST(Tet4Step, OfAPlainElementIsBoundedByItsTrueLargestFrequency) {
   for (int k = 0; k < 200; ++k) {
     const TetCorners<double> x = make_corners(random);
     const LameConstants c = find_lame_constants(1e9, 0.2 + 0.299 * random());
-    const HexParameters<Elastic> par = make_tet_parameters(c);
+    const SolidParameters<Elastic> par = make_tet_parameters(c);
     const double mass = 1000 * find_tet_geometry(x).volume, dt = 1e-8;
     TetCorners<double> v = make_velocities(random);
     double square = 0;

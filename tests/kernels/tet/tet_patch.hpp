@@ -25,7 +25,7 @@ inline ElasticTet make_tet(double mass) {
   return s;
 }
 
-inline HexParameters<Elastic> make_tet_parameters(const LameConstants& c, BulkViscosity viscosity = {0, 0}) {
+inline SolidParameters<Elastic> make_tet_parameters(const LameConstants& c, BulkViscosity viscosity = {0, 0}) {
   return {{c.lambda, c.mu}, std::max(c.lambda, 0.0), c.mu, 0, viscosity};
 }
 
@@ -91,7 +91,7 @@ struct TetPatch {
     double step = 1e300, work = 0;
   };
 
-  Outcome advance(const HexParameters<Elastic>& par, const NodeField& v, double dt) {
+  Outcome advance(const SolidParameters<Elastic>& par, const NodeField& v, double dt) {
     struct Sums {
       Symmetric3<double> a{};
       double volume = 0, bulk = 0, shear = 0, mass = 0, square = 0;

@@ -101,11 +101,11 @@ class OneByOne {
     double f[3][8];
     if (is_plastic(e)) {
       const LameConstants c = find_lame_constants(117e9, 0.35);
-      const HexParameters<J2Plasticity> par{{c.lambda, c.mu, 400e6, 1e9}, c.lambda, c.mu, 0.1, {0.06, 1.2}};
+      const SolidParameters<J2Plasticity> par{{c.lambda, c.mu, 400e6, 1e9}, c.lambda, c.mu, 0.1, {0.06, 1.2}};
       results.push_back(advance_hex8(par, a, v, dt, plastic_[e], {f[0], f[1], f[2]}));
     } else {
       const LameConstants c = find_lame_constants(200e9, 0.3);
-      const HexParameters<Elastic> par{{c.lambda, c.mu}, c.lambda, c.mu, 0.1, {0.06, 1.2}};
+      const SolidParameters<Elastic> par{{c.lambda, c.mu}, c.lambda, c.mu, 0.1, {0.06, 1.2}};
       results.push_back(advance_hex8(par, a, v, dt, elastic_[e], {f[0], f[1], f[2]}));
     }
     for (std::size_t i = 0; i < 8; ++i) {
@@ -163,7 +163,7 @@ void compare_steps(const std::string& elements) {
     const double dt = 2e-5;
     move_nodes(ExecSpace(), scene.state.v, dt, scene.state.x);
     const std::vector<Vec3> expected = one_by_one.advance(dt);
-    advance_elements(ExecSpace(), scene.model.chunks, scene.model.blocks, {scene.state.x, scene.state.v, dt},
+    advance_elements(ExecSpace(), scene.model.chunks, scene.model.others.hexahedra, {scene.state.x, scene.state.v, dt},
                      scene.state.chunk_fields());
     assemble_slots(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, force);
     const auto host = to_host(force);

@@ -147,7 +147,7 @@ TEST(ModelOnRanks, OwnsEveryNodeOnceAndComputesEveryChunkOnce) {
   const auto count = [&](const auto&... block) {
     return (0 + ... + static_cast<std::int64_t>(block.chunks.extent(0)));
   };
-  sums[2] = std::apply(count, model.blocks) + std::apply(count, model.sending_blocks);
+  sums[2] = std::apply(count, model.others.hexahedra) + std::apply(count, model.sending.hexahedra);
   EXPECT_EQ(sums[2], model.chunks.count);
   MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
   const std::int64_t nodes = scene.chunked.numbering.node_count();

@@ -102,7 +102,7 @@ class LinearModel {
   void add_element(const std::array<std::size_t, 8>& element, const LinearMaterial& material, double coefficient,
                    BandedMatrix& k) {
     const LameConstants m = find_lame_constants(material.young, material.poisson);
-    const HexParameters<Elastic> par{{m.lambda, m.mu}, m.lambda, m.mu, coefficient, {0, 0}};
+    const SolidParameters<Elastic> par{{m.lambda, m.mu}, m.lambda, m.mu, coefficient, {0, 0}};
     Corners c{};
     for (std::size_t i = 0; i < 8; ++i)
       c.x[i] = nodes_[element[i]][0], c.y[i] = nodes_[element[i]][1], c.z[i] = nodes_[element[i]][2];

@@ -12,7 +12,7 @@ namespace percuss::test {
 namespace {
 
 /// Solves K u = load for u on the free unknowns by conjugate gradients, scaled by the masses.
-NodeField solve(TetPatch& patch, const HexParameters<Elastic>& par, const NodeField& free, const NodeField& load) {
+NodeField solve(TetPatch& patch, const SolidParameters<Elastic>& par, const NodeField& free, const NodeField& load) {
   const std::vector<ElasticTet> start = patch.states;
   const double dt = 1e-9;  // stresses grow from zero: what is left of the second order is 1e-9 of the first
   const auto apply = [&](const NodeField& u) {
@@ -75,7 +75,7 @@ double find_cook_deflection(int n, double poisson) {
     elements.push_back(e);
   }
   TetPatch patch(x, elements);
-  const HexParameters<Elastic> par = make_tet_parameters(find_lame_constants(240.565, poisson));
+  const SolidParameters<Elastic> par = make_tet_parameters(find_lame_constants(240.565, poisson));
   return solve(patch, par, free, load)[lattice - 1].y;
 }
 

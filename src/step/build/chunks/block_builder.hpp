@@ -100,7 +100,7 @@ struct BlockBuilder {
   template <class Material, class IsOurs, class Block, class Describe>
   void add_chunks(const IsOurs& is_ours, Block& block, const Describe& describe) {
     std::vector<int> chunks;
-    std::vector<HexParameters<Material>> rows;
+    std::vector<SolidParameters<Material>> rows;
     std::map<std::tuple<int, bool, std::array<double, 3>>, int> row_of_settings;
     for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
       if (!is_ours(chunked.chunks[c])) continue;
@@ -159,8 +159,8 @@ struct BlockBuilder {
   }
 
   template <class Material>
-  static HexParameters<Material> make_parameters(const Material& material, const ElementDeck& settings) {
-    HexParameters<Material> p;
+  static SolidParameters<Material> make_parameters(const Material& material, const ElementDeck& settings) {
+    SolidParameters<Material> p;
     p.material = material;
     const LameConstants c = material.moduli();
     p.lambda = std::max(c.lambda, 0.0);

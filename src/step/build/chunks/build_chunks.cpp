@@ -8,9 +8,9 @@
 #include "kernels/element/hex8/fold_resistance.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/chunks/block_builder.hpp"
 #include "src/step/build/chunks/build_shells.hpp"
+#include "src/step/elements/build_beams.hpp"
 
 namespace percuss {
 namespace {
@@ -95,7 +95,16 @@ std::vector<std::size_t> place_records(const ChunkTables& tables, const std::vec
   return first_state;
 }
 
-void take_tables(const ChunkTables& tables, HexChunks& chunks) {
+std::vector<ElementFamily> list_families(const ChunkedMesh& chunked) {
+  std::vector<ElementFamily> families;
+  for (const Chunk& chunk : chunked.chunks)
+    families.push_back(find_topology(find_block(chunked, chunk).topology).family);
+  return families;
+}
+
+void take_tables(const ChunkedMesh& chunked, const ChunkTables& tables, ElementChunks& chunks) {
+  chunks.count = static_cast<int>(chunked.chunks.size());
+  chunks.family = to_view("percuss::family_of_chunk", list_families(chunked));
   chunks.largest_slot_count = tables.largest_slot_count;
   chunks.first_element = to_view("percuss::first_element", tables.first_element);
   chunks.first_slot = to_view("percuss::first_slot", tables.first_slot);
@@ -123,9 +132,9 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        std::vector<std::size_t>(count),
                        empty,
                        {}};
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.tet_blocks);
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.one_point_blocks);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.hexahedra);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.tetrahedra);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.one_point);
   build_shell_blocks(deck, chunked,
                      {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
                       builder.first_start, builder.start_count, builder.start_values},
@@ -133,9 +142,8 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   build_beam_block(deck, chunked,
                    {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars}, model);
 
-  HexChunks& chunks = model.chunks;
-  chunks.count = static_cast<int>(count);
-  take_tables(tables, chunks);
+  ElementChunks& chunks = model.chunks;
+  take_tables(chunked, tables, chunks);
   if (deck.elements.resist_folding)
     chunks.fold_threshold = to_view("percuss::fold_threshold", find_fold_thresholds(chunked));
   chunks.first_state = to_view("percuss::first_state", place_records(tables, builder.record_size, model));

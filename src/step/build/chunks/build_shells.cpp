@@ -147,12 +147,9 @@ bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
   if (!model.has_rotations) return;
   check_materials(deck, chunked.mesh);
-  std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
-  std::vector<int> kinds;
+  std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.others.shells);
   std::vector<double> thickness;
-  for (const Chunk& chunk : chunked.chunks) kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
   for (std::size_t e = 0; e < chunked.mesh.elements.size(); ++e) thickness.push_back(chunked.mesh.thickness_of(e));
-  model.chunks.is_shell = to_view("percuss::is_shell", kinds);
   model.start_thickness = to_view("percuss::start_thickness", thickness);
   model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
 }

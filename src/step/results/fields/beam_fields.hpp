@@ -11,14 +11,13 @@ namespace percuss {
 struct BeamTables {
   Rows3<const double> x;
   Kokkos::View<BeamParameters*, MemSpace> parameters;
-  BeamMarks is_beam;
 
-  BeamTables(const Model& model, const State& state)
-      : x(state.x), parameters(model.beam_block.parameters), is_beam(model.is_beam_chunk) {}
+  BeamTables(const Model& model, const State& state) : x(state.x), parameters(model.others.beams.parameters) {}
 };
 
 /// Unit vector along element e of chunk c, from its first node to its second.
-KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, const HexChunks& chunks, int c, int e) {
+KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, const ElementChunks& chunks, int c,
+                                                      int e) {
   Vector3<double> ends[2];
   for (int k = 0; k < 2; ++k) {
     const int n = chunks.slots_to_nodes(number_corner_slot(chunks, c, e - chunks.first_element(c), k));
@@ -29,7 +28,7 @@ KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, 
 }
 
 /// The mean normal stress of the section, in space axes: xx, yy, zz, xy, yz, zx.
-KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const HexChunks& chunks, int c, int e,
+KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const ElementChunks& chunks, int c, int e,
                                              const ElementRecord& record, double* row) {
   const double stress = record[BeamRecord::forces] / tables.parameters(chunks.parameters(c)).area;
   const Vector3<double> a = find_beam_axis(tables, chunks, c, e);
@@ -42,7 +41,8 @@ KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const Hex
 }
 
 /// The largest plastic strain of the fibres.
-KOKKOS_INLINE_FUNCTION double read_beam_plastic_strain(const HexChunks& chunks, int c, const ElementRecord& record) {
+KOKKOS_INLINE_FUNCTION double read_beam_plastic_strain(const ElementChunks& chunks, int c,
+                                                       const ElementRecord& record) {
   double largest = 0;
   for (int i = 0; i < chunks.points(c); ++i) largest = larger(largest, record.get(BeamRecord::fibres + 2 * i + 1));
   return largest;

@@ -37,7 +37,7 @@ struct Lives {
   }
 };
 
-KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
+KOKKOS_INLINE_FUNCTION int find_chunk(const ElementChunks& chunks, int e) {
   int low = 0, high = chunks.count;
   while (high - low > 1) {
     const int middle = low + (high - low) / 2;
@@ -54,13 +54,13 @@ struct ReadStress {
   BeamTables beams;
   int point = ShellPoint::mean;
   bool is_of_solids = false;  // whether hexahedra have points, too
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const ElementRecord& record,
+  KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int e, const ElementRecord& record,
                                          double* row) const {
     if (is_shell(chunks, c)) {
       read_shell_stress(shells, {chunks, c, e, record}, point, row);
       return;
     }
-    if (beams.is_beam(c)) {
+    if (is_beam(chunks, c)) {
       read_beam_stress(beams, chunks, c, e, record, row);
       return;
     }
@@ -99,11 +99,10 @@ struct ReadScalar {
   static constexpr int components = 1;
   static constexpr bool fades = false;
   ShellTables shells;
-  BeamMarks is_beam;
   HistoryScalar name;
   int point = ShellPoint::mean;
   bool is_of_solids = false;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const ElementRecord& record,
+  KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int e, const ElementRecord& record,
                                          double* row) const {
     if (is_shell(chunks, c)) {
       const auto& rule = shells.rules(chunks.points(c));
@@ -113,7 +112,7 @@ struct ReadScalar {
       row[0] = has ? read_layers({chunks, c, e, record}, rule, place - ShellRecord::layers, point, whole) : 0;
       return;
     }
-    if (is_beam(c)) {
+    if (is_beam(chunks, c)) {
       const bool has = name == HistoryScalar::equivalent_plastic_strain;
       row[0] = has ? read_beam_plastic_strain(chunks, c, record) : 0;
       return;
@@ -133,7 +132,7 @@ struct ReadScalar {
 struct ReadThickness {
   static constexpr int components = 1;
   static constexpr bool fades = false;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const ElementRecord& record,
+  KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int /*e*/, const ElementRecord& record,
                                          double* row) const {
     row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness] : 0;
   }
@@ -144,11 +143,10 @@ template <int Count>
 struct ReadBeamForces {
   static constexpr int components = Count;
   static constexpr bool fades = true;
-  BeamMarks is_beam;
   int first = 0;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const ElementRecord& record,
+  KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int /*e*/, const ElementRecord& record,
                                          double* row) const {
-    for (int k = 0; k < Count; ++k) row[k] = is_beam(c) ? double{record[BeamRecord::forces + first + k]} : 0;
+    for (int k = 0; k < Count; ++k) row[k] = is_beam(chunks, c) ? double{record[BeamRecord::forces + first + k]} : 0;
   }
 };
 
@@ -171,7 +169,7 @@ std::vector<double> copy_out(const Array<double>& view) {
 template <class Read>
 std::vector<double> read_all(const Model& model, const State& state, const Read& read) {
   const Array<double> out("percuss::element_field", Read::components * static_cast<std::size_t>(model.element_count));
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const auto elements = state.elements;
   const Lives lives{model.failing, state.lives};
   Kokkos::parallel_for(
@@ -190,7 +188,7 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
                               const Read& read) {
   const Array<double> out("percuss::element_values", Read::components * wanted.size());
   const Array<int> list = to_view("percuss::wanted_elements", wanted);
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const auto elements = state.elements;
   const Lives lives{model.failing, state.lives};
   Kokkos::parallel_for(
@@ -215,7 +213,7 @@ std::vector<double> read_lives(const Model& model, const State& state, const Ele
   const bool is_of_all = of.some() == nullptr;
   const std::size_t count = is_of_all ? static_cast<std::size_t>(model.element_count) : of.some()->size();
   const Array<double> out("percuss::element_field", count);
-  const HexChunks chunks = model.chunks;
+  const ElementChunks chunks = model.chunks;
   const Lives lives{model.failing, state.lives};
   if (!is_of_all) {
     const Array<int> list = to_view("percuss::wanted_elements", *of.some());
@@ -235,7 +233,7 @@ std::vector<double> read_lives(const Model& model, const State& state, const Ele
 }
 
 ReadScalar read_plastic_strain(const Model& model, const State& state, int point = ShellPoint::mean) {
-  return {{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, point};
+  return {{model, state}, HistoryScalar::equivalent_plastic_strain, point};
 }
 
 }  // namespace
@@ -262,19 +260,19 @@ std::vector<double> find_thicknesses(const Model& model, const State& state, con
 }
 
 std::vector<double> find_axial_forces(const Model& model, const State& state, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadBeamForces<1>{model.is_beam_chunk});
+  return read_chosen(model, state, of, ReadBeamForces<1>{});
 }
 
 std::vector<double> find_section_forces(const Model& model, const State& state, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadBeamForces<3>{model.is_beam_chunk});
+  return read_chosen(model, state, of, ReadBeamForces<3>{});
 }
 
 std::vector<double> find_section_moments(const Model& model, const State& state, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadBeamForces<3>{model.is_beam_chunk, 3});
+  return read_chosen(model, state, of, ReadBeamForces<3>{3});
 }
 
 std::vector<double> find_section_results(const Model& model, const State& state, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadBeamForces<6>{model.is_beam_chunk});
+  return read_chosen(model, state, of, ReadBeamForces<6>{});
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const ElementChoice& of) {
@@ -287,7 +285,7 @@ std::vector<double> find_point_plastic_strains(const Model& model, const State& 
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadScalar{{model, state}, model.is_beam_chunk, name});
+  return read_chosen(model, state, of, ReadScalar{{model, state}, name});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {
@@ -314,18 +312,17 @@ std::vector<double> find_point_stress(const Model& model, const State& state, co
 }
 
 double find_point_plastic_strain(const Model& model, const State& state, const ElementPoint& of) {
-  const ReadScalar read{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, of.point, true};
+  const ReadScalar read{{model, state}, HistoryScalar::equivalent_plastic_strain, of.point, true};
   return read_some(model, state, {of.element}, read)[0];
 }
 
 int count_points(const Model& model, int element) {
-  const HexChunks& chunks = model.chunks;
+  const ElementChunks& chunks = model.chunks;
   const auto first_element = to_host(chunks.first_element);
   int chunk = 0;
   while (first_element(static_cast<std::size_t>(chunk) + 1) <= element) ++chunk;
   const int points = to_host(chunks.points)(static_cast<std::size_t>(chunk));
-  const auto shells = to_host(chunks.is_shell);  // empty in a scene without any
-  const bool has_rule = shells.extent(0) > 0 && shells(static_cast<std::size_t>(chunk)) != 0;
+  const bool has_rule = to_host(chunks.family)(static_cast<std::size_t>(chunk)) == ElementFamily::shells;
   return has_rule ? to_host(model.thickness_rules)(static_cast<std::size_t>(points)).count : points;
 }
 

@@ -31,7 +31,7 @@ struct ShellTables {
 
 /// Element e of chunk c and its record.
 struct RecordedShell {
-  const HexChunks& chunks;
+  const ElementChunks& chunks;
   int c, e;
   ElementRecord record;
 };
@@ -65,7 +65,7 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const RecordedShell& she
 KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const RecordedShell& shell, int point,
                                               double* row) {
   constexpr int shear = 3;  // ShellState::shear
-  const HexChunks& chunks = shell.chunks;
+  const ElementChunks& chunks = shell.chunks;
   const int c = shell.c, i = shell.e - chunks.first_element(c);
   const ElementRecord& record = shell.record;
   const ThicknessPoints& rule = tables.rules(chunks.points(c));

@@ -59,7 +59,7 @@ Corners subtract(const Corners& a, const Corners& b) {
 template <HexKind Kind>
 double find_work(const Cycle& cycle, double size) {
   constexpr int steps = 1000;
-  const HexParameters<Elastic> par{{moduli.lambda, moduli.mu}, moduli.lambda, moduli.mu, 0.05, {0, 0}};
+  const SolidParameters<Elastic> par{{moduli.lambda, moduli.mu}, moduli.lambda, moduli.mu, 0.05, {0, 0}};
   auto state = make_state<Elastic, Kind>(1.0);
   Corners x = cycle.start, f{};
   double work = 0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double young = 200e9, poisson = 0.3, density = 7800;
 
-HexParameters<Elastic> make_parameters() {
+SolidParameters<Elastic> make_parameters() {
   const LameConstants c = find_lame_constants(young, poisson);
   return {{c.lambda, c.mu}, c.lambda, c.mu, 0.05, {0.06, 1.2}};
 }
@@ -53,7 +53,7 @@ TYPED_TEST_SUITE(Hex8Force, Kinds);
 
 TYPED_TEST(Hex8Force, HundredImposedTurnsLeaveNoStressAndNoHourglassForce) {
   Random random(11);
-  const HexParameters<Elastic> par = make_parameters();
+  const SolidParameters<Elastic> par = make_parameters();
   const Corners start = make_element(random, 1, 1, 1, 0.2);
   auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume,
                                                      find_modes(start));
@@ -82,7 +82,7 @@ TYPED_TEST(Hex8Force, HundredImposedTurnsLeaveNoStressAndNoHourglassForce) {
 
 TYPED_TEST(Hex8Force, PreStressTurnsWithTheElement) {
   Random random(12);
-  const HexParameters<Elastic> par = make_parameters();
+  const SolidParameters<Elastic> par = make_parameters();
   const Corners start = make_element(random, 1, 1, 1, 0.1);
   auto state = make_state<Elastic, TypeParam::value>(density * find_volume_gradient(find_modes(start)).volume,
                                                      find_modes(start));
@@ -146,7 +146,7 @@ TEST(CornerForces, BalanceInSumMomentAndPower) {
 
 TYPED_TEST(Hex8Force, UniaxialStrainGivesTheExactStress) {
   Random random(14);
-  const HexParameters<Elastic> par = make_parameters();
+  const SolidParameters<Elastic> par = make_parameters();
   Corners x = make_element(random, 1, 1, 1, 0.15);
   auto state = make_state<Elastic, TypeParam::value>(density, find_modes(x));
   const int steps = 100;
@@ -213,7 +213,7 @@ TYPED_TEST(Hex8Force, PacksGiveTheSameBitsAsScalars) {
   Random random(15);
   constexpr int width = pack_size<double>;
   const LameConstants c = find_lame_constants(young, poisson);
-  const HexParameters<J2Plasticity> par{{c.lambda, c.mu, 100e6, 1e9}, c.lambda, c.mu, 0.05, {0.06, 1.2}};
+  const SolidParameters<J2Plasticity> par{{c.lambda, c.mu, 100e6, 1e9}, c.lambda, c.mu, 0.05, {0.06, 1.2}};
   VectorModes<double> a[width], v[width];
   alignas(64) double packed_a[7][3][width], packed_v[7][3][width];
   for (int lane = 0; lane < width; ++lane) {

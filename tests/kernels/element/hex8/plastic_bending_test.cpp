@@ -65,7 +65,7 @@ TEST(PlasticBending, BentCubeHasTheLimitMomentOfAPlateStrip) {
   for (const double poisson : {0.0, 0.3, 0.49}) {
     const double young = 1, yield = 1e-3, step = 1e-6, curvature = 0.04;
     const J2Plasticity law = J2Plasticity::make({young, poisson, yield, 0});
-    const HexParameters<J2Plasticity> par{law, law.lambda, law.mu, 0, {0, 0}};
+    const SolidParameters<J2Plasticity> par{law, law.lambda, law.mu, 0, {0, 0}};
     Random random(1);
     const Corners cube = make_element(random, 1, 1, 1, 0);
     Corners bending{};

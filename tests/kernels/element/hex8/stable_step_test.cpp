@@ -21,7 +21,7 @@ constexpr double density = 1000;
 /// K v of the element at rest: its own forces after an infinitesimal displacement. Stresses grow from zero, so that
 /// what is left of the second order is 1e-8 of the first.
 template <HexKind Kind, class Material>
-Corners apply_stiffness(const HexParameters<Material>& par, const Corners& c, double mass, const Corners& v) {
+Corners apply_stiffness(const SolidParameters<Material>& par, const Corners& c, double mass, const Corners& v) {
   auto state = make_state<Material, Kind>(mass, find_modes(c));
   Corners f{};
   const double dt = 1e-8;
@@ -31,7 +31,7 @@ Corners apply_stiffness(const HexParameters<Material>& par, const Corners& c, do
 }
 
 template <HexKind Kind, class Material>
-double find_largest_frequency_square(const HexParameters<Material>& par, const Corners& c, double mass,
+double find_largest_frequency_square(const SolidParameters<Material>& par, const Corners& c, double mass,
                                      Random& random) {
   Corners v{};
   for (int i = 0; i < 8; ++i) v.x[i] = random(), v.y[i] = random(), v.z[i] = random();
@@ -67,11 +67,11 @@ void compare_bounds(double largest_distortion, int count) {
     const VolumeGradient<double> b = find_volume_gradient(find_modes(c));
     const double poisson = 0.2 + 0.299 * random();
     const LameConstants m = find_lame_constants(1e9, poisson);
-    const HexParameters<Material> par{make_material(m, static_cast<const Material*>(nullptr)),
-                                      std::max(m.lambda, 0.0),
-                                      m.mu,
-                                      0.05 + 0.05 * random(),
-                                      {0, 0}};
+    const SolidParameters<Material> par{make_material(m, static_cast<const Material*>(nullptr)),
+                                        std::max(m.lambda, 0.0),
+                                        m.mu,
+                                        0.05 + 0.05 * random(),
+                                        {0, 0}};
     const double mass = density * b.volume;
     auto state = make_state<Material, Kind>(mass, find_modes(c));
     Corners rest{};
@@ -101,7 +101,7 @@ TEST(StableStep, BoundIsExactForTheCubeWithoutShearCoupling) {
   const double mass = density * b.volume;
   EXPECT_NEAR(find_frequency_square(g, b.volume, mass, lambda, mu) / (4 * (3 * lambda + 2 * mu) / (density * h * h)), 1,
               1e-14);
-  const HexParameters<Elastic> par{{lambda, mu}, lambda, mu, 0.0, {0, 0}};
+  const SolidParameters<Elastic> par{{lambda, mu}, lambda, mu, 0.0, {0, 0}};
   EXPECT_NEAR(find_largest_frequency_square<HexKind::stiffness>(par, c, mass, random) /
                   find_frequency_square(g, b.volume, mass, lambda, mu),
               1, 1e-6);

@@ -64,7 +64,8 @@ struct SmallMesh {
   void find_forces(const Rows3<double>& v, double dt) {
     const State fresh = make_initial_state(model);
     Kokkos::deep_copy(state.elements, fresh.elements);
-    advance_elements(ExecSpace(), model.chunks, model.blocks, {state.x, v, dt, false, 0, watch}, state.chunk_fields());
+    advance_elements(ExecSpace(), model.chunks, model.others.hexahedra, {state.x, v, dt, false, 0, watch},
+                     state.chunk_fields());
     assemble_slots(ExecSpace(), model.nodes_to_slots, state.slot_force, state.force);
   }
 

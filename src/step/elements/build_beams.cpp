@@ -1,4 +1,4 @@
-#include "src/step/beams/build_beams.hpp"
+#include "src/step/elements/build_beams.hpp"
 
 #include <fmt/format.h>
 
@@ -111,22 +111,20 @@ void describe_records(std::size_t c, int fibre_count, const BeamRecords& records
 }
 
 void build_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRecords& records, Model& model) {
-  std::vector<int> chunks, kinds;
+  std::vector<int> chunks;
   std::vector<BeamParameters> rows;
   std::map<int, int> row_of_part;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const ElementBlock& block = find_block(chunked, chunked.chunks[c]);
-    kinds.push_back(is_of_beams(block) ? 1 : 0);
-    if (kinds.back() == 0) continue;
+    if (!is_of_beams(block)) continue;
     const auto [row, is_new] = row_of_part.emplace(block.part, static_cast<int>(rows.size()));
     if (is_new) rows.push_back(make_parameters(deck, block));
     if (!find_part(deck, block).rigid) chunks.push_back(static_cast<int>(c));
     records.parameters[c] = row->second;
     describe_records(c, rows[static_cast<std::size_t>(row->second)].fibres.count, records);
   }
-  model.beam_block.chunks = to_view("percuss::chunks_of_beams", chunks);
-  model.beam_block.parameters = to_view("percuss::beam_parameters", rows);
-  model.is_beam_chunk.marks = to_view("percuss::is_beam", kinds);
+  model.others.beams.chunks = to_view("percuss::chunks_of_beams", chunks);
+  model.others.beams.parameters = to_view("percuss::beam_parameters", rows);
 }
 
 /// The axis of the scene that lies most across a line.

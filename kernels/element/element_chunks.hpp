@@ -1,5 +1,5 @@
 #pragma once
-// Chunks of hexahedra as the launchers see them: fixed runs of packs with their own list of nodes.
+// Chunks of elements as the launchers see them: fixed runs of packs with their own list of nodes.
 //
 // A slot is one chunk's copy of one of its nodes. Chunks write nodal forces to their own slots only. A node then sums
 // its slots in ascending order of chunk id, which fixes the order of every sum for any number of threads.
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/core/element_family.hpp"
 #include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
@@ -16,7 +17,7 @@
 namespace percuss {
 
 /// Connectivity of the chunks; const after set-up. W is pack_size<Real>.
-struct HexChunks {
+struct ElementChunks {
   int count = 0;
   int largest_slot_count = 0;         // nodes of the chunk that has most
   Array<int> first_element;           // [count + 1] elements are numbered by chunk
@@ -30,20 +31,25 @@ struct HexChunks {
   Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
   Array<int> points;                  // [count] points of an element with stress and history of their own
   Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
-  Array<int> is_shell;                // [count] 1: of shells (kernels/shell); empty in a scene without any
+  Array<ElementFamily> family;        // [count] empty: all are hexahedra
   Array<Real> fold_threshold;         // [count] r0 of fold_resistance.hpp, 0: none; empty: no element resists folding
 
-  /// Where the record of an element of chunk c holds a scalar of its first point; point p of a hexahedron has it at
-  /// this
-  /// + p, that of a shell a layer's size farther (find_layer_size() in kernels/shell). -1: the material has none.
+  /// Where the record of an element of chunk c holds a scalar of its first point. Point p of a hexahedron has it p
+  /// places farther, that of a shell a layer's size (find_layer_size() in kernels/shell). -1: the material has none.
   KOKKOS_INLINE_FUNCTION int find_scalar(int c, HistoryScalar name) const {
     return scalars(c * history_scalars + static_cast<int>(name));
   }
 };
 
-/// Whether chunk c is one of shells.
-KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
-  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
+/// Of the elements of chunk c.
+KOKKOS_INLINE_FUNCTION ElementFamily find_family(const ElementChunks& chunks, int c) {
+  return chunks.family.extent(0) > 0 ? chunks.family(c) : ElementFamily::hexahedra;
+}
+KOKKOS_INLINE_FUNCTION bool is_shell(const ElementChunks& chunks, int c) {
+  return find_family(chunks, c) == ElementFamily::shells;
+}
+KOKKOS_INLINE_FUNCTION bool is_beam(const ElementChunks& chunks, int c) {
+  return find_family(chunks, c) == ElementFamily::beams;
 }
 
 using WorkRows = Kokkos::View<double* [work_kinds], Kokkos::LayoutRight, MemSpace>;
@@ -56,7 +62,7 @@ struct ChunkResults {
   WorkRows work;                   // [count][work_kinds] energy put in since the start
   Array<int> is_settled;           // [count] 1: evaluated at rest, which changed nothing
   Array<std::int64_t> skipped;     // [count] evaluations that were not needed, since the start
-  Array<double> resists;           // [count] 1: an element resists folding at n; empty as HexChunks::fold_threshold
+  Array<double> resists;           // [count] 1: an element resists folding at n; empty as ElementChunks::fold_threshold
 };
 
 /// What evaluating the elements of all chunks reads and writes.

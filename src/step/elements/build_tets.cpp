@@ -1,4 +1,4 @@
-#include "src/step/tets/build_tets.hpp"
+#include "src/step/elements/build_tets.hpp"
 
 #include <fmt/format.h>
 

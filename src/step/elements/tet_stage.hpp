@@ -19,16 +19,14 @@ class TetStage {
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces of some chunks into their slots.
-  void advance(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
-               const ElementMotion& motion) const;
+  void advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const;
 
   /// What this rank has sent of the rates and stresses of shared nodes.
   Traffic traffic() const;
 
  private:
-  void sum_rates(const TetBlocks& tets, const OnePointBlocks& others, const TetStep& step) const;
-  void advance_stresses(const State& state, const TetBlocks& tets, const OnePointBlocks& others,
-                        const TetStep& step) const;
+  void sum_rates(const ElementBlocks& blocks, const TetStep& step) const;
+  void advance_stresses(const State& state, const ElementBlocks& blocks, const TetStep& step) const;
 
   const Model& model_;
   ExecSpace space_;

@@ -1,0 +1,62 @@
+#include "src/step/elements/element_stage.hpp"
+
+#include "kernels/beam/beam_failure.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/shell/shell_failure.hpp"
+
+namespace percuss {
+
+ElementStage::ElementStage(const Model& model) : model_(model), damping_factor_(to_host(model.stiffness_damping)) {
+  if (model.has_small_solids) tets_.emplace(model);
+}
+
+void ElementStage::prepare(const State& state, const ElementMotion& motion) {
+  if (tets_) tets_->prepare(state, motion);
+}
+
+void ElementStage::advance(const State& state, const ElementBlocks& blocks, const ElementInput& input) const {
+  const ChunkFields fields = state.chunk_fields();
+  advance_elements(space_, model_.chunks, blocks.hexahedra, input.motion, fields);
+  if (tets_) tets_->advance(state, blocks, input.motion);
+  if (model_.has_rotations)
+    advance_shells(space_, model_.chunks, blocks.shells, find_shell_motion(state, input), fields);
+  if (model_.has_beams) advance_beams(space_, model_.chunks, blocks.beams, find_beam_step(state, input), fields);
+  if (damping_factor_.extent(0) > 0) damp(state, blocks, input);
+}
+
+/// Adds forces to the slots, and their work to the viscous work of the chunks.
+void ElementStage::damp(const State& state, const ElementBlocks& blocks, const ElementInput& input) const {
+  SpinDampingFields fields;
+  fields.force = state.damping_force;
+  fields.slot_force = state.slot_force;
+  fields.work = state.results.work;
+  fields.moment = state.damping_moment;
+  fields.slot_moment = state.slot_moment;
+  fields.state = state.elements;
+  damp_solids(space_, model_.chunks, blocks.damped_solids, input.motion, fields);
+  damp_shells(space_, model_.chunks, blocks.damped_shells, find_shell_motion(state, input), fields);
+  damp_beams(space_, model_.chunks, blocks.damped_beams, find_beam_step(state, input), fields);
+}
+
+ShellMotion ElementStage::find_shell_motion(const State& state, const ElementInput& input) const {
+  const ElementMotion& motion = input.motion;
+  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, input.other_bounds};
+}
+
+BeamStep ElementStage::find_beam_step(const State& state, const ElementInput& input) const {
+  const ElementMotion& motion = input.motion;
+  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, input.other_bounds, model_.failing, state.lives};
+}
+
+FailureCounts ElementStage::judge(const State& state, double dt, double time) const {
+  if (model_.failing.pack_count == 0) return {};
+  const FailingElements elements = state.failing_elements(model_.failing);
+  const FailureCounts counts = find_failures(space_, model_.chunks, elements, dt, state.results);
+  const FailureCounts of_shells =
+      find_shell_failures(space_, model_.chunks, elements, model_.thickness_rules, dt, state.results);
+  if (model_.has_beams)
+    find_beam_failures(space_, model_.chunks, {model_.others.beams.parameters, time}, elements, state.results);
+  return {counts.failing + of_shells.failing, counts.died + of_shells.died};
+}
+
+}  // namespace percuss

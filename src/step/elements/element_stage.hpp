@@ -1,0 +1,52 @@
+#pragma once
+// The elements of a step, family by family: (1.3) to (1.5) of all, what failed, and what they ask of the step.
+
+#include <optional>
+
+#include "kernels/element/failure/failure.hpp"
+#include "src/step/elements/tet_stage.hpp"
+#include "src/step/model/element_bounds.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// What the elements see of a step besides the state.
+struct ElementInput {
+  ElementMotion motion;
+  Array<double> other_bounds;  // [elements] out: step bounds of shells and beams; empty: nobody asks
+};
+
+class ElementStage {
+ public:
+  /// Collective. The model outlives this.
+  explicit ElementStage(const Model& model);
+
+  /// What comes before the forces: the stresses that wedges, pyramids and tetrahedra average over nodes. Collective.
+  void prepare(const State& state, const ElementMotion& motion);
+
+  /// The forces at n+1 of some chunks into their slots, and those of damping in proportion to stiffness.
+  void advance(const State& state, const ElementBlocks& blocks, const ElementInput& input) const;
+
+  /// Which elements fail by the forces at n+1, and which die. dt: of the step; time: n+1.
+  FailureCounts judge(const State& state, double dt, double time) const;
+
+  /// The step that a chunk allows with its damping. bound: without it.
+  double find_step(std::size_t chunk, double bound) const {
+    return damping_factor_.extent(0) > 0 ? find_damped_step(bound, damping_factor_(chunk)) : bound;
+  }
+
+  /// What this rank has sent of rates and stresses.
+  Traffic traffic() const { return tets_ ? tets_->traffic() : Traffic{}; }
+
+ private:
+  ShellMotion find_shell_motion(const State& state, const ElementInput& input) const;
+  BeamStep find_beam_step(const State& state, const ElementInput& input) const;
+  void damp(const State& state, const ElementBlocks& blocks, const ElementInput& input) const;
+
+  const Model& model_;
+  ExecSpace space_;
+  std::optional<TetStage> tets_;  // only with wedges, pyramids or tetrahedra
+  HostMirror<Array<double>> damping_factor_;
+};
+
+}  // namespace percuss

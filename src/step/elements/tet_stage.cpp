@@ -1,0 +1,52 @@
+#include "src/step/elements/tet_stage.hpp"
+
+namespace percuss {
+
+TetStage::TetStage(const Model& model)
+    : model_(model), rates_(model.ranks, model.halo), stresses_(model.ranks, model.halo) {
+  if (!model.mixes_solids) return;
+  const auto packs = static_cast<int>(model.chunks.corner_slots.extent(0) / (8 * pack_size<Real>));
+  launch_ = {model.tet_nodes, make_tet_passes(model.tet_nodes, model.slot_count, packs)};
+}
+
+void TetStage::prepare(const State& state, const ElementMotion& motion) {
+  if (!model_.mixes_solids) return;
+  const TetStep step{motion, launch_};
+  sum_rates(model_.sending, step);
+  rates_.begin(space_, launch_.passes.slot_rates);
+  sum_rates(model_.others, step);
+  rates_.end();
+  average_tet_rates(space_, launch_);
+  advance_stresses(state, model_.sending, step);
+  stresses_.begin(space_, launch_.passes.slot_stresses);
+  advance_stresses(state, model_.others, step);
+  stresses_.end();
+  average_tet_stresses(space_, launch_);
+}
+
+void TetStage::sum_rates(const ElementBlocks& blocks, const TetStep& step) const {
+  sum_tet_rates(space_, model_.chunks, blocks.tetrahedra, step);
+  sum_one_point_rates(space_, model_.chunks, blocks.one_point, step);
+}
+
+void TetStage::advance_stresses(const State& state, const ElementBlocks& blocks, const TetStep& step) const {
+  advance_tet_stresses(space_, model_.chunks, blocks.tetrahedra, step, state.elements, state.results);
+  advance_one_point_stresses(space_, model_.chunks, blocks.one_point, step, state.elements, state.results);
+}
+
+void TetStage::advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const {
+  if (model_.mixes_solids) {
+    sum_tet_forces(space_, model_.chunks, blocks.tetrahedra, {motion, launch_}, state.chunk_fields());
+    sum_one_point_forces(space_, model_.chunks, blocks.one_point, {motion, launch_}, state.chunk_fields());
+  } else {
+    advance_plain_tets(space_, model_.chunks, blocks.tetrahedra, motion, state.chunk_fields());
+    advance_one_points(space_, model_.chunks, blocks.one_point, motion, state.chunk_fields());
+  }
+}
+
+Traffic TetStage::traffic() const {
+  const Traffic a = rates_.traffic(), b = stresses_.traffic();
+  return {a.messages + b.messages, a.bytes + b.bytes};
+}
+
+}  // namespace percuss
