@@ -95,7 +95,7 @@ struct AdvanceBeamChunk {
     results.stable_step(c) = least;
     results.controlling_element(c) = controlling;
     results.failed_element(c) = failed;
-    results.work(c, 0) += work;
+    results.work(c, WorkKind::internal) += work;
     return changed;
   }
 

@@ -204,7 +204,7 @@ struct AdvanceChunk {
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     constexpr int fetched = is_called<Material> ? HexRecord::history<Kind, Material> * width : largest_size;
     ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
-    double work[work_kinds] = {0, 0, 0, 0};
+    double work[work_kinds] = {};
     FoldingPacks folding(*this, c);
     Real before[largest_size];
     bool changed = false;
@@ -236,10 +236,10 @@ struct AdvanceChunk {
         const int pack = chunks.first_pack(c) + (e - first) / width;
         watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
       }
-      work[0] += sum_lanes(result.work.internal, lanes);
-      work[1] += sum_lanes(result.work.hourglass, lanes);
-      work[2] += sum_lanes(result.work.viscous, lanes);
-      if (folding.acted()) work[3] += sum_lanes(result.work.folding, lanes);
+      work[WorkKind::internal] += sum_lanes(result.work.internal, lanes);
+      work[WorkKind::hourglass] += sum_lanes(result.work.hourglass, lanes);
+      work[WorkKind::viscous] += sum_lanes(result.work.viscous, lanes);
+      if (folding.acted()) work[WorkKind::folding] += sum_lanes(result.work.folding, lanes);
     }
     folding.leave(results, c);
     set_step(c, step, first, end);

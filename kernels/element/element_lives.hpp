@@ -11,11 +11,9 @@
 #include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
+#include "kernels/core/work_kinds.hpp"
 
 namespace percuss {
-
-/// Kinds of work that elements are given and that are booked: internal, hourglass, viscous, folding.
-inline constexpr int work_kinds = 4;
 
 /// Johnson-Cook failure strain (d1 + d2 exp(d3 s)) (1 + d4 ln(rate / reference)) (1 + d5 T), s: mean over von Mises
 /// stress; without d1 and d2: none.

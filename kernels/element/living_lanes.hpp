@@ -49,10 +49,10 @@ class LivingLanes {
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 8; ++i) f[k][i] = select(lives, share * f[k][i], zero);
     }
-    take_work(share, 0, result.work.internal);
-    take_work(share, 1, result.work.hourglass);
-    take_work(share, 2, result.work.viscous);
-    take_work(share, 3, result.work.folding);
+    take_work(share, WorkKind::internal, result.work.internal);
+    take_work(share, WorkKind::hourglass, result.work.hourglass);
+    take_work(share, WorkKind::viscous, result.work.viscous);
+    take_work(share, WorkKind::folding, result.work.folding);
     result.stable_step = select(lives, result.stable_step, Lanes(beyond_all<Real>));
     result.volume = select(lives, result.volume, Lanes(1));
   }

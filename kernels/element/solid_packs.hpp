@@ -107,7 +107,7 @@ class LivingSolids : public LivingLanes {
 struct SolidChunkSums {
   double step = 1e300;
   int controlling = -1, failed = -1;
-  double work[work_kinds] = {0, 0, 0, 0};
+  double work[work_kinds] = {};
 
   /// k: place among the kinds of work.
   PERCUSS_FORCE_INLINE void take_work(int k, const Lanes& of, int lanes) { work[k] += sum_first(of, lanes); }

@@ -35,9 +35,9 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
     OnePointResult<Lanes> result = advance_one_point(parameters, x, v, Lanes(motion.dt), of, f);
     if (living.can_fail()) settle(living, result, f);
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_work(0, result.work.internal, on.lanes);
-    sums.take_work(1, result.work.hourglass, on.lanes);
-    sums.take_work(2, result.work.viscous, on.lanes);
+    sums.take_work(WorkKind::internal, result.work.internal, on.lanes);
+    sums.take_work(WorkKind::hourglass, result.work.hourglass, on.lanes);
+    sums.take_work(WorkKind::viscous, result.work.viscous, on.lanes);
     sums.take_step(result.stable_step, result.volume, on.first_element(), on.lanes);
     on.leave_bound(motion.watch, result.stable_step);
   }
@@ -45,9 +45,9 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   static PERCUSS_FORCE_INLINE void settle(const Living& living, OnePointResult<Lanes>& result, Field& f) {
     const Lanes share = living.take_force_share(result.stable_step, result.volume);
     settle_forces<Shape::corners>(share, f);
-    living.take_work(share, 0, result.work.internal);
-    living.take_work(share, 1, result.work.hourglass);
-    living.take_work(share, 2, result.work.viscous);
+    living.take_work(share, WorkKind::internal, result.work.internal);
+    living.take_work(share, WorkKind::hourglass, result.work.hourglass);
+    living.take_work(share, WorkKind::viscous, result.work.viscous);
     settle_step(share, result.stable_step, result.volume);
   }
 };
@@ -82,15 +82,15 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
-      living.take_work(share, 0, point.work.internal);
-      living.take_work(share, 1, point.work.hourglass);
-      living.take_work(share, 2, point.work.viscous);
-      living.take_work(share, 3, point.work.guard);
+      living.take_work(share, WorkKind::internal, point.work.internal);
+      living.take_work(share, WorkKind::hourglass, point.work.hourglass);
+      living.take_work(share, WorkKind::viscous, point.work.viscous);
+      living.take_work(share, WorkKind::folding, point.work.guard);
     }
-    sums.take_work(0, point.work.internal, on.lanes);
-    sums.take_work(1, point.work.hourglass, on.lanes);
-    sums.take_work(2, point.work.viscous, on.lanes);
-    sums.take_work(3, point.work.guard, on.lanes);
+    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
+    sums.take_work(WorkKind::hourglass, point.work.hourglass, on.lanes);
+    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
+    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
     const Lanes guard = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     const Lanes scalars[TetPasses::scalars] = {point.own.mu, point.own.tangent, guard, point.own.hourglass};
     double* const row = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);

@@ -2,13 +2,7 @@
 // Layers in plane stress of every material whose flow stress depends on the equivalent plastic strain, its rate and the
 // temperature: the solid's own laws, returned to a yield surface without stress across the layer.
 
-#include "kernels/material/laws/combined_hardening.hpp"
-#include "kernels/material/laws/johnson_cook.hpp"
-#include "kernels/material/laws/power_law_plasticity.hpp"
-#include "kernels/material/laws/rate_table_plasticity.hpp"
-#include "kernels/material/laws/tabulated_plasticity.hpp"
-#include "kernels/material/laws/voce_plasticity.hpp"
-#include "kernels/material/point/type_list.hpp"
+#include "kernels/material/laws/materials.hpp"
 #include "kernels/shell/plane_stress.hpp"
 
 namespace percuss {
@@ -45,13 +39,15 @@ constexpr int count_plane_history() {
     return Law::history_count;
 }
 
+template <class Law>
+struct IsFlowLaw : std::bool_constant<FlowLaw<Law>> {};
+
 /// A layer of any of these laws, called through its number: one compiled shell serves them all. History: that of the
 /// law, p first. Of a law whose yield surface moves, the back stress in the plane follows: b, whose deviator is the
 /// solid's a, by xx, yy, xy. It moves by db = K l (s - b), which adds K, the kinematic modulus, to both rates at which
 /// the trial about b falls (Simo and Hughes 1998, section 3.4).
 struct HardeningLayer {
-  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity, CombinedHardening,
-                        JohnsonCook>;
+  using Laws = FilterList<Materials, IsFlowLaw>::type;
   static constexpr int most_history = 4;
   static constexpr bool can_yield = true;
   PlaneElasticity elasticity;

@@ -41,8 +41,8 @@ class LivingShells : public LivingLanes {
       keep(force[i]);
       keep(moment[i]);
     }
-    this->take_work(share, 0, result.work.internal);
-    this->take_work(share, 1, result.work.hourglass);
+    this->take_work(share, WorkKind::internal, result.work.internal);
+    this->take_work(share, WorkKind::hourglass, result.work.hourglass);
     result.stable_step = select(lives, result.stable_step, T(1e300));
     result.area = select(lives, result.area, T(1.0));
   }

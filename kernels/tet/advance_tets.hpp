@@ -36,13 +36,13 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
-      living.take_work(share, 0, point.work.internal);
-      living.take_work(share, 2, point.work.viscous);
-      living.take_work(share, 3, point.work.guard);
+      living.take_work(share, WorkKind::internal, point.work.internal);
+      living.take_work(share, WorkKind::viscous, point.work.viscous);
+      living.take_work(share, WorkKind::folding, point.work.guard);
     }
-    sums.take_work(0, point.work.internal, on.lanes);
-    sums.take_work(2, point.work.viscous, on.lanes);
-    sums.take_work(3, point.work.guard, on.lanes);
+    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
+    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
+    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
     const Lanes guard_modulus = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     store_pack(scalars, point.own.shear);
@@ -106,14 +106,14 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     if (living.can_fail()) {
       const Lanes share = living.take_force_share(step, volume);
       settle_forces<4>(share, f);
-      living.take_work(share, 0, point.work.internal);
-      living.take_work(share, 2, point.work.viscous);
+      living.take_work(share, WorkKind::internal, point.work.internal);
+      living.take_work(share, WorkKind::viscous, point.work.viscous);
       settle_step(share, step, volume);
     }
     scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_work(0, point.work.internal, on.lanes);
-    sums.take_work(2, point.work.viscous, on.lanes);
-    sums.take_work(3, point.work.guard, on.lanes);
+    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
+    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
+    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
     sums.take_step(step, volume, on.first_element(), on.lanes);
     on.leave_bound(this->motion.watch, step);
   }

@@ -1,8 +1,5 @@
 #include "src/deck/make_material.hpp"
 
-#include <set>
-#include <string>
-
 namespace percuss {
 
 bool has_scalar(const MaterialDeck& material, HistoryScalar name) {
@@ -24,18 +21,6 @@ LameConstants find_moduli(const MaterialDeck& material) {
     });
   }
   return moduli;
-}
-
-bool grows_in_increments(const MaterialDeck& material) {
-  static const std::set<std::string> laws = {"elastic",
-                                             "j2_plasticity",
-                                             "power_law_plasticity",
-                                             "voce_plasticity",
-                                             "tabulated_plasticity",
-                                             "combined_hardening",
-                                             "rate_table_plasticity",
-                                             "johnson_cook"};
-  return laws.contains(material.law.model) && !material.equation_of_state;
 }
 
 }  // namespace percuss

@@ -111,9 +111,6 @@ void visit_law(const MaterialDeck& material, const F& f) {
 /// Whether the history of a material has a scalar of this name.
 bool has_scalar(const MaterialDeck& material, HistoryScalar name);
 
-/// Whether the stress at the end of a step is that at its beginning and an increment: it may begin with any.
-bool grows_in_increments(const MaterialDeck& material);
-
 /// Elastic moduli at the start [stress].
 LameConstants find_moduli(const MaterialDeck& material);
 

@@ -39,10 +39,7 @@ template <class S, class Visitor>
 void visit_energy(S& s, Visitor&& v) {
   v.value("initial", s.initial);
   v.value("kinetic", s.kinetic);
-  v.value("internal", s.internal);
-  v.value("hourglass", s.hourglass);
-  v.value("viscous", s.viscous);
-  v.value("folding", s.folding);
+  for (std::size_t k = 0; k < work_kinds; ++k) v.value(WorkKind::names[k], s.work[k]);
   v.value("contact", s.contact);
   v.value("friction", s.friction);
   v.value("damping", s.damping);

@@ -1,11 +1,13 @@
 #pragma once
 // summary.json: what a run did, in numbers whose keys do not change meaning (docs/output.md).
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "kernels/core/precision.hpp"
+#include "kernels/core/work_kinds.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
@@ -19,8 +21,12 @@ struct PhaseSeconds {
 /// Energies [energy unit] at the end of the run; `error` is relative to the largest energy held so far
 /// (docs/output.md).
 struct EnergySummary {
-  double initial = 0, kinetic = 0, internal = 0, hourglass = 0, viscous = 0, folding = 0, contact = 0, friction = 0,
-         damping = 0, external = 0, error = 0;
+  double initial = 0, kinetic = 0;
+  std::array<double, work_kinds> work{};  // of elements, by WorkKind
+  double contact = 0, friction = 0, damping = 0, external = 0, error = 0;
+
+  double internal() const { return work[WorkKind::internal]; }
+  double hourglass() const { return work[WorkKind::hourglass]; }
 };
 
 /// Eroded elements: their mass, the share of it that has left the scene with removed nodes, their internal, hourglass

@@ -62,6 +62,11 @@ StepNotice Stepper::find_notice(const State& state) const {
   const auto element = to_host(state.results.controlling_element);
   const auto failed = to_host(state.results.failed_element);
   const auto work = to_host(state.results.work);
+  const auto is_finite_work = [&](std::size_t c) {
+    double sum = 0;
+    for (std::size_t k = 0; k < work_kinds; ++k) sum += work(c, k);
+    return std::isfinite(sum);
+  };
   StepNotice notice;
   for (std::size_t c = 0; c < step.extent(0); ++c) {
     const Chunk& chunk = chunked_.chunks[c];
@@ -70,7 +75,7 @@ StepNotice Stepper::find_notice(const State& state) const {
     const double bound = elements_.find_step(c, step(c));
     notice.merge({bound, element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
-                  std::isfinite(work(c, 0) + work(c, 1) + work(c, 2) + work(c, 3)) ? StepNotice::none : chunk.number});
+                  is_finite_work(c) ? StepNotice::none : chunk.number});
   }
   for (const Action* const action : order_)
     if (action->wants_masses(state, step)) notice.wants_mass = 1;

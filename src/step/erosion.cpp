@@ -249,16 +249,15 @@ void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) co
   const auto work = to_host(state.lives.work);
   const auto mass = to_host(state.element_mass);
   Books& books = state.books;
-  ExactSum* const sums[work_kinds] = {&books.eroded_internal, &books.eroded_hourglass, &books.eroded_viscous,
-                                      &books.eroded_folding};
   std::vector<int> lanes(chunked_.mesh.elements.size(), -1);
   visit_failing(model_, [&](int e, int lane) { lanes[at(e)] = lane; });
   for (const int e : newly_dead) {
     const std::size_t lane = at(lanes[at(e)]);
-    for (std::size_t k = 0; k < work_kinds; ++k) sums[k]->add(work(find_work_place(lane, k)));
+    for (std::size_t k = 0; k < work_kinds; ++k) books.eroded_work[k].add(work(find_work_place(lane, k)));
     books.eroded_mass.add(mass(at(e)));
   }
-  for (ExactSum* const sum : {sums[0], sums[1], sums[2], sums[3], &books.eroded_mass}) sum->normalize();
+  for (ExactSum& sum : books.eroded_work) sum.normalize();
+  books.eroded_mass.normalize();
   auto count = static_cast<std::int64_t>(newly_dead.size());
   all_reduce(model_.ranks, Reduce::sum, count);
   books.eroded_elements += count;

@@ -26,6 +26,7 @@ struct J2Plasticity {
   static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain};
   static constexpr int history_count = 1;
   static constexpr bool can_yield = true;
+  static constexpr bool grows_in_increments = true, is_of_fibres = true;
   static constexpr bool bends_plastically = true;  // hexahedra yield as sections (plastic_bending.hpp)
   double lambda = 0;
   double mu = 0;

@@ -73,6 +73,7 @@ struct Elastic {
   static constexpr bool is_compiled_in = true;
   static constexpr int history_count = 0;
   static constexpr bool can_yield = false;
+  static constexpr bool grows_in_increments = true, is_of_fibres = true;
   double lambda = 0;
   double mu = 0;
 

@@ -14,6 +14,24 @@ struct ValueAndSlope {
   T slope;
 };
 
+/// A plastic law whose flow stress start_flow() tells at the beginning of a step, from its history.
+template <class Law>
+concept FlowLaw = requires(const Law& law, const double* history) {
+  law.start_flow(history, 1.0);
+};
+
+/// A law whose stress grows by increments, so that it may begin with any.
+template <class Law>
+concept GrowingLaw = FlowLaw<Law> || requires {
+  requires Law::grows_in_increments;
+};
+
+/// A law that fibres of beams know.
+template <class Law>
+concept FibreLaw = requires {
+  requires Law::is_of_fibres;
+};
+
 /// Flow stress, and its derivative by dp at a given step (hardening and rate together).
 template <class T>
 using FlowStress = ValueAndSlope<T>;

@@ -13,6 +13,24 @@ namespace percuss {
 template <class... Ts>
 struct TypeList {};
 
+template <class... Lists>
+struct JoinLists;
+template <class... Ts>
+struct JoinLists<TypeList<Ts...>> {
+  using type = TypeList<Ts...>;
+};
+template <class... As, class... Bs, class... Rest>
+struct JoinLists<TypeList<As...>, TypeList<Bs...>, Rest...> : JoinLists<TypeList<As..., Bs...>, Rest...> {};
+
+/// Those of a list for which the Predicate's value is true, in their order.
+template <class List, template <class> class Predicate>
+struct FilterList;
+template <class... Ts, template <class> class Predicate>
+struct FilterList<TypeList<Ts...>, Predicate> {
+  using type =
+      typename JoinLists<TypeList<>, std::conditional_t<Predicate<Ts>::value, TypeList<Ts>, TypeList<>>...>::type;
+};
+
 /// Room for one value of a type of some list: it goes to a device as it is. Whoever holds it need not know the list.
 template <int Size>
 struct AnyOf {

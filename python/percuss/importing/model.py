@@ -41,19 +41,6 @@ class Block:
         return bool(self.shells or self.beams) and "truss" not in self.keys.get("section", {})
 
 
-NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and beams, or of a law whose elastic constants change"
-DAMPED_LAWS = {
-    "elastic", "j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "rate_table_plasticity",
-    "combined_hardening", "johnson_cook",
-}  # fmt: skip
-
-
-def takes_stiffness_damping(block: Block, law: Deck) -> bool:
-    """Whether percuss knows it for these elements and this material."""
-    is_known = all(len(set(corners)) == 8 for _, corners in block.solids)
-    return is_known and law["model"] in DAMPED_LAWS and "equation_of_state" not in law
-
-
 @dataclass
 class StartTable:
     """A file of start.fields: its rows by the ids of elements."""

@@ -84,10 +84,9 @@ std::string format_summary(const Summary& s) {
                                   s.setup_s, s.loop_s, s.grind_ns, static_cast<double>(s.peak_bytes) / 1e6));
   text += format_phases(s);
   const EnergySummary& e = s.energy;
-  text += format_line(
-      "energy",
-      fmt::format("initial {:.6g}, kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, viscous {:.6g}, folding {:.6g}",
-                  e.initial, e.kinetic, e.internal, e.hourglass, e.viscous, e.folding));
+  std::string of_elements;
+  for (std::size_t k = 0; k < work_kinds; ++k) of_elements += fmt::format(", {} {:.6g}", WorkKind::names[k], e.work[k]);
+  text += format_line("energy", fmt::format("initial {:.6g}, kinetic {:.6g}{}", e.initial, e.kinetic, of_elements));
   text += format_line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}",
                                       e.contact, e.friction, e.damping, e.external, e.error));
   text += format_line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",

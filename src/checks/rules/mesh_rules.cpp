@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernels/material/point/elastic.hpp"
 #include "src/checks/rules.hpp"
 
 namespace percuss {
@@ -96,7 +97,7 @@ bool is_obstacle(const Deck& deck, const PartDeck& part) {
                          return names(pair.a, part.name) || names(pair.b, part.name);
                        });
   const MaterialDeck& material = find_material(deck, part);
-  return touches && material.law.model == "elastic" && !material.failure;
+  return touches && material.law.model == Elastic::name && !material.failure;
 }
 
 /// Whether a material fails by a strain, which is that of a whole element, and which failure.size scales.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/deck/keys/key_documentation.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 
 namespace percuss {
@@ -130,11 +131,27 @@ Json write_form(const Form& form, const std::string& path) {
   return write_choices(form, path);
 }
 
+/// Not of JSON Schema: what each law can do, for tools that write decks.
+Json write_laws() {
+  Json json = Json::object();
+  for (const LawTraits& law : list_law_traits()) {
+    json[law.name] = {{"takes_equation_of_state", law.takes_equation_of_state},
+                      {"needs_equation_of_state", law.needs_equation_of_state},
+                      {"grows_in_increments", law.grows_in_increments},
+                      {"is_of_shells", law.is_of_shells},
+                      {"is_of_beams", law.is_of_beams},
+                      {"has_plastic_strain", law.has_plastic_strain},
+                      {"has_temperature", law.has_temperature}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string write_deck_schema() {
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "A deck of percuss"}};
   json.update(write_form(form_of(deck_keys()), ""));
+  json["x-laws"] = write_laws();
   return json.dump(1) + "\n";
 }
 

@@ -1,7 +1,6 @@
 #include "src/mesh/decomposition/element_costs.hpp"
 
-#include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "src/deck/make_material.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -39,9 +38,11 @@ KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
 int find_element_cost(const Deck& deck, const ElementBlock& block) {
   if (deck.parts[at(block.part)].rigid) return rigid_cost;
   const KindCost cost = find_kind_cost(block.topology, deck.find_elements(at(block.part)));
-  const std::string& model = deck.materials[at(block.material)].law.model;
-  const bool is_in_body = model == Elastic::name || model == J2Plasticity::name;
-  return is_in_body ? cost.own : cost.own + cost.called;
+  bool is_called = true;
+  visit_law(deck.materials[at(block.material)], [&]<class Law>(const Law&) {
+    if constexpr (requires { requires Law::is_compiled_in; }) is_called = false;
+  });
+  return is_called ? cost.own + cost.called : cost.own;
 }
 
 }  // namespace percuss

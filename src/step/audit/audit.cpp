@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -133,11 +134,10 @@ ExactSum sum_vanished_mass(const Model& model, const State& state) {
 
 void AuditResult::archive(CheckpointArchive& archive) {
   EnergySummary& e = energy;
-  double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous, e.folding,
-                       e.contact, e.friction, e.damping,  e.external,  e.error};
+  double energies[] = {e.initial, e.kinetic, e.contact, e.friction, e.damping, e.external, e.error};
   archive.numbers("audited/energy", energies);
-  e = {energies[0], energies[1], energies[2], energies[3], energies[4], energies[5],
-       energies[6], energies[7], energies[8], energies[9], energies[10]};
+  archive.numbers("audited/work", e.work);
+  e = {energies[0], energies[1], e.work, energies[2], energies[3], energies[4], energies[5], energies[6]};
   archive.numbers("audited/linear", momentum.linear);
   archive.numbers("audited/angular", momentum.angular);
   archive.number("audited/linear_error", momentum.linear_error);
@@ -165,23 +165,23 @@ Audit::Totals Audit::sum_all(const State& state) {
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c) {
-    for (std::size_t k = 0; k < work_kinds; ++k) sums[S::internal + k].add(work(c, k));
+    for (std::size_t k = 0; k < work_kinds; ++k) sums[S::work + k].add(work(c, k));
   }
   if (model_.ranks.rank() == 0) {  // what all ranks know
-    sums[S::internal].add(state.books.spring_work);
-    sums[S::viscous].add(state.books.damper_work);
-    sums[S::viscous].add(-state.books.weld_work);
-    sums[S::viscous].add(-state.books.equal_work);
+    sums[S::work + WorkKind::internal].add(state.books.spring_work);
+    sums[S::work + WorkKind::viscous].add(state.books.damper_work);
+    sums[S::work + WorkKind::viscous].add(-state.books.weld_work);
+    sums[S::work + WorkKind::viscous].add(-state.books.equal_work);
   }
   sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;
   std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
   std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);
   const Books& books = state.books;
-  const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous,
-                             books.eroded_folding,  books.eroded_kinetic,   books.eroded_mass};
-  std::copy_n(eroded, work_kinds + 2, sums.begin() + S::eroded_internal);
-  for (std::size_t k = 0; k < work_kinds; ++k) take_out(sums[S::internal + k], eroded[k]);
+  std::copy_n(books.eroded_work, work_kinds, sums.begin() + S::eroded_work);
+  sums[S::eroded_kinetic] = books.eroded_kinetic;
+  sums[S::eroded_mass] = books.eroded_mass;
+  for (std::size_t k = 0; k < work_kinds; ++k) take_out(sums[S::work + k], books.eroded_work[k]);
   sums[S::vanished_mass] = sum_vanished_mass(model_, state);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};
@@ -197,8 +197,9 @@ void Audit::note_scale(double energy, double reach) {
 
 /// Energy that left with eroded elements and nodes.
 double Audit::sum_gone(const Totals& totals) {
-  return totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] +
-         totals[S::eroded_folding] + totals[S::eroded_kinetic];
+  double gone = 0;
+  for (std::size_t k = 0; k < work_kinds; ++k) gone += totals[S::eroded_work + k];
+  return gone + totals[S::eroded_kinetic];
 }
 
 void Audit::note_start(const State& state, const Totals& totals, double held) {
@@ -216,16 +217,13 @@ void Audit::note_start(const State& state, const Totals& totals, double held) {
 EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   EnergySummary e;
   e.kinetic = totals[S::kinetic];
-  e.internal = totals[S::internal];
-  e.hourglass = totals[S::hourglass];
-  e.viscous = totals[S::viscous];
-  e.folding = totals[S::folding];
+  std::copy_n(totals.begin() + S::work, work_kinds, e.work.begin());
   e.contact = state.books.contact_work;
   e.friction = state.books.friction_work;
   e.damping = totals[S::damping];
   e.external = totals[S::external] + totals[S::potential];
   const double gone = sum_gone(totals);
-  const double held = e.kinetic + e.internal + e.hourglass + e.viscous + e.folding + gone;
+  const double held = std::accumulate(e.work.begin(), e.work.end(), e.kinetic) + gone;
   const double balanced = held - totals[S::half_steps];
   note_start(state, totals, balanced);
   e.initial = initial_energy_;

@@ -94,9 +94,9 @@ class CountedEnergy {
       if (is_wanted[part] == 0 || chunk.element_count == 0) continue;
       const ChunkPattern pattern = find_pattern(chunked, x_, chunk);
       const bool is_whole = !bends_by_control(deck, chunked, chunk);
-      const double energy = (is_whole ? 1 : pattern.share) * work(c, 1);
-      sums[2 * part].add(pattern.share * work(c, 1));
-      sums[2 * part + 1].add(is_whole ? work(c, 1) : 0);
+      const double energy = (is_whole ? 1 : pattern.share) * work(c, WorkKind::hourglass);
+      sums[2 * part].add(pattern.share * work(c, WorkKind::hourglass));
+      sums[2 * part + 1].add(is_whole ? work(c, WorkKind::hourglass) : 0);
       if (energy <= worst_[part].energy) continue;
       worst_[part] = {energy, chunk.number};
       own_elements_[part] = pattern.worst_element;

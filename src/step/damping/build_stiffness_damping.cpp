@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
@@ -42,18 +43,18 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     if (!is_of_beams(block)) continue;
     const MaterialDeck& material = find_material(deck, block);
-    const std::string& model = material.law.model;
-    if ((model != "elastic" && model != "j2_plasticity") || material.equation_of_state)
+    const LawTraits& law = find_traits(material);
+    if (!law.is_of_beams || material.equation_of_state)
       refuse_beams(
           deck, block,
-          fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
-                      material.name));
+          fmt::format("of material '{}' (beams support {}, without an equation of state): give it one of these",
+                      material.name, name_laws(&LawTraits::is_of_beams)));
     if (material.failure && has_other_criteria(*material.failure))
       refuse_beams(deck, block,
                    fmt::format("of material '{}', which fails by a criterion of other elements (those of beams are "
                                "resultants and time): give them a material with these alone, or without failure",
                                material.name));
-    if (model == "j2_plasticity" && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
+    if (law.has_plastic_strain && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
       refuse_beams(
           deck, block,
           "with a general section of a material that yields (plasticity needs the shape of the section): use round, "

@@ -13,10 +13,10 @@ namespace percuss {
 /// Sums that the audit needs, from the start of the run. Those that are exact hold the share of this rank and are added
 /// up over ranks only when they are looked at.
 struct Books {
-  ExactSum eroded_internal, eroded_hourglass, eroded_viscous, eroded_folding;  // work that dead elements took along
-  ExactSum eroded_kinetic;                                                     // energy of nodes that vanished
-  ExactSum eroded_mass;                                                        // of dead elements
-  std::int64_t eroded_elements = 0;                                            // of all ranks
+  ExactSum eroded_work[work_kinds];  // that dead elements took along
+  ExactSum eroded_kinetic;           // energy of nodes that vanished
+  ExactSum eroded_mass;              // of dead elements
+  std::int64_t eroded_elements = 0;  // of all ranks
   ExactSum external_work;      // pressure, driven conditions, gravity that varies; else gravity's is of the positions
   ExactSum impulse[3];         // external: pressure, conditions, walls and gravity [force x time]
   ExactSum moment_impulse[3];  // about Model::mass_center

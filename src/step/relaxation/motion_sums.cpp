@@ -44,7 +44,8 @@ ExactSum MotionSums::sum_stored(const State& state) {
   ExactSum sum;
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c)
-    for (const std::size_t kind : {0, 1, 3}) sum.add(work(c, kind));
+    for (std::size_t kind = 0; kind < work_kinds; ++kind)
+      if (kind != WorkKind::viscous) sum.add(work(c, kind));
   return sum;
 }
 

@@ -157,7 +157,7 @@ struct ShortenLayer {
         if (lane == e) work += energy;
       }
     }
-    results.work(c, 0) += work;
+    results.work(c, WorkKind::internal) += work;
     results.is_settled(c) = 0;
   }
 
@@ -283,7 +283,7 @@ double PreloadStage::shorten_beams(const Layer& layer, double force, State& stat
             if (lane == e) work += places.find_length(c, e) * energy;
           }
         }
-        results.work(c, 0) += work;
+        results.work(c, WorkKind::internal) += work;
         results.is_settled(c) = 0;
       },
       Kokkos::Max<double>(most), Kokkos::Min<double>(least));

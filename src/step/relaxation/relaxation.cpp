@@ -270,8 +270,8 @@ void Relaxation::finish() {
     state_.bodies[b].spin = body.spin;
   }
   state_.books = {};
-  constexpr std::size_t viscous = 2;  // of the kinds of work: it is gone
-  Kokkos::deep_copy(Kokkos::subview(state_.results.work, Kokkos::ALL, viscous), 0.0);
+  constexpr int gone = WorkKind::viscous;
+  Kokkos::deep_copy(Kokkos::subview(state_.results.work, Kokkos::ALL, gone), 0.0);
   Kokkos::deep_copy(state_.results.skipped, std::int64_t{0});
   if (contact_.is_active()) contact_.end_relaxation(state_.x);
 }

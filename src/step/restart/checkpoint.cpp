@@ -62,10 +62,8 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
 
 void archive_eroded(CheckpointArchive& archive, State& state) {
   Books& books = state.books;
-  archive.sum("books/eroded_internal", books.eroded_internal);
-  archive.sum("books/eroded_hourglass", books.eroded_hourglass);
-  archive.sum("books/eroded_viscous", books.eroded_viscous);
-  archive.sum("books/eroded_folding", books.eroded_folding);
+  for (std::size_t k = 0; k < work_kinds; ++k)
+    archive.sum(fmt::format("books/eroded_{}", WorkKind::names[k]), books.eroded_work[k]);
   archive.sum("books/eroded_kinetic", books.eroded_kinetic);
   archive.sum("books/eroded_mass", books.eroded_mass);
   archive.number("books/eroded_elements", books.eroded_elements);

@@ -111,7 +111,7 @@ void check_energy(const CheckedRun& run, const EnergySummary& e) {
       fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
                   "{} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); "
                   "find the growing energy in history.csv, or try a smaller time.step_scale (now {})",
-                  e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact,
+                  e.error, bound, describe_step(run.state), e.kinetic, e.internal(), e.hourglass(), e.contact,
                   describe_controller(run), describe_deepest_node(run), run.deck.time.step_scale));
 }
 

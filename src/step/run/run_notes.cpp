@@ -130,8 +130,8 @@ Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& 
 }
 
 double find_given_by_elements(const EnergySummary& energy, bool starts_empty) {
-  const double hourglass = -energy.hourglass;
-  return starts_empty ? std::max({hourglass, -energy.internal, -energy.internal - energy.hourglass}) : hourglass;
+  const double hourglass = -energy.hourglass();
+  return starts_empty ? std::max({hourglass, -energy.internal(), -energy.internal() - energy.hourglass()}) : hourglass;
 }
 
 std::vector<Warning> warn_of_elements(double given, const EnergyScales& scales, double time, const std::string& units) {

@@ -10,6 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/first_finding.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"

@@ -59,8 +59,8 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
   EXPECT_NEAR(at_twentieth / 0.95, 5 / (0.3 * g), 5e-3 * 1.6989);  // 1.6989 s
   // All but the ringing of the start, some weight times sag, goes into friction.
   EXPECT_NEAR(run.summary.energy.friction, -0.5 * mass * 25, 0.02 * 0.5 * mass * 25);
-  EXPECT_NEAR(run.summary.energy.friction + run.summary.energy.contact - run.summary.energy.viscous, -0.5 * mass * 25,
-              1e-3 * 200);
+  EXPECT_NEAR(run.summary.energy.friction + run.summary.energy.contact - run.summary.energy.work[WorkKind::viscous],
+              -0.5 * mass * 25, 1e-3 * 200);
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
 }
 

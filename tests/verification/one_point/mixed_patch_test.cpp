@@ -123,7 +123,7 @@ output: {{history: {{every: 1, elements: [{}]}}}}
       EXPECT_NEAR(run.history.last(fmt::format("e{}{}", e, component)), first, 1e-12 * 0.05 * 200e9)
           << "element " << e << component;
   }
-  EXPECT_LT(std::abs(run.summary.energy.hourglass), 1e-12 * run.summary.energy.internal);
+  EXPECT_LT(std::abs(run.summary.energy.hourglass()), 1e-12 * run.summary.energy.internal());
 }
 
 }  // namespace

@@ -280,7 +280,7 @@ TEST(ShellFailure, WithoutADeathNoBitChanges) {
   plain.replace(plain.find(failure), failure.size(), "");
   failing.replace(failing.find(failure), failure.size(), ", failure: {plastic_strain: 10, principal_strain: 10}");
   const Outcome a = run_deck(plain, {"time.max_steps=60"}), b = run_deck(failing, {"time.max_steps=60"});
-  EXPECT_GT(a.summary.energy.internal, 0);
+  EXPECT_GT(a.summary.energy.internal(), 0);
   EXPECT_EQ(a.summary.state_hash, b.summary.state_hash);
   for (const char* column : {"kinetic", "internal", "hourglass", "energy_error"})
     EXPECT_EQ(a.history[column], b.history[column]) << column;

@@ -78,7 +78,7 @@ initial: [{velocity: [0, 0, -227]}]
 conditions: [{nodes: bar/start, fixed: [z]}]
 )");
   expect_gain(runs, 1.4, 1e-3);
-  EXPECT_NEAR(runs.global.energy.internal / runs.element.energy.internal, 1, 1e-3);
+  EXPECT_NEAR(runs.global.energy.internal() / runs.element.energy.internal(), 1, 1e-3);
 }
 
 }  // namespace percuss::test

@@ -1,5 +1,6 @@
 """*BEAM SECTION, *BEAM GENERAL SECTION, and the areas of trusses: cross sections of beams."""
 
+from .. import laws
 from ..ledger import BadInput
 from ..model import Block as Part
 from ..model import Deck
@@ -7,7 +8,6 @@ from .deck import AbaqusDeck
 from .lines import Block
 from .mesh import Section
 
-LAWS = ("elastic", "j2_plasticity")
 DIMENSIONS = {"CIRC": 1, "PIPE": 2, "RECT": 2, "BOX": 6}
 
 
@@ -56,7 +56,7 @@ def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> 
     found = make_section(deck, section)
     if found is None:
         return False
-    if law["model"] not in LAWS or "equation_of_state" in law:
+    if not laws.takes_beams(law):
         deck.ledger.refuse("BEAM SECTION.MATERIAL", section.place, f"beams of the material model {law['model']}", "they are left out")
         return False
     part.keys["section"] = found

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from .. import laws
 from ..curves import interpolate
 from ..fields import clip
 from ..ledger import BadInput
@@ -33,8 +34,7 @@ def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) ->
         deck.ledger.translated("TENSILE FAILURE", block.place, "failure at a mean tension")
     if any(block.option("ELEMENT DELETION") == "NO" for block in blocks):
         deck.ledger.refuse("SHEAR FAILURE.ELEMENT DELETION", blocks[0].place, "failed elements that stay", "they are removed")
-    yields = law["model"] in ("johnson_cook", "combined_hardening") or law["model"].endswith("plasticity")
-    if {"plastic_strain", "johnson_cook"} & failure.keys() and not yields:
+    if {"plastic_strain", "johnson_cook"} & failure.keys() and not laws.has(law, "has_plastic_strain"):
         place = (found["DAMAGE INITIATION"] or found["SHEAR FAILURE"])[0].place
         raise BadInput(place, "failure at a plastic strain of a material that does not yield: add *PLASTIC or remove the failure")
     if failure:

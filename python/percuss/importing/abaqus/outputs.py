@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ..fields import clip
+from ..laws import has
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
@@ -110,7 +111,7 @@ class Writer:
         blocks, laws = self.deck.model.blocks, self.deck.model.materials.values()
         needs = {
             "thickness": any(b.shells for b in blocks), "section_force": any(b.beams for b in blocks), "section_moment": any(b.beams for b in blocks),
-            "temperature": any(law["model"] == "johnson_cook" for law in laws), "damage": any("failure" in law for law in laws),
+            "temperature": any(has(law, "has_temperature") for law in laws), "damage": any("failure" in law for law in laws),
             "alive": any("failure" in law for law in laws), "contact_force": "contact" in self.deck.model.deck,
             "contact_pressure": "contact" in self.deck.model.deck,
         }  # fmt: skip

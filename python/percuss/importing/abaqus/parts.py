@@ -3,10 +3,10 @@
 from collections import Counter
 
 from ..fields import MOST_ID, clip
+from ..laws import NOT_DAMPED, takes_stiffness_damping
 from ..ledger import BadInput, Ledger, Place, missing
-from ..model import NOT_DAMPED
 from ..model import Block as Part
-from ..model import Deck, takes_stiffness_damping
+from ..model import Deck
 from ..solids import NAMES, collapse
 from .beams import add_beam_keys, read_beam_section, read_general_law
 from .bodies import add_reference_masses

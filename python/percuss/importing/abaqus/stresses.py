@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
+from ..laws import takes_plastic_strain, takes_stress
 from ..model import Block as ModelBlock
 from ..model import Model
-from ..starts import takes_plastic_strain, takes_stress
 from .deck import AbaqusDeck
 from .lines import Block
 

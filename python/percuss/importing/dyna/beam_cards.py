@@ -10,7 +10,6 @@ from .mesh_cards import EIGHTS, elements_of, to_id
 
 LEFT_OUT = "these beams are left out"
 MOST_DIRECTIONS = 64  # parts that one *PART may become by how its sections are turned
-LAWS = ("elastic", "j2_plasticity")
 
 
 def read_beams(deck: KeywordDeck, card: Card) -> None:

@@ -2,8 +2,8 @@
 
 from ..curves import make_time_value
 from ..fields import Row
+from ..laws import NOT_DAMPED, takes_stiffness_damping
 from ..ledger import BadInput, Place
-from ..model import NOT_DAMPED, takes_stiffness_damping
 from .cards import Card
 from .deck import KeywordDeck
 

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from .. import laws
 from ..model import Block, Deck
 from ..shapes import dot, subtract
 from .cards import Card, read_ids
@@ -208,10 +209,7 @@ def finish_output(deck: KeywordDeck) -> None:
     output: Deck = {}
     found = deck.output
     if found.frames > 0:
-        plastic = any(
-            "plastic" in law["model"] or law["model"] in ("combined_hardening", "johnson_cook")
-            for law in deck.model.materials.values()
-        )
+        plastic = any(laws.has(law, "has_plastic_strain") for law in deck.model.materials.values())
         output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
     history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
     add_points(deck, history)

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator
 
 from ..fields import Row
+from ..laws import takes_plastic_strain, takes_stress
 from ..ledger import Place
 from ..model import Block
-from ..starts import takes_plastic_strain, takes_stress
 from .cards import Card, Lines
 from .deck import KeywordDeck
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/shell/layer_of_law.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -16,31 +18,13 @@ namespace percuss {
 
 namespace {
 
-// --- materials: the one place that turns a deck's material into that of a layer
-
-PlaneElasticity find_layer_elasticity(const LameConstants& c) {
-  return find_plane_elasticity(find_youngs_modulus(c), 0.5 * c.lambda / (c.lambda + c.mu));
-}
-
-ElasticLayer make_layer(const Elastic& law, double /*density*/) { return {find_layer_elasticity(law.moduli())}; }
-
-J2Layer make_layer(const J2Plasticity& law, double /*density*/) {
-  return {find_layer_elasticity(law.moduli()), law.yield_stress, law.hardening_modulus};
-}
-
-template <class Law>
-requires requires(const Law& law, const double* history) { law.start_flow(history, 1.0); }
-HardeningLayer make_layer(const Law& law, double density) {
-  return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
-}
-
 /// Calls use(law, layer) with the layer of a material. Returns false if shells do not know it.
 template <class Use>
 bool visit_layer(const MaterialDeck& material, const Use& use) {
   if (material.equation_of_state) return false;
   bool known = false;
   visit_law(material, [&](const auto& law) {
-    if constexpr (requires { make_layer(law, material.density); }) {
+    if constexpr (LayerLaw<std::decay_t<decltype(law)>>) {
       use(law, make_layer(law, material.density));
       known = true;
     }
@@ -55,11 +39,10 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
     const auto p = static_cast<std::size_t>(block.part);
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
     if (visit_layer(material, [](const auto&, const auto&) {})) continue;
-    throw InputError(
-        fmt::format("{}: error: part '{}' has shells of material '{}' (shells support elastic, j2_plasticity, "
-                    "power_law_plasticity, voce_plasticity, tabulated_plasticity, rate_table_plasticity, "
-                    "combined_hardening and johnson_cook, without an equation of state)",
-                    deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
+    throw InputError(fmt::format(
+        "{}: error: part '{}' has shells of material '{}' (shells support {}, without an equation of "
+        "state): give it one of these, or solids",
+        deck.where(deck.parts[p].place), mesh.parts[p].name, material.name, name_laws(&LawTraits::is_of_shells)));
   }
 }
 

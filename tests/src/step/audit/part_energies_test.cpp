@@ -87,7 +87,7 @@ void expect_sum(const std::map<std::string, double>& values, const std::string& 
 void expect_sums(const Scene& scene, const AuditResult& audit) {
   const std::map<std::string, double> values = sum_parts(scene);
   const EnergySummary& e = audit.energy;
-  const double energy = e.kinetic + std::abs(e.internal) + audit.eroded.energy;
+  const double energy = e.kinetic + std::abs(e.internal()) + audit.eroded.energy;
   expect_sum(values, "kinetic", e.kinetic, energy);
   expect_sum(values, "internal", e.internal, energy);
   expect_sum(values, "hourglass", e.hourglass, energy);
@@ -164,7 +164,7 @@ TEST(PartEnergies, AddUpToThoseOfTheScene) {
     erode(eroding, [&] { expect_sums(eroding.scene, eroding.audit(eroding.scene.state)); });
     EXPECT_GE(eroding.events, 2);
     const AuditResult audit = eroding.audit(eroding.scene.state);
-    EXPECT_GT(audit.energy.hourglass, 0);
+    EXPECT_GT(audit.energy.hourglass(), 0);
     EXPECT_EQ(audit.eroded.elements, 6);
   }
 }

@@ -69,10 +69,10 @@ TEST(ContactGain, IsLimitedByTheDeck) {
 
 TEST(ElementEnergy, IsToldWhereElementsHaveGivenMoreThanTheyTook) {
   EnergySummary energy;
-  energy.kinetic = 22258, energy.internal = -4778, energy.hourglass = -32389;
+  energy.kinetic = 22258, energy.work = {-4778, -32389};
   EXPECT_EQ(find_given_by_elements(energy, true), 4778 + 32389);
   EXPECT_EQ(find_given_by_elements(energy, false), 32389);  // a gas may have given the rest
-  energy.hourglass = 5000;
+  energy.work[WorkKind::hourglass] = 5000;
   EXPECT_EQ(find_given_by_elements(energy, true), 4778);
   EXPECT_LT(find_given_by_elements({}, true), 1e-300);
   EXPECT_THAT(format_all(warn_of_elements(3, {.largest = 100}, 0.25, "m, kg, s")),

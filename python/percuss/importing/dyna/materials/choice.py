@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from ... import laws
 from ...ledger import BadInput, missing
 from ...model import Block, Deck
 from ...text_files import suggest
@@ -20,7 +21,6 @@ ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their ma
 LOG_OPTION = "_LOG_INTERPOLATION"
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
 LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
-SOLIDS_ONLY = ("neo_hookean", "mooney_rivlin", "viscoelastic", "soil_and_foam", "honeycomb", "low_density_foam", "fluid")
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:
@@ -188,7 +188,7 @@ def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     """Whether shells, or beams, take the law."""
     if use.is_beam:
         return may_be_of_beams(deck, card, law, use)
-    if not use.is_shell or law["model"] not in SOLIDS_ONLY:
+    if not use.is_shell or laws.has(law, "is_of_shells"):
         return True
     deck.ledger.refuse(
         f"{card.keyword}.shells",
@@ -201,7 +201,7 @@ def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
 
 def may_be_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     """Whether beams take the law; without what they do not have, where that is allowed."""
-    if law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law:
+    if not laws.takes_beams(law):
         deck.ledger.refuse(
             f"{card.keyword}.beams", use.place, f"beams of the material model {law['model']}", "the parts made of it are left out"
         )

@@ -1,12 +1,12 @@
 """*MAT_ADD_EROSION: criteria of failure on top of those of a material."""
 
+from ... import laws
 from ...fields import Row
 from ...model import Deck
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, set_failure
 
 POINTS = 1  # NUMFIP where it is 0
-YIELDING = {"j2_plasticity", "power_law_plasticity", "voce_plasticity", "tabulated_plasticity", "combined_hardening", "johnson_cook"}
 
 
 def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
@@ -42,7 +42,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     limits = {"principal_stress": limit(more, "SIGP1"), "principal_strain": limit(more, "MXEPS"), "pressure": -limit(more, "MNPRES")}
     if strain < 0:
         limits["plastic_strain"] = -strain
-    if strain < 0 and law["model"] not in YIELDING:
+    if strain < 0 and not laws.has(law, "has_plastic_strain"):
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain of a law without it", "it is left out")
         del limits["plastic_strain"]
     own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook"} & law.get("failure", {}).keys() else None

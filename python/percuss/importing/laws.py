@@ -1,0 +1,58 @@
+"""What the laws of percuss can do, as `percuss schema` tells."""
+
+import functools
+import json
+import subprocess
+
+from percuss.errors import NotResults
+from percuss.program import find_program
+
+from .model import Block, Deck, Model
+
+NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and beams, or of a law whose elastic constants change"
+
+
+@functools.cache
+def read_traits() -> dict[str, dict[str, bool]]:
+    """By the name of a law."""
+    done = subprocess.run([find_program(), "schema"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise NotResults(f"percuss schema ends with exit code {done.returncode} ({done.stderr.strip()}): build percuss anew")
+    traits: dict[str, dict[str, bool]] = json.loads(done.stdout)["x-laws"]
+    return traits
+
+
+def has(law: Deck, trait: str) -> bool:
+    """Whether a law of a deck has a trait of `x-laws`."""
+    return read_traits().get(law.get("model", ""), {}).get(trait, False)
+
+
+def grows_in_increments(law: Deck) -> bool:
+    """Whether its stress may begin with any value and its elastic constants do not change: not with an equation of state."""
+    return has(law, "grows_in_increments") and "equation_of_state" not in law
+
+
+def takes_stiffness_damping(block: Block, law: Deck) -> bool:
+    """Whether percuss knows it for these elements and this material."""
+    is_known = all(len(set(corners)) == 8 for _, corners in block.solids)
+    return is_known and grows_in_increments(law)
+
+
+def takes_beams(law: Deck) -> bool:
+    """Whether beams know the law."""
+    return has(law, "is_of_beams") and "equation_of_state" not in law
+
+
+def find_law(model: Model, block: Block) -> Deck:
+    """Of the elements of a part; empty where they are rigid or have none."""
+    return {} if block.keys.get("rigid") else model.materials.get(block.keys.get("material", ""), {})
+
+
+def takes_stress(model: Model, block: Block) -> bool:
+    """Whether elements may begin with a stress: tables of start.fields refuse it for the others."""
+    return grows_in_increments(find_law(model, block))
+
+
+def takes_plastic_strain(model: Model, block: Block) -> bool:
+    """Whether elements may begin with an equivalent plastic strain."""
+    return has(find_law(model, block), "has_plastic_strain")

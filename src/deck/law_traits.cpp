@@ -1,0 +1,70 @@
+#include "src/deck/law_traits.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "kernels/shell/layer_of_law.hpp"
+#include "src/deck/make_material.hpp"
+
+namespace percuss {
+namespace {
+
+template <class Law>
+constexpr bool remembers(HistoryScalar name) {
+  if constexpr (requires { Law::history_names; })
+    return std::find(std::begin(Law::history_names), std::end(Law::history_names), name) !=
+           std::end(Law::history_names);
+  else
+    return false;
+}
+
+template <class Law>
+LawTraits find_traits_of() {
+  LawTraits traits;
+  traits.name = Law::name;
+  traits.takes_equation_of_state = takes_equation_of_state<Law>;
+  traits.needs_equation_of_state = needs_equation_of_state<Law>;
+  traits.grows_in_increments = GrowingLaw<Law>;
+  traits.is_of_shells = LayerLaw<Law>;
+  traits.is_of_beams = FibreLaw<Law>;
+  traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
+  traits.has_temperature = remembers<Law>(HistoryScalar::temperature);
+  return traits;
+}
+
+template <class... Laws>
+std::vector<LawTraits> list_traits(TypeList<Laws...>) {
+  return {find_traits_of<Laws>()...};
+}
+
+}  // namespace
+
+const std::vector<LawTraits>& list_law_traits() {
+  static const std::vector<LawTraits> traits = list_traits(Materials());
+  return traits;
+}
+
+const LawTraits& find_traits(const MaterialDeck& material) {
+  const auto& all = list_law_traits();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const LawTraits& law) { return law.name == material.law.model; });
+  if (found == all.end()) throw std::logic_error("no law is called '" + material.law.model + "'");
+  return *found;
+}
+
+std::string name_laws(bool LawTraits::*trait) {
+  std::vector<std::string> names;
+  for (const LawTraits& law : list_law_traits())
+    if (law.*trait) names.push_back(law.name);
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+bool grows_in_increments(const MaterialDeck& material) {
+  return find_traits(material).grows_in_increments && !material.equation_of_state;
+}
+
+}  // namespace percuss

@@ -1,0 +1,34 @@
+#pragma once
+// What the laws of materials can do, by name: for checks, messages, `percuss schema` and the importer. Nothing else
+// lists laws. Everything follows from the laws themselves.
+
+#include <string>
+#include <vector>
+
+#include "src/deck/deck.hpp"
+
+namespace percuss {
+
+struct LawTraits {
+  std::string name;
+  bool takes_equation_of_state = false, needs_equation_of_state = false;
+  /// The stress at the end of a step is that at its beginning and an increment: it may begin with any, and the elastic
+  /// constants do not change.
+  bool grows_in_increments = false;
+  bool is_of_shells = false, is_of_beams = false;
+  bool has_plastic_strain = false;  // its history has the equivalent plastic strain
+  bool has_temperature = false;
+};
+
+/// Of all laws, in their order.
+const std::vector<LawTraits>& list_law_traits();
+
+const LawTraits& find_traits(const MaterialDeck& material);
+
+/// "elastic, j2_plasticity and johnson_cook": those with a trait.
+std::string name_laws(bool LawTraits::*trait);
+
+/// Whether the stress at the end of a step is that at its beginning and an increment: not with an equation of state.
+bool grows_in_increments(const MaterialDeck& material);
+
+}  // namespace percuss
