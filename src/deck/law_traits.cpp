@@ -27,7 +27,7 @@ LawTraits find_traits_of() {
   traits.needs_equation_of_state = needs_equation_of_state<Law>;
   traits.grows_in_increments = GrowingLaw<Law>;
   traits.is_of_shells = LayerLaw<Law>;
-  traits.is_of_beams = FibreLaw<Law>;
+  traits.is_of_beams = LawOfFibres<Law>;
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
   traits.has_temperature = remembers<Law>(HistoryScalar::temperature);
   return traits;

@@ -28,7 +28,7 @@ concept GrowingLaw = FlowLaw<Law> || requires {
 
 /// A law that fibres of beams know.
 template <class Law>
-concept FibreLaw = requires {
+concept LawOfFibres = requires {
   requires Law::is_of_fibres;
 };
 

@@ -167,11 +167,12 @@ Audit::Totals Audit::sum_all(const State& state) {
   for (std::size_t c = 0; c < work.extent(0); ++c) {
     for (std::size_t k = 0; k < work_kinds; ++k) sums[S::work + k].add(work(c, k));
   }
+  constexpr int first_work = S::work;
   if (model_.ranks.rank() == 0) {  // what all ranks know
-    sums[S::work + WorkKind::internal].add(state.books.spring_work);
-    sums[S::work + WorkKind::viscous].add(state.books.damper_work);
-    sums[S::work + WorkKind::viscous].add(-state.books.weld_work);
-    sums[S::work + WorkKind::viscous].add(-state.books.equal_work);
+    sums[at(first_work + WorkKind::internal)].add(state.books.spring_work);
+    sums[at(first_work + WorkKind::viscous)].add(state.books.damper_work);
+    sums[at(first_work + WorkKind::viscous)].add(-state.books.weld_work);
+    sums[at(first_work + WorkKind::viscous)].add(-state.books.equal_work);
   }
   sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;

@@ -55,12 +55,12 @@ void Run::begin_books() {
   const EnergySummary held = Audit(model_)(state_).energy;
   const Vec3 extent = subtract(chunked_.mesh.high, chunked_.mesh.low);
   const double half_extent = 0.5 * std::sqrt(dot(extent, extent));
-  if (!deck_.start.relaxation) return audit_.note_scale(held.internal + held.kinetic, half_extent);
+  if (!deck_.start.relaxation) return audit_.note_scale(held.internal() + held.kinetic, half_extent);
   if (ranks_.rank() == 0) {
     state_.books.external_work.add(-held.external);
     state_.books.external_work.normalize();
   }
-  summary_.relaxation.energy = held.internal + held.hourglass + held.folding;
+  summary_.relaxation.energy = held.internal() + held.hourglass() + held.work[WorkKind::folding];
   audit_.note_scale(summary_.relaxation.scale, half_extent);
 }
 
