@@ -1,6 +1,6 @@
 #include "kernels/beam/beam_failure.hpp"
 
-#include "kernels/element/failure/dying_lanes.hpp"
+#include "kernels/element/dying_lanes.hpp"
 
 namespace percuss {
 namespace {

@@ -2,7 +2,7 @@
 // The pass over beams that can fail: after that of other elements, which also brings failed ones nearer to death.
 
 #include "kernels/beam/beam_force.hpp"
-#include "kernels/element/failure/failure.hpp"
+#include "kernels/element/failure.hpp"
 
 namespace percuss {
 

@@ -1,7 +1,7 @@
 // The elements of every material that is called, of every kind.
 
 #include "kernels/element/advance_chunk.hpp"
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 
 namespace percuss {
 

@@ -5,8 +5,8 @@
 
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_lives.hpp"
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
 
 namespace percuss {
 

@@ -1,6 +1,6 @@
 // Wedges and pyramids of every material that is called.
 
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 #include "kernels/one_point/advance_one_point.hpp"
 
 namespace percuss {

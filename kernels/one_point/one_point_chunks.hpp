@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "kernels/element/internal_force.hpp"
-#include "kernels/element/one_point/one_point.hpp"
+#include "kernels/one_point/one_point.hpp"
 #include "kernels/tet/tet_force.hpp"
 
 namespace percuss {

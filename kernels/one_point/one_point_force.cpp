@@ -58,7 +58,7 @@ struct FindOnePointForces : ForcePass<L> {
     return q;
   }
 
-  /// The bound of the element with the moduli that it feels (kernels/element/tet4/mixing.hpp).
+  /// The bound of the element with the moduli that it feels (kernels/tet/mixing.hpp).
   KOKKOS_FUNCTION Lanes find_step(const SolidPack& on, const CornerGradient<Lanes, Shape>& g,
                                   const HourglassVectors<Lanes, Shape>& gamma, const TetMeans<Lanes>& means,
                                   const Lanes& mass) const {

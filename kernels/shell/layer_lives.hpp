@@ -6,7 +6,7 @@
 // or of the bending's stiffness.
 
 #include "kernels/element/element_lives.hpp"
-#include "kernels/shell/geometry/shell_rates.hpp"
+#include "kernels/shell/shell_rates.hpp"
 #include "kernels/shell/thickness_points.hpp"
 
 namespace percuss {

@@ -6,7 +6,7 @@
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.
 
-#include "kernels/shell/geometry/shell_forces.hpp"
+#include "kernels/shell/shell_forces.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 #include "kernels/shell/shell_step.hpp"
 #include "kernels/shell/thickness_points.hpp"

@@ -1,7 +1,7 @@
 #include "kernels/shell/shell_failure.hpp"
 
-#include "kernels/element/failure/dying_lanes.hpp"
-#include "kernels/element/failure/failure_criteria.hpp"
+#include "kernels/element/dying_lanes.hpp"
+#include "kernels/element/failure_criteria.hpp"
 
 namespace percuss {
 

@@ -4,7 +4,7 @@
 // Each layer is judged by itself, as a point of a solid is; the element fails when its layers have failed over a share
 // of the thickness that the deck gives, all of it by default (docs/theory_failure.md).
 
-#include "kernels/element/failure/failure.hpp"
+#include "kernels/element/failure.hpp"
 #include "kernels/shell/shell_force.hpp"
 
 namespace percuss {

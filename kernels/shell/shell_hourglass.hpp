@@ -3,9 +3,9 @@
 //
 // They are stored, and advanced by the rates of the step; their work is booked as that of the hourglass modes.
 
-#include "kernels/shell/geometry/shell_rates.hpp"
 #include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/plane_stress.hpp"
+#include "kernels/shell/shell_rates.hpp"
 #include "kernels/shell/shell_state.hpp"
 
 namespace percuss {

@@ -4,8 +4,8 @@
 // With nodal masses m / 4 the largest frequency is 2 c sqrt(l), c^2 = E t A / (m (1 - nu^2)): what follows bounds l. Of
 // a quadrilateral every part is an upper bound of its own (docs/theory_shells.md, "Mass and step"), whatever its shape.
 
-#include "kernels/shell/geometry/shear_modes.hpp"
 #include "kernels/shell/plane_stress.hpp"
+#include "kernels/shell/shear_modes.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 
 namespace percuss {

@@ -1,6 +1,6 @@
 // Tetrahedra of every material that is called.
 
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 #include "kernels/tet/advance_tets.hpp"
 
 namespace percuss {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "kernels/element/internal_force.hpp"
-#include "kernels/element/tet4/tet4.hpp"
+#include "kernels/tet/tet4.hpp"
 
 namespace percuss {
 

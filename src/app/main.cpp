@@ -1,8 +1,8 @@
 // percuss: explicit impact dynamics with parallel contact. See program.hpp.
 
+#include "src/app/process/stop_signals.hpp"
+#include "src/app/process/threads.hpp"
 #include "src/app/program.hpp"
-#include "src/app/start/stop_signals.hpp"
-#include "src/app/start/threads.hpp"
 
 int main(int argc, char** argv) {
   percuss::hold_stop_signals();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/checks/scene_measures.hpp"
-#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/overlap/start_overlap.hpp"
 #include "src/contact/ties/tie_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/warning.hpp"

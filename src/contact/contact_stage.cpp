@@ -7,7 +7,7 @@
 
 #include "src/contact/contact_stage_impl.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
-#include "src/contact/start/part_gaps.hpp"
+#include "src/contact/overlap/part_gaps.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "comm/phase.hpp"
-#include "kernels/contact/walls/wall_sleep.hpp"
+#include "kernels/contact/rows/wall_sleep.hpp"
 #include "src/contact/approach/approach.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"

@@ -7,7 +7,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "src/contact/contact_stage_impl.hpp"
-#include "src/contact/start/missed_contact.hpp"
+#include "src/contact/overlap/missed_contact.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -20,9 +20,9 @@
 #include "src/deck/functions/selector.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
+#include "src/deck/sensor_deck.hpp"
 #include "src/deck/spring_deck.hpp"
-#include "src/deck/start/sensor_deck.hpp"
-#include "src/deck/start/start_deck.hpp"
+#include "src/deck/start_deck.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
@@ -484,6 +484,7 @@ struct Deck {
   std::vector<std::string> settings;       // the --set arguments
   std::vector<std::string> overrides;      // left sides of the --set arguments
   KeyPlaces places;                        // of its keys
+  std::vector<UsedSelector> selectors;     // all of the deck
   std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them
   std::set<std::string> silenced;          // rules whose warnings nobody wants to see (src/output/warning_log.hpp)
   std::string resolved;                    // all its values, with the --set arguments, as JSON (yaml/deck_json.hpp)

@@ -16,7 +16,7 @@ inline constexpr int deepest_group = 100;
 /// Looks at every object of a file. Throws InputError, without the name of the file, if a group can be reached in two
 /// ways (a loop, or copies without end), if groups are nested absurdly deep, if there are more links than the file has
 /// room for, if HDF5 cannot read its structure, or if it takes data from another file and may not. Damaged files can
-/// crash HDF5: called in a trial process first (src/mesh/exodus/trial_process.hpp).
+/// crash HDF5: called in a trial process first (src/mesh/formats/exodus/trial_process.hpp).
 void check_structure(const std::string& path, ExternalFiles external);
 
 /// Whether HDF5 would take a file for one of its own, also behind a user block; false for what cannot be read.

@@ -8,7 +8,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/element/failure/failure.hpp"
+#include "kernels/element/failure.hpp"
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/sensors/held_directions.hpp"

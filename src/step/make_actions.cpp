@@ -4,7 +4,7 @@
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/loads/condition_stage.hpp"
 #include "src/step/loads/load_stage.hpp"
-#include "src/step/mass_scaler.hpp"
+#include "src/step/mass/mass_scaler.hpp"
 #include "src/step/springs/spring_stage.hpp"
 #include "src/step/springs/weld_stage.hpp"
 

@@ -14,7 +14,7 @@
 #include "kernels/contact/rows/row_bodies.hpp"
 #include "kernels/contact/rows/row_pack.hpp"
 #include "kernels/contact/rows/row_sums.hpp"
-#include "kernels/contact/walls/wall_pairs.hpp"
+#include "kernels/contact/rows/wall_pairs.hpp"
 
 namespace percuss {
 

@@ -2,7 +2,7 @@
 // The location phase on the surface that a rank has: candidate pairs of points and boxes, by either method. Both find
 // the same pairs.
 
-#include "kernels/contact/block_search/block_search.hpp"
+#include "kernels/contact/search/block_search.hpp"
 #include "kernels/contact/search/points_in_box.hpp"
 
 namespace percuss {

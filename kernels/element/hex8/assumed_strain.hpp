@@ -10,8 +10,8 @@
 // is the plane-stress response in these axes, and Q_a = S_11 g_1 + S_12 g_2, Q_b = S_12 g_1 + S_22 g_2 its forces.
 
 #include "kernels/element/hex8/hourglass.hpp"
-#include "kernels/material/point/elastic.hpp"
-#include "kernels/material/point/polar.hpp"
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss {
 

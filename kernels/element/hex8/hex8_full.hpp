@@ -9,7 +9,7 @@
 
 #include "kernels/element/hex8/gauss_points.hpp"
 #include "kernels/element/hex8/hex8.hpp"
-#include "kernels/material/point/stretch.hpp"
+#include "kernels/material/stretch.hpp"
 
 namespace percuss {
 

@@ -2,8 +2,8 @@
 // What the motion of an element over a step is to its materials: rates, rotation and stretch.
 
 #include "kernels/element/hex8/modes.hpp"
-#include "kernels/material/point/point_step.hpp"
-#include "kernels/material/point/polar.hpp"
+#include "kernels/material/point_step.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss {
 

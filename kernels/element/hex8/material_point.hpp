@@ -3,7 +3,7 @@
 
 #include "kernels/core/widen.hpp"
 #include "kernels/element/hex8/modes.hpp"
-#include "kernels/material/called_material.hpp"
+#include "kernels/material/laws/called_material.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 
 namespace percuss {

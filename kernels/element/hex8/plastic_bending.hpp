@@ -15,7 +15,7 @@
 
 #include "kernels/core/long_sum.hpp"
 #include "kernels/element/hex8/assumed_strain.hpp"
-#include "kernels/material/point/plastic_return.hpp"
+#include "kernels/material/plastic_return.hpp"
 
 namespace percuss {
 

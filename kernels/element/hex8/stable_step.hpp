@@ -7,7 +7,7 @@
 // <= largest element frequency.
 
 #include "kernels/element/hex8/modes.hpp"
-#include "kernels/material/point/polar.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss {
 

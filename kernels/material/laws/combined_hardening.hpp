@@ -1,7 +1,7 @@
 #pragma once
 // J2 plasticity with linear isotropic and linear kinematic hardening together.
 
-#include "kernels/material/point/rate_hardening.hpp"
+#include "kernels/material/rate_hardening.hpp"
 
 namespace percuss {
 

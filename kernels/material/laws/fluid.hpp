@@ -1,7 +1,7 @@
 #pragma once
 // A material without strength: all of its stress comes from its equation of state.
 
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

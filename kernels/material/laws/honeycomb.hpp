@@ -1,7 +1,7 @@
 #pragma once
 // Honeycomb and other materials that crush direction by direction.
 
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

@@ -1,9 +1,9 @@
 #pragma once
 // J2 plasticity with linear isotropic hardening, radial return (Wilkins 1964; Krieg and Krieg 1977).
 
-#include "kernels/material/point/elastic.hpp"
-#include "kernels/material/point/plastic_return.hpp"
-#include "kernels/material/point/point_step.hpp"
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/plastic_return.hpp"
+#include "kernels/material/point_step.hpp"
 
 namespace percuss {
 

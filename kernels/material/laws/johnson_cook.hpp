@@ -1,7 +1,7 @@
 #pragma once
 // Johnson-Cook plasticity (Johnson and Cook, 7th Int. Symp. Ballistics, 1983), heated by its own plastic work.
 
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

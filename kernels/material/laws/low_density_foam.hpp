@@ -2,8 +2,8 @@
 // Low-density foam: each principal stretch has its own stress, from one curve of a uniaxial test; less of it on the way
 // back.
 
-#include "kernels/material/point/radial_return.hpp"
-#include "kernels/material/point/stretch.hpp"
+#include "kernels/material/radial_return.hpp"
+#include "kernels/material/stretch.hpp"
 
 namespace percuss {
 

@@ -1,6 +1,7 @@
 #pragma once
 // The list of materials. A new material is its own header and one entry here; CONTRIBUTING.md shows one.
 
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/combined_hardening.hpp"
 #include "kernels/material/laws/fluid.hpp"
 #include "kernels/material/laws/honeycomb.hpp"
@@ -15,8 +16,7 @@
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
-#include "kernels/material/point/type_list.hpp"
+#include "kernels/material/type_list.hpp"
 
 namespace percuss {
 

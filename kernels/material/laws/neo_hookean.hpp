@@ -1,8 +1,8 @@
 #pragma once
 // Compressible neo-Hookean hyperelasticity.
 
-#include "kernels/material/point/radial_return.hpp"
-#include "kernels/material/point/stretch.hpp"
+#include "kernels/material/radial_return.hpp"
+#include "kernels/material/stretch.hpp"
 
 namespace percuss {
 

@@ -1,7 +1,7 @@
 #pragma once
 // J2 plasticity with power-law hardening and the rate dependence of Cowper and Symonds.
 
-#include "kernels/material/point/rate_hardening.hpp"
+#include "kernels/material/rate_hardening.hpp"
 
 namespace percuss {
 

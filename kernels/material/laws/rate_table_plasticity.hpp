@@ -1,8 +1,8 @@
 #pragma once
 // J2 plasticity with tables of yield stress for several rates.
 
-#include "kernels/material/point/material_key.hpp"
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/material_key.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Soil, concrete and crushable foam: compaction by a table, shear strength that grows with pressure.
 
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

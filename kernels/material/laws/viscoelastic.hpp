@@ -1,7 +1,7 @@
 #pragma once
 // Linear viscoelasticity in shear by a Prony series, elastic in volume.
 
-#include "kernels/material/point/radial_return.hpp"
+#include "kernels/material/radial_return.hpp"
 
 namespace percuss {
 

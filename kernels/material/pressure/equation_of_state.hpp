@@ -6,8 +6,8 @@
 //   e(n+1) = e(n) + w - ((p(n) + p(n+1)) / 2 + q) (J(n+1) - J(n)),   w: work of the deviatoric stress
 // which is solved for p(n+1) together with the equation of state (Wilkins 1964).
 
-#include "kernels/material/point/material_key.hpp"
-#include "kernels/material/point/point_step.hpp"
+#include "kernels/material/material_key.hpp"
+#include "kernels/material/point_step.hpp"
 
 namespace percuss {
 

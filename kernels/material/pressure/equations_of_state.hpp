@@ -1,11 +1,11 @@
 #pragma once
 // The list of equations of state, and how one takes the place of a law's own pressure.
 
-#include "kernels/material/point/radial_return.hpp"
-#include "kernels/material/point/type_list.hpp"
 #include "kernels/material/pressure/equation_of_state.hpp"
 #include "kernels/material/pressure/jwl_state.hpp"
 #include "kernels/material/pressure/tillotson_state.hpp"
+#include "kernels/material/radial_return.hpp"
+#include "kernels/material/type_list.hpp"
 
 namespace percuss {
 

@@ -16,6 +16,7 @@
 #include "src/mesh/surface_nodes.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/output/warning_log.hpp"
+#include "src/step/initial/start_fields.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/relaxation/relaxation.hpp"
@@ -24,7 +25,6 @@
 #include "src/step/run/run_notes.hpp"
 #include "src/step/sensors/sensors.hpp"
 #include "src/step/springs/build_springs.hpp"
-#include "src/step/start/start_fields.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -49,48 +49,35 @@ class Findings {
   std::string text_;
 };
 
+void select(const ChunkedMesh& chunked, const Deck& deck, const UsedSelector& used) {
+  const Mesh& mesh = chunked.mesh;
+  switch (used.chosen) {
+    case Chosen::nodes:
+      select_nodes(mesh, deck, used.where);
+      break;
+    case Chosen::faces:
+      select_faces(mesh, deck, used.where);
+      break;
+    case Chosen::surface_nodes:
+      select_surface_nodes(mesh, deck, used.where);
+      break;
+    case Chosen::elements:
+      mark_elements(mesh, deck, {used.where});
+      break;
+    case Chosen::some:
+      break;
+  }
+}
+
 // Every selector of the deck, so that all wrong ones are reported at once.
 void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& findings) {
-  const Mesh& mesh = chunked.mesh;
-  const auto nodes = [&](const Selector& where) { findings.gather([&] { select_nodes(mesh, deck, where); }); };
-  const auto faces = [&](const Selector& where) { findings.gather([&] { select_faces(mesh, deck, where); }); };
-  for (const InitialDeck& initial : deck.initial) nodes(initial.where);
-  for (const AddedMassDeck& added : deck.added_masses) nodes(added.where);
-  for (const RigidSetDeck& set : deck.rigid_sets) nodes(set.where);
-  for (const ConstraintDeck& constraint : deck.constraints)
-    if (constraint.nodes) nodes(*constraint.nodes);
-  for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
-  for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
-  for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
-  for (const DampingDeck& damping : deck.dampings) nodes(damping.where);
-  if (deck.start.relaxation)
-    for (const Selector& where : deck.start.relaxation->hold) nodes(where);
-  for (const WallDeck& wall : deck.walls) {
-    for (const Selector& where : wall.nodes) nodes(where);
-  }
-  for (const SurfacePairDeck& pair : deck.contact.pairs) {
-    faces(pair.a);
-    faces(pair.b);
-  }
-  for (const PairFrictionDeck& pair : deck.contact.frictions) {
-    faces(pair.a);
-    if (pair.b) faces(*pair.b);
-  }
+  for (const UsedSelector& used : deck.selectors) findings.gather([&] { select(chunked, deck, used); });
   for (const WeldDeck& weld : deck.welds) {
     if (!weld.radius) continue;
-    for (const SpringEndDeck& end : weld.between) faces(end.where);
-  }
-  for (const TieDeck& tie : deck.contact.ties) {
-    findings.gather([&] { select_surface_nodes(mesh, deck, tie.a); });
-    faces(tie.b);
+    for (const SpringEndDeck& end : weld.between) findings.gather([&] { select_faces(chunked.mesh, deck, end.where); });
   }
   findings.gather([&] { find_history_points(deck, chunked); });
-  for (const Selector& block : deck.output.blocks) findings.gather([&] { mark_elements(mesh, deck, {block}); });
   findings.gather([&] { find_springs(deck, chunked); });
-  for (const FieldsDeck& fields : deck.output.field_outputs) {
-    for (const Selector& where : fields.elements) findings.gather([&] { mark_elements(mesh, deck, {where}); });
-    for (const Selector& where : fields.faces) faces(where);
-  }
 }
 
 /// The state at time 0, and what is to be said of files that it takes.

@@ -2,7 +2,7 @@
 // The commands of the program. MPI and Kokkos must be up for run, check and plan.
 
 #include "comm/communicator.hpp"
-#include "src/app/start/command_line.hpp"
+#include "src/app/process/command_line.hpp"
 
 namespace percuss {
 

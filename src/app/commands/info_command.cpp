@@ -12,7 +12,7 @@
 #include "src/app/reports/mesh_report.hpp"
 #include "src/app/reports/summary_report.hpp"
 #include "src/hdf5/hdf5_structure.hpp"
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/output/formats/result_names.hpp"

@@ -1,8 +1,8 @@
 #include "src/app/commands/read_together.hpp"
 
 #include "comm/agreement.hpp"
-#include "src/app/start/external_files.hpp"
-#include "src/app/start/memory_check.hpp"
+#include "src/app/process/external_files.hpp"
+#include "src/app/process/memory_check.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/fail_together.hpp"

@@ -2,7 +2,7 @@
 // The deck of a run on many ranks.
 
 #include "comm/communicator.hpp"
-#include "src/app/start/command_line.hpp"
+#include "src/app/process/command_line.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {

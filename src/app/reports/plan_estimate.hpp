@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/app/start/command_line.hpp"
+#include "src/app/process/command_line.hpp"
 #include "src/contact/plan/plan_contact.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/decomposition/plan_decomposition.hpp"

@@ -5,7 +5,7 @@
 
 #include "kernels/element/element_chunks.hpp"
 #include "src/app/reports/scene_report.hpp"
-#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/overlap/start_overlap.hpp"
 
 namespace percuss {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
 #include "src/checks/rules.hpp"
 
 namespace percuss {

@@ -7,7 +7,7 @@
 // far from any contact are not sent at all. Where near pairs are listed, only theirs are sent.
 
 #include "src/contact/check/check_space.hpp"
-#include "src/contact/exchange/motion_copy.hpp"
+#include "src/contact/ranks/motion_copy.hpp"
 #include "src/contact/surface/number_map.hpp"
 
 namespace percuss {

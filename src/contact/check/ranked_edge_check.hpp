@@ -3,7 +3,7 @@
 // back. The home of an edge A, where its first face is, stores its contact history and has its rows.
 
 #include "src/contact/check/edge_space.hpp"
-#include "src/contact/exchange/motion_copy.hpp"
+#include "src/contact/ranks/motion_copy.hpp"
 
 namespace percuss {
 

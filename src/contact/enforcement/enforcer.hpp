@@ -8,7 +8,7 @@
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
 #include "kernels/contact/enforcement/tie_strength.hpp"
-#include "kernels/contact/walls/wall_sleep.hpp"
+#include "kernels/contact/rows/wall_sleep.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/moving_walls.hpp"

@@ -6,7 +6,7 @@
 
 #include "comm/exchange/data_exchange.hpp"
 #include "kernels/contact/enforcement/force_sums.hpp"
-#include "src/contact/exchange/remote_items.hpp"
+#include "src/contact/ranks/remote_items.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 #include "src/contact/surface/surface_share.hpp"
 

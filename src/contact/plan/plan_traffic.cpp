@@ -5,9 +5,9 @@
 #include <map>
 
 #include "src/contact/check/ranked_check.hpp"
-#include "src/contact/decomposition/contact_decomposition.hpp"
 #include "src/contact/enforcement/shared_entries.hpp"
 #include "src/contact/plan/contact_flow.hpp"
+#include "src/contact/ranks/contact_decomposition.hpp"
 #include "src/index.hpp"
 
 namespace percuss {

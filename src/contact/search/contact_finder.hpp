@@ -10,7 +10,7 @@
 #include "comm/phase.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
-#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/ranks/contact_decomposition.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 #include "src/contact/surface/surface_share.hpp"
 

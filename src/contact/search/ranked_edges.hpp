@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "src/contact/check/ranked_edge_check.hpp"
-#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/ranks/contact_decomposition.hpp"
 
 namespace percuss {
 

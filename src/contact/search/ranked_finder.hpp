@@ -7,7 +7,7 @@
 // erosion rebuilds the surface. A search lists the candidate pairs; ranked_check.hpp checks them.
 
 #include "src/contact/check/ranked_check.hpp"
-#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/ranks/contact_decomposition.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/ranked_edges.hpp"
 

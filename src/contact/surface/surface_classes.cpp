@@ -4,7 +4,7 @@
 
 #include "comm/gather_items.hpp"
 #include "src/deck/rigid_bodies.hpp"
-#include "src/deck/start/switches.hpp"
+#include "src/deck/switches.hpp"
 
 namespace percuss {
 namespace {

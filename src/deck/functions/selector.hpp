@@ -28,4 +28,13 @@ inline std::string find_body(const Selector& selector) {
   return selector.name.starts_with(prefix) ? selector.name.substr(prefix.size()) : std::string();
 }
 
+/// What a selector of the deck chooses.
+enum class Chosen { some, nodes, faces, surface_nodes, elements };
+
+/// A selector as the deck has it; `all` has no name.
+struct UsedSelector {
+  Selector where;
+  Chosen chosen = Chosen::some;  // some: what it is depends on its section
+};
+
 }  // namespace percuss

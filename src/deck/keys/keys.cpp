@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/deck/keys/habits.hpp"
+#include "src/deck/keys/foreign_names.hpp"
 
 namespace percuss {
 
@@ -32,7 +32,7 @@ bool is_there(const Node& node, const std::string& name) {
 std::string refuse_key(const Reader& reader, const Entry& entry, const std::vector<std::string>& known,
                        const OtherKeys& others) {
   std::string hint = others.hint ? others.hint(entry.name) : "";
-  if (hint.empty()) hint = find_key_habit(entry.name, known);
+  if (hint.empty()) hint = find_foreign_key(entry.name, known);
   if (hint.empty()) hint = name_hint(entry.name, known);
   const auto named = std::find_if(known.begin(), known.end(),
                                   [&](const std::string& key) { return hint.find(quote(key)) != std::string::npos; });

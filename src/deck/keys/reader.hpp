@@ -29,9 +29,10 @@ struct CurveUse {
 struct Reading {
   DeckErrors errors;
   std::string folder;  // of the deck, for files that it names
-  std::vector<NameUse> materials, selectors, rotations, sensors;
-  std::vector<CurveUse> curves;
-  std::set<std::string> shapeless;  // parts whose shape is unknown, so that their sides are too
+  std::vector<NameUse> materials{}, selectors{}, rotations{}, sensors{};
+  std::vector<UsedSelector> used_selectors{};
+  std::vector<CurveUse> curves{};
+  std::set<std::string> shapeless{};  // parts whose shape is unknown, so that their sides are too
 };
 
 /// Where a value stands: messages name what is in parts.rod as "in part 'rod'", everything else by its path

@@ -1,8 +1,8 @@
 #pragma once
 // Tables of two columns, as materials have them.
 
-#include "kernels/material/point/material_key.hpp"  // before values.hpp, whose ranges have names of its enumerators
-#include "kernels/material/point/material_table.hpp"
+#include "kernels/material/material_key.hpp"  // before values.hpp, whose ranges have names of its enumerators
+#include "kernels/material/material_table.hpp"
 #include "src/deck/keys/values.hpp"
 
 namespace percuss {

@@ -172,6 +172,7 @@ struct PartNameValue {
 
 /// "part", "part/side", "all" or {name: ..., inside: [[x, y, z], [x, y, z]]}.
 struct SelectorValue {
+  Chosen chosen = Chosen::some;
   bool read(const Reader& reader, const std::string& name, const Node& node, Selector& out) const;
   std::string takes() const { return "a selector"; }
   Form form() const;

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "src/deck/mesh_size.hpp"
-#include "src/deck/reading/deck_keys.hpp"
-#include "src/deck/reading/fields/field_keys.hpp"
-#include "src/deck/reading/forces/force_keys.hpp"
-#include "src/deck/reading/forces/history_keys.hpp"
-#include "src/deck/reading/sensors/sensor_keys.hpp"
+#include "src/deck/sections/deck_keys.hpp"
+#include "src/deck/sections/field_keys.hpp"
+#include "src/deck/sections/force_keys.hpp"
+#include "src/deck/sections/history_keys.hpp"
+#include "src/deck/sections/sensor_keys.hpp"
 
 namespace percuss {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/sections/deck_keys.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/deck/yaml/deck_json.hpp"
 #include "src/deck/yaml/deck_values.hpp"
@@ -55,8 +55,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   deck.text = text;
   deck.settings = overrides;
   deck.overrides = paths;
-  Reading reading{
-      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}, {}};
+  Reading reading{DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string()};
   const Node root = parse_tree(text, file, overrides, reading.errors);
   read_keys(Reader(reading), root, deck_keys(), deck);
   check_deck(deck, root, reading);
@@ -65,6 +64,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   for (std::string& value : list_free_values(root)) deck.motion_values.push_back(std::move(value));
   deck.resolved = write_deck_json(root);
   deck.places = KeyPlaces(root);
+  deck.selectors = std::move(reading.used_selectors);
   deck.warnings = reading.errors.warnings();
   return deck;
 }

@@ -15,14 +15,4 @@ Deck read_deck(const std::string& file, const std::vector<std::string>& override
 /// The same from text; `file` only names it in messages and anchors relative paths.
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {});
 
-/// A key that a deck may hold, from the tables that the reader works by.
-struct DeckKey {
-  std::string path;   // "time.end"; NAME stands for a name that the user gives, N for a place in a list
-  std::string takes;  // "a number, positive"
-  bool required = false;
-};
-
-/// Every key, in the order of the tables.
-std::vector<DeckKey> list_deck_keys();
-
 }  // namespace percuss

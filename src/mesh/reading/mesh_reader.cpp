@@ -9,10 +9,10 @@
 #include <fstream>
 
 #include "src/error.hpp"
-#include "src/mesh/exodus/exodus_file.hpp"
-#include "src/mesh/exodus/trial_process.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/abaqus_file.hpp"
+#include "src/mesh/formats/exodus/exodus_file.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/mesh/formats/gmsh_file.hpp"
 #include "src/mesh/formats/keyword_file.hpp"
 #include "src/mesh/formats/nastran/nastran_file.hpp"

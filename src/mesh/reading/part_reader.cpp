@@ -9,7 +9,7 @@
 
 #include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/reading/choose_blocks.hpp"
 #include "src/mesh/reading/collapsed_elements.hpp"

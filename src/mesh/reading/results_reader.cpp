@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "src/error.hpp"
-#include "src/mesh/exodus/exodus_file.hpp"
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/exodus_file.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/mesh/formats/vtu/legacy_vtk.hpp"
 #include "src/mesh/formats/vtu/vtu_file.hpp"
 #include "src/regular_file.hpp"

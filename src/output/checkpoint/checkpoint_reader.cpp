@@ -10,7 +10,7 @@
 
 #include "src/fail_together.hpp"
 #include "src/hdf5/hdf5_structure.hpp"
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/checkpoint/checkpoint_names.hpp"
 #include "src/output/checkpoint/sealed_file.hpp"

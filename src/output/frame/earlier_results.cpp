@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 

@@ -9,7 +9,7 @@
 #include "comm/agreement.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/step/audit/hourglass/hourglass_pattern.hpp"
+#include "src/step/audit/hourglass_pattern.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/model/whole_mesh.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "kernels/element/failure/failure.hpp"
+#include "kernels/element/failure.hpp"
 #include "src/step/elements/tet_stage.hpp"
 #include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"

@@ -12,9 +12,9 @@
 #include "src/deck/asked_for.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/material_place.hpp"
 #include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/points/material_place.hpp"
 
 namespace percuss {
 namespace {

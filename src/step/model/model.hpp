@@ -28,7 +28,7 @@
 #include "kernels/shell/shell_force.hpp"
 #include "kernels/tet/tet_force.hpp"
 #include "src/deck/deck.hpp"
-#include "src/deck/start/switches.hpp"
+#include "src/deck/switches.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/rigid_model.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
 #include "src/step/forces/force_sources.hpp"
 #include "src/step/model/state.hpp"
 

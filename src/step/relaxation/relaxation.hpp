@@ -13,9 +13,9 @@
 #include <memory>
 
 #include "src/output/summary.hpp"
+#include "src/step/mass/fictitious_masses.hpp"
 #include "src/step/relaxation/motion_sums.hpp"
 #include "src/step/relaxation/preload_stage.hpp"
-#include "src/step/fictitious_masses.hpp"
 #include "src/step/step.hpp"
 #include "src/warning.hpp"
 

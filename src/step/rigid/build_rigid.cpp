@@ -16,9 +16,9 @@
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
-#include "src/step/masses/mass_sum.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/rigid/inertia.hpp"
+#include "src/step/rigid/mass_sum.hpp"
 
 namespace percuss {
 namespace {

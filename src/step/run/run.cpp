@@ -7,22 +7,22 @@
 #include <limits>
 #include <memory>
 
-#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/overlap/start_overlap.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/output/files/safe_text.hpp"
-#include "src/step/build/mass_scaling.hpp"
+#include "src/step/initial/start_fields.hpp"
+#include "src/step/mass/mass_scaling.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/restart/checkpoint.hpp"
 #include "src/step/restart/mesh_pieces.hpp"
 #include "src/step/restart/restart_removals.hpp"
 #include "src/step/run/run_scene.hpp"
+#include "src/step/run/run_totals.hpp"
 #include "src/step/run/stop_request.hpp"
-#include "src/step/start/start_fields.hpp"
-#include "src/step/totals/run_totals.hpp"
 #include "src/step/turned_corners.hpp"
 
 namespace percuss {

@@ -9,7 +9,7 @@
 #include "src/index.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/step/run/run_scene.hpp"
-#include "src/step/totals/run_totals.hpp"
+#include "src/step/run/run_totals.hpp"
 
 namespace percuss {
 

@@ -9,7 +9,7 @@
 #include "src/deck/units.hpp"
 #include "src/step/audit/coordinate_precision.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/totals/run_totals.hpp"
+#include "src/step/run/run_totals.hpp"
 
 namespace percuss {
 

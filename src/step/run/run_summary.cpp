@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/step/totals/run_totals.hpp"
+#include "src/step/run/run_totals.hpp"
 
 namespace percuss {
 namespace {

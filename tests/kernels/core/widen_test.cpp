@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/core/long_sum.hpp"
-#include "kernels/material/point/polar.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss::test {
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "kernels/element/element_chunks.hpp"
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/element/element_chunks.hpp"
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

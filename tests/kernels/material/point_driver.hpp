@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kernels/material/call_material.hpp"
+#include "kernels/material/laws/call_material.hpp"
 
 namespace percuss::test {
 

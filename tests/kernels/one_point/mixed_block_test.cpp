@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "kernels/element/tet4/tet4.hpp"
+#include "kernels/tet/tet4.hpp"
 #include "tests/kernels/element/node_fields.hpp"
 #include "tests/kernels/one_point/random_solid.hpp"
 

@@ -1,6 +1,6 @@
 // The one-point wedge and pyramid as pure functions: geometry, forces and their power, step.
 
-#include "kernels/element/one_point/one_point.hpp"
+#include "kernels/one_point/one_point.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/element/one_point/one_point.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
+#include "kernels/one_point/one_point.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

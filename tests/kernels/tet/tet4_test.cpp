@@ -1,6 +1,6 @@
 // The tetrahedron as a pure function: its geometry, its forces and their power, its step.
 
-#include "kernels/element/tet4/tet4.hpp"
+#include "kernels/tet/tet4.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/element/tet4/tet4.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
+#include "kernels/tet/tet4.hpp"
 #include "tests/kernels/element/node_fields.hpp"
 #include "tests/kernels/element/random_element.hpp"
 

@@ -1,7 +1,7 @@
 // The contact decomposition: a rank that owns a node has every face whose box holds it, told once and placed anew in
 // every search; parts go to the ranks that have their points.
 
-#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/ranks/contact_decomposition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "kernels/contact/geometry/point3.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/contact/exchange/remote_items.hpp"
+#include "src/contact/ranks/remote_items.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/mesh/decomposition/decompose.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "kernels/core/tensor.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "tests/verification/support/random_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"

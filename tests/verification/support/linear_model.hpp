@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernels/element/hex8/hex8_full.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 

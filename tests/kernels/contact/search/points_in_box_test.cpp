@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "kernels/contact/block_search/kd_order.hpp"
+#include "kernels/contact/search/kd_order.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {

@@ -1,6 +1,6 @@
 // Nodes that sleep far from walls: none that could have a row.
 
-#include "kernels/contact/walls/wall_sleep.hpp"
+#include "kernels/contact/rows/wall_sleep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/element/failure/failure_criteria.hpp"
+#include "kernels/element/failure_criteria.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "kernels/element/hex8/hex8_full.hpp"
-#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

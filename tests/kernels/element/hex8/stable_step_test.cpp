@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/material/point/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

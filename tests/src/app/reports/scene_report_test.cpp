@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "src/app/folder/output_folder.hpp"
-#include "src/app/start/memory_check.hpp"
-#include "src/app/start/placement.hpp"
-#include "src/app/start/threads.hpp"
+#include "src/app/process/memory_check.hpp"
+#include "src/app/process/placement.hpp"
+#include "src/app/process/threads.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/mesh/decomposition/decompose.hpp"

@@ -1,6 +1,6 @@
 // What the arguments mean, and how wrong ones are answered.
 
-#include "src/app/start/command_line.hpp"
+#include "src/app/process/command_line.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // Edges that become sharp in the run, on one rank and on several.
 
-#include "src/contact/folds/fold_watch.hpp"
+#include "src/contact/surface/fold_watch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/overlap/start_overlap.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/mesh/decomposition/decompose.hpp"

@@ -6,8 +6,8 @@
 
 #include "comm/halo/node_copies.hpp"
 #include "comm/halo/shared_nodes.hpp"
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/neo_hookean.hpp"
-#include "kernels/material/point/elastic.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
 #include "src/mesh/decomposition/element_costs.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"

@@ -1,4 +1,4 @@
-#include "src/mesh/exodus/trial_process.hpp"
+#include "src/mesh/formats/exodus/trial_process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "src/step/audit/hourglass/hourglass_pattern.hpp"
+#include "src/step/audit/hourglass_pattern.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "tests/src/step/scene.hpp"
 

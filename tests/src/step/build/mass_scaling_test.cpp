@@ -1,6 +1,6 @@
 // Mass scaling against its exact answers: a bar with one short element.
 
-#include "src/step/build/mass_scaling.hpp"
+#include "src/step/mass/mass_scaling.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "src/error.hpp"
-#include "src/step/points/material_place.hpp"
+#include "src/step/model/material_place.hpp"
 #include "src/step/results/fields/element_fields.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run.hpp"

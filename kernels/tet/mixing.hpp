@@ -1,0 +1,91 @@
+#pragma once
+// The twice-averaged volume rate of tetrahedra: what an element takes from the averages at its nodes, and gives to
+// them.
+//
+// A tetrahedron that keeps its own volume rate locks: four corners share too few degrees of freedom with their
+// neighbours. Averaged from elements to nodes and back, the volume rate leaves them free (Bonet and Burton, Comm. Num.
+// Meth. Eng. 14, 1998, averages once). A share of the deviator is averaged likewise, which takes the stiffness off
+// bending (in the way of the alpha-FEM of Nguyen-Thoi et al. 2010). What the stresses give to the nodes is averaged by
+// the transpose, so that the power of the forces is that of the stresses. docs/theory_tetrahedra.md has it all.
+
+#include "kernels/material/polar.hpp"
+#include "kernels/tet/geometry.hpp"
+
+namespace percuss {
+
+/// Share of the averaged deviator.
+inline constexpr double tet_deviator_share = 0.3;
+
+/// Averages are blind to a single element that collapses while its neighbours grow. Beyond the difference of
+/// logarithmic volume `start` a pressure of its own resists, with the share `stiffness` of the bulk modulus.
+struct TetGuard {
+  static constexpr double stiffness = 0.2, start = 0.5;
+};
+
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> add_to_diagonal(const Symmetric3<T>& a, const T& p) {
+  return {a.xx + p, a.yy + p, a.zz + p, a.xy, a.yz, a.zx};
+}
+
+/// (1 - gamma) dev own + gamma dev mean + tr mean / 3 I.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> blend(const Symmetric3<T>& own, const Symmetric3<T>& mean) {
+  const T share = T(tet_deviator_share), rest = T(1 - tet_deviator_share), third = T(1.0 / 3.0);
+  return add_to_diagonal(rest * own + share * mean, third * rest * (trace(mean) - trace(own)));
+}
+
+/// Pressure of the guard, positive in tension as stresses are. gap: integral of the element's volume rate less the
+/// averaged one.
+template <class T>
+PERCUSS_FORCE_INLINE T find_guard(const T& gap, double bulk_modulus) {
+  return T(TetGuard::stiffness * bulk_modulus) * smaller(gap + T(TetGuard::start), T(0));
+}
+
+/// Numbers that elements give to a node, in groups of three: groups of four with an unused last one in memory.
+/// Rates: V D / 4 (6), V / 4. Stresses: V (sigma - g I) / 4 (6), V / 4, V K / 4, V mu / 4, m / 4, |B_I|^2 / V.
+struct TetSums {
+  static constexpr int rate_groups = 3, stress_groups = 4;
+  static constexpr int rate_row = 4 * rate_groups, stress_row = 4 * stress_groups;
+};
+
+/// What a node has on average: D, or the stress and the moduli.
+template <class T>
+struct TetMeans {
+  Symmetric3<T> stress;
+  T bulk, shear;
+  T share[4];  // by corner: its mass over the sum of |B|^2 / V there
+};
+
+/// Bound of the square of the largest frequency of the elements together, and of the damping rate.
+///
+/// The averages are convex, so that sum_e V_e K (tr mean D)^2 <= sum_e V_e K_mean (tr D_e)^2 with K_mean averaged twice
+/// as rates are (Jensen's inequality): the averaged stiffness is at most that of plain elements with these moduli. And
+/// a node's mass may be shared among its elements in any way, here by |B_I|^2 / V: of an element with corner masses
+/// w_I, omega^2 <= (lambda tr G + 2 mu g_max(G)) / V with G = sum_I B_I B_I^T / w_I.
+template <class T>
+struct TetStiffness {
+  T bulk, shear;  // bounds of the moduli that the element feels
+  T tangent;      // of bulk viscosity
+};
+
+template <class T>
+struct TetFrequency {
+  T square, damping_rate;
+};
+
+/// weights: 1 / w_I by corner.
+template <class T>
+PERCUSS_FORCE_INLINE TetFrequency<T> bound_tet_frequency(const TetGeometry<T>& g, const T (&weights)[4],
+                                                         const TetStiffness<T>& of) {
+  Symmetric3<T> square{T(0), T(0), T(0), T(0), T(0), T(0)};
+  for (int i = 0; i < 4; ++i) {
+    const Vector3<T>& b = g.b[i];
+    square = square + weights[i] * Symmetric3<T>{b.x * b.x, b.y * b.y, b.z * b.z, b.x * b.y, b.y * b.z, b.z * b.x};
+  }
+  const T over_volume = T(1) / g.volume, size = trace(square);
+  const T lambda = larger(of.bulk - T(2.0 / 3.0) * of.shear, T(0));
+  return {over_volume * (lambda * size + T(2) * of.shear * bound_largest_eigenvalue(square)),
+          over_volume * of.tangent * size};
+}
+
+}  // namespace percuss

@@ -1,0 +1,41 @@
+#pragma once
+// What lies inside another body and is not in contact: it came there where no check saw it.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/contact/overlap/start_overlap.hpp"
+
+namespace percuss {
+
+/// The deepest node or edge, as a share of the size of what it is inside of.
+struct MissedContact {
+  double ratio = 0, depth = 0;  // share of an element, [length]
+  std::int64_t node = -1;       // number; of an edge its lower end
+  bool is_edge = false;
+  int part = -1, other = -1;  // index into Mesh::parts; other: of nodes
+  double x[3] = {0, 0, 0};    // [length]
+};
+
+/// What is not missed. What lies beside the rim of a shell, within its thickness, is not inside it.
+struct KnownContact {
+  std::vector<std::int64_t> inside;  // numbers of this rank's nodes that began inside another body, ascending
+  std::vector<char> of_shells;       // [parts of the mesh]
+
+  bool is_of_shells(int part) const { return of_shells[static_cast<std::size_t>(part)] != 0; }
+  bool has_shells() const { return std::find(of_shells.begin(), of_shells.end(), 1) != of_shells.end(); }
+};
+
+/// Searches at the positions of `motion`, whose dt is 0, for what is inside another body by more than a tenth of an
+/// element without a record in the history: nodes of solids in solids, and edges where the scene has no shells. Empty:
+/// nothing. The same on all ranks. Collective.
+std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
+                                                 const ContactHistory& history, const KnownContact& known);
+
+/// "node 17 of part 'ball' lies 0.01 (0.8 of an element) inside part 'sheet' at (...) and is not in contact".
+std::string describe_missed_contact(const MissedContact& missed, const Mesh& mesh, std::int64_t id);
+
+}  // namespace percuss

@@ -1,0 +1,50 @@
+#include "src/contact/ranks/remote_items.hpp"
+
+#include <utility>
+
+#include "src/index.hpp"
+
+namespace percuss {
+namespace {
+
+/// The requested items of a list, and the runs that are left of it.
+struct WantedRuns {
+  std::vector<PeerRun> runs;
+  std::vector<int> items;
+};
+
+WantedRuns keep_wanted(const std::vector<PeerRun>& runs, const std::vector<int>& items,
+                       const std::vector<char>& is_wanted) {
+  WantedRuns kept;
+  for (const PeerRun& run : runs) {
+    const auto before = static_cast<std::int64_t>(kept.items.size());
+    for (std::int64_t k = run.first; k < run.first + run.count; ++k)
+      if (is_wanted[static_cast<std::size_t>(k)] != 0) kept.items.push_back(items[static_cast<std::size_t>(k)]);
+    const std::int64_t count = static_cast<std::int64_t>(kept.items.size()) - before;
+    if (count > 0) kept.runs.push_back({run.rank, before, count});
+  }
+  return kept;
+}
+
+}  // namespace
+
+ItemPart RemoteItems::select(DataExchange& data, const std::vector<char>& is_wanted) const {
+  std::vector<char> flags;
+  flags.reserve(all_.asked.size());
+  for (const int item : all_.asked) flags.push_back(is_wanted[at(item)]);
+  const std::vector<char> of_others = data.exchange(all_.request, flags);
+  WantedRuns asked = keep_wanted(all_.request.to, all_.asked, flags);
+  WantedRuns published = keep_wanted(all_.request.from, all_.published, of_others);
+  ItemPart part;
+  part.request = {std::move(asked.runs), std::move(published.runs)};
+  part.asked = std::move(asked.items);
+  part.published = std::move(published.items);
+  for (std::size_t i = 0; i < all_.own.size(); ++i) {
+    if (is_wanted[at(all_.own[i])] == 0) continue;
+    part.own.push_back(all_.own[i]);
+    part.own_places.push_back(all_.own_places[i]);
+  }
+  return part;
+}
+
+}  // namespace percuss

@@ -1,0 +1,222 @@
+#include "src/contact/surface/fold_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "comm/all_reduce.hpp"
+#include "comm/gather_items.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/core/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+/// What an edge needs to know of a side.
+struct SideShape {
+  Point3 inward{}, normal{};
+};
+
+KOKKOS_INLINE_FUNCTION SideShape find_shape(const Rows3<const double>& x, const WatchedSide& side) {
+  const Point3 origin = load_row(x, side.ends[0]);
+  const Point3 along = load_row(x, side.ends[1]) - origin;
+  SideShape shape;
+  shape.inward = find_inward(Point3{}, along, load_row(x, side.wings[0]) - origin, load_row(x, side.wings[1]) - origin);
+  shape.normal = static_cast<double>(side.turn) * cross(along, shape.inward);
+  return shape;
+}
+
+/// Whether an edge is no longer what it was, sharp or smooth.
+KOKKOS_INLINE_FUNCTION FoldChange find_change(const SideShape& a, const SideShape& b, const FoldRule& rule) {
+  const double level = -dot(a.inward, b.inward);
+  const bool is_convex = rule.is_solid == 0 || dot(a.normal, b.inward) < 0;
+  if (rule.is_fold != 0) return !is_convex || level > rule.smooth ? FoldChange::slow : FoldChange::none;
+  if (!is_convex || !(level < rule.sharp)) return FoldChange::none;
+  return level < rule.fast ? FoldChange::fast : FoldChange::slow;
+}
+
+FoldRule make_rule(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, bool is_fold) {
+  constexpr double degree = 0.017453292519943295, feature = 30 * degree;  // contact_limits::feature
+  const double level = -dot(a.inward, b.inward), angle = std::acos(std::clamp(level, -1.0, 1.0));
+  const bool is_solid = kind == EdgeKind::solid;
+  const double start = is_solid && dot(a.normal, b.inward) > 0 ? -angle : angle;
+  const double sharp = std::clamp(start + fold_angles.bend * degree, fold_angles.least * degree, feature);
+  return {is_solid ? 1 : 0, is_fold ? 1 : 0, std::cos(sharp), std::cos(sharp + fold_angles.fast * degree),
+          std::cos(sharp - fold_angles.slack * degree)};
+}
+
+WatchedSide make_watched(const SurfaceShare& share, const ToldSides::OwnSide& own) {
+  const std::array<int, 4>& nodes = share.face_corners[at(own.face)];
+  const auto& corners = share.faces[at(own.face)].corners;
+  const std::size_t p = at(own.corner), q = (p + 1) % 4;
+  const int wing_p = nodes[find_previous_corner(corners, p)], wing_q = nodes[find_next_corner(corners, q)];
+  if (corners[q] < corners[p]) return {{nodes[q], nodes[p]}, {wing_q, wing_p}, -1};
+  return {{nodes[p], nodes[q]}, {wing_p, wing_q}, 1};
+}
+
+/// [classes] whether it may touch any.
+std::vector<char> find_touching(const SurfaceShare& share) {
+  const auto friction = to_host(share.pair_friction);
+  const std::size_t n = at(share.num_classes);
+  std::vector<char> touches(n, 0);
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+      if (friction(a * n + b) >= 0) touches[a] = touches[b] = 1;
+  return touches;
+}
+
+}  // namespace
+
+/// The edges that are no features by their angle at the start.
+void FoldWatch::list_edges(const SurfaceShare& share) {
+  has_edges_ = true;
+  own_.clear();
+  shared_.clear();
+  const ToldSides told(chunked_, share.faces, share.face_corners, ranks_);
+  const std::vector<char> touches = find_touching(share);
+  std::vector<WatchedSide> sides;
+  for (const ToldSides::OwnSide& own : told.sent()) sides.push_back(make_watched(share, own));
+  sent_to_ = told.sent_to();
+  const int num_own = static_cast<int>(told.own().size());
+  const auto place_side = [&](int item) {  // received sides are told by negative numbers until all own ones are known
+    if (item >= num_own) return num_own - 1 - item;
+    sides.push_back(make_watched(share, told.own()[at(item)]));
+    return static_cast<int>(sides.size()) - 1;
+  };
+  std::vector<EdgeSide> around;
+  const auto list = [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
+    const bool may_touch = touches[at(a.surface_class)] != 0 || touches[at(b.surface_class)] != 0;
+    if (!may_touch || is_feature(kind, a, b)) return;
+    const EdgeEnds ends{a.ends[0], a.ends[1]};
+    const FoldRule rule = make_rule(kind, a, b, is_fold(ends));
+    if (a.item < num_own && b.item < num_own)
+      own_.push_back({make_watched(share, told.own()[at(a.item)]), make_watched(share, told.own()[at(b.item)]), rule});
+    else
+      shared_.push_back({ends, place_side(a.item), place_side(b.item), rule});
+  };
+  for (std::size_t node = 0; node < told.node_count(); ++node)
+    told.visit_edges(node, around,
+                     [&](const EdgeSide* first, const EdgeSide* last) { visit_meetings(first, last, list); });
+  const int num_sides = static_cast<int>(sides.size());
+  for (SharedEdge& edge : shared_) {
+    if (edge.side < 0) edge.side = num_sides - 1 - edge.side;
+    if (edge.other < 0) edge.other = num_sides - 1 - edge.other;
+  }
+  own_edges_ = to_view("contact::watched_edges", own_);
+  sides_ = to_view("contact::watched_sides", sides);
+}
+
+/// Appends the edges that have changed; returns how many have at least by so much.
+std::int64_t FoldWatch::look_at_own(const Rows3<const double>& x, FoldChange least,
+                                    std::vector<EdgeEnds>& changed) const {
+  const Array<WatchedEdge> edges = own_edges_;
+  const int count = static_cast<int>(own_.size());
+  const auto has_changed = [edges, x] KOKKOS_FUNCTION(int i, FoldChange by) {
+    const WatchedEdge& e = edges(i);
+    return find_change(find_shape(x, e.side), find_shape(x, e.other), e.rule) >= by;
+  };
+  std::int64_t num_due = 0;
+  Kokkos::parallel_reduce(
+      "contact::watch_folds", Range(ExecSpace(), 0, count),
+      KOKKOS_LAMBDA(int i, std::int64_t& sum) { sum += has_changed(i, least) ? 1 : 0; }, num_due);
+  if (num_due == 0 && ranks_.size() == 1) return 0;
+  const Array<int> list("contact::changed_folds", at(count));
+  const int num_changed = list_where(
+      ExecSpace(), count, [has_changed] KOKKOS_FUNCTION(int i) { return has_changed(i, FoldChange::slow); }, list);
+  const auto places = to_host(list);
+  for (std::size_t i = 0; i < at(num_changed); ++i) {
+    const int* const ends = own_[at(places(i))].side.ends;
+    changed.push_back({chunked_.mesh.node_numbers[at(ends[0])], chunked_.mesh.node_numbers[at(ends[1])]});
+  }
+  return num_due;
+}
+
+std::int64_t FoldWatch::look_at_shared(const Rows3<const double>& x, FoldChange least,
+                                       std::vector<EdgeEnds>& changed) const {
+  const Array<const WatchedSide> sides = sides_;
+  const Array<SideShape> shapes("contact::side_shapes", sides.extent(0));
+  Kokkos::parallel_for(
+      "contact::watch_sides", Range(ExecSpace(), 0, static_cast<int>(sides.extent(0))),
+      KOKKOS_LAMBDA(int i) { shapes(i) = find_shape(x, sides(i)); });
+  const auto host = to_host(shapes);
+  std::vector<SideShape> all(host.data(), host.data() + host.extent(0));
+  const std::vector<SideShape> sent(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(sent_to_.size()));
+  const std::vector<SideShape> received = ItemExchange(ranks_).send(sent_to_, sent);
+  all.insert(all.end(), received.begin(), received.end());
+  std::int64_t num_due = 0;
+  for (const SharedEdge& edge : shared_) {
+    const FoldChange by = find_change(all[at(edge.side)], all[at(edge.other)], edge.rule);
+    if (by >= FoldChange::slow) changed.push_back(edge.ends);
+    num_due += by >= least ? 1 : 0;
+  }
+  return num_due;
+}
+
+/// Those that were folds are so no longer, the others are now.
+void FoldWatch::note(std::vector<EdgeEnds> changed) {
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  std::vector<EdgeEnds> folds;
+  std::set_symmetric_difference(folds_.begin(), folds_.end(), changed.begin(), changed.end(),
+                                std::back_inserter(folds));
+  folds_ = std::move(folds);
+  for (WatchedEdge& edge : own_) {
+    const auto& numbers = chunked_.mesh.node_numbers;
+    edge.rule.is_fold = is_fold({numbers[at(edge.side.ends[0])], numbers[at(edge.side.ends[1])]}) ? 1 : 0;
+  }
+  own_edges_ = to_view("contact::watched_edges", own_);
+  for (SharedEdge& edge : shared_) edge.rule.is_fold = is_fold(edge.ends) ? 1 : 0;
+}
+
+bool FoldWatch::look(const SurfaceShare& share, const Rows3<const double>& x, long step) {
+  if (share.total_searched_faces == 0) return false;
+  if (!has_edges_) list_edges(share);
+  std::vector<EdgeEnds> changed;
+  const FoldChange least = step % slow_fold_steps == 0 ? FoldChange::slow : FoldChange::fast;
+  std::int64_t num_due = look_at_own(x, least, changed);
+  if (ranks_.size() > 1) num_due += look_at_shared(x, least, changed);
+  all_reduce(ranks_, Reduce::sum, num_due);
+  if (num_due == 0) return false;
+  note(gather_items(ranks_, changed));
+  return true;
+}
+
+/// By their lower nodes. A run may begin without.
+bool FoldWatch::archive(CheckpointArchive& archive, const SurfaceShare& share) {
+  auto total = static_cast<std::int64_t>(folds_.size());
+  if (!is_active_ || (archive.is_loading() ? !archive.has_number("contact/folds/count") : total == 0)) return false;
+  archive.number("contact/folds/count", total);
+  const std::vector<std::int64_t>& nodes = share.nodes.numbers;
+  std::vector<std::int64_t> counts, lower, upper;
+  for (const std::int64_t node : nodes) {
+    const auto first = std::lower_bound(folds_.begin(), folds_.end(), EdgeEnds{node, -1});
+    auto last = first;
+    while (last != folds_.end() && last->lower == node) upper.push_back((last++)->upper);
+    counts.push_back(last - first);
+  }
+  const ChunkRows rows = find_rows_of_nodes(chunked_, nodes);
+  archive.rows("contact/folds/of_nodes", rows, 1, std::span<std::int64_t>(counts));
+  constexpr std::int64_t most = std::int64_t{1} << 20;  // of a node
+  std::vector<std::int64_t> of_chunks;
+  std::size_t next = 0;
+  for (const std::int64_t num_rows : rows.counts) {
+    std::int64_t sum = 0;
+    for (std::int64_t i = 0; i < num_rows; ++i, ++next) {
+      const std::int64_t count = counts[rows.places.empty() ? next : at(rows.places[next])];
+      sum = sum < 0 || count < 0 || count > most ? -1 : sum + count;
+    }
+    of_chunks.push_back(sum);
+  }
+  archive.expect_rows("contact/folds/ends", of_chunks, 1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) lower.insert(lower.end(), at(counts[n]), nodes[n]);
+  upper.resize(lower.size());
+  archive.rows("contact/folds/ends", find_rows_of_nodes(chunked_, lower), 1, std::span<std::int64_t>(upper));
+  if (!archive.is_loading()) return false;
+  std::vector<EdgeEnds> own;
+  for (std::size_t i = 0; i < lower.size(); ++i) own.push_back({lower[i], upper[i]});
+  folds_ = gather_items(ranks_, own);
+  std::sort(folds_.begin(), folds_.end());
+  return true;
+}
+
+}  // namespace percuss

@@ -1,0 +1,310 @@
+// Keys of `materials`: `model` says which law, whose own table of keys is in kernels/material.
+
+#include "kernels/material/laws/materials.hpp"
+#include "kernels/material/pressure/equations_of_state.hpp"
+#include "src/deck/keys/foreign_names.hpp"
+#include "src/deck/keys/table_value.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/deck/sections/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Range& find_range(KeyRange range) {
+  // Outside this range the bulk or shear modulus is not positive.
+  static const Range poissons_ratio{"between -1 and 0.5, both excluded", -1, 0.5, true, true};
+  static const Range share{"from 0 to 1", 0, 1};
+  static const Range above_one{"above 1", 1, std::numeric_limits<double>::infinity(), true};
+  static const Range not_positive{"zero or negative", -std::numeric_limits<double>::infinity(), 0};
+  switch (range) {
+    case KeyRange::positive:
+      return positive;
+    case KeyRange::not_negative:
+      return not_negative;
+    case KeyRange::not_positive:
+      return not_positive;
+    case KeyRange::above_one:
+      return above_one;
+    case KeyRange::share:
+      return share;
+    case KeyRange::poissons_ratio:
+      return poissons_ratio;
+    case KeyRange::any:
+      break;
+  }
+  return any_number;
+}
+
+/// A curve for a rate.
+struct RateCurve {
+  double rate = 0;
+  TableValue::Rows rows;
+};
+
+/// One curve [rate, [[x, y], ...]].
+struct RateCurveValue {
+  TableValue table;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, RateCurve& out) const {
+    if (node.kind != Node::Kind::list || node.items.size() != 2) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    RateCurve curve;
+    if (!NumberValue{not_negative}.read(reader, name + ".0", node.items[0], curve.rate)) return false;
+    if (!table.read_rows(reader, name + ".1", node.items[1], RateCurves::most_rows, curve.rows)) return false;
+    out = std::move(curve);
+    return true;
+  }
+  std::string takes() const { return "[rate, [[x, y], ...]], rate zero or positive, y " + table.range.text; }
+  Form form() const { return tuple_form({number_form(not_negative), table.form()}); }
+};
+
+/// Curves for several rates, the rates ascending.
+struct RateCurvesValue {
+  RateCurveValue curve;
+
+  /// Into the tables and numbers of the law (name_curve()).
+  bool read(const Reader& reader, const std::string& name, const Node& node, const std::string& key,
+            LawDeck& law) const {
+    std::vector<RateCurve> curves;
+    if (!ListValue<RateCurveValue>{curve}.read(reader, name, node, curves)) return false;
+    std::size_t rows = 0;
+    for (const RateCurve& one : curves) rows += one.rows.size();
+    if (curves.empty() || curves.size() > RateCurves::most_rates || rows > RateCurves::most_rows) {
+      reader.error(node.spot,
+                   fmt::format("{} has {} rates and {} rows{} (must have 1 to {} rates, and at most {} rows "
+                               "in all)",
+                               name, curves.size(), rows, reader.in(), RateCurves::most_rates, RateCurves::most_rows));
+      return false;
+    }
+    for (std::size_t i = 1; i < curves.size(); ++i) {
+      if (curves[i].rate > curves[i - 1].rate) continue;
+      reader.error(node.items[i].spot, fmt::format("{}.{} begins with the rate {} after {}{} (rates must ascend)", name,
+                                                   i, curves[i].rate, curves[i - 1].rate, reader.in()));
+      return false;
+    }
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const std::string own = name_curve(key, static_cast<int>(k));
+      law.numbers[own] = curves[k].rate;
+      law.tables[own] = std::move(curves[k].rows);
+    }
+    return true;
+  }
+  std::string takes() const { return "a list, each " + curve.takes(); }
+  Form form() const { return list_form(curve.form(), 1); }
+};
+
+/// A row of the deck's table from one of a law's.
+template <class C>
+Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
+  const auto into = [name = std::string(key.name)](auto LawDeck::*map) {
+    return [name, map](const auto& value, const Reader& reader, const std::string& full, const Node& node,
+                       LawDeck& law) { return value.read(reader, full, node, (law.*map)[name]); };
+  };
+  const Range& range = find_range(key.range);
+  if (key.table != nullptr) return make_key<LawDeck>(key.name, key.required, TableValue{range}, into(&LawDeck::tables));
+  if (key.curves != nullptr)
+    return make_key<LawDeck>(key.name, key.required, RateCurvesValue{{{range}}},
+                             [name = std::string(key.name)](const RateCurvesValue& value, const Reader& reader,
+                                                            const std::string& full, const Node& node, LawDeck& law) {
+                               return value.read(reader, full, node, name, law);
+                             });
+  if (key.choice != nullptr) {
+    const ChoiceValue<double> words{{{key.words[0], 0}, {key.words[1], 1}}};
+    return make_key<LawDeck>(key.name, key.required, words, into(&LawDeck::numbers));
+  }
+  if (key.vector != nullptr) return make_key<LawDeck>(key.name, key.required, vector3(range), into(&LawDeck::vectors));
+  return make_key<LawDeck>(key.name, key.required, NumberValue{range}, into(&LawDeck::numbers));
+}
+
+constexpr const char* state_key = "equation_of_state";
+
+struct Model {
+  enum class State { none, may, must };
+  std::string name;
+  State state;  // whether it has an equation of state
+  Keys<LawDeck> keys;
+  std::string (*find_fault)(const LawDeck&);             // what is wrong between several constants; empty: nothing
+  std::string (*find_fault_with_state)(const LawDeck&);  // likewise, only with an equation of state
+};
+
+template <class Law>
+Model make_model() {
+  constexpr Model::State state = needs_equation_of_state<Law>   ? Model::State::must
+                                 : takes_equation_of_state<Law> ? Model::State::may
+                                                                : Model::State::none;
+  Model model{Law::name, state, {}, {}, {}};
+  model.find_fault = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
+      return std::string(find_constants<Law>(law).find_fault());
+    }
+    return std::string();
+  };
+  model.find_fault_with_state = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault_with_state(); }) {
+      return std::string(find_constants<Law>(law).find_fault_with_state());
+    }
+    return std::string();
+  };
+  for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
+  return model;
+}
+
+template <class... Law>
+std::vector<Model> make_models(TypeList<Law...>) {
+  return {make_model<Law>()...};
+}
+
+const std::vector<Model>& states() {
+  static const std::vector<Model> all = make_models(EquationsOfState());
+  return all;
+}
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all = make_models(Materials());
+  return all;
+}
+
+ChoiceValue<const Model*> choose_model(const std::vector<Model>& models) {
+  ChoiceValue<const Model*> value;
+  for (const Model& model : models) value.choices.emplace_back(model.name, &model);
+  return value;
+}
+
+/// Adds a key of a model; one that several have is there once, in every form that one of them takes.
+void add_key(const Key<LawDeck>& key, std::vector<FormKey>& all) {
+  const auto known = std::find_if(all.begin(), all.end(), [&](const FormKey& k) { return k.name == key.name; });
+  if (known == all.end())
+    all.push_back({key.name, key.required, key.takes, key.form(), true});
+  else if (known->takes != key.takes)
+    known->form = any_form({std::move(known->form), key.form()});
+}
+
+/// A map that has the keys of `common` and those of the model that its key `chooser` names.
+Form form_of_models(const std::vector<Model>& models, const char* chooser, Form common) {
+  const auto choices = choose_model(models);
+  common.keys.insert(common.keys.begin(), {chooser, true, choices.takes(), choices.form()});
+  Form all = common;
+  all.chooser = chooser;
+  for (const Model& model : models) {
+    FormCase& its = all.cases.emplace_back(FormCase{model.name, {}, {}});
+    for (const FormKey& key : common.keys) {
+      const bool is_state = key.name == state_key;
+      if (!is_state || model.state != Model::State::none) its.keys.push_back(key.name);
+      if (is_state && model.state == Model::State::must) its.required.push_back(key.name);
+    }
+    for (const Key<LawDeck>& key : model.keys) {
+      add_key(key, all.keys);
+      its.keys.push_back(key.name);
+      if (key.required) its.required.push_back(key.name);
+    }
+  }
+  return all;
+}
+
+// " (a key of model j2_plasticity, not of elastic)" for a key that another model has.
+std::string find_other_model(const std::vector<Model>& models, const char* kind, const std::string& key,
+                             const Model& own) {
+  for (const Model& model : models) {
+    for (const Key<LawDeck>& other : model.keys) {
+      if (other.name == key) return fmt::format(" (a key of {} {}, not of {})", kind, model.name, own.name);
+    }
+  }
+  return {};
+}
+
+/// Reads which model a map chooses with the key `kind`.
+const Model* read_choice(const std::vector<Model>& models, const char* kind, const Reader& reader, const Node& node,
+                         LawDeck& out) {
+  const auto choices = choose_model(models);
+  const Node* choice = node.find(kind);
+  if (choice == nullptr) {
+    refuse_missing(reader, node, kind, choices.takes());
+    return nullptr;
+  }
+  if (const std::string instead = find_foreign_model(choice->text); !instead.empty()) {
+    reader.error(choice->spot,
+                 fmt::format("{} is {}{} ({})", reader.name_of(kind), describe(*choice), reader.in(), instead));
+    return nullptr;
+  }
+  const Model* model = nullptr;
+  if (!choices.read(reader, reader.name_of(kind), *choice, model)) return nullptr;
+  out.model = model->name;
+  out.place = choice->spot.place;
+  return model;
+}
+
+bool check_faults(const Model& model, const Reader& reader, const Node& node, const LawDeck& law) {
+  std::string fault = model.find_fault(law);
+  if (fault.empty() && node.find(state_key) != nullptr) fault = model.find_fault_with_state(law);
+  if (!fault.empty()) reader.error(node.key, reader.self() + " has " + fault);
+  return fault.empty();
+}
+
+/// equation_of_state: `kind` says which.
+struct StateValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, LawDeck& out) const {
+    if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+    const Reader inner = reader.inside(name);
+    const Model* model = read_choice(states(), "kind", inner, node, out);
+    if (model == nullptr) return false;
+    const OtherKeys others{{"kind"},
+                           [model](const std::string& key) { return find_other_model(states(), "kind", key, *model); }};
+    return read_keys(inner, node, model->keys, out, others) && check_faults(*model, inner, node, out);
+  }
+  std::string takes() const { return "a map"; }
+  Form form() const { return form_of_models(states(), "kind", map_form({})); }
+};
+
+/// The keys that materials have whatever their law.
+const Keys<MaterialDeck>& common_keys() {
+  static const Keys<MaterialDeck> keys = {
+      need("density", &MaterialDeck::density, NumberValue{positive}),
+      may(state_key, &MaterialDeck::equation_of_state, StateValue{}),
+      may("failure", &MaterialDeck::failure, failure_value()),
+  };
+  return keys;
+}
+
+bool check_state(const Model& model, const Reader& reader, const Node& node) {
+  const Node* const state = node.find(state_key);
+  if (model.state == Model::State::must && state == nullptr) {
+    refuse_missing(reader, node, state_key, "a map");
+    return false;
+  }
+  if (model.state != Model::State::none || state == nullptr) return true;
+  reader.error(state->key,
+               fmt::format("{} has an equation_of_state, which model {} does not take", reader.self(), model.name));
+  return false;
+}
+
+/// A rate alone would count with the default exponent 1, which no material has.
+bool check_rate(const Reader& reader, const Node& node, const LawDeck& law) {
+  const auto rate = law.numbers.find("cowper_symonds_rate");
+  if (rate == law.numbers.end() || rate->second == 0 || law.numbers.contains("cowper_symonds_exponent")) return true;
+  reader.error(
+      node.find(rate->first)->key,
+      fmt::format("cowper_symonds_rate has no cowper_symonds_exponent{} (1 + (rate / {:g})^(1/q) needs q: steel "
+                  "has 40.4 / s and 5): give both",
+                  reader.in(), rate->second));
+  return false;
+}
+
+}  // namespace
+
+bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
+  const Model* model = read_choice(models(), "model", reader, node, out.law);
+  if (model == nullptr) return false;
+  // One pass over the map finds unknown keys, in the order of the deck.
+  Keys<MaterialDeck> keys = common_keys();
+  for (const Key<LawDeck>& key : model->keys) keys.push_back(lift_key(key, &MaterialDeck::law));
+  const OtherKeys others{{"model"},
+                         [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
+  const bool good = read_keys(reader, node, keys, out, others) && check_rate(reader, node, out.law);
+  return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
+}
+
+Form MaterialValue::form() const { return form_of_models(models(), "model", form_of(common_keys())); }
+
+}  // namespace percuss

@@ -1,0 +1,149 @@
+#include "src/step/assembly/build_failing.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
+#include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/shell/layer_lives.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/elements/build_shells.hpp"
+
+namespace percuss {
+
+namespace {
+
+FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
+  const FailureDeck& deck = *material.failure;
+  FailureLimits limits;
+  constexpr double none = FailureLimits::none;
+  limits.plastic_strain = deck.plastic_strain.value_or(none);
+  limits.principal_stress = deck.principal_stress.value_or(none);
+  limits.principal_strain = deck.principal_strain.value_or(none);
+  limits.thinning = deck.thinning.value_or(none);
+  limits.mean_thinning = deck.mean_thinning.value_or(none);
+  if (deck.thinning || deck.mean_thinning) {
+    const LameConstants c = find_moduli(material);
+    limits.compressibility = 1 / (3 * c.lambda + 2 * c.mu);
+  }
+  limits.tension = deck.pressure.value_or(none);
+  limits.yield_time = deck.yield_time.value_or(none);
+  if (const auto& d = deck.johnson_cook) {
+    limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
+  }
+  if (has_scalar(material, HistoryScalar::temperature)) {
+    const auto& numbers = material.law.numbers;  // those that the deck gives
+    const auto room = numbers.find("room_temperature");
+    limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
+    limits.melt_temperature = numbers.at("melt_temperature");
+  }
+  limits.least_step = deck.step.value_or(0) / step_scale;
+  limits.takes_inverted = deck.inverted;
+  limits.fade_steps = deck.fade_steps;
+  limits.layers = deck.layers;
+  return limits;
+}
+
+/// Criteria of plastic strain are for materials that have one.
+void check_failure(const Deck& deck, const MaterialDeck& material) {
+  const FailureDeck& failure = *material.failure;
+  const bool can_yield = has_scalar(material, HistoryScalar::equivalent_plastic_strain);
+  if (can_yield || !(failure.plastic_strain || failure.johnson_cook || failure.yield_time)) return;
+  throw InputError(
+      fmt::format("{}: error: material '{}' has the failure criterion {} (its model never yields): choose a model that "
+                  "yields, or another criterion",
+                  deck.where(material.place), material.name,
+                  failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
+}
+
+/// Criteria of shells or of beams, for elements of another kind.
+void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
+  const FailureDeck& failure = *material.failure;
+  const Topology& topology = find_topology(block.topology);
+  const char* criterion = nullptr;
+  if (!topology.is_surface() && (failure.thinning || failure.mean_thinning))
+    criterion = failure.thinning ? "thinning (of shells)" : "mean_thinning (of shells)";
+  if (!topology.is_line() && (failure.resultants || failure.time))
+    criterion = failure.resultants ? "resultants (of beams)" : "time (of beams)";
+  if (criterion == nullptr) return;
+  const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
+  throw InputError(
+      fmt::format("{}: error: material '{}' of part '{}' has the failure criterion {}, and the part has "
+                  "{} elements: give them a material without it",
+                  deck.where(part.place), material.name, part.name, criterion, topology.name));
+}
+
+/// Appends the limits of each element of a chunk, whose strains depend on its size.
+void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const FailureLimits& material,
+                        const ChunkedMesh& chunked, const Chunk& chunk, std::vector<FailureLimits>& limits) {
+  const MaterialTable factor = make_table(size);
+  for (int e = 0; e < chunk.element_count; ++e) {
+    const auto element = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(e);
+    limits.push_back(material.scale_strains(
+        factor(find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element))).y));
+    limits.back().of_element = true;
+  }
+}
+
+/// Where the layers of the chunks of shells are that can fail.
+void build_failing_layers(Model& model) {
+  if (!model.has_rotations) return;
+  FailingChunks& failing = model.failing;
+  const auto list = to_host(failing.list), points = to_host(model.chunks.points);
+  const auto family = to_host(model.chunks.family);
+  const HostChunks chunks(model.chunks);
+  std::vector<std::size_t> first(static_cast<std::size_t>(model.chunks.count), 0);
+  for (std::size_t i = 0; i < list.extent(0); ++i) {
+    const auto c = static_cast<std::size_t>(list(i));
+    if (family(c) != ElementFamily::shells) continue;
+    first[c] = failing.layer_scalars;
+    failing.layer_scalars += static_cast<std::size_t>(count_lanes(chunks, list(i))) *
+                             static_cast<std::size_t>(LayerLives::count_rows(points(c)));
+  }
+  if (failing.layer_scalars > 0) failing.first_layer = to_view("percuss::first_failing_layer", first);
+}
+
+}  // namespace
+
+void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  std::vector<FailureLimits> limits;
+  std::vector<int> row_of_material(deck.materials.size(), -1);
+  for (std::size_t m = 0; m < deck.materials.size(); ++m) {
+    if (!deck.materials[m].failure) continue;
+    check_failure(deck, deck.materials[m]);
+    row_of_material[m] = static_cast<int>(limits.size());
+    limits.push_back(make_limits(deck.materials[m], deck.time.step_scale));
+  }
+  if (limits.empty()) return;
+  model.can_erode = true;
+  const auto first_pack = to_host(model.chunks.first_pack);
+  std::vector<int> list, first, row;
+  FailingChunks& failing = model.failing;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const int material = find_block(chunked, chunked.chunks[c]).material;
+    row.push_back(is_rigid_chunk(deck, chunked.chunks[c]) ? -1 : row_of_material[static_cast<std::size_t>(material)]);
+    first.push_back(row.back() < 0 ? -1 : failing.pack_count);
+    if (row.back() < 0) continue;
+    refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));
+    list.push_back(static_cast<int>(c));
+    const auto& size = deck.materials[static_cast<std::size_t>(material)].failure->size;
+    if (!size.empty()) {
+      const FailureLimits of_material = limits[static_cast<std::size_t>(row.back())];
+      row.back() = static_cast<int>(limits.size());
+      add_limits_by_size(size, of_material, chunked, chunked.chunks[c], limits);
+    }
+    failing.pack_count += first_pack(c + 1) - first_pack(c);
+  }
+  failing.list = to_view("percuss::failing_chunks", list);
+  failing.first_pack = to_view("percuss::first_failing_pack", first);
+  failing.row = to_view("percuss::row_of_limits", row);
+  failing.limits = to_view("percuss::failure_limits", limits);
+  build_failing_layers(model);
+}
+
+}  // namespace percuss

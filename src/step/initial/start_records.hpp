@@ -1,0 +1,61 @@
+#pragma once
+// The records of elements on the host, in which files of the start set stresses and histories.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
+#include "kernels/material/elastic.hpp"
+#include "src/mesh/mesh.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// What a row of a file gives an element, or a layer of one; null: not that.
+struct StartRow {
+  std::int64_t layer = 0;  // from 1, the lowest; 0: all of the element
+  const double* stress = nullptr;
+  const double* plastic_strain = nullptr;
+  const double* temperature = nullptr;
+};
+
+/// An element and its elasticity.
+struct StartElement {
+  int chunk;
+  int element;
+  LameConstants moduli;
+};
+
+class StartRecords {
+ public:
+  /// All of it outlives this.
+  StartRecords(const Mesh& mesh, const Model& model, const State& state);
+
+  /// Sets what a row says of an element that begins without it. energy: out, what the stress adds to that of the
+  /// element. Returns why the element cannot have it, as "has no layer 4 (it has 3)"; empty: it can.
+  std::string write(const StartElement& of, const StartRow& row, double& energy);
+
+  void give_back(const State& state) const { Kokkos::deep_copy(state.elements, records_); }
+
+ private:
+  /// Lanes past the last element of a chunk repeat it: so many records have the element's values.
+  struct Lanes {
+    int first = 0, last = 0;
+  };
+  Lanes find_lanes(const StartElement& of) const;
+  std::string set_history(const StartElement& of, HistoryScalar name, std::int64_t layer, double value);
+  double set_solid_stress(const StartElement& of, const double* stress);
+  std::string set_shell_stress(const StartElement& of, const StartRow& row, double& energy);
+  std::string find_obstacle(const StartElement& of, const StartRow& row) const;
+  void set(const StartElement& of, int place, double value);
+  double get(const StartElement& of, int place) const;
+
+  const Mesh& mesh_;
+  const Model& model_;
+  HostChunks chunks_;
+  decltype(to_host(std::declval<const Array<Real>&>())) records_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,188 @@
+#include "src/step/mass/fictitious_masses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
+#include "src/index.hpp"
+
+namespace percuss {
+namespace {
+
+/// Masses of tetrahedra depend on those of their neighbours: they are found in so many rounds.
+constexpr int most_rounds = 5;
+
+/// What the step of an element may lack.
+constexpr double tolerated_lack = 0.01;
+
+/// The bound of a tetrahedron shares the mass of a node by stiffness (find_mixed_step()): it grows with the least of
+/// what its nodes get.
+bool has_bound_of_nodes(const Mesh& mesh, std::size_t element) {
+  return mesh.topology_of(element).family == ElementFamily::tetrahedra;
+}
+
+Array<double> scale_each(const std::string& label, const Array<const double>& from, const std::vector<double>& by) {
+  const Array<double> to(label, from.extent(0));
+  const auto values = to_host(from);
+  const auto host = Kokkos::create_mirror_view(to);
+  for (std::size_t i = 0; i < by.size(); ++i) host(i) = by[i] * values(i);
+  Kokkos::deep_copy(to, host);
+  return to;
+}
+
+/// 1 / mass in directions that are free.
+Rows3<double> invert(const Rows3<double>& before, const Array<double>& mass) {
+  const Rows3<double> inverse("percuss::inverse_of_relaxation", before.extent(0));
+  Kokkos::parallel_for(
+      "percuss::invert_masses", Range(ExecSpace(), 0, static_cast<int>(before.extent(0))), KOKKOS_LAMBDA(const int n) {
+        for (int k = 0; k < 3; ++k) inverse(n, k) = before(n, k) > 0 ? 1 / mass(n) : 0;
+      });
+  return inverse;
+}
+
+void scale_tensors(const SpinTensors& tensors, const Array<double>& ratios, bool back) {
+  Kokkos::parallel_for(
+      "percuss::scale_tensors", Range(ExecSpace(), 0, static_cast<int>(tensors.node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < 6; ++k) tensors.excess(i, k) *= back ? 1 / ratios(i) : ratios(i);
+      });
+}
+
+}  // namespace
+
+FictitiousMasses::FictitiousMasses(const ChunkedMesh& chunked, const Model& model)
+    : chunked_(chunked),
+      model_(model),
+      summer_(model),
+      bounds_(model),
+      least_("percuss::relaxed_bounds", chunked.chunks.size()) {}
+
+/// growth: [elements] of their masses. Collective.
+FictitiousMasses::NodeMasses FictitiousMasses::find_masses(const State& state, const std::vector<double>& growth) {
+  const auto before = to_host(summer_.sum(state.element_mass));
+  std::vector<std::array<double, 2>> own(before.extent(0));
+  for (std::size_t n = 0; n < own.size(); ++n) own[n] = {before(n, 0), before(n, 1)};
+  const auto after = to_host(summer_.sum(scale_each("percuss::relaxed_element_mass", state.element_mass, growth)));
+  NodeMasses nodes;
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    nodes.mass.push_back(after(n, 0));
+    nodes.mass_ratio.push_back(own[n][0] > 0 ? after(n, 0) / own[n][0] : 1);
+    nodes.inertia_ratio.push_back(own[n][1] > 0 ? after(n, 1) / own[n][1] : 1);
+  }
+  return nodes;
+}
+
+/// Of the square of the stable step of an element.
+double FictitiousMasses::find_growth(std::size_t element, const std::vector<double>& growth,
+                                     const NodeMasses& nodes) const {
+  if (!has_bound_of_nodes(chunked_.mesh, element)) return growth[element];
+  double least = std::numeric_limits<double>::infinity();
+  for (const int n : chunked_.mesh.corners(element)) least = std::min(least, nodes.mass_ratio[at(n)]);
+  return least;
+}
+
+double FictitiousMasses::give(State& state) {
+  const std::vector<double> bounds = bounds_.list();
+  double target = 0;
+  for (const double bound : bounds) target = std::max(target, bound);
+  all_reduce(model_.ranks, Reduce::largest, target);
+  std::vector<double> growth(bounds.size(), 1);
+  for (std::size_t e = 0; e < bounds.size(); ++e)
+    if (bounds[e] > 0) growth[e] = std::pow(target / bounds[e], 2);
+  NodeMasses nodes;
+  for (int round = 0, is_enough = 0; round < most_rounds && is_enough == 0; ++round) {
+    nodes = find_masses(state, growth);
+    is_enough = 1;
+    for (std::size_t e = 0; e < bounds.size(); ++e) {
+      if (!(bounds[e] > 0) || round + 1 == most_rounds) continue;
+      const double lack = target / bounds[e] / std::sqrt(find_growth(e, growth, nodes));
+      if (!(lack > 1 + tolerated_lack)) continue;
+      growth[e] *= lack * lack;
+      is_enough = 0;
+    }
+    all_reduce(model_.ranks, Reduce::least, is_enough);
+  }
+  double least[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  std::vector<double> factors(bounds.size(), 1);
+  for (std::size_t e = 0; e < bounds.size(); ++e) {
+    if (!(bounds[e] > 0)) continue;
+    factors[e] = std::sqrt(find_growth(e, growth, nodes));
+    least[0] = std::min(least[0], bounds[e]);
+    least[1] = std::min(least[1], factors[e] * bounds[e]);
+  }
+  all_reduce(model_.ranks, Reduce::least, least);
+  factors_ = to_view("percuss::relaxed_factors", factors);
+  set_nodes(state, nodes);
+  return std::isfinite(least[0]) ? least[1] / least[0] : 1;
+}
+
+/// Nodes of rigid bodies keep their own, and those that no element gives any.
+void FictitiousMasses::set_nodes(State& state, const NodeMasses& nodes) {
+  const auto mass = to_host(state.mass);
+  const auto body = to_host(model_.rigid.body_of_node);
+  std::vector<double> ratios(nodes.mass.size(), 1), turning = nodes.inertia_ratio, weights(nodes.mass.size(), 1);
+  for (std::size_t n = 0; n < ratios.size(); ++n) {
+    const bool is_rigid = body.extent(0) > 0 && body(n) >= 0;
+    if (is_rigid) turning[n] = 1;
+    if (is_rigid || !(mass(n) > 0) || !(nodes.mass[n] > 0)) continue;
+    ratios[n] = nodes.mass[n] / mass(n);
+    weights[n] = mass(n) / nodes.mass[n];
+  }
+  weights_ = to_view("percuss::relaxed_weights", weights);
+  own_mass_ = state.mass;
+  state.mass = scale_each("percuss::relaxed_mass", state.mass, ratios);
+  state.inverse_mass = invert(state.inverse_mass, state.mass);
+  if (!model_.has_rotations) return;
+  own_inertia_ = state.inertia;
+  state.inertia = scale_each("percuss::relaxed_inertia", state.inertia, turning);
+  state.inverse_inertia = invert(state.inverse_inertia, state.inertia);
+  if (!state.spin_tensors.any()) return;
+  const auto turned = to_host(state.spin_tensors.node);
+  std::vector<double> of_tensors(turned.extent(0));
+  for (std::size_t i = 0; i < of_tensors.size(); ++i) of_tensors[i] = turning[at(turned(i))];
+  tensor_ratios_ = to_view("percuss::relaxed_tensors", of_tensors);
+  scale_tensors(state.spin_tensors, tensor_ratios_, false);
+}
+
+void FictitiousMasses::take(State& state) const {
+  if (factors_.extent(0) == 0) return;
+  state.mass = own_mass_;
+  if (!model_.has_rotations) return;
+  state.inertia = own_inertia_;
+  if (state.spin_tensors.any()) scale_tensors(state.spin_tensors, tensor_ratios_, true);
+}
+
+Array<double> FictitiousMasses::find_bounds(const ChunkResults& results) const {
+  if (factors_.extent(0) == 0) return results.stable_step;
+  const auto least = least_, factors = factors_, least_of_chunk = results.stable_step;
+  const ElementBounds bounds = bounds_;
+  Kokkos::parallel_for(
+      "percuss::find_relaxed_bounds", Range(ExecSpace(), 0, bounds.chunks.count), KOKKOS_LAMBDA(const int c) {
+        double here = INFINITY;
+        for (int i = 0; i < count_elements(bounds.chunks, c); ++i) {
+          const double bound = bounds(c, i) * factors(bounds.chunks.first_element(c) + i);
+          if (bound < here) here = bound;
+        }
+        least(c) = least_of_chunk(c) < INFINITY ? here : INFINITY;  // of rigid parts
+      });
+  return least_;
+}
+
+void FictitiousMasses::predict(State& state, const StepTimes& times) {
+  const Gravity gravity = state.gravity;
+  if (gravity.g[0] == 0 && gravity.g[1] == 0 && gravity.g[2] == 0) return;
+  const auto weights = weights_;
+  const double dt_mean = times.dt_mean;
+  const auto v = state.v, inverse_mass = state.inverse_mass;
+  Kokkos::parallel_for(
+      "percuss::pull_by_weight", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+        for (int k = 0; k < 3; ++k)
+          if (inverse_mass(n, k) > 0) v(n, k) += dt_mean * weights(n) * gravity.g[k];
+      });
+}
+
+}  // namespace percuss
