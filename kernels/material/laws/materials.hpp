@@ -2,6 +2,7 @@
 // The list of materials. A new material is its own header and one entry here; CONTRIBUTING.md shows one.
 
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/laws/arruda_boyce.hpp"
 #include "kernels/material/laws/combined_hardening.hpp"
 #include "kernels/material/laws/fluid.hpp"
 #include "kernels/material/laws/honeycomb.hpp"
@@ -16,12 +17,13 @@
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
+#include "kernels/material/laws/yeoh.hpp"
 #include "kernels/material/type_list.hpp"
 
 namespace percuss {
 
 using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
-                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Viscoelastic,
-                           SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
+                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
+                           ArrudaBoyce, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
 
 }  // namespace percuss

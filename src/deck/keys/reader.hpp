@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/deck/functions/curve.hpp"
+#include "src/deck/functions/selector.hpp"
 #include "src/deck/yaml/yaml_tree.hpp"
 
 namespace percuss {

@@ -84,7 +84,11 @@ class IdsOfKind {
       if (scene_.parts[p].file) lists.push_back(&(scene_.parts[p].file->mesh.*ids_));
     }
     const auto& array = deck.parts[parts[0]].array;
-    if (array) raise_copies(lists, static_cast<std::size_t>(array->count[0]) * array->count[1] * array->count[2]);
+    if (array) {
+      std::size_t copies = 1;
+      for (const int count : array->count) copies *= static_cast<std::size_t>(count);
+      raise_copies(lists, copies);
+    }
     Ids all = merge(lists, repeated);
     lowest_ = all.empty() ? 0 : all.front();
     const auto count = static_cast<std::int64_t>(all.size());

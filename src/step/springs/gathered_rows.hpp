@@ -65,7 +65,7 @@ inline void gather_nodes(const Model& model, const State& state, const JoinedNod
       "percuss::gather_joined_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int n = node(i);
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
           out(i, NodeRow::place + k) = x(n, k);
           out(i, NodeRow::velocity + k) = v(n, k);
           out(i, NodeRow::velocity_before + k) = v_before(n, k);

@@ -53,7 +53,7 @@ void SpringStage::gather(const State& state) {
       KOKKOS_LAMBDA(const int i) {
         const int n = node(i);
         double mobility = 0;
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
           own(i, NodeRow::place + k) = x(n, k);
           own(i, NodeRow::velocity + k) = v(n, k);
           mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;

@@ -93,6 +93,59 @@ TEST(MooneyRivlin, SimpleShearHasItsClosedForm) {
   EXPECT_NEAR(stress.zz - stress.yy, 2 * law.c01 * g * g, 5e-4 * 0.5e6);
 }
 
+TEST(Yeoh, IncompressibleTensionHasItsClosedForm) {
+  const Yeoh law{0.4e6, -0.02e6, 0.01e6, 1e9};
+  for (const double stretch : {0.6, 2.0}) {
+    Point<Yeoh> point(law, 1000);
+    const double rate = std::log(stretch), i = stretch * stretch + 2 / stretch - 3;
+    point.follow({{rate, -rate / 2, -rate / 2, 0, 0, 0}, 1, 100});
+    const double slope = law.c10 + 2 * law.c20 * i + 3 * law.c30 * i * i;
+    const double expected = 2 * (stretch * stretch - 1 / stretch) * slope;
+    EXPECT_NEAR(point.stress.xx - point.stress.yy, expected, 1e-4 * std::abs(expected));
+  }
+}
+
+TEST(ArrudaBoyce, FollowsTheChainsOfEightUpToHalfOfTheirLocking) {
+  const double mu = 0.8e6, locking = 6;
+  const ArrudaBoyce law{mu, locking, 1e9};
+  for (const double stretch : {0.7, 2.5}) {
+    Point<ArrudaBoyce> point(law, 1000);
+    const double rate = std::log(stretch);
+    point.follow({{rate, -rate / 2, -rate / 2, 0, 0, 0}, 1, 200});
+    // the inverse Langevin function, of which the five terms are the beginning: L(x) = coth x - 1 / x = chain / locking
+    const double chain = std::sqrt((stretch * stretch + 2 / stretch) / 3), wanted = chain / locking;
+    double low = 1e-6, high = 100;
+    for (int k = 0; k < 200; ++k) {
+      const double middle = 0.5 * (low + high);
+      (1 / std::tanh(middle) - 1 / middle < wanted ? low : high) = middle;
+    }
+    const double expected = mu * locking / (3 * chain) * low * (stretch * stretch - 1 / stretch);
+    EXPECT_NEAR(point.stress.xx - point.stress.yy, expected, 1e-3 * std::abs(expected)) << stretch;
+  }
+}
+
+template <class Law>
+void expect_bounded_waves(const Law& law) {
+  for (const double stretch : {0.5, 0.9, 1.5, 2.5}) {
+    Point<Law> point(law, 1000);
+    point.follow({{std::log(stretch), 0, 0, 0, 0, 0}, 1, 200});
+    const double before = point.stress.xx, d = 1e-6, modulus = point.modulus;
+    point.advance({d, 0, 0, 0, 0, 0}, 1e-6);
+    EXPECT_GT(modulus, (point.stress.xx - before) / d * (1 - 1e-5)) << stretch;
+  }
+}
+
+TEST(Yeoh, BoundsTheStiffnessOfWavesAlongAPulledBar) { expect_bounded_waves(Yeoh{0.4e6, -0.02e6, 0.01e6, 20e6}); }
+
+TEST(ArrudaBoyce, BoundsTheStiffnessOfWavesAlongAPulledBar) { expect_bounded_waves(ArrudaBoyce{0.8e6, 3, 20e6}); }
+
+TEST(ArrudaBoyce, TellsTheShearModulusOfSmallStrains) {
+  const double square = 3 * 3;  // of the locking stretch
+  const double expected = 0.8e6 * (1 + 3 / (5 * square) + 99 / (175 * square * square) +
+                                   513 / (875 * std::pow(square, 3)) + 42039 / (67375 * std::pow(square, 4)));
+  EXPECT_NEAR((ArrudaBoyce{0.8e6, 3, 20e6}).moduli().mu, expected, 1e-12 * expected);
+}
+
 TEST(Viscoelastic, RelaxesAfterASuddenShear) {
   Viscoelastic law{};
   law.bulk_modulus = 1e9;

@@ -33,6 +33,14 @@ double mooney_rivlin(const double (&l)[3], int i) {
   return whole(b[i]) - (whole(b[0]) + whole(b[1]) + whole(b[2])) / 3 + bulk * (j - 1);
 }
 
+double yeoh(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2], scale = std::pow(j, -2.0 / 3.0);
+  const double b[3] = {scale * l[0] * l[0], scale * l[1] * l[1], scale * l[2] * l[2]};
+  const double first = b[0] + b[1] + b[2];
+  const double slope = 0.3 + 2 * -0.01 * (first - 3) + 3 * 0.005 * (first - 3) * (first - 3);
+  return 2 / j * slope * (b[i] - first / 3) + bulk * (j - 1);
+}
+
 /// J sigma of rates in the unrotated frame, along axes that do not turn: logarithmic strains.
 double hypoelastic(const double (&l)[3], int i) {
   const double j = l[0] * l[1] * l[2];
@@ -48,6 +56,7 @@ struct Law {
 const Law laws[] = {
     {"{model: neo_hookean, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", neo_hookean, 3},
     {"{model: mooney_rivlin, density: 1e-2, c10: 0.3, c01: 0.2, bulk_modulus: 20}", mooney_rivlin, 3},
+    {"{model: yeoh, density: 1e-2, c10: 0.3, c20: -0.01, c30: 0.005, bulk_modulus: 20}", yeoh, 3},
     {"{model: elastic, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", hypoelastic, 2},
 };
 

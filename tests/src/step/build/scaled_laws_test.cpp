@@ -43,6 +43,8 @@ const std::vector<SampleLaw> sample_laws = {
      "model: johnson_cook, a: 3e8, b: 4e8, n: 0.3, c: 0.02, melt_temperature: 1800, specific_heat: HEAT" + of_steel,
      7850, 450},
     {"neo_hookean", "model: neo_hookean, youngs_modulus: 5e7, poissons_ratio: 0.45", 1100},
+    {"yeoh", "model: yeoh, c10: 4e5, c20: -2e4, c30: 1e4, bulk_modulus: 5e7", 1100},
+    {"arruda", "model: arruda_boyce, mu: 8e5, locking_stretch: 3, bulk_modulus: 5e7", 1100},
     {"mooney", "model: mooney_rivlin, c10: 4e5, c01: 1e5, bulk_modulus: 5e7", 1100},
     {"viscoelastic", "model: viscoelastic, bulk_modulus: 1e9, long_term_shear_modulus: 1e6, relaxation: [[1e-4, 5e7]]",
      1100},
