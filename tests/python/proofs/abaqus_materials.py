@@ -68,6 +68,7 @@ def rubber(option: str, line: str) -> str:
 
 
 LARGE = 1.2
+CHAINS = sum(c / 4 ** (i - 1) * ((LARGE**2 + 2 / LARGE) ** i - 3**i) for i, c in enumerate((1 / 2, 1 / 20, 11 / 1050, 19 / 7000, 519 / 673750), 1))
 I1, I2 = LARGE**2 + 2 / LARGE - 3, 2 * LARGE + LARGE**-2 - 3
 PRONY = "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n"
 
@@ -113,6 +114,12 @@ PROOFS = [
     Proof("HYPERELASTIC: REDUCED_POLYNOMIAL", stretched(rubber("REDUCED POLYNOMIAL, N=1", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "as NEO HOOKE"),
     Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D1 = 100"),
     Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0."), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 20 * (1.01**3 - 1) ** 2, 3e-2)], "without D1 K is 20 shear moduli"),
+    Proof("HYPERELASTIC: YEOH", stretched(rubber("YEOH", "0.5, 0.1, 0.05, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 100.0 * I1**2 + 50.0 * I1**3, 3e-2)], "C10 (I1 - 3) + C20 (I1 - 3)^2 + C30 (I1 - 3)^3"),
+    Proof("HYPERELASTIC: REDUCED_POLYNOMIAL N", stretched(rubber("REDUCED POLYNOMIAL, N=3", "0.5, 0.1, 0.05, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 100.0 * I1**2 + 50.0 * I1**3, 3e-2)], "as YEOH"),
+    Proof("HYPERELASTIC: YEOH", driven(rubber("YEOH", "0.5, 0.1, 0.05, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D1 = 100"),
+    Proof("HYPERELASTIC: YEOH", stretched(rubber("YEOH", "0.5, 0.1, 0.05, 0.02, 0.1"), LARGE - 1), refused="YEOH"),
+    Proof("HYPERELASTIC: ARRUDA-BOYCE", stretched(rubber("ARRUDA-BOYCE", "1.0, 2.0, 0.02"), LARGE - 1), [("internal", LAST, 1000.0 * CHAINS, 3e-2)], "the five terms of the energy of chains"),
+    Proof("HYPERELASTIC: ARRUDA-BOYCE", driven(rubber("ARRUDA-BOYCE", "1.0, 2.0, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D = 100"),
     Proof("HYPERELASTIC: N", stretched(rubber("POLYNOMIAL, N=2", "0.5, 0.2, 0.1, 0.1, 0.1, 0.02, 0.02"), LARGE - 1), refused="N=2"),
     Proof("HYPERELASTIC: TEST_DATA_INPUT", stretched(rubber("MOONEY-RIVLIN, TEST DATA INPUT", ","), LARGE - 1), refused="HYPERELASTIC"),
     Proof("HYPERELASTIC", stretched(rubber("OGDEN", "0.5, 2., 0.02"), LARGE - 1), refused="OGDEN"),

@@ -356,6 +356,7 @@ HONEYCOMBS += [
     Proof("SECTION_SOLID: ELFORM", moved(honey("HONEYCOMB"), 3, 3, -3.5).replace("*SECTION_SOLID\n1,1\n", "*SECTION_SOLID\n1,9\n"), refused="formulation 9"),
 ]  # fmt: skip
 HONEY = f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9,9,8\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0\n"
+LINKED = 1 + 3 / (5 * 4) + 99 / (175 * 4**2) + 513 / (875 * 4**3) + 42039 / (67375 * 4**4)  # mu0 / G of N = 4 links
 SOFT = [
     Proof("MAT_VISCOELASTIC: MID RO BULK G0 GI BETA", sheared(f"*MAT_VISCOELASTIC\n1,{DENSITY!r},2000.0,800.0,200.0,3000.0\n", 0.02),
           [(ZX, LAST, relaxing(20.0), 3e-3)], "GI + (G0 - GI) exp(-BETA t)"),
@@ -365,6 +366,11 @@ SOFT = [
           [(ZX, LAST, 2 * 25.0 * 0.02, 3e-3)], "2 (A + B) times the angle"),
     Proof("MAT_MOONEY-RIVLIN_RUBBER: PR", stretched(f"*MAT_MOONEY-RIVLIN_RUBBER\n1,{DENSITY!r},0.49,20.0,5.0\n0\n", 0.999),
           [(PRESSURE, LAST, 4 * 25.0 * 1.49 / (3 * 0.02) * 0.001, 5e-3)], "K = 2 G (1 + nu) / (3 (1 - 2 nu)), G = 2 (A + B)"),
+    Proof("MAT_ARRUDA_BOYCE: MID RO G N", sheared(f"*MAT_ARRUDA_BOYCE\n1,{DENSITY!r},2000.0,20.0,4.0\n0\n", 0.02),
+          [(ZX, LAST, 20.0 * LINKED * 0.02, 3e-3)], "the shear modulus of chains of N links"),
+    Proof("MAT_ARRUDA_BOYCE: K", stretched(f"*MAT_ARRUDA_BOYCE\n1,{DENSITY!r},2000.0,20.0,4.0\n0\n", 0.999),
+          [(PRESSURE, LAST, 2000.0 * 0.001, 5e-3)], "K times the strain"),
+    Proof("MAT_ARRUDA_BOYCE: LCID NT", sheared(f"*MAT_ARRUDA_BOYCE\n1,{DENSITY!r},2000.0,20.0,4.0\n5\n", 0.02, curve(5, (0.0, 1.0), (1.0, 0.5))), refused="relaxes"),
     Proof("MAT_SOIL_AND_FOAM: MID RO G BULK A0 VCR LCID A B C D E F G H I J",
           stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
           [(PRESSURE, LAST, 15.0, 3e-3), (MISES, LAST, 6.0, 3e-3)], "half of the curve; J2 = A0 is a von Mises stress of sqrt(3 A0)"),

@@ -247,23 +247,47 @@ def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
 
 
 def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
-    """NEO HOOKE or MOONEY-RIVLIN with constants: K = 2 / D1."""
+    """NEO HOOKE, MOONEY-RIVLIN, YEOH or ARRUDA-BOYCE with constants: K = 2 / D1."""
     line = require_line(block)
-    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
-    is_neo = "NEO HOOKE" in block.options or "REDUCED POLYNOMIAL" in block.options
-    c10, c01, d1 = block.number(line, 0), block.number(line, 1) if is_mooney else 0.0, block.number(line, 2 if is_mooney else 1)
-    if not (is_mooney or is_neo) or "TEST DATA INPUT" in block.options or not (c10 > 0 and c01 >= 0 and d1 >= 0):
-        text = "rubber that is not NEO HOOKE or MOONEY-RIVLIN with constants C10 and C01 above 0"
+    found = None if "TEST DATA INPUT" in block.options else read_rubber(block, line)
+    if found is None:
+        text = "rubber that is not NEO HOOKE, MOONEY-RIVLIN, YEOH or ARRUDA-BOYCE with constants, the first above 0"
         deck.ledger.refuse("HYPERELASTIC", block.place, text, "the parts made of it are left out")
         return None
+    law, shear, d1 = found
     if len(block.lines) > 1:
         deck.ledger.refuse("HYPERELASTIC.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
-    bulk = 2 / d1 if d1 > 0 else USUAL_BULK * 2 * (c10 + c01)
-    if math.isinf(bulk):
+    law["bulk_modulus"] = 2 / d1 if d1 > 0 else USUAL_BULK * shear
+    if math.isinf(law["bulk_modulus"]):
         raise BadInput(block.place, "D1 of *HYPERELASTIC is too small: correct it")
     text = "the same constants and bulk modulus 2 / D1" if d1 > 0 else f"bulk modulus of {USUAL_BULK:g} shear moduli, as D1 is 0"
-    deck.ledger.approximated("HYPERELASTIC", block.place, f"mooney_rivlin: {text}, with percuss' term of volume")
-    return {"model": "mooney_rivlin", "c10": c10, "c01": c01, "bulk_modulus": bulk}
+    deck.ledger.approximated("HYPERELASTIC", block.place, f"{law['model']}: {text}, with percuss' term of volume")
+    return law
+
+
+def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float, float] | None:
+    """The law without its bulk modulus, its shear modulus, D1; None where percuss has no such law."""
+    values = [block.number(line, i) for i in range(6)]
+    if values[0] <= 0:
+        return None
+    if "ARRUDA-BOYCE" in block.options:
+        mu, locking, d = values[:3]
+        if locking <= 1 or d < 0:
+            return None
+        terms = ((1 / 2, 1), (1 / 20, 2), (11 / 1050, 3), (19 / 7000, 4), (519 / 673750, 5))
+        shear = 2 * mu * sum(i * c * 3 ** (i - 1) / locking ** (2 * i - 2) for c, i in terms)
+        return {"model": "arruda_boyce", "mu": mu, "locking_stretch": locking}, shear, d
+    if "YEOH" in block.options or ("REDUCED POLYNOMIAL" in block.options and block.option("N") == "3"):
+        if values[3] < 0 or values[4] or values[5]:
+            return None
+        return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2]}, 2 * values[0], values[3]
+    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
+    if not is_mooney and not {"NEO HOOKE", "REDUCED POLYNOMIAL"} & block.options.keys():
+        return None
+    c01, d1 = values[1] if is_mooney else 0.0, values[2 if is_mooney else 1]
+    if c01 < 0 or d1 < 0:
+        return None
+    return {"model": "mooney_rivlin", "c10": values[0], "c01": c01}, 2 * (values[0] + c01), d1
 
 
 READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC"}

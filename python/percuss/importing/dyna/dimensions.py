@@ -55,7 +55,7 @@ FIELDS: dict[str, str] = {
     "CONTACT": "time: BT DT; length: SST MST; stress: VC NFLS SFLS",
     "MAT_ELASTIC": METAL, "MAT_RIGID": METAL, "MAT_PLASTIC_KINEMATIC": METAL + "; rate: SRC",
     "MAT_ELASTIC_FLUID": METAL + " K CP", "MAT_NULL": "density: RO; stress: PC; viscosity: MU", "MAT_VISCOELASTIC": "density: RO; stress: BULK G0 GI; rate: BETA",
-    "MAT_BLATZ-KO_RUBBER": "density: RO; stress: G", "MAT_MOONEY-RIVLIN_RUBBER": "density: RO; stress: A B",
+    "MAT_BLATZ-KO_RUBBER": "density: RO; stress: G", "MAT_MOONEY-RIVLIN_RUBBER": "density: RO; stress: A B", "MAT_ARRUDA_BOYCE": "density: RO; stress: K G",
     **dict.fromkeys(("MAT_SOIL_AND_FOAM", "MAT_SOIL_AND_FOAM_FAILURE"), "density: RO; stress: G BULK A1 PC; stress2: A0"),
     **dict.fromkeys(("MAT_HONEYCOMB", "MAT_MODIFIED_HONEYCOMB"), METAL + " EAAU EBBU ECCU GABU GBCU GCAU"),
     "MAT_LOW_DENSITY_FOAM": METAL + " TC ED", "MAT_CRUSHABLE_FOAM": METAL + " TSC",

@@ -119,6 +119,29 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
+def arruda_boyce(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """N links of a chain: it is straight at a stretch of their square root."""
+    reader = card.reader()
+    row, more = reader.row("MID RO K G N"), reader.row("LCID TRAMP~unused NT")
+    row.skip("MID")
+    if more.integer("LCID") or more.integer("NT"):
+        deck.ledger.refuse(f"{card.keyword}.LCID", card.place, "a rubber chain that relaxes", "the parts made of it are left out")
+        return None
+    links = row.positive("N")
+    if links <= 1:
+        row.fail("N", "more than 1 link is expected")
+    law = {
+        "model": "arruda_boyce",
+        "density": row.positive("RO"),
+        "mu": row.positive("G"),
+        "locking_stretch": links**0.5,
+        "bulk_modulus": row.positive("K"),
+    }
+    row.finish(deck.ledger)
+    more.finish(deck.ledger)
+    return law
+
+
 def find_detonations(deck: KeywordDeck, material: int) -> list[Vector]:
     """Points for the parts of an explosive: those of all parts, and those of the one part that is made of it."""
     parts = {part.id for part in deck.parts.values() if part.material == material}
@@ -162,5 +185,5 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
 
 ELASTIC = {
     "ELASTIC": elastic, "ELASTIC_FLUID": elastic_fluid, "NULL": null, "VISCOELASTIC": viscoelastic, "BLATZ-KO_RUBBER": blatz_ko,
-    "MOONEY-RIVLIN_RUBBER": mooney_rivlin, "HIGH_EXPLOSIVE_BURN": explosive,
+    "MOONEY-RIVLIN_RUBBER": mooney_rivlin, "ARRUDA_BOYCE": arruda_boyce, "HIGH_EXPLOSIVE_BURN": explosive,
 }  # fmt: skip
