@@ -43,7 +43,7 @@ inline bool is_same_edge(const EdgeSide& a, const EdgeSide& b) {
   return a.ends[0] == b.ends[0] && a.ends[1] == b.ends[1];
 }
 
-inline bool comes_before(const EdgeSide& a, const EdgeSide& b) {
+inline bool side_comes_before(const EdgeSide& a, const EdgeSide& b) {
   if (a.ends[0] != b.ends[0]) return a.ends[0] < b.ends[0];
   return a.ends[1] != b.ends[1] ? a.ends[1] < b.ends[1] : a.face < b.face;
 }
@@ -167,7 +167,7 @@ class ToldSides {
                                          : received_[item - own_.size()]);
       sides.back().item = static_cast<int>(item);
     }
-    std::sort(sides.begin(), sides.end(), comes_before);
+    std::sort(sides.begin(), sides.end(), side_comes_before);
   }
 
   /// Calls visit(first, last) for the sides of each edge of a lower node.
