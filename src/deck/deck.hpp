@@ -412,8 +412,6 @@ struct ContactDeck {
 
   /// Parting over approach of rigid bodies.
   double find_restitution() const { return restitution.value_or(enforcement == Enforcement::penalty ? 1 : 0); }
-  /// Whether overlap at the start is held at first. Springs that push it out let go of it step by step.
-  bool holds_overlap() const { return overlap != Overlap::push_out || enforcement == Enforcement::penalty; }
   bool ties_rotations() const {
     return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.rotations; });
   }

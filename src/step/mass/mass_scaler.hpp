@@ -11,8 +11,8 @@
 
 #include "src/step/audit/books.hpp"
 #include "src/step/mass/lumped_masses.hpp"
-#include "src/step/model/action.hpp"
 #include "src/step/mass/shared_mass.hpp"
+#include "src/step/model/action.hpp"
 
 namespace percuss {
 
