@@ -160,7 +160,7 @@ void check_structure(const std::string& path, ExternalFiles external) {
     walk.visit_soft_links(root.get());
   } catch (const Error& error) {
     throw InputError(
-        fmt::format("the file is damaged (HDF5 cannot {}: {}); write or copy it again", error.what(), error.reason));
+        fmt::format("the file is damaged (HDF5 cannot {}: {}): write or copy it again", error.what(), error.reason));
   }
 }
 

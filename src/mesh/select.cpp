@@ -91,7 +91,7 @@ std::optional<typename Sets::mapped_type> find_set(const Sets& sets, const Deck&
     if (file.empty() || file != find_common_file(deck, entry.first)) {
       throw InputError(
           fault(deck, selector,
-                fmt::format("'{}' may mean '{}' or '{}' (several parts have such a set); write the part's name as well",
+                fmt::format("'{}' may mean '{}' or '{}' (several parts have such a set): write the part's name as well",
                             selector.name, first->first, entry.first)));
     }
     found->insert(found->end(), entry.second.begin(), entry.second.end());

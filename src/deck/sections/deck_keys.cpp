@@ -138,11 +138,11 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
 void check_one_point(const Reader& reader, const Node& node, const PartDeck& part) {
   const char* const elements = part.elements == PartDeck::Elements::wedges ? "wedges" : "pyramids";
   if (const Node* given = node.find("integration"))
-    reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra)",
+    reader.error(given->key, fmt::format("{} has no effect{} (its elements are {}; the key is for hexahedra)",
                                          reader.name_of("integration"), reader.in(), elements));
   const Node* given = node.find("hourglass");
   if (given == nullptr || part.own_elements.hourglass == Hourglass::stiffness) return;
-  reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}, which have the stiffness form alone) "
+  reader.error(given->key, fmt::format("{} has no effect{} (its elements are {}, which have the stiffness form alone): "
                                        "give kind: stiffness with its coefficient, or leave it out",
                                        reader.name_of("hourglass"), reader.in(), elements));
 }

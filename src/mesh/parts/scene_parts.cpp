@@ -34,7 +34,7 @@ void check_size(const Totals& so_far, double nodes, double elements) {
   elements += so_far.elements;
   if (nodes <= largest_mesh && elements <= largest_mesh) return;
   throw InputError(
-      fmt::format("the mesh would have {:.3g} elements and {:.3g} nodes (percuss counts up to {:.0f}); use fewer cells",
+      fmt::format("the mesh would have {:.3g} elements and {:.3g} nodes (percuss counts up to {:.0f}): use fewer cells",
                   elements, nodes, largest_mesh));
 }
 

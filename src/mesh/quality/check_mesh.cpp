@@ -63,7 +63,7 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
   if (repeated < 0) return;
   report(problems, [&] {
     const Topology& topology = mesh.elements.topology_of(element);
-    return fmt::format("{} names node {} more than once ({}); mesh without degenerate elements",
+    return fmt::format("{} names node {} more than once ({}): mesh without degenerate elements",
                        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
                        topology.is_surface()
                            ? "a shell needs four different corners, or three of which one stands twice in a row"
@@ -102,7 +102,7 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [later, earlier] : pairs) {
     report(problems, [&, e = static_cast<std::size_t>(later), first = static_cast<std::size_t>(earlier)] {
-      return fmt::format("{} repeats element {} (both have the same {} corners); delete one of them",
+      return fmt::format("{} repeats element {} (both have the same {} corners): delete one of them",
                          describe_element(mesh, e), id_of(mesh.element_ids, first),
                          mesh.elements.topology_of(e).how_many);
     });
@@ -139,10 +139,10 @@ std::string describe_verdict(const std::string& element, std::span<const std::in
                              const ShapeVerdict& verdict) {
   switch (verdict.shape) {
     case SolidShape::inverted:
-      return fmt::format("{} is inverted (its volume is {:.6g}); check the order of its corners", element,
+      return fmt::format("{} is inverted (its volume is {:.6g}): check the order of its corners", element,
                          verdict.value);
     case SolidShape::zero_volume:
-      return fmt::format("{} has no volume (it is {:.6g}); check the places of its corners", element, verdict.value);
+      return fmt::format("{} has no volume (it is {:.6g}): check the places of its corners", element, verdict.value);
     default:
       break;
   }
@@ -158,7 +158,7 @@ std::string judge_shell(const std::string& element, const HexCorners& x, std::sp
   const double edges =
       std::max(dot(subtract(x[2], x[0]), subtract(x[2], x[0])), dot(subtract(x[3], x[1]), subtract(x[3], x[1])));
   if (!(area > zero_share * edges)) {
-    return fmt::format("{} has no area (it is {:.6g}); check the places of its corners", element, area);
+    return fmt::format("{} has no area (it is {:.6g}): check the places of its corners", element, area);
   }
   for (std::size_t i = 0; node_ids.size() == 4 && i < 4; ++i) {  // a triangle is convex
     const Vec3 corner = cross(subtract(x[(i + 1) % 4], x[i]), subtract(x[(i + 3) % 4], x[i]));
@@ -174,7 +174,7 @@ std::string judge_beam(const std::string& element, const HexCorners& x) {
   constexpr double round_off = 1e-13;  // of the distance to the origin
   const double length = find_distance(x[0], x[1]);
   if (length > round_off * std::sqrt(dot(x[0], x[0]))) return "";
-  return fmt::format("{} has no length (it is {:.6g}); check the places of its nodes", element, length);
+  return fmt::format("{} has no length (it is {:.6g}): check the places of its nodes", element, length);
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ class HeldDirectionFinder {
     first_ = {static_cast<std::int64_t>(c), k, chunked_.mesh.node_numbers[n], model_.ranks.rank()};
     const bool is_switched = deck_.conditions[c].when.any() || other.when.any();
     message_ = fmt::format(
-        "{}: error: node {} is held in direction {} by two conditions {} (the other is at {}); leave it out of one of "
+        "{}: error: node {} is held in direction {} by two conditions {} (the other is at {}): leave it out of one of "
         "them",
         deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], direction_names[at(k)],
         is_switched ? "of which a sensor switches one" : "that move it", deck_.where(other.where.place));

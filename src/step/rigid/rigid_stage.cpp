@@ -28,7 +28,7 @@ namespace {
 [[noreturn]] void refuse_step(const Joint& joint, const State& state) {
   throw RunError(
       fmt::format("joint '{}' is torn apart in step {} at t = {:.6g} (what holds or moves its bodies is not what it "
-                  "allows, or they turn too far in a step) free them, or reduce time.max_step",
+                  "allows, or they turn too far in a step): free them, or reduce time.max_step",
                   joint.name, state.step + 1, state.time));
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr std::uintmax_t most_compression = 1032;
 
 [[noreturn]] void refuse_damaged_header(const char* detail) {
-  throw InputError(fmt::format("the file is damaged ({}); write or copy it again", detail));
+  throw InputError(fmt::format("the file is damaged ({}): write or copy it again", detail));
 }
 
 /// Reads unsigned integers of a file from front to back. Past the end of the file it refuses.
@@ -209,7 +209,7 @@ ExodusContainer inspect_exodus_container(const std::filesystem::path& file) {
     promised = find_hdf5_end(stream);
   }
   if (promised > length) {
-    throw InputError(fmt::format("the file is truncated (it has {} bytes, its header promises {}); copy it again",
+    throw InputError(fmt::format("the file is truncated (it has {} bytes, its header promises {}): copy it again",
                                  length, promised));
   }
   return {!classic, length, classic ? length : length * most_compression, records_end};

@@ -134,7 +134,7 @@ void ExodusFile::require_room(std::int64_t count, std::int64_t bytes_each, const
   const double bytes = static_cast<double>(count) * static_cast<double>(bytes_each);
   if (count >= 0 && bytes <= static_cast<double>(container_.most_payload)) return;
   throw InputError(
-      fmt::format("the file is damaged (it claims {} {}, which its {} bytes cannot hold); write or copy it again",
+      fmt::format("the file is damaged (it claims {} {}, which its {} bytes cannot hold): write or copy it again",
                   count, what, container_.bytes));
 }
 

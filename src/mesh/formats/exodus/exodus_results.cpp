@@ -31,7 +31,7 @@ std::size_t count_of(std::int64_t count) { return static_cast<std::size_t>(count
 /// Throws where the file ends before its last time step.
 void ExodusFile::require_time_steps() const {
   if (container_.records_end > static_cast<double>(container_.bytes))
-    throw InputError(fmt::format("the file is truncated (it has {} bytes, its time steps need {:.0f}); copy it again",
+    throw InputError(fmt::format("the file is truncated (it has {} bytes, its time steps need {:.0f}): copy it again",
                                  container_.bytes, container_.records_end));
 }
 

@@ -92,7 +92,7 @@ void run_trial_process(const std::function<void()>& trial, unsigned seconds) {
   if (WIFSIGNALED(status) || message.empty()) {  // a process that says nothing was ended by the library itself
     const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
     const char* how = hangs ? "hangs" : "crashes";
-    throw InputError(fmt::format("the file is damaged (its library {} on it); write or copy it again", how));
+    throw InputError(fmt::format("the file is damaged (its library {} on it): write or copy it again", how));
   }
   if (WEXITSTATUS(status) == wrong_input) throw InputError(message);
   throw SystemError(message);
