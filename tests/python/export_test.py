@@ -216,7 +216,7 @@ class Export(unittest.TestCase):
         self.assertLess((state["alive"]["solid"] > 0).sum(), 24)  # the block has torn
 
     def test_what_a_run_lacks_is_told(self):
-        told = self.export("--format", "d3plot", "--fields", "velocity", "--force", "--frames", "0")
+        told = self.export("--format", "d3plot", "--field", "velocity", "--force", "--frames", "0")
         for words in ("stress, equivalent_plastic_strain: not in the run", "all three layers", "forces of beams are zeros"):
             self.assertIn(words, told)
 
@@ -233,7 +233,7 @@ class Export(unittest.TestCase):
 
     @unittest.skipUnless(vtkXMLUnstructuredGridReader, "VTK is not here")
     def test_vtu_is_read_by_vtk(self):
-        self.export("--format", "pvd", "--fields", "velocity,stress", "--frames", "0..-1:2")
+        self.export("--format", "pvd", "--field", "velocity,stress", "--frames", "0..-1:2")
         with open(self.path("fields.pvd"), encoding="utf-8") as file:
             text = file.read()
         fields = self.run_.fields
@@ -259,7 +259,7 @@ class Export(unittest.TestCase):
             self.assertIn(words, done.stdout)
 
     def test_tables_have_a_row_for_each_node_and_element(self):
-        self.export("--format", "csv", "--frames", "-1", "--fields", "velocity,equivalent_plastic_strain")
+        self.export("--format", "csv", "--frames", "-1", "--field", "velocity,equivalent_plastic_strain")
         last = len(self.run_.fields.times) - 1
         with open(self.path(f"fields_nodes_{last:04}.csv"), encoding="utf-8") as file:
             self.assertIn("t = 0.04", file.readline())
@@ -272,7 +272,7 @@ class Export(unittest.TestCase):
         self.assertEqual([row["part"] for row in rows].count("tet"), 12)
 
     def test_gltf_holds_surfaces_that_move(self):
-        self.export("--format", "gltf", "--fields", "velocity")
+        self.export("--format", "gltf", "--field", "velocity")
         with open(self.path("fields.glb"), "rb") as file:
             data = file.read()
         magic, version, size, length = np.frombuffer(data, "<u4", 4)
@@ -303,9 +303,9 @@ class Export(unittest.TestCase):
                 parse_frames(text, 6)
 
     def test_wrong_words_have_a_clear_one(self):
-        for words, text in ((("--fields", "velocty"), "did you mean velocity?"), (("--frames", "99"), "there are"), (("--from", "rim"), "rim")):
+        for words, text in ((("--field", "velocty"), "did you mean velocity?"), (("--frames", "99"), "there are"), (("--from", "rim"), "rim")):
             self.assertIn(text, self.export("--format", "vtu", *words, code=2))
-        self.assertIn("one field", self.export("--format", "gltf", "--fields", "velocity,stress", code=2))
+        self.assertIn("one field", self.export("--format", "gltf", "--field", "velocity,stress", code=2))
 
 
 if __name__ == "__main__":

@@ -23,8 +23,8 @@ formats, written into DIR/export or the folder of --out:
 
 examples:
   percuss export ball --format d3plot
-  percuss export ball --format pvd --frames 0..30:5 --fields velocity,von_mises
-  percuss export ball --format gltf --fields equivalent_plastic_strain --out pictures
+  percuss export ball --format pvd --frames 0..30:5 --field velocity,von_mises
+  percuss export ball --format gltf --field equivalent_plastic_strain --out pictures
 
 Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing; 4 a file cannot be written.
 Needs Python 3 with NumPy and h5py, exodus SciPy too: scripts/install_dependencies --report installs them. docs/export.md tells more.
@@ -39,7 +39,7 @@ def parse_arguments(words):
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--format", choices=FORMATS, required=True, help="what is written")
     add("--frames", metavar="FRAMES", default="all", help="all, or numbers such as 0,5,-1 or 0..20:5 (default: all)")
-    add("--fields", metavar="NAMES", help="names of fields with commas between them (default: all; of gltf the one that colours show)")
+    add("--field", dest="fields", metavar="NAMES", help="names of fields with commas between them (default: all; of gltf the one that colours show)")
     add("--from", dest="source", metavar="NAME", help="an entry of output.field_outputs (default: output.fields)")
     add("--out", metavar="FOLDER", help="where the files go (default: DIR/export)")
     add("-f", "--force", action="store_true", help="write over files that percuss export has not written; never over results of a run")
@@ -97,7 +97,7 @@ def list_gltf(selection, stem, names):
     from percuss.export.gltf import write_glb
 
     if names and len(names) > 1:
-        raise ValueError("the colours of gltf show one field: name one in --fields")
+        raise ValueError("the colours of gltf show one field: name one in --field")
     if len(selection.frames) > 60:
         note(f"{len(selection.frames)} frames are many for viewers of glTF: --frames 0..{selection.frames[-1]}:{len(selection.frames) // 30} takes fewer")
     yield f"{stem}.glb", write_glb(selection, names[0] if names else None)

@@ -39,7 +39,7 @@ def parse_arguments(words):
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run (or a fields.vtkhdf)")
     add("--out", metavar="FOLDER", help="where the pictures go (default: DIR)")
-    add("--fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
+    add("--from", dest="fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
         "are NAME_frame_0000.png ... (default: those of output.fields)")
     add("--field", metavar="NAME", help="what the colours show: a vector by its magnitude, a stress by von Mises' value; "
         "'part', 'body', 'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")

@@ -37,7 +37,7 @@ def parse_arguments(words):
     add("dirs", metavar="DIR", nargs="+", help="output folders of runs, complete or under way")
     add("--out", metavar="FILE", help="the page (default: report.html in the first DIR; of several comparison.html)")
     add("-f", "--force", action="store_true", help="write over a file that percuss report has not written; never over results of a run")
-    add("--fields", metavar="NAME", help="pictures and view of this entry of output.field_outputs (default: of output.fields)")
+    add("--from", dest="fields", metavar="NAME", help="pictures and view of this entry of output.field_outputs (default: of output.fields)")
     add("--field", metavar="NAME", help="field shown by the colours (default: von_mises, stress, equivalent_plastic_strain or velocity, the first that is there)")
     add("--view", metavar="AZIMUTH:ELEVATION", help="where the camera of the pictures stands, as in percuss render")
     add("--plot", metavar="WHAT", action="append", default=[],

@@ -28,7 +28,7 @@ def parse_arguments(words):
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, complete or under way")
     add("--out", metavar="FILE", help="the page (default: view.html in DIR)")
-    add("--fields", metavar="NAME", help="of this entry of output.field_outputs (default: output.fields)")
+    add("--from", dest="fields", metavar="NAME", help="of this entry of output.field_outputs (default: output.fields)")
     add("--field", metavar="NAMES", help="fields to choose from, with commas between them (default: all, six at most)")
     add("--part", metavar="NAME", action="append", help="these parts only; several times, or NAME,NAME")
     add("-f", "--force", action="store_true", help="write over a file that percuss view has not written; never over results of a run")

@@ -13,8 +13,8 @@ LINES_EVERY = 10.0  # seconds between lines where the output is no terminal
 
 EPILOG = """\
 Shows the progress, and energies, their error, the time step and contacts as sparklines from the start to now; warnings once
-the run has ended. It reads files only: it may start and stop at any time, in another terminal, over ssh, on another machine
-that sees the folder. Where the output is no terminal it writes a line every ten seconds, and the view at the end.
+the run has ended. It reads DIR/history.csv, DIR/summary.json (which has the end time) and DIR/run.lock, and no deck. It may
+start and stop at any time, in another terminal, over ssh, on another machine that sees the folder. Where the output is no terminal it writes a line every ten seconds, and the view at the end.
 
 examples:
   percuss watch wall                          until the run ends
@@ -34,7 +34,7 @@ def parse_arguments(words):
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run, under way or complete")
     add("--once", action="store_true", help="show the state once and end")
-    add("--interval", metavar="SECONDS", type=float, default=1.0, help="between updates (default: 1)")
+    add("--interval", metavar="SECONDS", type=float, default=1.0, help="seconds between updates (default: 1)")
     add("--plain", action="store_true", help="letters only: no signs beyond ASCII")
     return parser.parse_args(words)
 

@@ -1,5 +1,5 @@
 #pragma once
-// Constraints of a step: nodes that move equally in a direction get the mean velocity of their masses.
+// Constraints of a step: nodes with equal displacements in a direction get the mean velocity of their masses.
 //
 // Every rank computes all constraints, from what the owners of their nodes send to all.
 
