@@ -77,8 +77,8 @@ struct SolidChunk {
   }
 };
 
-/// Active lanes of a chunk of solids in double, pass by pass (LivingLanes). A template, so that it is not instantiated in
-/// single precision, in which only hexahedra exist.
+/// Active lanes of a chunk of solids in double, pass by pass (LivingLanes). A template, so that it is not instantiated
+/// in single precision, in which only hexahedra exist.
 template <class>
 class LivingSolids : public LivingLanes {
  public:

@@ -1,6 +1,6 @@
 // What one element costs in one step: the kernel of each material and kind of element, and the pass over the nodes, in
 // nanoseconds of a thread, bytes and operations, and as a share of what this machine could do (the larger of the times
-// that its operations and its bytes need at least). docs/performance.md, "The element step".
+// that its operations and its bytes need at least). docs/notes_performance.md, "The element step".
 //
 // usage: element_step [option of Google Benchmark]; PERCUSS_MICRO_CELLS: edge of the block (40: 64 000 elements)
 

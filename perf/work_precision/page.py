@@ -1,4 +1,4 @@
-"""The section of docs/performance.md: a figure and a table a scene, and the choice that is best in each."""
+"""The section of docs/notes_performance.md: a figure and a table a scene, and the choice that is best in each."""
 import pathlib
 import shutil
 
