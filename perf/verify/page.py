@@ -2,6 +2,8 @@
 import pathlib
 import shutil
 
+from features import list_features
+
 GROUPS = {
     "exact": "Mass, patch, rotation",
     "waves": "Waves in bars",
@@ -49,11 +51,21 @@ def make_anchor(title):
     return "".join(c for c in title.lower().replace(" ", "-") if c.isalnum() or c in "-_")
 
 
+def make_link(case):
+    return f"[{case.title}](#{make_anchor(case.title)})"
+
+
+def write_features(cases, results):
+    rows = list_features(cases, results, make_link)
+    return "## By feature\n\nThe error of one quantity at a stated mesh; the case has the others.\n\n" + \
+        make_table(["feature", "quantity and mesh", "error", "case"], rows)
+
+
 def write_overview(cases, results):
     rows = []
     for case in cases:
         result = results.get(case.name)
-        link = f"[{case.title}](#{make_anchor(case.title)})"
+        link = make_link(case)
         if result is None:
             rows.append([link, "`" + case.name + "`", "", "not run", ""])
         else:
@@ -99,15 +111,17 @@ def write_page(options, cases, results):
     text += f"{sum(count_passed(r) for r in measured)} of {sum(len(r['checks']) for r in measured)} quantities of "
     text += f"{len(measured)} cases are within their tolerances"
     text += f"; outside: {', '.join('`' + name + '`' for name in wrong)}.\n\n" if wrong else ".\n\n"
+    text += write_features(cases, results) + "\n"
+    text += (here / "running.md").read_text() + "\n"
     text += write_overview(cases, results) + "\n"
     text += f"All together: {sum(r['runs'] for r in measured)} runs, {sum(r['cpu'] for r in measured) / 60:.1f} minutes.\n\n"
     text += (here / "public_models.md").read_text() + "\n"
-    text += (here / "open_points.md").read_text() + "\n"
     for group, title in GROUPS.items():
         text += f"## {title}\n\n"
         for case in cases:
             if case.group == group:
                 text += write_case(case, results.get(case.name), "images/verification")
+    text += (here / "open_points.md").read_text()
     page.parent.mkdir(parents=True, exist_ok=True)
     page.write_text(text.rstrip() + "\n")
     return wrong

@@ -2,7 +2,7 @@
 from bench import case
 
 
-@case("relaxed_shells", "bending", "Thin shells come to rest by dynamic relaxation", quick=True)
+@case("relaxed_shells", "bending", "Dynamic relaxation of thin shells", quick=True)
 def relaxed_shells(bench):
     """`start.relaxation` finds the state of rest at time 0. Morley's skew plate (*Skew Plates and Structures*, 1963) has an
     angle of 30 degrees, sides of 100 and a thickness of 1: nothing brings back the spins of its shells. Its middle sinks by

@@ -40,7 +40,7 @@ def turn_box(mass, size, angle=0.0):
     return "[" + ", ".join(repr(float(tensor[k])) for k in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))) + "]"
 
 
-@case("rocking_block", "rigid", "A block rocks", quick=True)
+@case("rocking_block", "rigid", "Rocking of a rigid block", quick=True)
 def rocking_block(bench):
     """A rigid block of 0.2 x 0.6 m, tilted by 8 of the 18.4 degrees at which it would fall, is let go on a floor that
     it cannot slide on. It turns about one corner until it stands, and goes on about the other. Housner (*Bull. Seism.
@@ -93,7 +93,7 @@ def follow_wheel(sides, inertia, slope, start, steps):
     return np.array(times), np.array(rates)
 
 
-@case("rolling_prism", "rigid", "A prism of twelve sides rolls down", quick=True)
+@case("rolling_prism", "rigid", "Rolling of a twelve-sided prism", quick=True)
 def rolling_prism(bench):
     """A rigid prism of twelve sides rolls down a slope of 6 degrees on which it cannot slide. It turns about one edge
     until the next one strikes. Angular momentum about that edge is kept: with I = m R^2 / 2 the angular velocity
@@ -174,7 +174,7 @@ def follow_dominoes(count, pitch, height, depth, start):
     return np.array(times)
 
 
-@case("dominoes", "rigid", "A row of dominoes falls")
+@case("dominoes", "rigid", "Successive toppling of a row of blocks")
 def dominoes(bench):
     """Twelve rigid dominoes, 48 mm high and 7.5 mm thick, stand 24 mm apart. They cannot slide on the floor, and
     there is no friction between them. Each one falls against the next and leans on it from then on. Van Leeuwen (*Am.
@@ -285,7 +285,7 @@ output: {history: {every: 1e-2, nodes: [{name: crown, near: [0, 0, 1]}]}}
 """
 
 
-@case("arch", "rigid", "A half circle of blocks")
+@case("arch", "rigid", "Stability of a semicircular arch of blocks")
 def arch(bench):
     """A half circle of sixteen rigid blocks stands between walls of friction 1, without tension in its joints.
     Milankovitch (1907) and Heyman (*Int. J. Mech. Sci.* 11, 1969) found the least thickness at which a line of thrust

@@ -30,7 +30,7 @@ def measure_ball(history):
     return int((signs[:, 1:] * signs[:, :-1] < 0).sum()), total / history["kinetic"][0]
 
 
-@case("ball_in_box", "impact", "A ball that bounces in a box")
+@case("ball_in_box", "impact", "Elastic ball between six rigid walls")
 def ball_in_box(bench):
     """An elastic ball of 32 elements flies in a box of six rigid walls without friction, at 1.6 % of the speed of a bar
     wave, without any viscosity. Bounces make it vibrate and spin, and nothing but contact may take energy.
@@ -68,7 +68,7 @@ def ball_in_box(bench):
     bench.figure("Energy of the ball, of motion and of deformation.", draw)
 
 
-@case("rigid_ball_in_box", "impact", "A rigid ball that bounces in a box", quick=True)
+@case("rigid_ball_in_box", "impact", "Rigid ball between six rigid walls", quick=True)
 def rigid_ball_in_box(bench):
     """The box of `ball_in_box` with a rigid ball that may not turn. Where it meets a wall `contact.restitution` is 1: every
     bounce turns one component of the velocity around. The components keep their size to round-off over more than a thousand

@@ -14,7 +14,7 @@ materials:
 PUSHED = {"wall": 0.02, "blocks": 2e-3, "cradle": 2e-3}  # at least this way [m]: a quarter of what was measured or more
 
 
-@case("closed_scenes", "closed", "Wall, blocks and cradle: momentum and energy", quick=True)
+@case("closed_scenes", "closed", "Momentum and energy of closed scenes", quick=True)
 def closed_scenes(bench):
     """*Wall*: loose bricks face to face, hit obliquely by an elastic-plastic rod at 200 m/s, friction 0.3. *Blocks*:
     elastic blocks and a ball collide edge first, corner first and spinning. *Cradle*: four elastic balls in a row, at
@@ -87,7 +87,7 @@ output: {history: {every: $every, nodes: [{name: n, near: [0.1, 0.1, 0.18]}, {na
 """
 
 
-@case("resting_pile", "hard", "A pile of bricks that rests for a million steps")
+@case("resting_pile", "hard", "Stacked bricks at rest for a million steps")
 def resting_pile(bench):
     """Six soft bricks in three layers, each layer shifted by a quarter of a brick, rest on a floor under gravity, friction
     0.5, at rest and without gaps at the start. The weight is applied at once. The bricks are elastic, and nothing damps
@@ -120,7 +120,7 @@ def resting_pile(bench):
         bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 1e-2 if name == "penalty" else 1e-3)
 
 
-@case("pile_on_ranks", "hard", "The pile of bricks on four ranks", quick=True)
+@case("pile_on_ranks", "hard", "Stacked bricks on four ranks", quick=True)
 def pile_on_ranks(bench):
     """The pile above by every enforcement for 3000 steps (Lagrange: 300, of a sixth of the speed), in which its weight is
     applied and it vibrates, on one rank and on four: the same bits."""

@@ -139,7 +139,7 @@ output: {history: {every: 0}}
     bench.near("time of the first turn over", t[i] + (t[i + 1] - t[i]) * along[i] / (along[i] - along[i + 1]), over, relative=1e-3, unit="s")
 
 
-@case("solid_weld", "failure", "A spot weld between blocks that lie apart", quick=True)
+@case("solid_weld", "failure", "Spot weld between separate blocks", quick=True)
 def solid_weld(bench):
     """Two blocks of 0.1 by 0.1 by 0.02 m lie 2 mm apart and have one weld in their middle. The upper one is moved along the
     gap, slowly. The weld carries the shear, and the moment of it, and fails at its strength of 3000 N. What is left of
@@ -186,7 +186,7 @@ output: {history: {every: 1e-4, forces: [{name: f, support: left/x_min}]}}
         bench.near(f"lap joint: shear of the {name} weld", h.mean(0.015, 0.02, f"weld_shear:{name}"), 500, relative=0.02, unit="N")
 
 
-@case("lap_weld", "failure", "A spot weld between faces in a lap joint, on three meshes")
+@case("lap_weld", "failure", "Spot weld in a lap joint, on three meshes")
 def lap_weld(bench):
     """Two strips of 120 by 20 mm lap by 40 mm and have one weld of 12 mm diameter in the middle of the lap, given by its point
     and its radius. One end is clamped, a force acts across the other: the joint bends as one beam of the length of both,
@@ -222,7 +222,7 @@ output: {history: {every: 0, nodes: [{name: tip, near: [200, 10, $apart], part: 
     bench.table(["elements", "size [mm]", "deflection [um]", "difference from the beam", "damped steps"], rows)
 
 
-@case("rate_table", "plastic", "Bars at constant rates with a table of rates", quick=True)
+@case("rate_table", "plastic", "Strain rates: bars with a table of curves", quick=True)
 def rate_table(bench):
     """A bar of one cell is pulled at a constant rate to a logarithmic strain of 0.06. Its yield stress is given at 0.1 / s
     (250 MPa, 320 MPa at a plastic strain of 0.1) and at 100 / s (350 and 448 MPa), linear or logarithmic in the rate
@@ -261,7 +261,7 @@ output: {history: {every: $every, elements: [{name: m, near: [0.5, 0.5, 0.5]}]}}
     bench.table(["elements", "rate [1/s]", "interpolation", "stress [MPa]", "table", "difference"], rows)
 
 
-@case("rubber_stretch", "exact", "Rubber drawn to three times its length")
+@case("rubber_stretch", "exact", "Rubber stretched to three times its length")
 def rubber_stretch(bench):
     """A cube of neo-Hookean material (E = 3, nu = 0.3) in fully integrated elements is drawn to a stretch of 3 along one
     direction or two, from nodes that are disturbed at random. The free stretch is that at which the stress across is 0,

@@ -20,7 +20,7 @@ output: {history: {every: $every, nodes: [$nodes]}}
 """
 
 
-@case("loaded_crack", "failure", "A crack whose faces are loaded at once")
+@case("loaded_crack", "failure", "Stress intensity of a suddenly loaded crack")
 def loaded_crack(bench):
     """Pressure s acts from time 0 on the faces of a long crack in an elastic body (plane strain). The stress intensity
     grows as the square root of the time: K = 2 s / (1 - nu) sqrt((1 - 2 nu) c t / pi), c the speed of pressure waves

@@ -51,7 +51,7 @@ def follow_oscillator(start, share, frequency, times):
     return place
 
 
-@case("spring_slider", "friction", "A block on a spring slides and sticks")
+@case("spring_slider", "friction", "Friction: stick and slip of a block on a spring")
 def spring_slider(bench):
     """A rigid block of 1 kg on a floor with friction 0.3 is held by a spring of 100 N/m, w = 10 rad/s; d = mu m g /
     k.
@@ -147,7 +147,7 @@ output: {history: {every: 1e-5, forces: [{name: held, support: {name: belt, insi
 """
 
 
-@case("capstan", "friction", "A belt on a drum")
+@case("capstan", "friction", "Friction: a belt on a drum")
 def capstan(bench):
     """A belt of shells lies half around a rigid drum of 360 faces that turns under it. One end is held, the other is
     pulled with 20 N. Friction holds the pull back: the forces of the ends are as exp(mu pi) (Euler 1769, Eytelwein
@@ -223,7 +223,7 @@ def find_lame(pressure, inner, bore, outer, radius, is_inner):
     return [pressure * bore**2 / (outer**2 - bore**2) * (1 + sign * outer**2 / radius**2) for sign in (-1, 1)]
 
 
-@case("shrink_fit", "friction", "A ring shrunk on a ring")
+@case("shrink_fit", "friction", "Shrink fit of two rings")
 def shrink_fit(bench):
     """A steel ring of radii 20 and 40.04 mm sits in one of 40 and 60 mm. `overlap: push_out` takes the overlap out.
     Lame's thick tubes (1852), in plane strain with E' = E / (1 - nu^2), then press on each other with p = 54.1 MPa: p

@@ -25,7 +25,7 @@ output:
 """
 
 
-@case("spall", "failure", "A plate spalls")
+@case("spall", "failure", "Spall of a plate")
 def spall(bench):
     """A plate of 50 mm hits one of 100 mm at 10 m/s, in uniaxial strain, and elements fail at half of the tension rho c v
     / 2. The pulse returns from the far end as tension. It meets the release from the flyer's far end in the middle of
@@ -61,7 +61,7 @@ def spall(bench):
     bench.figure("Far end of the target; dashed: 3 L / c, when the releases meet.", draw)
 
 
-@case("rod_through_plates", "failure", "A thin rod goes through three plates")
+@case("rod_through_plates", "failure", "Perforation of three plates by a thin rod")
 def rod_through_plates(bench):
     """The scene `inputs/rod_through_plates`: rod and plates erode by plastic strain, and new surfaces come into contact.
     There is no exact answer. Momentum is conserved to round-off, with the momentum of removed mass booked, energy
@@ -101,7 +101,7 @@ output: {history: {every: 5e-6, nodes: [{name: end, near: [40, 0, 0]}]}}
 """
 
 
-@case("neck_size", "failure", "A sheet necks, with elements of three sizes", quick=True)
+@case("neck_size", "failure", "Necking of a sheet with elements of three sizes", quick=True)
 def neck_size(bench):
     """A sheet of 40 mm that keeps its width is pulled until its weak row of shells, 0.85 as strong, is gone. With the
     logarithmic strain e its force is 2 / sqrt(3) Y(2 / sqrt(3) e) exp(-e) t, which has a largest value (Considere): whole rows then

@@ -12,7 +12,7 @@ SOFT = "elements: {hourglass: {kind: viscous}}\nmaterials: {soft: {model: elasti
 BLOCK = "block: {box: {size: [0.4, 0.4, 0.1], cells: [4, 4, 2]}, material: soft}"
 
 
-@case("sliding_block", "friction", "A block slides to rest", quick=True)
+@case("sliding_block", "friction", "Friction: a block slides to rest", quick=True)
 def sliding_block(bench):
     """A block at 5 m/s on a floor with mu = 0.3 stops after v^2 / (2 mu g) = 4.2474 m and v / (mu g) = 1.6989 s; friction
     takes m v^2 / 2. It slides on a rigid wall and, at 2 m/s, over the faces of a plate (0.6796 m; their corners must
@@ -62,7 +62,7 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.3, 0.4, 0.05], part: 
     bench.figure("The sliding block.", draw)
 
 
-@case("incline", "friction", "A block on an incline")
+@case("incline", "friction", "Friction: a block on an incline")
 def incline(bench):
     """The slope is 30 degrees. With mu = 0.3 the block slides at a = g (sin - mu cos) = 2.3563 m/s^2; with mu = 0.7 > tan
     it sticks. The weight is applied at once, and during the vibration single nodes slip a little (below 1 mm). After
@@ -95,7 +95,7 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
     bench.near("default elements, undamped: creep in 2 s", h.last("n_x") - h.first("n_x"), 0, absolute=0.02 * 2 * gravity["gx"], unit="m")
 
 
-@case("oblique_impact", "friction", "Oblique impact that slides throughout", quick=True)
+@case("oblique_impact", "friction", "Friction: oblique impact with full sliding", quick=True)
 def oblique_impact(bench):
     """A ball at 20 m/s along and 2 m/s onto a wall with mu = 0.1 slides throughout. Every contact impulse has mu times its
     normal part along the wall, so that dv_t = mu (1 + e) v_n for any restitution e. The tolerance is round-off of some

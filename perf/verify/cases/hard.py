@@ -42,7 +42,7 @@ def last_line(run):
     return (lines[0] if lines else "none").split(str(run.folder.parent) + "/")[-1].replace("|", "/")
 
 
-@case("box_of_spheres", "hard", "A crushed box of spheres")
+@case("box_of_spheres", "hard", "Crushing of a box of spheres")
 def box_of_spheres(bench):
     """125 elastic-plastic balls of 32 elements in a rigid box, its lid driven down by 40 % of its height at 50 m/s (1 % of
     the speed of sound); friction 0.2. Enforcement may leave 1 % of an edge. The balls of the middle column must stay
@@ -99,7 +99,7 @@ output: {history: {every: 1e-6, nodes: [{name: low, near: [0.05, 0.05, -0.0208],
         bench.above("distance of the middles at the end", h.last("high_z") - h.last("low_z"), 0.14, "m")
 
 
-@case("folding_plate", "hard", "A plate that folds onto itself")
+@case("folding_plate", "hard", "Self-contact of a folding plate")
 def folding_plate(bench):
     """A steel plate, two elements thick, whose ends approach at 100 m/s each from 0.2 m to 0.04 m. It buckles and folds
     until its own surfaces come into contact."""
@@ -239,7 +239,7 @@ output: {history: {every: 1e-6}}
 """, which=f"{100 * share:.0f} %", end=0.06 / (share * 5048), speed=share * 5048.0)
 
 
-@case("bad_input", "hard", "Input that no run can start from")
+@case("bad_input", "hard", "Wrong input is refused")
 def bad_input(bench):
     """No density, no size, elements without volume and inverted elements are refused with exit code 2 and the place,
     before anything is computed."""

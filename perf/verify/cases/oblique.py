@@ -118,7 +118,7 @@ def measure_oblique_impact(frames):
     return masses, normal, [pair[0] - pair[1] for pair in slip]
 
 
-@case("maw_impact", "friction", "Balls that meet at an angle")
+@case("maw_impact", "friction", "Friction: oblique impact of two balls")
 def maw_impact(bench):
     """Two like steel balls meet with a speed along the normal (3 m/s) and one across. Maw, Barber and Fawcett (*Wear* 38,
     1976) found how the points of contact rebound: while Hertz's circle grows and shrinks, its middle sticks and its rim

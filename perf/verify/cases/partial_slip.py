@@ -103,7 +103,7 @@ def measure_rings(run, frame, friction):
     return np.sqrt(2.5 * max(0, left @ square) / left.sum()), np.sqrt(2.5 * (normal @ square) / normal.sum()), share
 
 
-@case("partial_slip", "friction", "Caps pressed together slip in a ring")
+@case("partial_slip", "friction", "Friction: partial slip of two caps")
 def partial_slip(bench):
     """Two like steel caps (R = 0.2 m, 200 GPa, 0.3) are pressed together with N and pushed sideways by T below mu N, mu =
     0.3. Slip begins at the rim of the contact (radius a) and leaves a circle of radius c that sticks (Cattaneo 1938;

@@ -110,7 +110,7 @@ def draw_section(axes, frames, frame):
     axes.figure.colorbar(drawn, ax=axes, label="plastic strain")
 
 
-@case("plug", "failure", "A blunt projectile punches a plug out of a plate")
+@case("plug", "failure", "Plugging of a plate by a blunt projectile")
 def plug(bench):
     """Experiments of Borvik, Langseth, Hopperstad and Malo (*Int. J. Impact Eng.* 22, 1999; 27, 2002): a blunt projectile
     of hardened tool steel strikes a plate of Weldox 460 E. The projectile has 197 g and a diameter of 20 mm. The plate

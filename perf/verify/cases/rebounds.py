@@ -4,7 +4,7 @@ import math
 from bench import case
 
 
-@case("restitution", "rigid", "A rigid cube bounces on a rigid floor", quick=True)
+@case("restitution", "rigid", "Restitution of a rigid cube on a rigid floor", quick=True)
 def restitution(bench):
     """A cube falls by 50 mm. Rigid bodies have no waves that throw them back: what they keep of the velocity is
     `contact.restitution` e, at the first impact as at the next. Each top is e^2 of the one before, under every
@@ -30,7 +30,7 @@ output: {history: {every: 0}}
     bench.table(["contact", "e", "first top [mm]", "second top [mm]"], rows)
 
 
-@case("rattling_block", "closed", "A block rattles on springs of contact", quick=True)
+@case("rattling_block", "closed", "Penalty contact: energy of a rattling block", quick=True)
 def rattling_block(bench):
     """A block of 1 m flies between two stops half a metre apart from it, at 0.003 or 0.03 of its wave speed, with penalty
     contact, in even steps and in those of its elements, which change by a tenth. A spring begins and ends within a step; the sum
@@ -65,7 +65,7 @@ $stops
     bench.table(["stops", "cells an edge", "speed", "steps", "largest gain", "at the end"], rows)
 
 
-@case("sharp_edges", "hard", "A ball rests between sharp edges", quick=True)
+@case("sharp_edges", "hard", "Contact of a ball with sharp edges", quick=True)
 def sharp_edges(bench):
     """A ball of radius r = 30 mm, with 8 cells across, falls softly between two edges at x = -20 and 20 mm. Their elements
     are longer than those of the ball, so that its nodes pass beside them: the lines of its mesh must hold. It comes to rest in the middle

@@ -19,7 +19,7 @@ output: {history: {every: 2e-3}}
 """
 
 
-@case("slide_to_roll", "rigid", "A cylinder slides until it rolls", quick=True)
+@case("slide_to_roll", "rigid", "From sliding to rolling of a cylinder", quick=True)
 def slide_to_roll(bench):
     """A rigid cylinder of radius 1 m comes onto a floor of friction 0.1 at 1 m/s without spin, or with backspin. Friction
     slows it and spins it up, at mu g and mu g / k, k = I / (m R^2), until it rolls. The angular momentum about the floor

@@ -42,7 +42,7 @@ output: {history: {every: $every, elements: [{name: a, id: 1}, {name: b, id: 2},
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
 
 
-@case("imposed_turns", "exact", "A hundred imposed turns", quick=True)
+@case("imposed_turns", "exact", "Rigid rotation: a hundred imposed turns", quick=True)
 def imposed_turns(bench):
     """Every node of eight distorted elements is rotated around an axis for a hundred turns. Stress must stay 0 within
     1e-12 of Young's modulus, and so must the energy of hourglass control (1e-13 J: strains of 1e-12 in a cubic metre of
@@ -59,7 +59,7 @@ def imposed_turns(bench):
         bench.below(f"{name}: hourglass energy", run.history.largest("hourglass"), 1e-13, "J")
 
 
-@case("prestressed_turn", "exact", "A stretched body that turns")
+@case("prestressed_turn", "exact", "Rigid rotation of a stretched body")
 def prestressed_turn(bench):
     """The same elements are stretched by 0.1 % and then rotated 10 times. The stress must only rotate with the body, sigma
     = R sigma0 R^T. J = 1.001 times sigma0 is the E-modulus times ln(1.001) of uniaxial strain. Round-off of 1 m over
@@ -89,7 +89,7 @@ def prestressed_turn(bench):
         bench.below(f"{name}: internal energy while it turns, largest change", np.ptp(h["internal"][after]) / h.last("internal"), 1e-6)
 
 
-@case("free_turns", "exact", "A hundred free turns")
+@case("free_turns", "exact", "Free rotation: a hundred turns")
 def free_turns(bench):
     """A free block of 4 x 2 x 1 elements spins so fast that its ends move at 1 % of the speed of sound. Angular momentum
     must be conserved to round-off and kinetic energy to 1e-6. The energy of hourglass control must not grow. (A code
@@ -130,7 +130,7 @@ output: {history: {every: $every}}
     bench.figure("Kinetic energy of the spinning block: it vibrates until viscosity has damped the initial imbalance, then stays constant.", draw)
 
 
-@case("dzhanibekov", "exact", "Dzhanibekov's tumbling block")
+@case("dzhanibekov", "exact", "Free rotation about the unstable axis")
 def dzhanibekov(bench):
     """A free block spins about its middle axis, disturbed by 5 %, and flips over repeatedly. Euler's equations of the
     rigid body are solved independently, with the moments of inertia of masses lumped to nodes (L^2 / 12 (1 + 2 / n^2)

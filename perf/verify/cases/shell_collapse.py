@@ -33,7 +33,7 @@ def shell_panel(bench):
     bench.figure("Deflection of the panel; dashed: permanent deflection in the experiment.", draw)
 
 
-@case("shell_cap", "shells", "A spherical cap that yields under pressure")
+@case("shell_cap", "shells", "Elastic-plastic spherical cap under pressure")
 def shell_cap(bench):
     """A clamped cap (R = 22.27 in, half of its angle 26.67 degrees, t = 0.41 in, yield stress 24 000 psi) under a step of
     600 psi. The deflection of its middle is 0.0602 in at 0.25 ms, with the last peak, 0.0685 in, at 0.865 ms. These
@@ -77,7 +77,7 @@ output: {history: {every: 2e-6, nodes: [{name: middle, near: [0, 0, 22.27]}]}}
     bench.figure("Deflection of the middle of the cap; circles: published.", draw)
 
 
-@case("shell_tube", "shells", "A square tube folds")
+@case("shell_tube", "shells", "Folding of a square tube")
 def shell_tube(bench):
     """The scene `inputs/square_tube_crush`: a tube of 50 x 50 mm with walls of 1.6 mm, perfectly plastic at s0 = 300 MPa,
     is crushed at 15 m/s. Two formulae bound its mean force. They are 9.56 s0 t^(5/3) b^(1/3) = 23.1 kN (Wierzbicki and
@@ -107,7 +107,7 @@ def shell_tube(bench):
     bench.figure("Force of the plate; dashed: the two formulae for its mean.", draw)
 
 
-@case("shell_crash_box", "shells", "A crash box")
+@case("shell_crash_box", "shells", "Crushing of a crash box")
 def shell_crash_box(bench):
     """A square tube of steel, 60 x 60 x 1.5 mm and 250 mm long, with elements of 5 mm, is crushed by 300 kg at 10 m/s
     for 20 ms, to less than half of its length. No answer is published: the case checks what every crushed tube must

@@ -7,7 +7,7 @@ from bench import case
 STEEL = "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}"
 
 
-@case("shell_strip", "shells", "A strip of shells is pulled")
+@case("shell_strip", "shells", "Tension of a strip of shells")
 def shell_strip(bench):
     """A strip of 1 m x 0.4 m (a quarter of 20 x 4 elements) is stretched by 0.1 % over fifty wave traversals. The stress
     is E times the strain along and zero across, and the thickness falls by nu times the strain. The tolerance is 0.5 %:
@@ -79,7 +79,7 @@ output: {history: {every: $every, nodes: [{name: m, near: [0.5, 0.5, 0]}]}}
     bench.figure("Vibration of the plate.", draw)
 
 
-@case("shell_spin", "shells", "A ball of shells spins and bounces")
+@case("shell_spin", "shells", "Rotation and impact of a ball of shells")
 def shell_spin(bench):
     """A hollow, rotating ball falls on a wall with friction and leaves it. Angular momentum about all axes follows from
     the impulses of the wall to round-off, and energy closes to 1e-3. A free one conserves its kinetic energy to 2e-3
@@ -230,7 +230,7 @@ output: {{history: {{every: $every, nodes: [{{name: a, near: [12, 0, 0]}}]}}}}
     bench.table(["mesh, load", "displacement over the exact one"], rows)
 
 
-@case("shell_torsion", "shells", "Curved strips that twist")
+@case("shell_torsion", "shells", "Torsion of curved strips")
 def shell_torsion(bench):
     """Twist passes the kinks between the flat elements of a curved strip only through drilling (theory_shells.md). A
     quarter of a ring of strip (radius 46, width 20, thickness 2, E = 3300, nu = 0.35) is clamped at one end, with a

@@ -229,7 +229,7 @@ output: {history: {every: 2e-3, elements: [{name: near, near: [0.2, 0, 0]}, {nam
     bench.near("speed of the shock in the material", 0.2 / (arrivals["far"] - arrivals["near"]), 4 / 3, relative=0.02)
 
 
-@case("detonation", "shocks", "A rod of TNT")
+@case("detonation", "shocks", "Detonation of a rod of TNT")
 def detonation(bench):
     """A rod of TNT (Jones, Wilkins and Lee's equation of state with programmed burn) is lit at its closed end. The point
     of half the Chapman-Jouguet pressure must travel at the speed of detonation, 6930 m/s, within 1 %. The energy

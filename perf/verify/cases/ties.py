@@ -23,7 +23,7 @@ HALVES = """  left: {box: {size: [0.5, 0.02, 0.02], cells: [50, 2, 2]}, material
 TIE = "contact: {ties: [{a: right/x_min, b: left/x_max}], enforcement: %s}"
 
 
-@case("tied_bars", "waves", "A wave goes through a tie", quick=True)
+@case("tied_bars", "waves", "Ties: a wave through tied meshes", quick=True)
 def tied_bars(bench):
     """A bar of 1 m is driven at 1 m/s, its halves tied end to end. Nothing may be reflected by the tie (d'Alembert: the
     section does not change) and the front must continue as in one bar. Matching meshes are one bar to round-off. With 2

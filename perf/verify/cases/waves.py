@@ -83,7 +83,7 @@ def move_slabs(cells, speed):
                      f"velocity: [{float(speed(i / cells))!r}, 0, 0]}}" for i in range(1, cells + 1))
 
 
-@case("velocity_step", "waves", "A fixed bar with a step in velocity: the series")
+@case("velocity_step", "waves", "A fixed bar with a step in velocity")
 def velocity_step(bench):
     """A bar of length L moves at V when its end x = 0 is stopped. Its displacement is the series `u = sum 8 L V sqrt(rho /
     E) / ((2n - 1)^2 pi^2) sin(w_n t) sin((2n - 1) pi x / 2L)`, at the free end a triangle of height V L / c. The run

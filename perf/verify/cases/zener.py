@@ -33,7 +33,7 @@ def follow_zener(stiffness, mass, mobility, speed, end):
     return path.t, stiffness * np.maximum(path.y[0], 0)**1.5, path.y[1]
 
 
-@case("zener_plate", "impact", "A ball strikes a plate that carries the energy away")
+@case("zener_plate", "impact", "Impact of a ball on a large plate")
 def zener_plate(bench):
     """A steel ball of radius 10 mm strikes large plates of steel at 3 m/s. Bending waves carry the energy away, and
     nothing comes back while ball and plate touch. Zener (*Phys. Rev.* 59, 1941): the plate yields at the speed F / (8
