@@ -13,8 +13,15 @@ LINES_EVERY = 10.0  # seconds between lines where the output is no terminal
 
 EPILOG = """\
 Shows the progress, and energies, their error, the time step and contacts as sparklines from the start to now; warnings once
-the run has ended. It reads DIR/history.csv, DIR/summary.json (which has the end time) and DIR/run.lock, and no deck. It may
-start and stop at any time, in another terminal, over ssh, on another machine that sees the folder. Where the output is no terminal it writes a line every ten seconds, and the view at the end.
+the run has ended. It may start and stop at any time, in another terminal, over ssh, on another machine that sees the folder.
+Where the output is no terminal it writes a line every ten seconds, and the view at the end.
+
+It reads these files of DIR, and never the deck's own file:
+  history.csv     the values
+  summary.json    status, end time, warnings, and the deck as it was run
+  columns.json    units
+  run.lock        whether the run goes on
+  checkpoint.h5, fields.vtkhdf    the deck, title and units, where the files above do not have them
 
 examples:
   percuss watch wall                          until the run ends
