@@ -230,7 +230,7 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.initial = initial_energy_;
   // A gas that expands gives its energy away: then what moves is more than what is held besides.
   largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held, e.kinetic});
-  largest_strain_energy_ = std::max(largest_strain_energy_, e.internal + e.hourglass);
+  largest_strain_energy_ = std::max(largest_strain_energy_, e.internal() + e.hourglass());
   if (largest_energy_ > 0) {
     e.error = (balanced - e.external - e.contact - e.friction - e.damping - initial_energy_) / largest_energy_;
   }

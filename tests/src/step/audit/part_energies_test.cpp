@@ -89,10 +89,10 @@ void expect_sums(const Scene& scene, const AuditResult& audit) {
   const EnergySummary& e = audit.energy;
   const double energy = e.kinetic + std::abs(e.internal()) + audit.eroded.energy;
   expect_sum(values, "kinetic", e.kinetic, energy);
-  expect_sum(values, "internal", e.internal, energy);
-  expect_sum(values, "hourglass", e.hourglass, energy);
-  expect_sum(values, "viscous", e.viscous, energy);
-  expect_sum(values, "folding", e.folding, energy);
+  expect_sum(values, "internal", e.work[WorkKind::internal], energy);
+  expect_sum(values, "hourglass", e.work[WorkKind::hourglass], energy);
+  expect_sum(values, "viscous", e.work[WorkKind::viscous], energy);
+  expect_sum(values, "folding", e.work[WorkKind::folding], energy);
   const double momentum = std::sqrt(2 * scene.state.total_mass * e.kinetic);
   expect_sum(values, "momentum_x", audit.momentum.linear[0], momentum);
   expect_sum(values, "momentum_y", audit.momentum.linear[1], momentum);
