@@ -105,6 +105,14 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
                   find_user_id(report.torn_node), report.torn));
 }
 
+/// What damping takes in a relaxation, and what the first step after it changes of the stiffness of springs, which
+/// follows the step, is no energy that they give back: the next step begins with what Hooke's law holds.
+void ContactStage::Impl::forget_spring_energy() {
+  forgets_springs = is_relaxing;
+  for (const Array<double>& held : {history.held, history.edges.held})
+    if (held.extent(0) > 0) Kokkos::deep_copy(held, 0.0);
+}
+
 /// What the last step did says nothing about this one.
 void ContactStage::Impl::forget_last_step() {
   last = {};
@@ -162,12 +170,14 @@ void ContactStage::watch_start(Rows3<const double> x, Rows3<const double> v, dou
 const Approach& ContactStage::approach() const { return impl_->approach.next(); }
 
 void ContactStage::begin_relaxation() {
+  impl_->is_relaxing = impl_->forgets_springs = true;
   impl_->breaking.hold(true);
   impl_->enforcer.hold_walls();
 }
 
 void ContactStage::end_relaxation(Rows3<const double> x) {
   Impl& stage = *impl_;
+  stage.is_relaxing = false;
   stage.forget_last_step();
   stage.breaking.hold(false);
   stage.enforcer.begin_anew();
@@ -223,6 +233,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
   else
     stage.enforcer.rest(motion, stage.history);
+  if (stage.forgets_springs) stage.forget_spring_energy();
   stage.enforcements += report.enforced ? 1 : 0;
   stage.judge_ties(motion.time + motion.dt, report);
   stage.last = report;

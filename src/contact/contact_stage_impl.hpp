@@ -65,6 +65,7 @@ struct ContactStage::Impl {
   void refuse_torn_ties(const ContactReport& report) const;
   const AreaNodes& find_areas(const Rows3<const double>& x);
   void forget_last_step();
+  void forget_spring_energy();
   void redefine_surface();
   void follow_share();
   void renew_finder();
@@ -92,6 +93,8 @@ struct ContactStage::Impl {
   WallPairs walls;
   const bool has_walls;
   bool is_active = false;  // from the start to the end
+  bool is_relaxing = false;
+  bool forgets_springs = false;  // from the start of a relaxation to the end of the first step after it
   const ContactDeck contact;
   ReuseBound bound;
   ApproachBound approach;  // bounds the next step

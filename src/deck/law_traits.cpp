@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 
 #include "kernels/shell/layer_of_law.hpp"
 #include "src/deck/make_material.hpp"
@@ -28,6 +27,7 @@ LawTraits find_traits_of() {
   traits.grows_in_increments = GrowingLaw<Law>;
   traits.is_of_shells = LayerLaw<Law>;
   traits.is_of_beams = LawOfFibres<Law>;
+  traits.is_compiled_in = requires { requires Law::is_compiled_in; };
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
   traits.has_temperature = remembers<Law>(HistoryScalar::temperature);
   return traits;
@@ -49,8 +49,8 @@ const LawTraits& find_traits(const MaterialDeck& material) {
   const auto& all = list_law_traits();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const LawTraits& law) { return law.name == material.law.model; });
-  if (found == all.end()) throw std::logic_error("no law is called '" + material.law.model + "'");
-  return *found;
+  static const LawTraits none;
+  return found == all.end() ? none : *found;
 }
 
 std::string name_laws(bool LawTraits::*trait) {

@@ -16,6 +16,7 @@ struct LawTraits {
   /// constants do not change.
   bool grows_in_increments = false;
   bool is_of_shells = false, is_of_beams = false;
+  bool is_compiled_in = false;      // elements call it without a branch
   bool has_plastic_strain = false;  // its history has the equivalent plastic strain
   bool has_temperature = false;
 };
@@ -23,6 +24,7 @@ struct LawTraits {
 /// Of all laws, in their order.
 const std::vector<LawTraits>& list_law_traits();
 
+/// Of a name that is no law, which the deck reader refuses: of one that can do nothing.
 const LawTraits& find_traits(const MaterialDeck& material);
 
 /// "elastic, j2_plasticity and johnson_cook": those with a trait.

@@ -25,6 +25,7 @@ from percuss.importing.mesh_text import list_blocks  # noqa: E402
 from percuss.importing.proof import find_card, find_path  # noqa: E402
 from percuss.importing.shapes import solid_volume, tet_volume  # noqa: E402
 from percuss.importing.solids import collapse  # noqa: E402
+from percuss.program import find_program  # noqa: E402
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "PERCUSS_PROGRAM": PERCUSS}
 HERE = Place("deck.k", 1)
@@ -182,7 +183,8 @@ class Origins(InFolder):
     def test_a_refused_deck_is_not_left_behind(self):
         fake = os.path.join(self.folder, "percuss")
         with open(fake, "w", encoding="utf-8") as file:
-            file.write('#!/bin/sh\nn=$(grep -n wall_force "$2" | head -1 | cut -d: -f1)\necho "$2:$n:3: error: it moves" >&2\nexit 2\n')
+            file.write(f'#!/bin/sh\n[ "$1" = schema ] && exec "{find_program()}" schema\n')
+            file.write('n=$(grep -n wall_force "$2" | head -1 | cut -d: -f1)\necho "$2:$n:3: error: it moves" >&2\nexit 2\n')
         os.chmod(fake, 0o755)
         text = self.write(decks.FULL.replace("72floor", "72wall_force"))
         done = subprocess.run([sys.executable, "-m", "percuss", "import", text, "--out", os.path.join(self.folder, "out"), "--quiet"],

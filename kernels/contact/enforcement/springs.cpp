@@ -66,13 +66,14 @@ KOKKOS_INLINE_FUNCTION double find_last_push(double held, double stiffness, doub
   return held > 0 ? 4 * held / (root - speeds) : 0;
 }
 
-/// What a spring pushes besides Hooke's law to take what it owes, and so to hold k d(n) d(n+1) / 2: in one step where
-/// the sides move, little by little where they hardly do.
+/// What a spring pushes besides Hooke's law to take what it owes, and so to hold k d(n) d(n+1) / 2. It waits for that
+/// until the sides move: of bodies at rest the force is Hooke's.
 KOKKOS_INLINE_FUNCTION double find_settlement(const ContactRow& row, const SpringMotion& motion, double hooke,
                                               double speeds) {
   constexpr double least_speed = 0.1;  // of that which the push gives
   const double owed = row.held - find_pair_energy(row, motion.before, motion.depth);
   const double given = row.stiffness * hooke, both = speeds - given, slow = least_speed * given;
+  if (motion.rate_before * motion.rate_before < slow * slow) return 0;
   const double most = most_settled * hooke, settled = -2 * owed * both / (both * both + slow * slow);
   return settled < -most ? -most : (settled < most ? settled : most);
 }

@@ -1,6 +1,6 @@
 #include "src/mesh/decomposition/element_costs.hpp"
 
-#include "src/deck/make_material.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -38,11 +38,8 @@ KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
 int find_element_cost(const Deck& deck, const ElementBlock& block) {
   if (deck.parts[at(block.part)].rigid) return rigid_cost;
   const KindCost cost = find_kind_cost(block.topology, deck.find_elements(at(block.part)));
-  bool is_called = true;
-  visit_law(deck.materials[at(block.material)], [&]<class Law>(const Law&) {
-    if constexpr (requires { requires Law::is_compiled_in; }) is_called = false;
-  });
-  return is_called ? cost.own + cost.called : cost.own;
+  const bool is_compiled_in = find_traits(deck.materials[at(block.material)]).is_compiled_in;
+  return is_compiled_in ? cost.own : cost.own + cost.called;
 }
 
 }  // namespace percuss

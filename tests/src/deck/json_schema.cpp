@@ -37,7 +37,7 @@ class Validator {
   void check_keyword(const Json& schema, const std::string& keyword, const Json& rule, const Json& value,
                      const std::string& place) {
     static const std::vector<std::string> notes = {"$schema", "title", "description", "then"};
-    if (std::find(notes.begin(), notes.end(), keyword) != notes.end()) return;
+    if (keyword.starts_with("x-") || std::find(notes.begin(), notes.end(), keyword) != notes.end()) return;
     const bool known = check_any(schema, keyword, rule, value, place) || check_number(keyword, rule, value, place) ||
                        check_array(keyword, rule, value, place) || check_object(schema, keyword, rule, value, place);
     if (!known) throw std::invalid_argument("unknown keyword " + keyword);
