@@ -12,16 +12,26 @@ struct ArrudaBoyce {
   static constexpr const char* name = "arruda_boyce";
   static constexpr bool stores_energy = true;
   static constexpr int terms = 5;
-  using Constants = ArrudaBoyce;
-  double mu = 0, locking_stretch = 0, bulk_modulus = 0;
+  struct Constants {
+    double mu = 0, locking_stretch = 0, bulk_modulus = 0;
+  };
+  double mu = 0, over_square = 0;  // 1 / L^2
+  LameConstants start_moduli{};
 
   static constexpr auto keys() {
-    using A = ArrudaBoyce;
+    using A = Constants;
     return std::array{need("mu", &A::mu, KeyRange::positive, "pressure",
                            "mu of the stored energy: the shear modulus of chains that never lock."),
                       need("locking_stretch", &A::locking_stretch, KeyRange::above_one, "-",
                            "Stretch at which the chains are straight."),
                       need("bulk_modulus", &A::bulk_modulus, KeyRange::positive, "pressure", "Bulk modulus.")};
+  }
+
+  static ArrudaBoyce make(const Constants& c) {
+    ArrudaBoyce law{c.mu, 1 / (c.locking_stretch * c.locking_stretch)};
+    const double shear = 2 * c.mu * law.find_slopes(3.0).first;
+    law.start_moduli = {c.bulk_modulus - 2.0 / 3.0 * shear, shear};
+    return law;
   }
 
   static constexpr int history_count = StretchHistory::count;
@@ -31,7 +41,6 @@ struct ArrudaBoyce {
   template <class T>
   KOKKOS_INLINE_FUNCTION EnergySlopes<T> find_slopes(const T& first) const {
     constexpr double c[terms] = {1.0 / 2, 1.0 / 20, 11.0 / 1050, 19.0 / 7000, 519.0 / 673750};
-    const double over_square = 1 / (locking_stretch * locking_stretch);
     EnergySlopes<T> w{T(0), T(0)};
     for (int i = terms; i >= 1; --i) {  // Horner's rule in I1 / L^2
       if (i >= 2) w.second = w.second * (T(over_square) * first) + T(i * (i - 1) * c[i - 1] * over_square);
@@ -40,10 +49,7 @@ struct ArrudaBoyce {
     return w;
   }
 
-  KOKKOS_INLINE_FUNCTION LameConstants moduli() const {
-    const double shear = 2 * mu * find_slopes(3.0).first;
-    return {bulk_modulus - 2.0 / 3.0 * shear, shear};
-  }
+  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return start_moduli; }
 
   template <class T>
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {

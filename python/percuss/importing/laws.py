@@ -6,6 +6,7 @@ import subprocess
 
 from percuss.errors import NotResults
 from percuss.program import find_program
+from percuss.terminal import clean
 
 from .model import Block, Deck, Model
 
@@ -15,10 +16,13 @@ NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and bea
 @functools.cache
 def read_traits() -> dict[str, dict[str, bool]]:
     """By the name of a law."""
-    done = subprocess.run([find_program(), "schema"], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise NotResults(f"percuss schema ends with exit code {done.returncode} ({done.stderr.strip()}): build percuss anew")
-    traits: dict[str, dict[str, bool]] = json.loads(done.stdout)["x-laws"]
+    program = find_program()
+    done = subprocess.run([program, "schema"], capture_output=True, text=True, errors="replace", check=False)
+    try:
+        traits: dict[str, dict[str, bool]] = json.loads(done.stdout)["x-laws"]
+    except (ValueError, LookupError, TypeError) as error:
+        text = "which does not say what its laws can do: it is older than this tool, or no percuss"
+        raise NotResults(f"{clean(program)} schema ends with exit code {done.returncode} ({text}): build percuss anew") from error
     return traits
 
 

@@ -330,6 +330,27 @@ output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}, 
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
 }
 
+// Without friction, too, their force at rest is the weight, whatever the step before has stored.
+TEST(Relaxation, SpringsWithoutFrictionCarryTheWeight) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-3}
+parts:
+  base: {box: {size: [0.14, 0.14, 0.02], cells: [3, 3, 1]}, at: [-0.02, -0.02, -0.02], material: m, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  block: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+loads: {gravity: [0, 0, -100]}
+contact: {enforcement: penalty}
+start: {relaxation: {tolerance: 1e-10}}
+output: {history: {every: 5e-5, forces: [{name: floor, contact: [block, base]}]}}
+)yaml");
+  EXPECT_EQ(run.summary.relaxation.state, "settled");
+  for (std::size_t row = 2; row < run.history.rows(); ++row) {
+    const double dt = run.history["dt"][row];
+    if (std::abs(dt - run.history["dt"][row - 1]) > 1e-9 * dt) continue;
+    ASSERT_NEAR(run.history["fz:floor"][row], 100, 2e-3) << row;
+  }
+}
+
 TEST(Relaxation, ThatDoesNotSettleIsRefusedOrWarnedOf) {
   const std::string text = hang("");
   try {
