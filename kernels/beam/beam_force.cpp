@@ -2,6 +2,8 @@
 
 #include "kernels/beam/beam_nodes.hpp"
 #include "kernels/core/same_bits.hpp"
+#include "kernels/element/chunk_rest.hpp"
+#include "kernels/element/chunk_sums.hpp"
 
 namespace percuss {
 namespace {
@@ -40,16 +42,12 @@ struct AdvanceBeamChunk {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const int c = block.chunks(member.league_rank());
     const int first_slot = chunks.first_slot(c), slot_count = chunks.first_slot(c + 1) - first_slot;
-    const bool at_rest = step.skips_rest && is_at_rest(first_slot, slot_count);
-    if (at_rest && results.is_settled(c) != 0) {
-      ++results.skipped(c);
-      return;
-    }
+    const ChunkRest rest(chunks, results, c, step.skips_rest, step.v, step.w);
+    if (rest.skips()) return;
     const BeamScratch scratch(member, slot_count);
     double* const sums = scratch.forces;
     for (int i = 0; i < beam_force_record * slot_count; ++i) sums[i] = 0;
-    const bool changed = advance_elements(c, sums);
-    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    rest.leave(advance_elements(c, sums));
     for (int s = 0; s < slot_count; ++s) {
       const double* const sum = sums + beam_force_record * s;
       for (int k = 0; k < 3; ++k) {
@@ -59,23 +57,12 @@ struct AdvanceBeamChunk {
     }
   }
 
-  /// The positions of nodes without velocity are those of the step before.
-  KOKKOS_FUNCTION bool is_at_rest(int first_slot, int slot_count) const {
-    for (int s = 0; s < slot_count; ++s) {
-      const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
-      if (!is_plain_zero(step.v.data() + n)) return false;
-      if (step.w.extent(0) > 0 && !is_plain_zero(step.w.data() + n)) return false;
-    }
-    return true;
-  }
-
   /// Returns whether a bit of the records has changed.
   KOKKOS_FUNCTION bool advance_elements(int c, double* sums) const {
     const BeamParameters& parameters = block.parameters(chunks.parameters(c));
     const int first = chunks.first_element(c), count = count_elements(chunks, c), lanes = count_lanes(chunks, c);
     const int first_lane = step.find_first_lane(c);
-    double least = 1e300, work = 0;
-    int controlling = first, failed = -1;
+    ChunkSums chunk_sums;
     bool changed = false;
     for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
       if (first_lane >= 0 && step.lives.force_share(first_lane + i) < 0) continue;
@@ -85,17 +72,12 @@ struct AdvanceBeamChunk {
       if (i >= count) continue;
       if (first_lane >= 0) settle(first_lane + i, result);
       add_beam_forces(result.on, slots, sums);
-      work += result.work;
+      chunk_sums.work[WorkKind::internal] += result.work;
       if (step.bound.extent(0) > 0) step.bound(first + i) = result.stable_step;
-      if (failed < 0 && !(result.length > 0 && result.stable_step > 0)) failed = first + i;  // also for NaN
-      if (!(result.stable_step < least)) continue;
-      least = result.stable_step;
-      controlling = first + i;
+      chunk_sums.take_element_step(result.stable_step, result.length, first + i);
     }
-    results.stable_step(c) = least;
-    results.controlling_element(c) = controlling;
-    results.failed_element(c) = failed;
-    results.work(c, WorkKind::internal) += work;
+    chunk_sums.leave_work(c, results);
+    chunk_sums.leave_step(c, first, results);
     return changed;
   }
 

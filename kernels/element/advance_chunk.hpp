@@ -4,10 +4,10 @@
 // The body of an element is compiled for each compiled-in material and each kind of element (advance_*.cpp name the
 // pairs); every other material shares one body and is called.
 
-#include <cstring>
-
 #include "kernels/core/prefetch.hpp"
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/chunk_rest.hpp"
+#include "kernels/element/chunk_sums.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/living_lanes.hpp"
@@ -98,15 +98,6 @@ PERCUSS_FORCE_INLINE double reduce_growth(const HexLanes& value) {
   return largest;
 }
 
-/// Sum over the first `lanes` lanes in their order.
-PERCUSS_FORCE_INLINE double sum_lanes(const HexLanes& value, int lanes) {
-  alignas(64) Real row[pack_size<Real>];
-  store_pack(row, value);
-  double sum = 0;
-  for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
-  return sum;
-}
-
 template <class Material, HexKind Kind>
 struct AdvanceChunk {
   static constexpr int width = pack_size<Real>;
@@ -127,12 +118,10 @@ struct AdvanceChunk {
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
     const double* const x = motion.x.data();
     const double* const v = motion.v.data();
-    const bool at_rest = motion.skips_rest && !changes_at_rest(block.parameters(chunks.parameters(c)).material) &&
-                         is_at_rest(slots_to_nodes, slot_count);
-    if (at_rest && results.is_settled(c) != 0) {
-      ++results.skipped(c);
-      return;
-    }
+    const ChunkRest rest(chunks, results, c,
+                         motion.skips_rest && !changes_at_rest(block.parameters(chunks.parameters(c)).material),
+                         motion.v);
+    if (rest.skips()) return;
     const std::size_t middle = 3 * static_cast<std::size_t>(slots_to_nodes[slot_count / 2]);
     for (int s = 0; s < slot_count; ++s) {
       const int ahead = slots_to_nodes[s + rows_ahead < slot_count ? s + rows_ahead : slot_count - 1];
@@ -143,18 +132,8 @@ struct AdvanceChunk {
       fill_row(v + n, v + middle, nodes + node_record * s + 4);
       clear_record(forces + force_record * s);
     }
-    const bool changed = advance_packs(c, nodes, forces, at_rest);
-    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    rest.leave(advance_packs(c, nodes, forces, rest.is_at_rest()));
     copy_force_rows(forces, slot_count, &slot_force(first_slot, 0));
-  }
-
-  /// The positions of nodes without velocity are those of the step before.
-  KOKKOS_FUNCTION bool is_at_rest(const int* slots_to_nodes, int slot_count) const {
-    const double* const v = motion.v.data();
-    for (int s = 0; s < slot_count; ++s) {
-      if (!is_plain_zero(v + 3 * static_cast<std::size_t>(slots_to_nodes[s]))) return false;
-    }
-    return true;
   }
 
   /// The packs of a chunk that have an element which may resist folding: those that are oblique, and all while one of
@@ -206,8 +185,7 @@ struct AdvanceChunk {
     ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
     double work[work_kinds] = {};
     FoldingPacks folding(*this, c);
-    Real before[largest_size];
-    bool changed = false;
+    RecordWatch<largest_size> watch(watched);
     const bool watches_step = motion.watch.bound.extent(0) > 0;
     HexLanes growth(0);
     LivingLanes living(motion.failing, motion.lives, c);
@@ -222,7 +200,7 @@ struct AdvanceChunk {
       fetch_third<fetched>(next, 1);
       gather_modes(nodes + 4, corners, v);
       auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
-      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(Real));
+      watch.keep(record, record_size);
       HexLanes f[3][8];
       HexResult<HexLanes> result =
           advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, {f[0], f[1], f[2]});
@@ -230,23 +208,23 @@ struct AdvanceChunk {
       folding.resist(parameters, nodes, corners, s.mass, f, result);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
-      if (watched) changed = changed || !have_same_bits(before, record, record_size);
+      watch.compare(record, record_size);
       take_lanes(result, e - first, lanes, step);
       if (watches_step) {
         const int pack = chunks.first_pack(c) + (e - first) / width;
         watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
       }
-      work[WorkKind::internal] += sum_lanes(result.work.internal, lanes);
-      work[WorkKind::hourglass] += sum_lanes(result.work.hourglass, lanes);
-      work[WorkKind::viscous] += sum_lanes(result.work.viscous, lanes);
-      if (folding.acted()) work[WorkKind::folding] += sum_lanes(result.work.folding, lanes);
+      work[WorkKind::internal] += sum_lanes<Real>(result.work.internal, lanes);
+      work[WorkKind::hourglass] += sum_lanes<Real>(result.work.hourglass, lanes);
+      work[WorkKind::viscous] += sum_lanes<Real>(result.work.viscous, lanes);
+      if (folding.acted()) work[WorkKind::folding] += sum_lanes<Real>(result.work.folding, lanes);
     }
     folding.leave(results, c);
     set_step(c, step, first, end);
     if (watches_step) motion.watch.growth(c) = reduce_growth(growth);
     results.failed_element(c) = step.failed < 0 ? -1 : first + step.failed;
     for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
-    return changed;
+    return watch.has_changed();
   }
 
   /// Numbers of a pack's record: known to the compiler, except for called materials, each of which has its own number.

@@ -11,6 +11,24 @@
 
 namespace percuss {
 
+/// Forces of N corners by the shares that lanes leave of them; nothing from inactive lanes and from those that must
+/// stop.
+template <int N, class Field>
+PERCUSS_FORCE_INLINE void settle_forces(const Pack<double>& share, Field& f) {
+  const Pack<double> zero(0.0);
+  const auto lives = !(share < zero);
+  for (int i = 0; i < N; ++i)
+    f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
+            select(lives, share * f[i].z, zero)};
+}
+
+/// Step bound and volume, area or length of the lanes that live; harmless ones of the others.
+PERCUSS_FORCE_INLINE void settle_step(const Pack<double>& share, Pack<double>& step, Pack<double>& size) {
+  const auto lives = !(share < Pack<double>(0.0));
+  step = select(lives, step, Pack<double>(beyond_all<double>));
+  size = select(lives, size, Pack<double>(1.0));
+}
+
 class LivingLanes {
  public:
   using Lanes = Pack<Real>;

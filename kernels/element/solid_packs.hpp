@@ -5,6 +5,8 @@
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/chunk_rest.hpp"
+#include "kernels/element/chunk_sums.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/living_lanes.hpp"
 
@@ -103,48 +105,6 @@ class LivingSolids : public LivingLanes {
   int first_;  // lane of the pack
 };
 
-/// What the elements of a chunk add up to, taken lane by lane in their order.
-struct SolidChunkSums {
-  double step = 1e300;
-  int controlling = -1, failed = -1;
-  double work[work_kinds] = {};
-
-  /// k: place among the kinds of work.
-  PERCUSS_FORCE_INLINE void take_work(int k, const Lanes& of, int lanes) { work[k] += sum_first(of, lanes); }
-
-  PERCUSS_FORCE_INLINE void take_step(const Lanes& stable_step, const Lanes& volume, int first_element, int lanes) {
-    alignas(64) double steps[solid_width], volumes[solid_width];
-    store_pack(steps, stable_step);
-    store_pack(volumes, volume);
-    for (int lane = 0; lane < lanes; ++lane) {
-      if (steps[lane] < step) {
-        step = steps[lane];
-        controlling = first_element + lane;
-      }
-      if (failed < 0 && !(volumes[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
-    }
-  }
-
-  KOKKOS_FUNCTION void leave_work(int c, const ChunkResults& results) const {
-    for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
-  }
-
-  KOKKOS_FUNCTION void leave_step(int c, int first_element, const ChunkResults& results) const {
-    results.stable_step(c) = step;
-    results.controlling_element(c) = controlling < 0 ? first_element : controlling;
-    results.failed_element(c) = failed;
-    results.is_settled(c) = 0;
-  }
-
-  static PERCUSS_FORCE_INLINE double sum_first(const Lanes& value, int lanes) {
-    alignas(64) double row[solid_width];
-    store_pack(row, value);
-    double sum = 0;
-    for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
-    return sum;
-  }
-};
-
 /// A pack of a chunk in work.
 struct SolidPack {
   const SolidChunk& chunk;
@@ -161,23 +121,9 @@ struct SolidPack {
   }
 };
 
-/// Forces of N corners by the shares that lanes leave of them; nothing from inactive lanes and from those that must
-/// stop.
-template <int N, class Field>
-PERCUSS_FORCE_INLINE void settle_forces(const Lanes& share, Field& f) {
-  const Lanes zero(0.0);
-  const auto lives = !(share < zero);
-  for (int i = 0; i < N; ++i)
-    f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
-            select(lives, share * f[i].z, zero)};
-}
-
-/// Step bound and volume of the lanes that live; harmless ones of the others.
-PERCUSS_FORCE_INLINE void settle_step(const Lanes& share, Lanes& step, Lanes& volume) {
-  const auto lives = !(share < Lanes(0.0));
-  step = select(lives, step, Lanes(1e300));
-  volume = select(lives, volume, Lanes(1.0));
-}
+/// Numbers of a pack's record, of which a material that is called uses as many as it needs.
+template <class State>
+inline constexpr int record_limit = static_cast<int>(sizeof(State) / sizeof(Real));
 
 /// The elements of a block, whose packs read and write a state of their own and leave forces on their corners.
 template <class Material, class Block>
@@ -193,21 +139,29 @@ struct SolidKernel {
   template <class State, class AdvancePack>
   KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AdvancePack& advance_pack) const {
     const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    const ChunkRest rest(chunks, fields.results, chunk.c, motion.skips_rest && !changes_at_rest(parameters.material),
+                         motion.v);
+    if (rest.skips()) return;
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
-    SolidChunkSums sums;
+    ChunkSums sums;
+    RecordWatch<record_limit<State>> watch(rest.is_at_rest());
     Living living(motion.failing, motion.lives, chunk.c);
-    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
-    Real* record = &fields.state(chunks.first_state(chunk.c));
+    const int size = chunks.record_size(chunk.c) * solid_width;
+    Real* const records = &fields.state(chunks.first_state(chunk.c));
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
-      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
+      Real* const record = records + static_cast<std::size_t>(size) * static_cast<std::size_t>(pack);
       if (living.can_fail() && !living.take_pack(corners)) return;
-      advance_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
+      watch.keep(record, size);
+      advance_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living,
+                   *reinterpret_cast<State*>(record), sums);
+      watch.compare(record, size);
     });
+    rest.leave(watch.has_changed());
     sums.leave_work(chunk.c, fields.results);
     sums.leave_step(chunk.c, chunk.first_element, fields.results);
     copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));

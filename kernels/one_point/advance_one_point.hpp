@@ -23,12 +23,12 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
+                    ChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                    const Living& living, State& of, SolidChunkSums& sums) const {
+                                    const Living& living, State& of, ChunkSums& sums) const {
     Field x, v, f;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
@@ -65,11 +65,11 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
+                    ChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
   KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
-                                State& of, SolidChunkSums& sums) const {
+                                State& of, ChunkSums& sums) const {
     CornerField<Lanes, Shape> x, v;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);

@@ -41,7 +41,7 @@ void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, con
 
 /// The three passes of the mixed form, as those of tetrahedra (kernels/tet/tet_force.hpp), whose averages they share.
 void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                         const TetStep& step);
+                         const TetStep& step, const ChunkResults& results);
 void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                                 const TetStep& step, const Array<Real>& state, const ChunkResults& results);
 void sum_one_point_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,

@@ -17,13 +17,13 @@ struct FindOnePointForces : ForcePass<L> {
   using typename Base::Living;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(
-        member, [&](const SolidPack& on, const Living& living, SolidChunkSums& sums) { add_pack(on, living, sums); });
+    this->sum_chunk(member,
+                    [&](const SolidPack& on, const Living& living, ChunkSums& sums) { add_pack(on, living, sums); });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, SolidChunkSums& sums) const {
+  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, ChunkSums& sums) const {
     CornerField<Lanes, Shape> x, f;
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
     const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
@@ -78,10 +78,10 @@ void for_each_block(const OnePointBlocks& blocks, const Run& run) {
 
 template <class Material, class Shape>
 void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
-               const TetStep& step) {
+               const TetStep& step, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::sum_one_point_rates", space, chunks, block.chunks,
-                  SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+                  SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates, results});
   }
 }
 
@@ -102,8 +102,8 @@ void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, con
 }
 
 void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                         const TetStep& step) {
-  for_each_block(blocks, [&](const auto& block) { sum_rates(space, chunks, block, step); });
+                         const TetStep& step, const ChunkResults& results) {
+  for_each_block(blocks, [&](const auto& block) { sum_rates(space, chunks, block, step, results); });
 }
 
 void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,

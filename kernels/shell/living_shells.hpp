@@ -30,21 +30,13 @@ class LivingShells : public LivingLanes {
   /// What the pack leaves: forces, moments and work by their shares, nothing of dead lanes and of those that must not
   /// go on.
   KOKKOS_FUNCTION void settle(ShellResult<T>& result, Vector3<T> (&force)[4], Vector3<T> (&moment)[4]) const {
-    const T zero(0.0);
     const auto is_open = T(shell_folded_cosine) < result.least_cosine;
-    const T share = this->take_force_share(result.stable_step, select(is_open, result.area, zero));
-    const auto lives = !(share < zero);
-    const auto keep = [&](Vector3<T>& u) {
-      u = {select(lives, share * u.x, zero), select(lives, share * u.y, zero), select(lives, share * u.z, zero)};
-    };
-    for (int i = 0; i < 4; ++i) {
-      keep(force[i]);
-      keep(moment[i]);
-    }
+    const T share = this->take_force_share(result.stable_step, select(is_open, result.area, T(0.0)));
+    settle_forces<4>(share, force);
+    settle_forces<4>(share, moment);
     this->take_work(share, WorkKind::internal, result.work.internal);
     this->take_work(share, WorkKind::hourglass, result.work.hourglass);
-    result.stable_step = select(lives, result.stable_step, T(1e300));
-    result.area = select(lives, result.area, T(1.0));
+    settle_step(share, result.stable_step, result.area);
   }
 
  private:

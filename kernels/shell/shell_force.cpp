@@ -1,5 +1,7 @@
 #include "kernels/shell/shell_force.hpp"
 
+#include "kernels/element/chunk_rest.hpp"
+#include "kernels/element/chunk_sums.hpp"
 #include "kernels/shell/living_shells.hpp"
 #include "kernels/shell/shell_corners.hpp"
 
@@ -8,34 +10,6 @@ namespace percuss {
 namespace {
 
 constexpr int width = shell_width;
-
-/// What the elements of a chunk add up to, taken lane by lane in their order.
-struct ChunkSums {
-  double step = 1e300;
-  int controlling = -1;
-  int failed = -1;
-  double work[2] = {0, 0};
-
-  PERCUSS_FORCE_INLINE void take(const ShellResult<Lanes>& result, int first_element, int lanes) {
-    alignas(64) double steps[width];
-    alignas(64) double area[width];
-    alignas(64) double internal[width];
-    alignas(64) double hourglass[width];
-    store_pack(steps, result.stable_step);
-    store_pack(area, result.area);
-    store_pack(internal, result.work.internal);
-    store_pack(hourglass, result.work.hourglass);
-    for (int lane = 0; lane < lanes; ++lane) {
-      if (steps[lane] < step) {
-        step = steps[lane];
-        controlling = first_element + lane;
-      }
-      if (failed < 0 && !(area[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
-      work[0] += internal[lane];
-      work[1] += hourglass[lane];
-    }
-  }
-};
 
 /// Those of the first `lanes` elements of a pack.
 PERCUSS_NO_INLINE inline void store_bounds(const Lanes& step, int lanes, double* bounds) {
@@ -60,11 +34,8 @@ struct AdvanceShellChunk {
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
-    const bool at_rest = motion.skips_rest && is_at_rest(slots_to_nodes, slot_count);
-    if (at_rest && results.is_settled(c) != 0) {
-      ++results.skipped(c);
-      return;
-    }
+    const ChunkRest rest(chunks, results, c, motion.skips_rest, motion.v, motion.w);
+    if (rest.skips()) return;
     const ShellScratch scratch(member, slot_count);
     double* const nodes = scratch.nodes;
     double* const forces = scratch.forces;
@@ -76,21 +47,11 @@ struct AdvanceShellChunk {
       copy_row(motion.w.data() + n, node + 8);
       for (int k = 0; k < shell_force_record; ++k) forces[shell_force_record * s + k] = 0;
     }
-    const bool changed = advance_packs(c, scratch, at_rest);
-    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    rest.leave(advance_packs(c, scratch, rest.is_at_rest()));
     for (int s = 0; s < slot_count; ++s) {
       copy_row(forces + shell_force_record * s, &slot_force(first_slot + s, 0));
       copy_row(forces + shell_force_record * s + 4, &slot_moment(first_slot + s, 0));
     }
-  }
-
-  /// The positions of nodes without velocity are those of the step before.
-  KOKKOS_FUNCTION bool is_at_rest(const int* slots_to_nodes, int slot_count) const {
-    for (int s = 0; s < slot_count; ++s) {
-      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
-      if (!is_plain_zero(motion.v.data() + n) || !is_plain_zero(motion.w.data() + n)) return false;
-    }
-    return true;
   }
 
   /// Returns whether a bit of the records has changed, if watched.
@@ -103,8 +64,7 @@ struct AdvanceShellChunk {
     const std::uint16_t* corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_shell_pack);
     ChunkSums sums;
-    double before[largest_record];
-    bool changed = false;
+    RecordWatch<largest_record, double> watch(watched);
     [[maybe_unused]] LivingShells<Lanes> living(motion.failing, motion.lives, c, parameters.points.count);
     for (int e = first; e < end; e += width, record += record_size, corners += corners_of_shell_pack) {
       const int lanes = end - e < width ? end - e : width;
@@ -112,17 +72,17 @@ struct AdvanceShellChunk {
       if constexpr (CanFail) {
         if (living.can_fail() && !living.take_pack(gathered)) continue;
       }
-      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(double));
+      watch.keep(record, record_size);
       const ShellResult<Lanes> result = advance_pack(parameters, scratch, gathered, lanes, record, living);
-      sums.take(result, e, lanes);
+      sums.take_work(WorkKind::internal, result.work.internal, lanes);
+      sums.take_work(WorkKind::hourglass, result.work.hourglass, lanes);
+      sums.take_step(result.stable_step, result.area, e, lanes);
       if (motion.bound.extent(0) > 0) store_bounds(result.stable_step, lanes, &motion.bound(e));
-      if (watched) changed = changed || !have_same_bits(before, record, record_size);
+      watch.compare(record, record_size);
     }
-    results.stable_step(c) = sums.step;
-    results.controlling_element(c) = sums.controlling < 0 ? first : sums.controlling;
-    results.failed_element(c) = sums.failed;
-    for (int k = 0; k < 2; ++k) results.work(c, k) += sums.work[k];
-    return changed;
+    sums.leave_work(c, results);
+    sums.leave_step(c, first, results);
+    return watch.has_changed();
   }
 
   KOKKOS_FUNCTION ShellResult<Lanes> advance_pack(const ShellParameters<Layer>& parameters, const ShellScratch& scratch,

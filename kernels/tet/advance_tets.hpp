@@ -19,11 +19,11 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    SolidChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
+                    ChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
   }
 
   KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
-                                State& of, SolidChunkSums& sums) const {
+                                State& of, ChunkSums& sums) const {
     TetCorners<Lanes> x, v;
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
@@ -88,13 +88,13 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    SolidChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
+                    ChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
     const StepWatch& watch = this->motion.watch;
     if (watch.bound.extent(0) > 0) watch.growth(this->block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                    const Living& living, State& of, SolidChunkSums& sums) const {
+                                    const Living& living, State& of, ChunkSums& sums) const {
     TetCorners<Lanes> x, v;
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);

@@ -56,6 +56,17 @@ struct TetPasses {
   TetRateRows rates;            // [records] D: two groups
   TetStressRows stresses;       // [records] stress: two groups; bulk and shear modulus, mass over sum of |B|^2 / V
   Array<double> elements;       // [packs][scalars][W]
+  // What need not be done again. A chunk whose nodes rest stays as it is while the averages at its nodes do.
+  Array<int> rates_rest;     // [records] 1: the rates are 0, with the bits of the step before
+  Array<int> stresses_stay;  // [records] 1: the stresses have the bits of the step before
+  Array<int> is_left;        // [chunks] 1: the second pass has left the chunk as it was
+
+  /// Whether a list of flags is set at all records of a chunk's nodes.
+  KOKKOS_INLINE_FUNCTION static bool are_set(const Array<int>& flags, const int* slots_to_records, int slot_count) {
+    for (int s = 0; s < slot_count; ++s)
+      if (slots_to_records[s] >= 0 && flags(slots_to_records[s]) == 0) return false;
+    return true;
+  }
 };
 
 /// Nodes and what they have.
@@ -64,7 +75,7 @@ struct TetLaunch {
   TetPasses passes;
 };
 
-/// Makes the rows of passes for so many slots and packs.
-TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count);
+/// Makes the rows of passes for these chunks. slot_count: of all slots, those of other ranks among them.
+TetPasses make_tet_passes(const TetNodes& nodes, const ElementChunks& chunks, int slot_count);
 
 }  // namespace percuss

@@ -17,12 +17,12 @@ struct FindForces : ForcePass<L> {
   using typename Base::Living;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(
-        member, [&](const SolidPack& on, const Living& living, SolidChunkSums& sums) { add_pack(on, living, sums); });
+    this->sum_chunk(member,
+                    [&](const SolidPack& on, const Living& living, ChunkSums& sums) { add_pack(on, living, sums); });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
-  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, SolidChunkSums& sums) const {
+  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, ChunkSums& sums) const {
     TetCorners<Lanes> x;
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     const TetGeometry<Lanes> g = find_tet_geometry(x);
@@ -35,7 +35,7 @@ struct FindForces : ForcePass<L> {
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION void settle(const SolidPack& on, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g,
-                              Lanes step, const Living& living, SolidChunkSums& sums) const {
+                              Lanes step, const Living& living, ChunkSums& sums) const {
     OwnStress own(find_pack_record(chunks, fields.state, on.chunk.c, on.pack));
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
@@ -76,19 +76,25 @@ void for_each_block(const TetBlocks& blocks, const Run& run) {
 
 }  // namespace
 
-TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count) {
+TetPasses make_tet_passes(const TetNodes& nodes, const ElementChunks& chunks, int slot_count) {
   const auto slots = static_cast<std::size_t>(slot_count), records = static_cast<std::size_t>(nodes.count);
-  return {TetRateRows("percuss::tet_slot_rates", slots), TetStressRows("percuss::tet_slot_stresses", slots),
-          TetRateRows("percuss::tet_rates", records), TetStressRows("percuss::tet_stresses", records),
-          Array<double>("percuss::tet_elements", static_cast<std::size_t>(pack_count) * TetPasses::scalars *
-                                                     static_cast<std::size_t>(solid_width))};
+  const auto packs = chunks.corner_slots.extent(0) / (8 * pack_size<Real>);
+  return {TetRateRows("percuss::tet_slot_rates", slots),
+          TetStressRows("percuss::tet_slot_stresses", slots),
+          TetRateRows("percuss::tet_rates", records),
+          TetStressRows("percuss::tet_stresses", records),
+          Array<double>("percuss::tet_elements", packs * TetPasses::scalars * static_cast<std::size_t>(solid_width)),
+          Array<int>("percuss::tet_rates_rest", records),
+          Array<int>("percuss::tet_stresses_stay", records),
+          Array<int>("percuss::tet_is_left", static_cast<std::size_t>(chunks.count))};
 }
 
-void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
+void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                   const ChunkResults& results) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_rates", space, chunks, block.chunks,
-                    SumRates<Lanes, Tet4>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+                    SumRates<Lanes, Tet4>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates, results});
     }
   });
 }
@@ -96,11 +102,18 @@ void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const Te
 void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
   const TetNodes nodes = launch.nodes;
   const TetRateRows slots = launch.passes.slot_rates, means = launch.passes.rates;
+  const Array<int> rates_rest = launch.passes.rates_rest;
   Kokkos::parallel_for(
       "percuss::average_tet_rates", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         const SlotSum<TetSums::rate_row> sum(nodes, slots, r);
         const double scale = sum.value[8] > 0 ? 1 / sum.value[8] : 0;
-        for (int k = 0; k < 8; ++k) means(r, k) = scale * sum.value[k];
+        bool rests = true;
+        for (int k = 0; k < 8; ++k) {
+          const double mean = scale * sum.value[k];
+          rests = rests && mean == 0 && has_same_bits(mean, means(r, k));
+          means(r, k) = mean;
+        }
+        rates_rest(r) = rests ? 1 : 0;
       });
 }
 
@@ -112,14 +125,21 @@ void advance_tet_stresses(const ExecSpace& space, const ElementChunks& chunks, c
 void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
   const TetNodes nodes = launch.nodes;
   const TetStressRows slots = launch.passes.slot_stresses, means = launch.passes.stresses;
+  const Array<int> stresses_stay = launch.passes.stresses_stay;
   Kokkos::parallel_for(
       "percuss::average_tet_stresses", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         const SlotSum<TetSums::stress_row> sum(nodes, slots, r);
         const double volume = sum.value[8], scale = volume > 0 ? 1 / volume : 0;
-        for (int k = 0; k < 8; ++k) means(r, k) = scale * sum.value[k];
-        means(r, 8) = scale * sum.value[9];
-        means(r, 9) = scale * sum.value[10];
-        means(r, 10) = sum.value[13] > 0 ? sum.value[12] / sum.value[13] : 0;
+        bool stays = true;
+        const auto set = [&](int k, double mean) {
+          stays = stays && has_same_bits(mean, means(r, k));
+          means(r, k) = mean;
+        };
+        for (int k = 0; k < 8; ++k) set(k, scale * sum.value[k]);
+        set(8, scale * sum.value[9]);
+        set(9, scale * sum.value[10]);
+        set(10, sum.value[13] > 0 ? sum.value[12] / sum.value[13] : 0);
+        stresses_stay(r) = stays ? 1 : 0;
       });
 }
 

@@ -14,14 +14,16 @@ struct TetStep {
   TetLaunch launch;
 };
 
-/// First pass: passes.slot_rates of these chunks.
-void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step);
+/// First pass: passes.slot_rates of these chunks. results: of the step before; settled chunks that rest keep their
+/// rows.
+void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                   const ChunkResults& results);
 
 /// Nodes average what their elements have given: passes.rates.
 void average_tet_rates(const ExecSpace& space, const TetLaunch& launch);
 
 /// Second pass: advances stress and history from n to n+1, and books the work. state: element records, in and out.
-/// results: work is added to. Fills passes.slot_stresses and passes.elements.
+/// results: work is added to, and is_settled is out. Fills passes.slot_stresses, passes.elements and passes.is_left.
 void advance_tet_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
                           const TetStep& step, const Array<Real>& state, const ChunkResults& results);
 

@@ -90,9 +90,11 @@ struct SumRates {
   Array<int> list;
   ElementMotion motion;
   TetRateRows rows;
+  ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const SolidChunk chunk(chunks, list(member.league_rank()));
+    if (ChunkRest(chunks, results, chunk.c, motion.skips_rest, motion.v).is_settled()) return;
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     double* const sums = &rows(chunk.first_slot, 0);
@@ -203,23 +205,41 @@ struct StressPass {
   template <class State, class AddPack>
   KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AddPack& add_pack) const {
     const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    const ChunkRest rest(chunks, results, chunk.c, motion.skips_rest && !changes_at_rest(parameters.material),
+                         motion.v);
+    if (leave_as_it_is(chunk, rest)) return;
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     double* const rows = find_rows(chunk);
     for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
-    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
-    SolidChunkSums sums;
+    ChunkSums sums;
+    RecordWatch<record_limit<State>> watch(rest.is_at_rest());
     Living living(motion.failing, motion.lives, chunk.c);
-    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
-    Real* const record = &state(chunks.first_state(chunk.c));
+    const int size = chunks.record_size(chunk.c) * solid_width;
+    Real* const records = &state(chunks.first_state(chunk.c));
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
-      auto& of_pack = *reinterpret_cast<State*>(record + size * static_cast<std::size_t>(pack));
+      Real* const record = records + static_cast<std::size_t>(size) * static_cast<std::size_t>(pack);
       if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living, of_pack, sums);
+      watch.keep(record, size);
+      add_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living, *reinterpret_cast<State*>(record),
+               sums);
+      watch.compare(record, size);
     });
+    rest.leave(watch.has_changed());
     sums.leave_work(chunk.c, results);
+  }
+
+  /// Whether neither the motion of a chunk nor the averaged rates at its nodes ask for an evaluation.
+  KOKKOS_FUNCTION bool leave_as_it_is(const SolidChunk& chunk, const ChunkRest& rest) const {
+    const TetPasses& passes = launch.passes;
+    const bool is_left =
+        rest.is_settled() &&
+        TetPasses::are_set(passes.rates_rest, &launch.nodes.slots_to_records(chunk.first_slot), chunk.slot_count);
+    passes.is_left(chunk.c) = is_left ? 1 : 0;
+    return is_left;
   }
 
   /// Sums of a chunk [slots][TetSums::stress_row].
@@ -242,10 +262,16 @@ struct ForcePass {
   template <class AddPack>
   KOKKOS_FUNCTION void sum_chunk(const ChunkMember& member, const AddPack& add_pack) const {
     const SolidChunk chunk(chunks, list(member.league_rank()));
+    const TetPasses& passes = launch.passes;
+    if (passes.is_left(chunk.c) != 0 &&
+        TetPasses::are_set(passes.stresses_stay, &launch.nodes.slots_to_records(chunk.first_slot), chunk.slot_count)) {
+      ++fields.results.skipped(chunk.c);
+      return;
+    }
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    SolidChunkSums sums;
+    ChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;

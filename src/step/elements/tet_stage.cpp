@@ -5,16 +5,15 @@ namespace percuss {
 TetStage::TetStage(const Model& model)
     : model_(model), rates_(model.ranks, model.halo), stresses_(model.ranks, model.halo) {
   if (!model.mixes_solids) return;
-  const auto packs = static_cast<int>(model.chunks.corner_slots.extent(0) / (8 * pack_size<Real>));
-  launch_ = {model.tet_nodes, make_tet_passes(model.tet_nodes, model.slot_count, packs)};
+  launch_ = {model.tet_nodes, make_tet_passes(model.tet_nodes, model.chunks, model.slot_count)};
 }
 
 void TetStage::prepare(const State& state, const ElementMotion& motion) {
   if (!model_.mixes_solids) return;
   const TetStep step{motion, launch_};
-  sum_rates(model_.sending, step);
+  sum_rates(state, model_.sending, step);
   rates_.begin(space_, launch_.passes.slot_rates);
-  sum_rates(model_.others, step);
+  sum_rates(state, model_.others, step);
   rates_.end();
   average_tet_rates(space_, launch_);
   advance_stresses(state, model_.sending, step);
@@ -24,9 +23,9 @@ void TetStage::prepare(const State& state, const ElementMotion& motion) {
   average_tet_stresses(space_, launch_);
 }
 
-void TetStage::sum_rates(const ElementBlocks& blocks, const TetStep& step) const {
-  sum_tet_rates(space_, model_.chunks, blocks.tetrahedra, step);
-  sum_one_point_rates(space_, model_.chunks, blocks.one_point, step);
+void TetStage::sum_rates(const State& state, const ElementBlocks& blocks, const TetStep& step) const {
+  sum_tet_rates(space_, model_.chunks, blocks.tetrahedra, step, state.results);
+  sum_one_point_rates(space_, model_.chunks, blocks.one_point, step, state.results);
 }
 
 void TetStage::advance_stresses(const State& state, const ElementBlocks& blocks, const TetStep& step) const {

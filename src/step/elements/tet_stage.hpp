@@ -25,7 +25,7 @@ class TetStage {
   Traffic traffic() const;
 
  private:
-  void sum_rates(const ElementBlocks& blocks, const TetStep& step) const;
+  void sum_rates(const State& state, const ElementBlocks& blocks, const TetStep& step) const;
   void advance_stresses(const State& state, const ElementBlocks& blocks, const TetStep& step) const;
 
   const Model& model_;

@@ -41,6 +41,45 @@ TEST(Skip, ChunksAheadOfAWaveAreLeftAlone) {
   }
 }
 
+// With `mixed`, what a neighbour's motion averages at the nodes of a chunk wakes it too.
+TEST(Skip, ChunksOfOtherSolidsRestTheSame) {
+  for (const char* kind : {"tetrahedra", "wedges", "pyramids"}) {
+    for (const char* form : {"mixed", "plain"}) {
+      SCOPED_TRACE(std::string(kind) + ", " + form);
+      expect_same_without(bar,
+                          {std::string("parts.bar.elements=") + kind, std::string("elements.tetrahedra=") + form,
+                           "parts.bar.box.cells=[128, 2, 2]", "time.max_steps=24"},
+                          0.5);
+    }
+  }
+}
+
+// Elements of two kinds die, and beside them some wait for the first wave.
+TEST(Skip, SolidsThatFailRestTheSame) {
+  const std::string deck = R"(
+title: a block falls on blocks at rest
+time: {end: 1.0, max_steps: 80}
+parts:
+  top: {box: {size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}, at: [0.001, 0.002, 0.0602], material: steel, elements: tetrahedra}
+  low: {box: {size: [0.02, 0.02, 0.06], cells: [4, 4, 12]}, material: soft, elements: wedges}
+  beside: {box: {size: [0.02, 0.02, 0.06], cells: [4, 4, 12]}, at: [0.0205, 0, 0], material: soft, elements: pyramids}
+materials:
+  steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}
+  soft: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 100e6, hardening_modulus: 1e9, failure: {plastic_strain: 0.05}}
+initial: [{part: top, velocity: [60, 0, -400]}]
+contact: {surfaces: all}
+conditions: [{nodes: low/z_min, velocity: {z: 0}}, {nodes: beside/z_min, velocity: {x: 0, y: 0, z: 0}}]
+)";
+  for (const char* form : {"mixed", "plain"}) {
+    SCOPED_TRACE(form);
+    const std::string choice = std::string("elements.tetrahedra=") + form;
+    const Outcome some = run_deck(deck, {choice}), all = run_deck(deck, {choice, "elements.skip_resting=false"});
+    EXPECT_GT(some.summary.eroded.elements, 0);
+    EXPECT_GT(some.summary.skipped.chunk_updates, 0.01);
+    EXPECT_EQ(some.summary.state_hash, all.summary.state_hash);
+  }
+}
+
 TEST(Skip, AnElasticBarWakesAndRestsAgain) {
   // Pushed for a moment, held later: what has rung out to nothing may rest again, what has not must go on.
   expect_same_without(
