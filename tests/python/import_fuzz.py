@@ -1,6 +1,6 @@
 """Damaged decks for percuss import: import_fuzz.py ROOT [--seconds N | --count N] [--first SEED] [--keep DIR].
 
-Each mutant must become a deck or be refused by a message with exit code 2: no traceback, no hang, no memory by a number in it.
+Each mutant must become a deck of finite numbers or be refused by a message with exit code 2: no traceback, no hang, no memory by a number in it.
 """
 
 import argparse
@@ -8,12 +8,14 @@ import contextlib
 import io
 import os
 import random
+import re
 import signal
 import sys
 import tempfile
 import time
 import traceback
 
+NO_NUMBER = re.compile(r"[-:\[,\s][-+]?\.?(nan|inf|infinity)\s*($|[,\]}\s])", re.IGNORECASE)
 LIMIT = 20  # seconds for one mutant, of which a sound one takes 10 ms
 MEMORY = 2 << 30
 WORDS = ["0", "-1", "1e308", "1e-308", "nan", "inf", "ALL",
@@ -80,19 +82,31 @@ def try_mutant(text: str, folder: str, ending: str) -> str:
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(text)
     arguments = argparse.Namespace(model=path, out=os.path.join(folder, "out"), units="", allow=["all"], check=False, force=True, quiet=False, fit_rates=False, case="")
-    signal.signal(signal.SIGALRM, stop)
-    signal.alarm(LIMIT)
+    signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, LIMIT)  # of its own time: a busy machine is no hang
     output, errors = io.StringIO(), io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
             code = import_model(arguments)
-        return "" if code == 0 or (code == 2 and "error:" in errors.getvalue()) else f"exit code {code} without a message"
+        if code == 0:
+            return find_nonsense(os.path.join(folder, "out"))
+        return "" if code == 2 and "error:" in errors.getvalue() else f"exit code {code} without a message"
     except BadInput as error:
         return "" if path in str(error) or folder in str(error) or ".k" in str(error) or ".inp" in str(error) else f"no place: {error}"
     except Exception:  # noqa: BLE001  (any other is a finding)
         return traceback.format_exc()
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def find_nonsense(folder: str) -> str:
+    """A number of the written deck or mesh that is none, or an empty text."""
+    for name in ("deck.yaml", "mesh.k"):
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                if NO_NUMBER.search(line) and not line.lstrip().startswith(("#", "$", "title:")):
+                    return f"{name}:{number} has no number: {line.strip()}"
+    return ""
 
 
 def stop(*_: object) -> None:

@@ -154,8 +154,10 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
         deck.ledger.translated("PLASTIC", block.place, "johnson_cook; heat needs an ADIABATIC step and *INELASTIC HEAT FRACTION")
         return
     if kind not in ("", "ISOTROPIC", "KINEMATIC"):
-        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {clip(kind)}", "isotropic hardening is used")
-        if kind == "USER":
+        is_user = kind == "USER"  # its lines are constants of a subroutine
+        text = "hardening by a subroutine of the user" if is_user else f"hardening of type {clip(kind)}"
+        deck.ledger.refuse("PLASTIC.HARDENING", block.place, text, "the material is elastic" if is_user else "isotropic hardening is used")
+        if is_user:
             return
     points = [(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)]
     check_strains(block, points)

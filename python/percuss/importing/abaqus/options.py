@@ -100,6 +100,26 @@ OF_MATERIALS = (  # what may follow *MATERIAL
     "SUPERELASTIC|TENSILE FAILURE|TENSION CUTOFF|TRS|UNIAXIAL|UNIAXIAL TEST DATA|BIAXIAL TEST DATA|VOLUMETRIC TEST DATA|UNLOADING DATA|"
     "USER DEFINED FIELD|USER MATERIAL|USER OUTPUT VARIABLES|VISCOELASTIC|VISCOUS|VOID NUCLEATION"
 ).split("|")
+# What is lost with some of those that are refused: of keywords, and of all that begin so with a blank behind.
+LOST = {
+    "FASTENER": "point connections, without which the surfaces part",
+    "DISTRIBUTING": "a coupling that spreads what acts on its reference node",
+    "CONNECTOR": "connectors between nodes",
+    "EMBEDDED ELEMENT": "elements that move with those around them, which then stand alone",
+    "SHELL TO SOLID COUPLING": "the edge of a shell on a solid, which then parts from it",
+    "COHESIVE": "cohesive bonds",
+    "FLUID": "a fluid in a cavity and its pressure",
+    "REBAR": "bars of reinforcement",
+    "PRE-TENSION SECTION": "the preload of a bolt",
+    "NONSTRUCTURAL MASS": "mass without stiffness",
+}
+
+
+def tell_lost(keyword: str) -> str:
+    """What a keyword that is refused would have done, or its name."""
+    return next((text for name, text in LOST.items() if keyword == name or keyword.startswith(name + " ")), f"*{keyword}")
+
+
 OTHERS = (  # that are refused; so that blanks in them and misspelt words are found
     "CAPACITY|ADAPTIVE MESH|ADAPTIVE MESH CONTROLS|ANNEAL|BUCKLE|CFLUX|CFILM|CLEARANCE|CO-SIMULATION|CO-SIMULATION CONTROLS|CO-SIMULATION REGION|COHESIVE BEHAVIOR|COHESIVE SECTION|"
     "CONNECTOR BEHAVIOR|CONNECTOR DAMAGE EVOLUTION|CONNECTOR DAMAGE INITIATION|CONNECTOR DAMPING|CONNECTOR ELASTICITY|CONNECTOR FAILURE|"

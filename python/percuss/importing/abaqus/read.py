@@ -13,7 +13,7 @@ from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
-from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze
+from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze, tell_lost
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section
 from .springs import add_springs, read_spring
 from .timeline import StepTime
@@ -75,7 +75,7 @@ class Reader:
     def refuse(self, block: Block) -> None:
         """A keyword that is known and not read, or one that is not known."""
         if block.keyword in OTHERS or block.keyword in OF_MATERIALS:
-            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword}", "it is left out")
+            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, tell_lost(block.keyword), "it is left out")
             self.deck.has_lost_section |= block.keyword.endswith(" SECTION") and not is_allowed
             return
         self.unknown.append((clip(block.keyword), block.place))
