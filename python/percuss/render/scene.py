@@ -9,7 +9,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws the rest)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkReverseSense
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
@@ -73,15 +73,12 @@ class Scene:
         self._add_lights()
 
     def _add_surface(self, surface, lut, edges):
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(surface.mesh)
-        normals.SetFeatureAngle(SMOOTH_BELOW)
-        normals.ConsistencyOff()
-        self.mapper = vtkPolyDataMapper()
-        self.mapper.SetInputConnection(normals.GetOutputPort())
-        self.mapper.SetLookupTable(lut)
-        self.mapper.UseLookupTableScalarRangeOn()
-        self.mapper.InterpolateScalarsBeforeMappingOn()
+        self._normals = vtkPolyDataNormals()
+        self._normals.SetInputData(surface.mesh)
+        self._normals.SetFeatureAngle(SMOOTH_BELOW)
+        self._normals.ConsistencyOff()
+        self._lut = lut
+        self.mapper = self._make_mapper(self._normals)
         actor = vtkActor()
         actor.SetMapper(self.mapper)
         look = actor.GetProperty()
@@ -98,11 +95,25 @@ class Scene:
         self.renderer.AddActor(actor)
         self._surface = actor
 
+    def _make_mapper(self, source):
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        mapper.SetLookupTable(self._lut)
+        mapper.UseLookupTableScalarRangeOn()
+        mapper.InterpolateScalarsBeforeMappingOn()
+        return mapper
+
     def add_copies(self, copies):
-        """copies: for each the planes (axis, value) that mirror it."""
+        """copies: for each the planes (axis, value) that mirror it. An odd number of mirrors turns faces inside out, which would be
+        lit from within: their corners are taken in the other order."""
+        turned = vtkReverseSense()
+        turned.SetInputConnection(self._normals.GetOutputPort())
+        turned_mapper = self._make_mapper(turned)
         for planes in copies:
             actor = vtkActor()
             actor.ShallowCopy(self._surface)
+            if len(planes) % 2:
+                actor.SetMapper(turned_mapper)
             scale, place = [1, 1, 1], [0, 0, 0]
             for axis, value in planes:
                 scale[axis], place[axis] = -1, 2 * value

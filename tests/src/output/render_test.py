@@ -183,6 +183,11 @@ class Render(unittest.TestCase):
         middle = len(whole) // 2
         self.assertAlmostEqual(whole[:middle].sum() / whole[-middle:].sum(), 1, delta=0.1)  # in perspective
         self.assertGreater(len(whole) / whole.max(), 1.6 * len(half) / half.max(), "it is twice as wide")
+        picture = self.draw(*options, "--mirror", f"x={low}")[40:-25].astype(float)
+        drawn = picture.min(axis=2) < 245
+        first, last = np.flatnonzero(drawn.any(axis=0))[[0, -1]]
+        left, right = (picture[:, side][drawn[:, side]].mean() for side in (slice(0, (first + last) // 2), slice((first + last) // 2, None)))
+        self.assertAlmostEqual(left / right, 1, delta=0.25, msg="the mirrored half is lit from outside")
         done = self.render("--frame", "0", "--mirror")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--mirror y=0", done.stderr)
