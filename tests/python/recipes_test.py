@@ -34,7 +34,9 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 def list_blocks(page):
     """(kind, lines) of the page, in order: `commands` and `text`."""
-    blocks, body, fence, before = [], [], None, ""
+    blocks: list[tuple[str, list[str]]] = []
+    body: list[str] = []
+    fence, before = None, ""
     for line in page.splitlines():
         if fence is not None:
             if line.startswith("```"):
