@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Kokkos_Core.hpp>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -11,9 +10,7 @@
 #include "src/app/commands/commands.hpp"
 #include "src/app/process/failure_report.hpp"
 #include "src/app/process/stop_signals.hpp"
-#include "src/app/process/threads.hpp"
 #include "src/app/process/tools.hpp"
-#include "src/fail_together.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run/stop_request.hpp"
@@ -61,12 +58,7 @@ ExitCode guard_on_ranks(const Communicator& ranks, const Work& work) {
 ExitCode run_on_ranks(int argc, char** argv, const std::function<ExitCode(const Communicator&)>& command) {
   const MpiSession mpi(argc, argv);
   const Communicator world = Communicator::world();
-  choose_threads(OwnedCommunicator::of_machine(world)->size());
-  return guard_on_ranks(world, [&] {
-    fail_together(world, check_threads);
-    const Kokkos::ScopeGuard kokkos;
-    return command(world);
-  });
+  return guard_on_ranks(world, [&] { return command(world); });
 }
 
 // For what needs no other rank: mpirun starts it on all of them, and one is to be heard.

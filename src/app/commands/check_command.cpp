@@ -7,6 +7,7 @@
 
 #include "src/app/commands/commands.hpp"
 #include "src/app/commands/read_together.hpp"
+#include "src/app/process/compute_session.hpp"
 #include "src/app/reports/scene_json.hpp"
 #include "src/app/reports/scene_report.hpp"
 #include "src/app/reports/stage_line.hpp"
@@ -176,6 +177,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   StageLine stage(stderr, ranks.rank() == 0 ? StageLine::Speaker::yes : StageLine::Speaker::no);
   stage.show("reading the deck");
   const Deck deck = read_deck_together(command, ranks);
+  const ComputeSession session(ranks, deck);
   stage.show("making the mesh");
   const ChunkedMesh chunked = load_mesh(deck, ranks);
   stage.show("looking up names and history points");

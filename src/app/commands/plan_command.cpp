@@ -2,6 +2,7 @@
 
 #include "src/app/commands/commands.hpp"
 #include "src/app/commands/read_together.hpp"
+#include "src/app/process/compute_session.hpp"
 #include "src/app/reports/plan_report.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
@@ -26,6 +27,7 @@ double find_first_step(const Deck& deck, const ChunkedMesh& whole, const Communi
 std::string make_plan(const Command& command) {
   const Communicator self(MPI_COMM_SELF);
   const Deck deck = read_deck_together(command, self);
+  const ComputeSession session(self, deck);
   const DecompositionPlanner mesh(deck);
   const ChunkedMesh whole = load_mesh(deck, self);
   const ContactPlanner contact(whole, deck);
@@ -44,7 +46,8 @@ std::string make_plan(const Command& command) {
                            contact.faces(),
                            find_first_step(deck, whole, self),
                            find_step_pattern(deck, contact)};
-  return format_plan(scene, command.figures, plans);
+  const std::string& threads = session.note();
+  return format_plan(scene, command.figures, plans) + (threads.empty() ? "" : "\n" + threads + "\n");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "src/app/commands/read_together.hpp"
 #include "src/app/folder/folder_lock.hpp"
 #include "src/app/folder/output_folder.hpp"
+#include "src/app/process/compute_session.hpp"
 #include "src/app/process/external_files.hpp"
 #include "src/app/process/failure_report.hpp"
 #include "src/app/process/placement.hpp"
@@ -114,10 +115,12 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   command.restart = find_checkpoint(command.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
+  const ComputeSession session(ranks, deck);
   const std::string out_dir = choose_folder(command);
   RunOptions options;
   const std::unique_ptr<FolderLock> lock = prepare_folder(command, deck, out_dir, ranks, options);
   if (lock && !command.quiet && !lock->note().empty()) print_quietly(stderr, "{}\n", lock->note());
+  if (speaks && !command.quiet && !session.note().empty()) print_quietly(stderr, "{}\n", session.note());
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());

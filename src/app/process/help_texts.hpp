@@ -27,10 +27,10 @@ mpirun returns the same codes, except after a signal to mpirun itself (Open MPI:
 rank is killed (137 after SIGKILL). Then see `status` in summary.json: `running` means that the run was killed.
 
 Environment:
-  OMP_NUM_THREADS   threads per rank; default: one per core that the rank may use. Ranks that are not bound to cores
-                    divide the cores of their machine evenly
+  OMP_NUM_THREADS   threads per rank; default: one for each 1000 elements, at most one per core that the rank may use.
+                    Ranks that are not bound to cores share those of the machine
   OMP_PROC_BIND     how OpenMP binds threads to cores; default: no binding
-  OMP_WAIT_POLICY   how threads wait; default: they spin for about 20 microseconds, then sleep
+  OMP_WAIT_POLICY   how threads wait; default: they spin for 20 microseconds, on a busy machine not at all, then sleep
 
 `percuss help COMMAND` or `percuss COMMAND --help` explains a command; `percuss version` prints the version.
 docs/deck.md describes the deck.

@@ -6,11 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -60,12 +64,56 @@ bool raise_stack_limit() {
   return setrlimit(RLIMIT_STACK, &limit) == 0;
 }
 
-bool shorten_waiting() {
+#ifdef _OPENMP
+/// Processes and threads that run or want to, this one among them; 1 if the system does not say.
+int count_running() {
+  std::ifstream file("/proc/loadavg");
+  double mean = 0;
+  int running = 0;
+  return file >> mean >> mean >> mean >> running ? std::max(1, running) : 1;
+}
+
+/// Whether others leave fewer cores free than so many threads want: the middle one of some looks, milliseconds apart.
+bool is_machine_busy(int threads) {
+  std::array<int, 5> seen{};
+  for (int& running : seen) {
+    running = count_running();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  std::nth_element(seen.begin(), seen.begin() + seen.size() / 2, seen.end());
+  return seen[seen.size() / 2] - 1 + threads > count_online_cores();
+}
+
+/// Turns of a waiting loop, of the kind that OpenMP waits in, within some time.
+long count_turns(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int turns = 256;
+  double least = seconds;
+  for (int look = 0; look < 8; ++look) {
+    const auto start = Clock::now();
+    for (int i = 0; i < turns; ++i) {
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#else
+      __asm__ volatile("" ::: "memory");
+#endif
+    }
+    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  return std::lround(seconds / std::max(least, 1e-9) * turns);
+}
+#endif
+
+bool shorten_waiting([[maybe_unused]] char** argv) {
 #ifdef _OPENMP
   constexpr const char* name = "GOMP_SPINCOUNT";
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(name) != nullptr) return false;
-  // About 20 microseconds: longer than the gap between two kernels, shorter than what another process' turn costs.
-  return setenv(name, "10000", 0) == 0;
+  if (argv[0] == nullptr || argv[1] == nullptr || std::string_view(argv[1]) != "run") return false;
+  if (omp_get_max_threads() == 1) return false;
+  // Longer than the gap between two kernels, shorter than what another process' turn costs.
+  constexpr double seconds = 20e-6;
+  const long turns = is_machine_busy(omp_get_max_threads()) ? 0 : count_turns(seconds);
+  return setenv(name, std::to_string(turns).c_str(), 0) == 0;
 #else
   return false;
 #endif
@@ -115,15 +163,15 @@ int count_available_cores() { return std::min(count_cores_by_affinity(), read_co
 int count_machine_cores() { return std::min(count_online_cores(), read_container_quota()); }
 
 void start_again_if_needed(char** argv) {
-  const bool raised = raise_stack_limit(), shortened = shorten_waiting();
+  const bool raised = raise_stack_limit(), shortened = shorten_waiting(argv);
   if (raised || shortened) execv("/proc/self/exe", argv);  // returns only if it fails: then all is as it was
 }
 
-void choose_threads([[maybe_unused]] int ranks_here) {
+void choose_threads([[maybe_unused]] int ranks_here, [[maybe_unused]] const std::function<int(int available)>& choose) {
 #ifdef _OPENMP
   if (std::getenv("OMP_NUM_THREADS") == nullptr) {
     const bool is_bound = count_cores_by_affinity() < count_online_cores();
-    omp_set_num_threads(is_bound ? count_available_cores() : std::max(1, count_available_cores() / ranks_here));
+    omp_set_num_threads(choose(is_bound ? count_available_cores() : std::max(1, count_available_cores() / ranks_here)));
   }
 #endif
   // The OpenMP runtime has read its environment by now; this only tells Kokkos that the choice is made, and that
