@@ -18,9 +18,9 @@ try:
     import h5py  # noqa: F401
     import matplotlib  # noqa: F401
     import numpy as np
-    import scipy  # noqa: F401
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
     import yaml  # noqa: F401
+    from scipy.signal import butter, filtfilt
 except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
@@ -175,7 +175,83 @@ class Ballistic(Recipe):
         self.assertLess(abs(impulse / momentum - 1), 0.01)
 
 
-RECIPES = {"ballistic": Ballistic}
+class BoltedJoint(Recipe):
+    """The faying surface of n bolts slips at mu n F."""
+
+    def test_slip_load(self):
+        history, mu, preload = History(self.place("slip")), 0.2, 20e3
+        begin = history["time"] < 4e-5
+        bolts = history["fz:bolt_1"] + history["fz:bolt_2"]
+        self.compare("force of both bolts at the start, 2 x 20 kN", 2 * preload / 1e3, bolts[begin][5:].max() / 1e3, 0.005)
+        name = "friction of the faying surface as it slips, mu n F_preload"
+        self.compare(name, mu * 2 * preload / 1e3, -history["fx:faying"].min() / 1e3, 0.08)
+        slips = history["time"] > 2.5e-4
+        used = np.hypot(history["fx:faying"], history["fy:faying"])[slips] / history["fz:faying"][slips]
+        self.compare("friction used, mu", mu, used.mean(), 0.005)
+        pull = history["fx:pull"][slips].mean()
+        self.compare("pull at the end, 2 mu n F with F = 18.3 kN", 2 * mu * 2 * 18.3, pull / 1e3, 0.04)
+        self.assertLess(abs(pull / (2 * mu * bolts[slips].mean()) - 1), 0.04)
+
+    def test_balances(self):
+        history = History(self.place("slip"))
+        self.assertLess(abs(history["energy_error"]).max(), 1e-6)
+        self.assertLess(history["hourglass"][-1], 0.1 * history["internal"][-1])
+
+
+class Drop(Recipe):
+    """The impulse of the floor is the change of momentum; its peak is near that of a half-sine."""
+
+    def test_impulse(self):
+        history = History(self.place("fall"))
+        mass = 1.05e-9 * 2.5 * 2 * (120 * 80 + 120 * 40 + 80 * 40) + 2.5e-9 * 80 * 50 * 15
+        v, time = np.sqrt(2 * 9810 * 1000), history["time"]
+        self.compare("momentum before, m sqrt(2 g h)", mass * v, -history["momentum_z"][0], 0.001)
+        impulse = np.sum(history["fz:floor"][1:] * np.diff(time))
+        name = "impulse of the floor, m (v + v') + m g t with v' = 2227 mm/s"
+        self.compare(name, mass * (v + 2227 + 9810 * time[-1]), impulse, 0.005)
+        touching = time[history["fz:floor"] > 0]
+        self.assertAlmostEqual(1e3 * (touching[-1] - touching[0]), 1.214, delta=0.02)
+        peak = np.pi / 2 * mass * (v + 2227 + 9810 * time[-1]) / 1.214e-3
+        self.compare("peak force, of a half-sine over T = 1.214 ms", peak / 1e3, history["fz:floor"].max() / 1e3, 0.06)
+        even = np.arange(time[0], time[-1], 2e-6)  # CFC 1000 of SAE J211: a Butterworth filter of two poles, forwards and backwards
+        acceleration = np.gradient(np.interp(even, time, history["sensor_vz"]), even)
+        felt = filtfilt(*butter(2, 2.0775 * 1000, fs=1 / 2e-6), acceleration).max()
+        self.compare("peak acceleration, of that force over the mass", peak / mass / 9810, felt / 9810, 0.06)
+
+    def test_balances_and_orientation(self):
+        history = History(self.place("fall"))
+        self.assertLess(abs(history["energy_error"]).max(), 1e-4)
+        self.assertLess(history["hourglass"][-1], 0.1 * history["internal"][-1])
+        with h5py.File(self.place("fall/fields.vtkhdf")) as file:
+            points = file["VTKHDF/Points"][: int(file["VTKHDF/NumberOfPoints"][0])]
+        self.assertAlmostEqual(points[:, 2].max() - points[:, 2].min(), np.linalg.norm([120, 80, 40]), delta=0.01)  # the diagonal stands
+
+
+class CrashBox(Recipe):
+    """Abramowicz and Jones: the mean force of progressive folding."""
+
+    def test_mean_force_and_energy(self):
+        history = History(self.place("box"))
+        way, speed = history["wall_displacement:barrier"], history["wall_speed:barrier"]
+        force, mass = -history["fz:barrier"], 200.0
+        mean = np.sum((force[1:] + force[:-1]) / 2 * np.diff(way)) / way[-1]
+        formula = 52.22 * (60 / 2) ** (1 / 3) * 300 * 2**2 / 4
+        self.compare("mean crush force, of c = 60 mm, t = 2 mm, s0 = 300 MPa", formula / 1e3, mean / 1e3, 0.1)
+        lost = mass / 2 * (10**2 - (speed[-1] / 1e3) ** 2) / 1e3
+        (name,) = [quantity for quantity in self.table if quantity.startswith("energy that the barrier has lost")]
+        self.compare(name, lost, mean * way[-1] / 1e6, 0.005)
+        impulse = np.sum(force[1:] * np.diff(history["time"]))
+        (name,) = [quantity for quantity in self.table if quantity.startswith("impulse of the barrier")]
+        self.compare(name, mass * (10 - speed[-1] / 1e3), impulse, 0.005)
+
+    def test_balances(self):
+        history = History(self.place("box"))
+        self.assertLess(abs(history["energy_error"]).max(), 1e-4)
+        self.assertLess(history["hourglass"][-1], 0.05 * history["internal"][-1])
+        self.assertLess(history["added_mass"][-1], 0.2 * history["mass:crash_box"][0])
+
+
+RECIPES = {"crash_box": CrashBox, "drop": Drop, "ballistic": Ballistic, "bolted_joint": BoltedJoint}
 
 
 def load_tests(loader, _tests, _pattern):
