@@ -14,6 +14,22 @@ double bound_speed(double component) {
   return component < 0 ? component : root_of_3 * component;
 }
 
+/// Nodes with a tensor that are held in some directions follow what is held in the others: their w(-1/2) in those, of
+/// the spins w(0) of the start.
+void mirror_followers(const State& state, const Rows3<double>& start) {
+  const SpinInertia inertia = state.spin_inertia();
+  const auto w = state.w, w_before = state.w_before;
+  Kokkos::parallel_for(
+      "percuss::mirror_followers", Range(ExecSpace(), 0, static_cast<int>(inertia.tensors.node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = inertia.tensors.node(i);
+        bool is_held = false;
+        for (int k = 0; k < 3; ++k) is_held = is_held || !(inertia.inverse(n, k) > 0);
+        for (int k = 0; k < 3 && is_held; ++k)
+          if (inertia.inverse(n, k) > 0) w_before(n, k) = 2 * start(n, k) - w(n, k);
+      });
+}
+
 }  // namespace
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -202,8 +218,12 @@ void Stepper::integrate_spins(State& state, const StepTimes& times) {
   predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}, model_.inertia},
                      times.dt_mean, state.moment, state.w_before, state.w);
   if (state.spin_tensors.any()) predict_tensor_spins(space_, state.spin_inertia(), state.turning_nodes(times.dt));
+  const bool are_followed = state.step == 0 && state.spin_tensors.any() && state.held_spins.count > 0;
+  Rows3<double> start("percuss::first_spins", are_followed ? state.w.extent(0) : 0);
+  if (are_followed) Kokkos::deep_copy(space_, start, state.w_before);
   if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
   for (Action* const action : order_) action->change_spins(state, times);
+  if (are_followed) mirror_followers(state, start);
 }
 
 /// Their inertia turns with the nodes of beams, once elements and books have seen the spins of the step.

@@ -41,23 +41,19 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   add_to_books(sums, 1, state.books);
 }
 
-/// The same for held rotations: J = I (w+ - w-) - dt_mean m less what welds and ties give, a moment impulse without a
-/// lever.
+/// The same for held rotations: moment impulses without a lever.
 void book_spin_conditions(ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
   if (state.owned_held_spins.extent(0) == 0) return;
-  const auto held = state.held_spins;
   const auto owned = state.owned_held_spins;
-  const SpinInertia inertia = state.spin_inertia();
-  const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment,
-             tied = state.tie_moment;
+  const HeldMoments moments = find_held_moments(state, dt_mean);
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
-        const int n = held.node(owned(i));
-        const int k = held.direction(owned(i));
-        const double gained = get(inertia.find_momentum(n, find_spin_change(w, w_before, n)), k);
-        const double change = gained - find_joined(welded, n, k) - find_joined(tied, n, k);
-        add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
-        add(4 + k, change - dt_mean * moment(n, k));
+        const int n = moments.held.node(owned(i));
+        const int k = moments.held.direction(owned(i));
+        const double w = moments.w(n, k), moment = moments.moment(n, k);
+        const double change = moments.find_gain(owned(i)) - moments.find_others(owned(i));
+        add(0, 0.5 * change * (w + moments.w_before(n, k)) - 0.5 * dt * w * moment);
+        add(4 + k, change - dt_mean * moment);
       });
   add_work(sums[0], state.books);
   add_to_books(sums, 1, state.books);

@@ -85,16 +85,11 @@ ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean) {
         });
   }
   if (held_spins_.extent(0) == 0) return sums;
-  const auto held = state.held_spins;
+  const HeldMoments moments = find_held_moments(state, dt_mean);
   const auto entries = held_spins_;
-  const SpinInertia inertia = state.spin_inertia();
-  const auto w = state.w, w_before = state.w_before, moment = state.moment, welded = state.weld_moment,
-             tied = state.tie_moment;
   const ImpulseSums spins = spin_sums_(
       ExecSpace(), static_cast<int>(entries.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
-        const int n = held.node(entries(i)), k = held.direction(entries(i));
-        const double gained = get(inertia.find_momentum(n, find_spin_change(w, w_before, n)), k);
-        add(3 + k, gained - dt_mean * moment(n, k) - find_joined(welded, n, k) - find_joined(tied, n, k));
+        add(3 + moments.held.direction(entries(i)), moments(entries(i)));
       });
   for (std::size_t k = 3; k < 6; ++k) sums[k].merge(spins[k]);
   return sums;

@@ -50,12 +50,6 @@ KOKKOS_INLINE_FUNCTION double find_joined(const Rows3<const double>& rows, int n
   return rows.extent(0) > 0 ? rows(n, k) : 0;
 }
 
-/// What a step does to the spin of a node.
-KOKKOS_INLINE_FUNCTION Vector3<double> find_spin_change(const Rows3<const double>& after,
-                                                        const Rows3<const double>& before, int n) {
-  return {after(n, 0) - before(n, 0), after(n, 1) - before(n, 1), after(n, 2) - before(n, 2)};
-}
-
 /// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P, with the forces f at n, the velocities
 /// before and after the step and the impulse P of contact and welds.
 struct HeldReactions {
@@ -77,6 +71,45 @@ struct HeldReactions {
 inline HeldReactions find_reactions(const State& state, double dt_mean) {
   return {state.held,    state.gravity,      state.v,    state.v_before, state.force,
           state.impulse, state.weld_impulse, state.mass, dt_mean};
+}
+
+/// Likewise of a held rotation: J = L+ - L- - dt_mean m - P, with the angular momenta at n and the moments P of welds
+/// and ties. The momentum of a node with a tensor changes by its turn too, at a constant spin.
+struct HeldMoments {
+  HeldDirections held;
+  SpinInertia inertia;
+  Rows3<const double> w, w_before, moment, welded, tied;
+  double dt_mean = 0, half_before = 0, half_after = 0;  // the latter: half steps before and after n
+
+  /// L+ - L- of entry i of the held directions. half_before: 0 in the first step, of whose spins of free directions
+  /// w_before is the mirror image.
+  KOKKOS_INLINE_FUNCTION double find_gain(int i) const {
+    const int n = held.node(i), k = held.direction(i);
+    if (!inertia.has_tensor(n)) return inertia.number(n) * (w(n, k) - w_before(n, k));
+    double before[3];
+    for (int d = 0; d < 3; ++d) {
+      const bool is_mirrored = half_before == 0 && inertia.inverse(n, d) > 0;
+      before[d] = is_mirrored ? 0.5 * (w(n, d) + w_before(n, d)) : w_before(n, d);
+    }
+    const Vector3<double> gained = inertia.find_momentum(n, {w(n, 0), w(n, 1), w(n, 2)}, -half_after) -
+                                   inertia.find_momentum(n, {before[0], before[1], before[2]}, half_before);
+    return get(gained, k);
+  }
+  /// Of that, what others than elements and the condition give.
+  KOKKOS_INLINE_FUNCTION double find_others(int i) const {
+    const int n = held.node(i), k = held.direction(i);
+    return find_joined(welded, n, k) + find_joined(tied, n, k);
+  }
+  /// J of entry i [force x length x time].
+  KOKKOS_INLINE_FUNCTION double operator()(int i) const {
+    return find_gain(i) - dt_mean * moment(held.node(i), held.direction(i)) - find_others(i);
+  }
+};
+
+inline HeldMoments find_held_moments(const State& state, double dt_mean) {
+  const double last_dt = state.turning_nodes(0).last_dt;
+  return {state.held_spins,  state.spin_inertia(), state.w, state.w_before, state.moment,
+          state.weld_moment, state.tie_moment,     dt_mean, 0.5 * last_dt,  dt_mean - 0.5 * last_dt};
 }
 
 }  // namespace percuss

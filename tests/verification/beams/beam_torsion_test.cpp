@@ -119,6 +119,24 @@ TEST(Torsion, FreeShaftSpinsAsATop) {
   }
 }
 
+// A node of a beam turns with its inertia: what holds its rotation also turns its angular momentum, from the first
+// step.
+TEST(Torsion, DrivenEndsOfAnObliqueBeamGiveTheMomentumThatItGains) {
+  for (const char* driven :
+       {"rx: 10, ry: 3, rz: 5", "rx: {table: [[0, 10], [1e-3, 20]]}", "ry: {table: [[0, 0], [1e-3, 100]]}, rz: 5"}) {
+    const Outcome run = run_deck(fmt::format(R"(
+time: {{end: 2e-4}}
+parts: {{b: {{line: {{from: [0, 0, 0], to: [1, 0.3, 0.2], cells: 10}}, section: {{rectangle: {{size: [0.02, 0.01]}}}}, toward: [0, 0, 1], material: m}}}}
+materials: {{m: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
+conditions: [{{nodes: b/start, velocity: {{x: 0, y: 0, z: 0, {0}}}}}]
+output: {{history: {{every: 0, forces: [{{name: held, support: b/start}}]}}}}
+)",
+                                             driven));
+    EXPECT_LT(run.summary.momentum.angular_error, 1e-13) << driven;
+    EXPECT_LT(std::abs(run.summary.energy.error), 1e-3) << driven;
+  }
+}
+
 namespace {
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;
