@@ -12,7 +12,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import zlib
 from html.parser import HTMLParser
 from types import SimpleNamespace
 
@@ -24,7 +23,7 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium  # noqa: E402
+from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium, read_surface  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.results.deck import Deck  # noqa: E402
@@ -40,7 +39,8 @@ from percuss.report.motion import find_motions  # noqa: E402
 from percuss.report.pictures import Worst, differ  # noqa: E402
 from percuss.report.scene import make_relaxation_table  # noqa: E402
 from percuss.report.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
-from percuss.view.surface import pack_surface, read_library  # noqa: E402
+from percuss.view.reduce import pack_view
+from percuss.view.surface import read_library  # noqa: E402
 from percuss.report.welds import find_use, make_welds_table, tell_welds  # noqa: E402
 
 
@@ -414,26 +414,16 @@ class Surface(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.out = sample_run.run(PERCUSS, folder.name)
 
-    def unpack(self, about, text, fields):
-        """Faces [faces][4] as places of the last frame, after the steps of viewer.js."""
-        data = np.frombuffer(zlib.decompress(base64.b64decode(text)), dtype=np.uint8)
-        corners = data[: 16 * about["faces"]].view(np.uint32).reshape(-1, 4)
-        at, count = 17 * about["faces"], 3 * about["nodes"]
-        frames = data[at : at + 2 * count * about["frames"]].reshape(about["frames"], 2, count).astype(np.uint32)
-        whole = np.cumsum(frames[:, 0] + 256 * frames[:, 1], axis=0) % 65536
-        places = np.array(about["low"]) + np.array(about["scale"]) * whole[-1].reshape(-1, 3)
-        return places[corners], data[at + 2 * count * about["frames"] :]
-
     def test_has_every_outer_face_in_its_place_and_colour(self):
         fields = percuss.read(self.out).fields
-        about, text = pack_surface(fields, "von_mises")
-        self.assertEqual(about["faces"], 24 + 16)
-        faces, rest = self.unpack(about, text, fields)
+        about, text, told = pack_view(fields, ["von_mises"])
+        self.assertEqual((about["faces"], told), (24 + 16, []))
+        found = read_surface(about, text)
         points = fields.positions(-1)
-        distance = np.linalg.norm(faces.reshape(-1, 1, 3) - points[None], axis=2).min(axis=1)
+        distance = np.linalg.norm(found["places"][-1][found["corners"]].reshape(-1, 1, 3) - points[None], axis=2).min(axis=1)
         self.assertLess(distance.max(), 2 * np.linalg.norm(about["scale"]))
-        shades = rest.reshape(about["frames"], about["faces"])
         self.assertFalse(about["erodes"])
+        shades = found["fields"][0]
         self.assertTrue(shades.max() <= 254 and shades[-1].max() > 20)
 
     def test_leaves_out_elements_that_have_failed(self):
@@ -445,11 +435,10 @@ class Surface(unittest.TestCase):
             root["CellData/alive"] = alive.reshape(-1)
             root["Steps/CellDataOffsets/alive"] = elements * np.arange(frames)
         fields = percuss.read(self.out).fields
-        about, text = pack_surface(fields, "von_mises")
+        about, text, _ = pack_view(fields, ["von_mises"])
         self.assertTrue(about["erodes"])
         self.assertEqual(about["faces"], 40 + 3)  # the corner's neighbours show a face each
-        _, rest = self.unpack(about, text, fields)
-        visible = rest[about["frames"] * about["faces"] :].reshape(about["frames"], -1)
+        visible = read_surface(about, text)["visible"].astype(int)
         self.assertEqual([int(v) for v in visible.sum(axis=1)[[0, -1]]], [40, 40])
         self.assertEqual(Worst(fields, "part").frame, 0)
 

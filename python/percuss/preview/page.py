@@ -14,11 +14,12 @@ import numpy as np
 from percuss.render.colors import PART_COLORS
 from percuss.report.findings import BAD, GOOD, LOOK, Finding
 from percuss.report.markup import Markup, escape, format_number, make_table, with_unit
-from percuss.report.page import embed_view, note, wrap_page
+from percuss.report.page import note, wrap_page
 from percuss.report.scene import make_deck_section, make_loads_table, make_materials_table
 from percuss.results.deck import Deck
 from percuss.results.units import find_units
-from percuss.view.surface import pack_surface
+from percuss.view.embed import embed_view
+from percuss.view.reduce import pack_view
 
 from .marks import color_of, make_layers
 from .trial import format_bytes, format_seconds, split_messages
@@ -216,12 +217,10 @@ class Preview:
     def _make_view(self):
         if self.fields is None or not self.options.interactive:
             return ""
-        packed = pack_surface(self.fields, "velocity", frames=[0])
-        if packed is None:
-            return "<p class=soft>The surface is too large for this page.</p>"
-        about, data = packed
+        about, data, told = pack_view(self.fields, ["velocity"], frames=[0])
         about.update(still=True, byPart=True, layers=[_describe_layer(layer) for layer in self.layers])
-        return embed_view(about, data, f"{about['faces']:,} faces. Untick a part or a mark to hide it.")
+        reduced = f" Reduced to fit into a page: {'; '.join(told)}." if told else ""
+        return embed_view(about, data, f"{about['faces']:,} faces. Untick a part or a mark to hide it.{reduced}", note)
 
 
 def _describe_layer(layer):

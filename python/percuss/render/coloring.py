@@ -6,7 +6,7 @@ from percuss.results.units import choose_unit
 
 from . import colors
 from .ranges import choose_bar, find_ends, find_typical_ends
-from .selection import BadChoice
+from .selection import BadChoice, check_field
 
 LABELS_OF_A_GIVEN_RANGE = 5
 
@@ -20,8 +20,7 @@ class Coloring:
         names = fields.names()
         wanted = "part" if arguments.part_colors else arguments.field
         self.name = wanted or next((n for n in ("von_mises", "stress", "velocity") if n in names), "part")
-        if self.name not in names:
-            raise BadChoice(f"there is no field '{self.name}' in {fields.path} (it has {', '.join(sorted(names))})")
+        check_field(fields, self.name)
         self.place = names[self.name]
         self.factor, self.title, self.unit = 1.0, None, ""
         self.categories = 0

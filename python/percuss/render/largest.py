@@ -3,21 +3,26 @@
 import numpy as np
 
 
+def find_largest(fields, name, frame, drawn):
+    """(item, value) of a field in the elements that are drawn, or their nodes; (None, None) where nothing is finite."""
+    values = fields.values(name, frame)
+    items = np.flatnonzero(drawn) if fields.names()[name] == "element" else np.unique(fields.hexahedra[drawn])
+    items = items[np.isfinite(values[items])]
+    if not len(items):
+        return None, None
+    item = int(items[np.argmax(values[items])])
+    return item, float(values[item])
+
+
 class Largest:
     """Of a frame. Attributes: value (in the unit of the file; None where nothing is finite), point [3], text ('element 12 of part 'plate'')."""
 
     def __init__(self, fields, coloring, frame, drawn):
         self.value, self.point, self.text = None, None, ""
-        values = fields.values(coloring.name, frame)
-        if coloring.place == "element":
-            items = np.flatnonzero(drawn)
-        else:
-            items = np.unique(fields.hexahedra[drawn])
-        items = items[np.isfinite(values[items])]
-        if not len(items):
+        item, value = find_largest(fields, coloring.name, frame, drawn)
+        if item is None:
             return
-        item = int(items[np.argmax(values[items])])
-        self.value = float(values[item])
+        self.value = value
         positions = fields.positions(frame)
         if coloring.place == "element":
             self.point = positions[np.unique(fields.hexahedra[item])].mean(axis=0)

@@ -22,14 +22,19 @@ def choose_planes(fields, wanted, deck):
 
 def _find_planes(fields, deck):
     """Such nodes lie in the plane: at the end of the mesh where more of them are."""
-    axes = {str(entry["symmetry"]).strip("-+") for entry in deck.get_list("conditions") if isinstance(entry, dict) and entry.get("symmetry")}
-    axes = [axis for axis in "xyz" if axis in axes]
-    if not axes:
+    planes = find_symmetry(fields, deck)
+    if not planes:
         raise BadChoice("the deck has no condition with `symmetry`: name the plane, such as --mirror y=0")
+    return planes
+
+
+def find_symmetry(fields, deck):
+    """[(axis, value)] of the planes of symmetry of a deck; none where it has none."""
+    axes = {str(entry["symmetry"]).strip("-+") for entry in deck.get_list("conditions") if isinstance(entry, dict) and entry.get("symmetry")}
     start = fields.positions(0)
     near = ON_THE_PLANE * np.linalg.norm(np.ptp(start, axis=0))
     planes = []
-    for axis in map("xyz".index, axes):
+    for axis in (number for number, name in enumerate("xyz") if name in axes):
         values = start[:, axis]
         low, high = values.min(), values.max()
         at_low = np.count_nonzero(values <= low + near) >= np.count_nonzero(values >= high - near)

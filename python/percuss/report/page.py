@@ -1,6 +1,5 @@
 """The page: sections of one run, or of a comparison, in one HTML file that needs nothing else."""
 
-import json
 import os
 import sys
 import time
@@ -10,9 +9,12 @@ from percuss.plot.drawing import Plot, write_svg
 from percuss.plot.panels import choose_panels, list_panels
 from percuss.plot.series import Options
 from percuss.render.colors import CATEGORIES, label_of
+from percuss.render.mirrors import find_symmetry
+from percuss.render.selection import check_field
 from percuss.results.units import choose_time_unit, choose_unit, format_time
 from percuss.terminal import tell
-from percuss.view.surface import pack_surface, read_library, read_viewer
+from percuss.view.embed import describe_view, embed_view
+from percuss.view.reduce import pack_view
 
 from . import comparison, scene
 from .answers import make_answers
@@ -102,8 +104,7 @@ def _make_pictures(runs, labels, options):
 
 def _choose_field(fields, wanted):
     name = choose_field(fields, wanted)
-    if name not in fields.names():
-        raise ValueError(f"there is no field '{name}' in {fields.path} (it has {', '.join(sorted(fields.names()))})")
+    check_field(fields, name)
     return name
 
 
@@ -145,39 +146,9 @@ def _show_picture(picture, text):
 def _make_view(run, options):
     if not run.has_fields or not options.interactive:
         return ""
-    packed = pack_surface(run.fields, choose_field(run.fields, options.field))
-    if packed is None:
-        note("no interactive view: the surface is too large")
-        return "<p class=soft>The surface is too large for this page: open fields.xdmf2 with ParaView.</p>"
-    about, data = packed
-    return embed_view(about, data, f"{about['frames']} of {len(run.fields.times)} frames, {about['faces']:,} faces.")
-
-
-def embed_view(about, data, sentence):
-    """The interactive view of a surface that is packed."""
-    library = read_library()
-    if library is None:
-        note("no interactive view: three.js is missing (scripts/install_dependencies --report installs libjs-three)")
-        return "<p class=soft>The interactive view needs three.js (Debian's package libjs-three) where the report is written.</p>"
-    scripts = [*library, read_viewer()]
-    code = "".join(f"<script>{text.replace('</script', '<' + chr(92) + '/script')}</script>" for text in scripts)
-    return (_VIEW + f"<p class=soft>{escape(sentence)}</p>"
-            f"<script type='application/json' id=surface-about>{json.dumps(about).replace('<', chr(92) + 'u003c')}</script>"
-            f"<script type='text/plain' id=surface-data>{data}</script>{code}")
-
-
-_VIEW = """<div id=view><canvas></canvas>
-<div class='row time'><button class=play>Play</button><input type=range min=0 step=1 aria-label=Frame><span class=clock></span></div>
-<div class=row><div class=bar><div class=bar-title></div><i></i><div class=bar-labels></div></div>
-<button data-view='-50:22'>Default view</button><button data-view='0:0.01'>Along x</button>
-<button data-view='-90:0.01'>Along y</button><button data-view='-90:89.9'>Along z</button>
-<label><input type=checkbox class=edges>Edges</label><label><input type=checkbox class=by-part>Colours by part</label></div>
-<div class='row tools' style='display:none'><label>Field <select class=fields></select></label>
-<label>Deformation <input type=range class=swell min=0 max=20 step=0.5 value=1 style='flex:0 0 120px'> x <span class=factor>1</span></label>
-<label><input type=checkbox class=outline>Start as outline</label><label>Mirror <select class=mirror><option value=''>none</option>
-<option value='0-'>low x</option><option value='0+'>high x</option><option value='1-'>low y</option><option value='1+'>high y</option>
-<option value='2-'>low z</option><option value='2+'>high z</option></select></label><b class=value></b></div>
-<div class='row parts'></div><div class='row layers'></div><div class='row note soft'>Loading ...</div></div>"""
+    about, data, told = pack_view(run.fields, [choose_field(run.fields, options.field)])
+    about["symmetry"] = find_symmetry(run.fields, run.deck)
+    return embed_view(about, data, describe_view(about, len(run.fields.times), told), note)
 
 
 # --- plots and tables -------------------------------------------------------------------------------------------------

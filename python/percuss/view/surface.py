@@ -1,21 +1,25 @@
-"""The surface over time for the interactive view: quantised, packed and compressed."""
+"""The surface over time for the interactive view: quantised, packed and compressed. unpack.js reads it in the same order."""
 
 import base64
 import os
 import zlib
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from percuss.render import colors
-from percuss.render.ranges import choose_bar, find_ends
-from percuss.render.skin import exterior_faces
-from percuss.results.units import choose_unit, format_time
+from percuss.render.skin import are_lines, exterior_faces
+from percuss.results.units import format_time
+
+from .arrows import MOST_ARROWS, describe_arrows
+from .coarse import merge_nodes
+from .shades import describe_field
 
 THREE = os.environ.get("PERCUSS_THREE", "/usr/share/javascript/three")  # Debian's libjs-three
 LIBRARY = ("three.min.js", "examples/js/controls/OrbitControls.js")
-MOST_FRAMES = 60
-LARGEST_PACK = 1_900_000  # bytes, compressed
+VIEWER = ("unpack.js", "surface.js", "section.js", "painter.js", "tools.js", "viewer.js")
 STEPS = 65535  # of a coordinate over the box of the run
+MOST_VOLUMES = 250_000  # hexahedra whose sections a browser finds while the plane is dragged
 
 
 def read_library():
@@ -32,40 +36,66 @@ def read_library():
 
 def read_viewer():
     """The text of what shows a surface with the library."""
-    with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), "viewer.js"), encoding="utf-8") as file:
-        return file.read()
+    texts = []
+    for name in VIEWER:
+        with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), name), encoding="utf-8") as file:
+            texts.append(file.read())
+    return "(function () {\n'use strict';\n" + "\n".join(texts) + "})();\n"
 
 
-def pack_surface(fields, name, frames=None, more=(), largest=LARGEST_PACK, kept=None):
-    """What viewer.js takes: (description, text of base 64), with as many frames as fit. None where not even two do, or not
-    those that are given. more: names of further fields to choose from. largest: bytes, compressed. kept [elements]: which are shown."""
-    names = [name, *more]
-    if frames is not None:
-        description, pack = _pack(fields, names, np.asarray(frames), kept)
-        return (description, base64.b64encode(pack).decode("ascii")) if len(pack) <= largest else None
-    count = len(fields.times)
-    wanted = min(count, MOST_FRAMES)
-    while True:
-        frames = np.unique(np.round(np.linspace(0, count - 1, wanted)).astype(int))
-        description, pack = _pack(fields, names, frames, kept)
-        if len(pack) <= largest:
-            return description, base64.b64encode(pack).decode("ascii")
-        if wanted <= 2:
-            return None
-        wanted = max(2, min(wanted - 1, int(wanted * 0.9 * largest / len(pack))))
+@dataclass
+class Content:
+    """What is packed. names: fields, the first of which is shown at first; vectors: fields of arrows; frames: their numbers; kept
+    [elements]: which are shown; volumes: whether solids come whole, so that a cut shows their inside; merge: the length within which
+    nodes become one (0: none); arrows: how many at most."""
+
+    names: list
+    frames: np.ndarray
+    kept: np.ndarray
+    vectors: tuple = ()
+    volumes: bool = False
+    merge: float = 0.0
+    arrows: int = MOST_ARROWS
+
+    def but(self, **changes):
+        return replace(self, **changes)
 
 
-def _find_faces(fields, frames, kept):
+class Shape:
+    """The faces that are seen in some frame: corners [faces][4] (nodes; of a triangle the last stands twice, of a beam both do),
+    elements, owners [faces] (places in elements), visible [frames][faces]; cells [volumes][8], their cell_owners, and alive [frames][volumes]."""
+
+    def __init__(self, fields, content):
+        corners, owners, self.visible = _find_faces(fields, content)
+        if content.merge:
+            corners, owners, self.visible = merge_nodes(fields.positions(0), content.merge, corners, owners, fields.part, self.visible)
+        hexahedra = fields.hexahedra
+        inside = content.kept & ~are_lines(hexahedra) & (hexahedra[:, 0] != hexahedra[:, 4]) if content.volumes else np.zeros(fields.elements, dtype=bool)
+        solids = np.flatnonzero(inside)
+        self.elements = np.unique(np.concatenate([owners, solids]))
+        self.owners = np.searchsorted(self.elements, owners)
+        self.cell_owners = np.searchsorted(self.elements, solids)
+        self.nodes = np.unique(np.concatenate([corners.reshape(-1), hexahedra[solids].reshape(-1)]))
+        self.corners = np.searchsorted(self.nodes, corners)
+        self.cells = np.searchsorted(self.nodes, hexahedra[solids])
+        self.alive = np.stack([fields.alive(frame)[solids] for frame in content.frames]).astype(np.uint8)
+        self.erodes = bool((self.visible != self.visible[0]).any() or (self.alive != self.alive[0]).any())
+
+
+def _find_faces(fields, content):
     """Every face that is outside in some frame [faces][4], its element, and [frames][faces] whether it is seen then."""
     faces, owners, seen, numbers = [], [], [], {}
-    last = None
-    for frame in frames:
-        alive = fields.alive(frame) if kept is None else fields.alive(frame) & kept
+    last, now = None, []
+    lines = are_lines(fields.hexahedra)
+    for frame in content.frames:
+        alive = fields.alive(frame) & content.kept
         if last is None or not np.array_equal(alive, last):
             last = alive
             found, elements = exterior_faces(fields.hexahedra, alive)
+            beams = np.flatnonzero(alive & lines)
+            found = np.concatenate([found, fields.hexahedra[beams][:, [0, 1, 1, 0]]])
             now = []
-            for corners, element in zip(found.tolist(), elements.tolist()):
+            for corners, element in zip(found.tolist(), np.concatenate([elements, beams]).tolist()):
                 key = (*corners, element)
                 if key not in numbers:
                     numbers[key] = len(faces)
@@ -73,54 +103,69 @@ def _find_faces(fields, frames, kept):
                     owners.append(element)
                 now.append(numbers[key])
         seen.append(now)
-    visible = np.zeros((len(frames), len(faces)), dtype=np.uint8)
+    visible = np.zeros((len(content.frames), len(faces)), dtype=np.uint8)
     for row, now in enumerate(seen):
         visible[row, now] = 1
-    return np.array(faces).reshape(-1, 4), np.array(owners, dtype=int), visible
+    return np.array(faces, dtype=np.int64).reshape(-1, 4), np.array(owners, dtype=int), visible
 
 
-def _pack(fields, names, frames, kept):
-    faces, owners, visible = _find_faces(fields, frames, kept)
-    nodes, corners = np.unique(faces, return_inverse=True)
-    corners = corners.reshape(-1, 4)
-    places = np.nan_to_num(np.stack([fields.positions(frame)[nodes] for frame in frames]))
-    low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
-    scale = np.where(high > low, high - low, 1.0)
-    whole = np.round((places - low) / scale * STEPS).astype(np.uint16)
-    erodes = bool((visible != visible[0]).any())
-    description = {
-        "nodes": len(nodes), "faces": len(faces), "frames": len(frames), "low": low.tolist(), "scale": (scale / STEPS).tolist(),
-        "erodes": erodes, "parts": fields.part_names,
+def pack(fields, content):
+    """(description, compressed bytes)."""
+    frames, shape = content.frames, Shape(fields, content)
+    start = fields.positions(0)[shape.nodes]
+    low, scale = _find_box(fields, frames, shape.nodes, start)
+    about = {
+        "nodes": len(shape.nodes), "faces": len(shape.corners), "elements": len(shape.elements), "volumes": len(shape.cells), "frames": len(frames),
+        "low": low.tolist(), "scale": (scale / STEPS).tolist(), "erodes": shape.erodes, "parts": fields.part_names,
         "partColors": [colors.PART_COLORS[i % len(colors.PART_COLORS)] for i in range(len(fields.part_names))],
-        "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames],
-        "numbers": [int(f) for f in frames],
+        "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames], "numbers": [int(f) for f in frames],
+        "fields": [], "arrows": [],
     }
-    shades = []
-    for name in names:
-        place = fields.names()[name]
-        values = [fields.values(name, frame)[owners if place == "element" else nodes] for frame in frames]
-        one = {"place": place}
-        shades.append(_add_shades(one, fields, name, values))
-        description.setdefault("fields", []).append(one)
-    description.update(description["fields"][0])
-    pieces = [corners.astype(np.uint32), fields.part[owners].astype(np.uint8)]
-    pieces += [_find_differences(whole), *shades] + ([visible] if erodes else [])
-    return description, zlib.compress(b"".join(piece.tobytes() for piece in pieces), 9)
+    pieces = [_difference(shape.corners, np.uint32), _difference(shape.owners, np.uint32), fields.part[shape.elements].astype(np.uint16),
+              _difference(fields.element_ids[shape.elements], np.uint32), _difference(fields.node_ids[shape.nodes], np.uint32),
+              _difference(shape.cells, np.uint32), _difference(shape.cell_owners, np.uint32),
+              _find_changes(np.stack([np.round((_place(fields, frame, shape.nodes, start) - low) / scale * STEPS).astype(np.uint16) for frame in frames]))]
+    for name in content.names:
+        described, shades = describe_field(fields, name, shape, content)
+        about["fields"].append(described)
+        pieces.append(_difference(shades, np.uint8))
+    if shape.erodes:
+        pieces += [_difference(shape.visible, np.uint8), _difference(shape.alive, np.uint8)]
+    for name in content.vectors:
+        described, vectors, nodes = describe_arrows(fields, name, shape, content)
+        about["arrows"].append(described)
+        pieces += [nodes.astype(np.uint32), vectors]
+    return about, zlib.compress(b"".join(np.ascontiguousarray(piece).tobytes() for piece in pieces), 7)
 
 
-def _find_differences(whole):
+def _place(fields, frame, nodes, start):
+    """Positions of nodes; those that have none stay where they started."""
+    places = fields.positions(frame)[nodes]
+    return np.where(np.isfinite(places), places, start)
+
+
+def _find_box(fields, frames, nodes, start):
+    """(lowest corner, size) of all frames."""
+    if not len(nodes):
+        return np.zeros(3), np.ones(3)
+    ends = [(places.min(axis=0), places.max(axis=0)) for places in (_place(fields, frame, nodes, start) for frame in frames)]
+    low, high = np.min([end[0] for end in ends], axis=0), np.max([end[1] for end in ends], axis=0)
+    return low, np.where(high > low, high - low, 1.0)
+
+
+def encode(packed):
+    about, data = packed
+    return about, base64.b64encode(data).decode("ascii")
+
+
+def _difference(values, kind):
+    """Each row less the row before, in the arithmetic of the type: mostly small numbers, which compress well."""
+    values = np.asarray(values).astype(kind)
+    return np.concatenate([values[:1], values[1:] - values[:-1]])
+
+
+def _find_changes(whole):
     """Bytes of the first frame and of the changes to each next one: all low bytes of a frame, then all high ones, which are
     mostly zeros."""
-    changes = np.concatenate([whole[:1], whole[1:] - whole[:-1]])
-    flat = changes.reshape(len(whole), -1)
+    flat = _difference(whole, np.uint16).reshape(len(whole), -1)
     return np.concatenate([(flat & 255).astype(np.uint8), (flat >> 8).astype(np.uint8)], axis=1)
-
-
-def _add_shades(description, fields, name, values):
-    """[frames][items] the field in 254 steps between the ends of the bar; 255: no number."""
-    low, high, labels = choose_bar(find_ends(values))
-    unit, factor = choose_unit(fields.unit_of(name), max(abs(low), abs(high)))
-    label = colors.label_of(name) + (f" [{unit}]" if unit else "")
-    description.update(label=label, labels=[f"{x * factor:.4g}" for x in np.linspace(low, high, labels)], map=colors.MAPS["heat"])
-    share = (np.stack(values) - low) / (high - low)
-    return np.where(np.isfinite(share), np.round(np.clip(share, 0, 1) * 254), 255).astype(np.uint8)

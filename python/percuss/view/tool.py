@@ -9,8 +9,10 @@ from percuss.terminal import fail as end
 NEEDS = ("numpy", "h5py", "matplotlib")
 EPILOG = """\
 The page is one HTML file that needs no network. It shows the surface over time: turn, zoom, play, fields to choose from, deformation scaled,
-the start as an outline, mirrored halves, parts to hide, and the value under the pointer (to one 254th of the range).
-A surface that is too large has fewer frames, then only the parts that move; the command says so.
+the start as an outline, the deck's symmetry mirrored, a plane that cuts, arrows of vectors, parts to hide, the largest value and the value
+under the pointer (to one 254th of the bar). The key h lists the keys.
+A surface that is too large has fewer arrows, no inside of solids, fewer frames, only parts that move, fewer elements, in this order; page
+and command say so. Without WebGL the page draws plain pictures.
 
 examples:
   percuss view ball                                       writes ball/view.html
