@@ -10,7 +10,7 @@ NEEDS = ("numpy", "h5py")
 EPILOG = """\
 `percuss info DIR --energies` and `--forces` are this program. They read history.csv.
 
-  --energies   of the scene, then of each part or block that the history has: first, last and largest value, with its time
+  --energies   of the scene, then of each part or block that the history has: first, last, smallest and largest value, with their times
   --forces     of contact, walls, supports, sections, joints, springs and welds: largest resultant and its time, impulse, mean, last value
 
 examples:

@@ -124,6 +124,9 @@ class ContactStage {
   /// Displacement and speed of each wall that moves, by name_moving_walls().
   std::vector<double> list_wall_motions() const;
 
+  /// Kinetic energy of walls with a mass, the same on all ranks.
+  double find_wall_energy() const;
+
   /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;
   /// areas are those at positions x. Collective.
   std::vector<ContactImpulse> take_forces(Rows3<const double> x);

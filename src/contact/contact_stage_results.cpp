@@ -34,6 +34,8 @@ std::vector<double> ContactStage::list_wall_motions() const {
   return values;
 }
 
+double ContactStage::find_wall_energy() const { return impl_->enforcer.walls().find_kinetic_energy(); }
+
 std::vector<ContactImpulse> ContactStage::take_forces(Rows3<const double> x) {
   if (impl_->forces.is_empty()) return {};
   return impl_->forces.take(impl_->find_areas(x));

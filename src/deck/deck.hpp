@@ -180,6 +180,7 @@ struct PartDeck {
   std::optional<ArrayCopies> array;
   std::vector<Rotation> rotate;  // in order; `axis: x` in the deck turns local z onto x and comes first
   Vec3 at{};
+  std::vector<PartImage> images;                // afterwards, of parts that `mirror` and `pattern` of the deck make
   std::optional<MassScalingDeck> mass_scaling;  // instead of TimeDeck::mass_scaling
   std::string material;
   std::optional<double> thickness;                  // of its shells, of those that nothing else gives one [length]
@@ -454,7 +455,10 @@ struct Deck {
   std::string title;
   std::string units;
   TimeDeck time;
-  std::vector<PartDeck> parts;  // in the order of the deck
+  std::vector<PartDeck> parts;        // in the order of the deck
+  std::vector<MirrorDeck> mirrors;    // whose images are among the parts
+  std::vector<PatternDeck> patterns;  // likewise
+  std::vector<PlaceDeck> placements;  // in the order of the deck
   std::vector<JoinDeck> joins;
   std::vector<MaterialDeck> materials;
   std::vector<ImperfectionDeck> imperfections;

@@ -1,5 +1,6 @@
 #pragma once
-// What a deck changes in a mesh before it is used: joined and displaced nodes, mass without elements.
+// What a deck changes in a mesh before it is used: images and places of parts, joined and displaced nodes, mass without
+// elements.
 
 #include <optional>
 #include <string>
@@ -14,6 +15,65 @@ namespace percuss {
 struct JoinDeck {
   std::vector<std::string> parts;   // empty: all
   std::optional<double> tolerance;  // [length]; default: a share of the size of the mesh
+  Place place;
+  std::vector<std::string> sides{};  // "part/side": only nodes of these, of the parts that have some here
+};
+
+/// What turns a part into its mirror image or a copy, after it stands in its place.
+struct PartImage {
+  enum class Kind { mirror, turn, shift };
+  Kind kind = Kind::shift;
+  Vec3 way{};          // mirror: unit normal of the plane; turn: unit axis; shift: the shift [length]
+  Vec3 center{};       // a point of the plane or of the axis
+  double degrees = 0;  // of a turn
+  bool operator==(const PartImage&) const = default;
+};
+
+/// Parts that are mirrored into new ones.
+struct MirrorDeck {
+  std::vector<std::string> parts;
+  Vec3 normal{}, point{};          // of the plane
+  std::string suffix = "_mirror";  // of the names of the new parts
+  Place place;
+};
+
+/// Parts that are repeated along a line or about an axis; copies count from 2.
+struct PatternDeck {
+  struct Linear {
+    int count = 0;  // the original included
+    Vec3 step{};    // [length]
+  };
+  struct Circular {
+    int count = 0;
+    Vec3 axis{}, center{};
+    std::optional<double> step;  // [degrees]; none: 360 / count
+  };
+  std::vector<std::string> parts;
+  std::optional<Linear> linear;  // one of both
+  std::optional<Circular> circular;
+  Place place;
+};
+
+/// Parts that are turned and moved together before the run: something of them is lowest, and they rest on something.
+struct PlaceDeck {
+  /// What is lowest, with the mass centre above it: of the box of the parts by its direction, or of a set by its name.
+  struct Lowest {
+    enum class Kind { corner, edge, face };
+    Kind kind = Kind::corner;
+    std::optional<Vec3> of_box;  // each -1, 0 or 1
+    std::string set;             // "part/set", instead
+    Place place;
+  };
+  /// What they rest on.
+  struct Support {
+    std::string wall, part;  // one of both
+    double clearance = 0;    // [length]
+    Place place;
+  };
+  std::vector<std::string> parts;
+  std::optional<Lowest> lowest;
+  std::optional<Support> rest_on;
+  std::optional<Vec3> direction;  // in which they move and fall, a unit vector; none: that of gravity at time 0
   Place place;
 };
 

@@ -101,7 +101,8 @@ struct OutputDeck {
   std::vector<FieldsDeck> field_outputs;
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
-  std::vector<Selector> blocks;  // element blocks and element sets, each with columns of its own
+  std::vector<Selector> blocks;      // element blocks and element sets, each with columns of its own
+  std::vector<std::string> motions;  // parts with columns of their mean motion
   std::vector<ForceDeck> forces;
   std::vector<AccelerometerDeck> accelerometers;
   std::optional<double> checkpoint_every;  // simulated time [time]

@@ -36,14 +36,19 @@ struct SpringDeck {
 struct WeldDeck {
   std::string name;
   std::array<SpringEndDeck, 2> between;
-  std::vector<Vec3> at;  // of welds with a radius
+  std::vector<Vec3> at;  // of welds with a radius, or a row or a file of them
   std::optional<double> radius;
+  std::optional<Vec3> from, to;           // ends of a row
+  std::optional<double> pitch;            // largest distance in the row [length]
+  std::string file;                       // of places, with diameters or without
   std::optional<Vec3> normal;             // at time 0, a unit vector; none: from the first node to the second
   std::optional<double> normal_strength;  // force along the normal at which it fails alone
   std::optional<double> shear_strength;   // likewise across
   double normal_exponent = 2, shear_exponent = 2;
   std::optional<double> time;  // at which it fails
   Place place;
+
+  bool is_between_faces() const { return radius.has_value() || !file.empty(); }
 };
 
 /// Nodes that move equally in some directions: all of a set, or each of one side with its counterpart on the other.

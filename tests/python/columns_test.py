@@ -73,7 +73,7 @@ materials: {hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_
 joints: {hinge: {kind: revolute, bodies: [a, b], at: [0, 0, 1.5], axis: x}}
 initial: [{part: a, velocity: [0, 0, 1]}, {part: b, velocity: [0, 0, 1]}]
 sensors: {soon: {value: kinetic, rises_above: 1e9}}
-output: {history: {}}
+output: {history: {motion: all}}
 """,
     "blocks": """\
 units: m, kg, s

@@ -21,13 +21,15 @@ def list_energies(run, history):
         values = history[name]
         if not np.isfinite(values).any():
             continue
-        top = find_top(np.abs(values))
-        rows.append((name, _show(values[0]), _show(values[-1]), _show(values[top]), _show(history["time"][top]), history.unit(name)))
+        least, most = find_top(-values), find_top(values)
+        rows.append((name, _show(values[0]), _show(values[-1]), _show(values[least]), _show(history["time"][least]), _show(values[most]),
+                     _show(history["time"][most]), history.unit(name)))
     if "energy_error" in history and np.isfinite(history["energy_error"]).any():
         error = history["energy_error"]
-        top = find_top(np.abs(error))
-        rows.append(("energy_error", _show(error[0]), _show(error[-1]), _show(error[top]), _show(history["time"][top]), ""))
-    return ("energy", "first", "last", "largest", "at time", "unit"), rows
+        least, most = find_top(-error), find_top(error)
+        rows.append(("energy_error", _show(error[0]), _show(error[-1]), _show(error[least]), _show(history["time"][least]), _show(error[most]),
+                     _show(history["time"][most]), ""))
+    return ("energy", "first", "last", "smallest", "at time", "largest", "at time", "unit"), rows
 
 
 def list_forces_in_rows(run, history):

@@ -74,7 +74,7 @@ void select(const ChunkedMesh& chunked, const Deck& deck, const UsedSelector& us
 void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& findings) {
   for (const UsedSelector& used : deck.selectors) findings.gather([&] { select(chunked, deck, used); });
   for (const WeldDeck& weld : deck.welds) {
-    if (!weld.radius) continue;
+    if (!weld.is_between_faces()) continue;
     for (const SpringEndDeck& end : weld.between) findings.gather([&] { select_faces(chunked.mesh, deck, end.where); });
   }
   findings.gather([&] { find_history_points(deck, chunked); });

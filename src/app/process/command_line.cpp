@@ -154,7 +154,7 @@ struct Parser {
 
   /// Those of the program that prints the tables (tools.hpp), here for their lines of help.
   void add_info_options() {
-    info->add_flag("--energies", page, "Print energies of the history: first, last and largest value");
+    info->add_flag("--energies", page, "Print energies of the history: first, last and extreme values");
     info->add_flag("--forces", page, "Print forces of the history: peak with its time, impulse, mean");
   }
 

@@ -15,6 +15,7 @@
 #include "src/app/reports/report_lines.hpp"
 #include "src/deck/units.hpp"
 #include "src/index.hpp"
+#include "src/mesh/describe_joints.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/output/warning_log.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -63,23 +64,6 @@ std::string format_joints(const SceneReport& scene) {
   std::string text;
   for (const std::string& joint : scene.joints) text += format_line(text.empty() ? "joints" : "", joint);
   return text;
-}
-
-/// "'rail' and 'plate' share 25 nodes (merged from up to 1e-9 apart)"
-std::vector<std::string> describe_joints(const Mesh& mesh) {
-  constexpr std::size_t most = 20;
-  std::vector<std::string> texts;
-  for (const PartJoint& joint : mesh.joints) {
-    if (texts.size() == most) {
-      texts.push_back(fmt::format("and {} more", mesh.joints.size() - most));
-      break;
-    }
-    const std::string apart =
-        joint.farthest > 0 ? fmt::format(" (merged from up to {:.2g} apart)", joint.farthest) : "";
-    texts.push_back(fmt::format("'{}' and '{}' share {}{}", mesh.parts[at(joint.part)].name,
-                                mesh.parts[at(joint.other)].name, format_count(joint.nodes, "node", "nodes"), apart));
-  }
-  return texts;
 }
 
 std::string format_size(const SceneReport& scene) {

@@ -237,7 +237,8 @@ void Enforcer::book_pairs(const Space& space) {
   }
 }
 
-/// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside.
+/// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside, or
+/// from the kinetic energy of walls with a mass.
 template <class Space>
 void Enforcer::finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report) {
   const WallWork work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
@@ -245,8 +246,7 @@ void Enforcer::finish_walls(const Space& space, int first_row, const ContactMoti
   report.normal_work -= work.push;
   report.friction_work -= work.rub;
   if (!is_first_rank_) return;
-  report.walls.work.add(work.push);
-  report.walls.work.add(work.rub);
+  report.walls.work.add(work.driven);
   if (pair_work_.empty()) return;
   pair_work_.back().normal.add(-work.push);
   pair_work_.back().friction.add(-work.rub);

@@ -142,11 +142,22 @@ WallWork MovingWalls::finish_step(const Space& space, int first_row, const Conta
     const double impulse = push[0].round(), before = motions_[i].speed;
     const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
     if (wall(i).mass && !converged) refuse_throw(i, after, motion.v_before);
-    work.push += impulse * (0.5 * (before + after));
-    work.rub += push[1].round() * (0.5 * (before + after));
+    const double pushed = impulse * (0.5 * (before + after)), rubbed = push[1].round() * (0.5 * (before + after));
+    work.push += pushed;
+    work.rub += rubbed;
+    if (!wall(i).mass) work.driven += pushed + rubbed;
     motions_[i] = {motions_[i].displacement + motion.dt * after, after};
   }
   return work;
+}
+
+double MovingWalls::find_kinetic_energy() const {
+  double energy = 0;
+  for (std::size_t i = 0; i < moving_.size() && !is_held_; ++i) {
+    if (!wall(i).mass) continue;
+    energy += 0.5 * *wall(i).mass * (motions_[i].speed * motions_[i].speed);
+  }
+  return energy;
 }
 
 void MovingWalls::archive(CheckpointArchive& archive) {

@@ -24,6 +24,7 @@ struct WallMotion {
 /// Of walls on the bodies in a step.
 struct WallWork {
   double push = 0, rub = 0;  // by normal forces and by friction
+  double driven = 0;         // of both, by walls with a prescribed speed, whose energy comes from outside
 };
 
 class MovingWalls {
@@ -58,6 +59,9 @@ class MovingWalls {
 
   /// Of the walls that move, in the order of the deck.
   const std::vector<WallMotion>& motions() const { return motions_; }
+
+  /// Of walls with a mass, at n-1/2 [energy].
+  double find_kinetic_energy() const;
 
   void archive(CheckpointArchive& archive);
 

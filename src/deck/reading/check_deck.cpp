@@ -254,6 +254,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_rotations(deck, root, reading);
   check_step_estimate(deck, root, reading);
   check_running_masses(deck, root, reading);
+  check_places(deck, reading);
   check_rigid(deck, root, reading);
   check_joints(deck, root, reading);
   check_body_names(deck, reading);

@@ -58,6 +58,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   Reading reading{DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string()};
   const Node root = parse_tree(text, file, overrides, reading.errors);
   read_keys(Reader(reading), root, deck_keys(), deck);
+  add_part_images(deck, reading);
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();
   deck.motion_values = list_motion_values(root);

@@ -42,6 +42,13 @@ struct ConditionValue {
 MapValue<PressureDeck> pressure_value();
 MapValue<NodalLoadDeck> nodal_load_value();
 MapValue<DampingDeck> damping_value();
+MapValue<MirrorDeck> mirror_value();
+MapValue<PatternDeck> pattern_value();
+/// Adds the parts that `mirror` and `pattern` make.
+void add_part_images(Deck& deck, Reading& reading);
+MapValue<PlaceDeck> place_value();
+/// Parts and walls that `place` names, and what would not follow the parts.
+void check_places(const Deck& deck, Reading& reading);
 MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
 NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();

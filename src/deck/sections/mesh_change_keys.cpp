@@ -53,10 +53,33 @@ bool note_place(const Reader&, const Node& node, AddedMassDeck& added) {
   return true;
 }
 
+/// Sides and sets of parts, "part/side".
+struct JoinSidesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    bool good = !node.items.empty();
+    if (!good) reader.refuse(node, name, "at least one side");
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const Node& item = node.items[i];
+      if (item.kind == Node::Kind::scalar && item.text.find('/') != std::string::npos) {
+        reader.reading().selectors.push_back({item.spot, item.text, fmt::format(" in {}", name)});
+        out.push_back(item.text);
+      } else {
+        reader.refuse(item, fmt::format("{}.{}", name, i), "a side or a set with its part, such as plate/top");
+        good = false;
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of sides or sets, each part/side"; }
+  Form form() const { return list_form(TextValue{}.form(), 1); }
+};
+
 const Keys<JoinDeck>& join_keys() {
   static const Keys<JoinDeck> keys = {
       may("parts", &JoinDeck::parts, ListValue<PartNameValue>{}),
       may("tolerance", &JoinDeck::tolerance, NumberValue{positive}),
+      may("sides", &JoinDeck::sides, JoinSidesValue{}),
   };
   return keys;
 }
@@ -64,6 +87,14 @@ const Keys<JoinDeck>& join_keys() {
 bool check_join(const Reader& reader, const Node& node, JoinDeck& join) {
   join.place = node.spot.place;
   const Node* parts = node.find("parts");
+  for (std::size_t i = 0; parts != nullptr && !join.parts.empty() && i < join.sides.size(); ++i) {
+    const std::string part = join.sides[i].substr(0, join.sides[i].find('/'));
+    if (std::find(join.parts.begin(), join.parts.end(), part) != join.parts.end()) continue;
+    reader.error(node.find("sides")->items[i].spot,
+                 fmt::format("{}.{} is of part '{}', which {} does not name{}", reader.name_of("sides"), i, part,
+                             reader.name_of("parts"), name_hint(part, join.parts)));
+    return false;
+  }
   if (parts == nullptr) return true;
   for (std::size_t i = 0; i < join.parts.size(); ++i) {
     const auto named = join.parts.begin() + static_cast<std::ptrdiff_t>(i);
@@ -169,7 +200,8 @@ void check_merged(const Deck& deck, const Node& parts, Reading& reading) {
     std::vector<int> giver(names.bodies.size(), -1);
     for (std::size_t p = 0; p < deck.parts.size(); ++p) {
       if (names.body_of_part[p] < 0) continue;
-      const Node* given = parts.find(deck.parts[p].name)->find("rigid")->find(key);
+      const Node* const own = parts.find(deck.parts[p].name);  // null: an image of a part, which gives none
+      const Node* const given = own == nullptr ? nullptr : own->find("rigid")->find(key);
       int& first = giver[static_cast<std::size_t>(names.body_of_part[p])];
       if (given != nullptr && first >= 0) {
         reading.errors.add(given->spot,
@@ -220,7 +252,7 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
       std::find_if(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
   if (rigid == deck.parts.end()) return;
   for (const PartDeck& part : deck.parts) {
-    if (!part.rigid || !part.mass_scaling) continue;
+    if (!part.rigid || !part.mass_scaling || !part.images.empty()) continue;
     reading.errors.add(
         parts->find(part.name)->find("mass_scaling")->key,
         fmt::format("mass_scaling has no effect in part '{}' (it is rigid and does not limit the time step)",

@@ -128,6 +128,32 @@ struct PartsValue {
   }
 };
 
+/// Parts by name, each once.
+struct MotionPartsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
+    if (node.kind == Node::Kind::scalar && node.text == "all") {
+      out = {"all"};
+      return true;
+    }
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    bool good = true;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      std::string part;
+      if (!PartNameValue{}.read(reader, fmt::format("{}.{}", name, i), node.items[i], part)) {
+        good = false;
+      } else if (part.empty() || std::find(out.begin(), out.end(), part) != out.end()) {
+        reader.refuse(node.items[i], fmt::format("{}.{}", name, i), "a name from parts, each once");
+        good = false;
+      } else {
+        out.push_back(part);
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "all or a list of parts"; }
+  Form form() const { return any_form({word_form({"all"}), list_form(PartNameValue{}.form())}); }
+};
+
 const Keys<OutputDeck>& history_keys() {
   static const Keys<OutputDeck> keys = {
       may("every", &OutputDeck::history_every, NumberValue{not_negative}),
@@ -135,6 +161,7 @@ const Keys<OutputDeck>& history_keys() {
       group<OutputDeck>("elements", PointsValue{PointsValue::Kind::elements}),
       group<OutputDeck>("points", PointsValue{PointsValue::Kind::inside}),
       group<OutputDeck>("parts", PartsValue{}),
+      may("motion", &OutputDeck::motions, MotionPartsValue{}),
       may("blocks", &OutputDeck::blocks, BlocksValue{}),
       may("forces", &OutputDeck::forces, ListValue<ForceValue>{}),
       may("accelerometers", &OutputDeck::accelerometers, accelerometers_value()),

@@ -45,6 +45,7 @@ void tell_warnings(const SceneParts& scene, Mesh& mesh) {
     }
     for (const std::string& note : part.notes) mesh.notes.push_back("part '" + part.name + "': " + note);
   }
+  mesh.notes.insert(mesh.notes.end(), scene.notes.begin(), scene.notes.end());
   mesh.warnings.insert(mesh.warnings.end(), scene.warnings.begin(), scene.warnings.end());
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <span>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "comm/agreement.hpp"
+#include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -26,13 +26,6 @@ struct Box {
   Vec3 low, high;
 };
 
-/// Where a node of a part stands.
-Vec3 find_place(const ScenePart& part, std::int64_t node) {
-  if (part.file) return part.file->mesh.nodes[static_cast<std::size_t>(node)];
-  const auto [copy, local] = std::div(static_cast<long>(node), static_cast<long>(part.generated->source->node_count()));
-  return part.generated->place(part.generated->source->place(static_cast<int>(local)), static_cast<int>(copy));
-}
-
 std::int64_t find_id(const ScenePart& part, std::int64_t node) {
   return part.file ? part.file->mesh.node_ids[static_cast<std::size_t>(node)] : part.first_node_id + node;
 }
@@ -41,7 +34,7 @@ Box find_box(const ScenePart& part) {
   constexpr double far = std::numeric_limits<double>::infinity();
   Box box{{far, far, far}, {-far, -far, -far}};
   for (std::int64_t n = 0; n < part.nodes; ++n) {
-    const Vec3 x = find_place(part, n);
+    const Vec3 x = find_node_place(part, n);
     for (std::size_t k = 0; k < 3; ++k) {
       box.low[k] = std::min(box.low[k], x[k]);
       box.high[k] = std::max(box.high[k], x[k]);
@@ -193,6 +186,34 @@ class JointFinder {
     return parts;
   }
 
+  /// [nodes of the part] 1: of the sides that the entry names; empty: it names none of this part, and all are meant.
+  std::vector<char> mark_sides(const JoinDeck& join, const ScenePart& part) const {
+    std::vector<char> marks;
+    for (const std::string& side : join.sides) {
+      if (side.substr(0, side.find('/')) != part.name) continue;
+      marks.resize(static_cast<std::size_t>(part.nodes), 0);
+      mark_side(join, part, side.substr(side.find('/') + 1), marks);
+    }
+    return marks;
+  }
+
+  void mark_side(const JoinDeck& join, const ScenePart& part, const std::string& name, std::vector<char>& marks) const {
+    const auto& names = part.node_sets;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError(fmt::format("{}: error: join: part '{}' has no side or set '{}'{}", deck_.where(join.place),
+                                   part.name, name, name_hint(name, names)));
+    if (part.file) {
+      for (const int n : part.file->mesh.node_sets.at(name)) marks[static_cast<std::size_t>(n)] = 1;
+      return;
+    }
+    const ShapeSource& source = *part.generated->source;
+    for (std::size_t n = 0; n < marks.size(); ++n) {
+      const auto local = static_cast<int>(n % static_cast<std::size_t>(source.node_count()));
+      if ((source.node_sides(local) >> (found - names.begin()) & 1U) != 0) marks[n] = 1;
+    }
+  }
+
   void merge_touching(const JoinDeck& join) {
     const std::vector<std::size_t> parts = list_parts(join);
     std::vector<Box> boxes;
@@ -210,8 +231,10 @@ class JointFinder {
     CandidateCells cells(all.low, std::max(tolerance, 1e-14 * size));
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const ScenePart& part = scene_.parts[parts[i]];
+      const std::vector<char> wanted = mark_sides(join, part);
       for (std::int64_t n = 0; n < part.nodes; ++n) {
-        const Vec3 x = find_place(part, n);
+        if (!wanted.empty() && wanted[static_cast<std::size_t>(n)] == 0) continue;
+        const Vec3 x = find_node_place(part, n);
         for (std::size_t j = 0; j < parts.size(); ++j) {
           if (j == i || !holds(boxes[j], x, tolerance)) continue;
           cells.add(part.first_key + n, parts[i], x);
@@ -241,14 +264,14 @@ class JointFinder {
     std::vector<double> moved;
     const std::int64_t root = members.front().first;
     const ScenePart& of_root = scene_.parts[find_part(root)];
-    const Vec3 place = find_place(of_root, root - of_root.first_key);
+    const Vec3 place = find_node_place(of_root, root - of_root.first_key);
     const std::int64_t id = find_id(of_root, root - of_root.first_key);
     for (const auto& [same, key] : members) {
       const std::size_t p = find_part(key);
       const ScenePart& part = scene_.parts[p];
       if (!parts.empty() && parts.back() == p) refuse_two_nodes(part, members);
       parts.push_back(p);
-      moved.push_back(find_distance(place, find_place(part, key - part.first_key)));
+      moved.push_back(find_distance(place, find_node_place(part, key - part.first_key)));
       scene_.joined.push_back({key, root, id, place});
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {

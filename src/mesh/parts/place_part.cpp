@@ -1,41 +1,20 @@
 // Array copies, rotations and translation of a part.
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "src/deck/part_images.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/part_mesh.hpp"
+#include "src/mesh/parts/mirrored_order.hpp"
 #include "src/mesh/parts/part_placement.hpp"
 
 namespace percuss {
 namespace {
-
-using Matrix3 = std::array<Vec3, 3>;
-
-/// Cosine and sine of an angle in degrees, exact at multiples of 90 so that turned meshes stay on their planes.
-std::pair<double, double> cosine_and_sine(double degrees) {
-  const double rest = std::remainder(degrees, 90.0);  // exact, in [-45, 45]
-  const double c = std::cos(rest * std::numbers::pi / 180), s = std::sin(rest * std::numbers::pi / 180);
-  const double quarter_turns = std::remainder((degrees - rest) / 90, 4.0);  // -2, -1, 0, 1 or 2
-  if (quarter_turns == 0) return {c, s};
-  if (quarter_turns == 1) return {-s, c};
-  if (quarter_turns == -1) return {s, -c};
-  return {-c, -s};
-}
-
-/// Rodrigues' formula, R = c I + s [k]x + (1 - c) k k^T.
-Matrix3 make_rotation(const Vec3& k, double degrees) {
-  const auto [c, s] = cosine_and_sine(degrees);
-  const double v = 1 - c;
-  return {{{c + v * k[0] * k[0], v * k[0] * k[1] - s * k[2], v * k[0] * k[2] + s * k[1]},
-           {v * k[1] * k[0] + s * k[2], c + v * k[1] * k[1], v * k[1] * k[2] - s * k[0]},
-           {v * k[2] * k[0] - s * k[1], v * k[2] * k[1] + s * k[0], c + v * k[2] * k[2]}}};
-}
 
 /// The first copy keeps the ids of the file, the others count on from the highest.
 void copy_ids(std::vector<std::int64_t>& ids, std::size_t copies) {
@@ -44,6 +23,23 @@ void copy_ids(std::vector<std::int64_t>& ids, std::size_t copies) {
   const std::int64_t highest = *std::max_element(ids.begin(), ids.end());
   ids.resize(count * copies);
   std::iota(ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(), highest + 1);
+}
+
+/// Corners of mirrored elements in an order that is right-handed again; side sets keep their faces.
+void mirror_elements(PartMesh& mesh) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const std::span<int> nodes = mesh.elements.corners(e);
+    const std::vector<int> before(nodes.begin(), nodes.end());
+    const MirroredOrder order = find_mirrored_order(mesh.elements.topology_of(e));
+    for (std::size_t c = 0; c < nodes.size(); ++c) nodes[c] = before[at(order.corner[c])];
+  }
+  for (auto& [name, faces] : mesh.side_sets) {
+    for (ElementFace& f : faces) {
+      const Topology& topology = mesh.elements.topology_of(at(f.element));
+      f.face = find_mirrored_order(topology).face[at(f.face)];
+    }
+    std::sort(faces.begin(), faces.end());
+  }
 }
 
 /// Elements, ids and sets of all copies; copies of nodes and elements follow each other.
@@ -81,6 +77,10 @@ PartPlacement::PartPlacement(const PartDeck& part) : array_(part.array), at_(par
   for (const Rotation& rotation : part.rotate) {
     turns_.push_back({make_rotation(rotation.axis, rotation.degrees), rotation.center});
   }
+  for (const PartImage& image : part.images) {
+    const bool is_shift = image.kind == PartImage::Kind::shift;
+    motions_.push_back({find_matrix(image), image.center, is_shift ? image.way : Vec3{}});
+  }
 }
 
 Vec3 PartPlacement::find_offset(int copy) const {
@@ -99,7 +99,9 @@ Vec3 PartPlacement::operator()(const Vec3& local, int copy) const {
     const Vec3 d = subtract(x, center);
     for (std::size_t i = 0; i < 3; ++i) x[i] = center[i] + (r[i][0] * d[0] + r[i][1] * d[1] + r[i][2] * d[2]);
   }
-  return add(x, at_);
+  x = add(x, at_);
+  for (const Motion& motion : motions_) x = motion(x);
+  return x;
 }
 
 void add_side_nodes(PartMesh& mesh) {
@@ -124,6 +126,7 @@ void place_part(PartMesh& mesh, const PartDeck& part) {
   }
   const auto copies = static_cast<std::size_t>(place.copies());
   if (copies > 1) copy_part(mesh, copies, local.size());
+  if (is_mirrored(part)) mirror_elements(mesh);
 }
 
 }  // namespace percuss

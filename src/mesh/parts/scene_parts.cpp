@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -12,7 +13,9 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/mesh/parts/mirrored_order.hpp"
 #include "src/mesh/parts/part_joints.hpp"
+#include "src/mesh/parts/place_groups.hpp"
 #include "src/mesh/parts/shared_meshes.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/quality/mesh_doubts.hpp"
@@ -187,6 +190,7 @@ void read_file_part(const Deck& scene, const PartDeck& deck, const Totals& so_fa
 void describe_generated_part(const PartDeck& deck, ScenePart& part) {
   std::unique_ptr<ShapeSource> source = make_source(deck.shape);
   source = cut_cells(std::move(source), deck.elements);
+  if (is_mirrored(deck)) source = mirror_corners(std::move(source));
   const PartPlacement place(deck);
   PartTiling tiling(*source, place.copies());
   part.nodes = std::int64_t{source->node_count()} * place.copies();
@@ -321,6 +325,12 @@ void count_elements(const Communicator& ranks, SceneParts& scene) {
 
 }  // namespace
 
+Vec3 find_node_place(const ScenePart& part, std::int64_t node) {
+  if (part.file) return part.file->mesh.nodes[static_cast<std::size_t>(node)];
+  const auto [copy, local] = std::div(static_cast<long>(node), static_cast<long>(part.generated->source->node_count()));
+  return part.generated->place(part.generated->source->place(static_cast<int>(local)), static_cast<int>(copy));
+}
+
 std::string describe_source(const PartDeck& part) {
   const auto* exodus = std::get_if<FileMesh>(&part.shape);
   return exodus ? fmt::format("part '{}': {}: ", part.name, exodus->file) : fmt::format("part '{}': ", part.name);
@@ -347,6 +357,7 @@ SceneParts describe_parts(const Deck& deck, const Communicator& ranks) {
   }
   describe_blocks(deck, scene);
   lay_out(scene);
+  place_groups(deck, ranks, scene);
   join_parts(deck, ranks, scene);
   count_elements(ranks, scene);
   return scene;

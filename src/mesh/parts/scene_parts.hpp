@@ -66,6 +66,7 @@ struct SceneParts {
   std::int64_t keys = 0;                    // of nodes, 0 <= key < keys
   std::vector<std::int64_t> first_element;  // [chunks + 1] as Numbering::first_element
   std::vector<Warning> warnings;            // rank 0, of no part alone
+  std::vector<std::string> notes;           // likewise
 
   int chunk_count() const { return static_cast<int>(first_element.size()) - 1; }
 };
@@ -73,6 +74,9 @@ struct SceneParts {
 /// Counts the generated parts and reads the others on rank 0. What is wrong with a part stays with it. Collective;
 /// throws SystemError, on every rank, if a file is there but cannot be read.
 SceneParts describe_parts(const Deck& deck, const Communicator& ranks);
+
+/// Where a node of a part stands, counted over its copies [length]. Of parts from files on rank 0 alone.
+Vec3 find_node_place(const ScenePart& part, std::int64_t node);
 
 /// "part 'bar': " or "part 'bar': bar.e: ", as messages about a part begin.
 std::string describe_source(const PartDeck& part);

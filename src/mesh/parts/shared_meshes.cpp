@@ -17,9 +17,20 @@ bool are_same(const Rotation& a, const Rotation& b) {
   return a.axis == b.axis && a.degrees == b.degrees && a.center == b.center;
 }
 
+/// Whether each entry of `place` moves both or none.
+bool move_alike(const Deck& deck, const PartDeck& a, const PartDeck& b) {
+  return std::all_of(deck.placements.begin(), deck.placements.end(), [&](const PlaceDeck& place) {
+    const auto has = [&](const PartDeck& part) {
+      return std::find(place.parts.begin(), place.parts.end(), part.name) != place.parts.end();
+    };
+    return has(a) == has(b);
+  });
+}
+
 bool stand_alike(const PartDeck& a, const PartDeck& b) {
   const auto& [x, y] = std::pair(std::get<FileMesh>(a.shape), std::get<FileMesh>(b.shape));
-  if (x.scale != y.scale || a.at != b.at || a.array.has_value() != b.array.has_value()) return false;
+  if (x.scale != y.scale || a.at != b.at || a.images != b.images || a.array.has_value() != b.array.has_value())
+    return false;
   if (a.array &&
       (a.array->count != b.array->count || a.array->pitch != b.array->pitch || a.array->stagger != b.array->stagger))
     return false;
@@ -143,8 +154,9 @@ std::vector<std::size_t> find_first_sharers(const Deck& deck) {
     const auto* mesh = std::get_if<FileMesh>(&deck.parts[p].shape);
     if (mesh == nullptr || mesh->is_exodus) continue;
     std::vector<std::size_t>& others = by_file[mesh->file];
-    const auto alike = std::find_if(others.begin(), others.end(),
-                                    [&](std::size_t other) { return stand_alike(deck.parts[other], deck.parts[p]); });
+    const auto alike = std::find_if(others.begin(), others.end(), [&](std::size_t other) {
+      return stand_alike(deck.parts[other], deck.parts[p]) && move_alike(deck, deck.parts[other], deck.parts[p]);
+    });
     if (alike == others.end()) {
       others.push_back(p);
     } else {
@@ -170,6 +182,7 @@ void assign_ids(const Deck& deck, SceneParts& scene) {
     nodes.give(sharers[place], place, lowest[place].first);
     elements.give(sharers[place], place, lowest[place].second);
     if (!nodes.raised(place) && !elements.raised(place)) continue;
+    if (!deck.parts[sharers[place][0]].images.empty()) continue;  // that of a copy is no surprise
     scene.warnings.push_back(
         {"raised_ids",
          fmt::format("the file's {} ids are already used by an earlier part (percuss adds an offset to them)",

@@ -215,9 +215,9 @@ void Audit::note_start(const State& state, const Totals& totals, double held) {
   }
 }
 
-EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
+EnergySummary Audit::balance_energy(const State& state, const Totals& totals, double wall_energy) {
   EnergySummary e;
-  e.kinetic = totals[S::kinetic];
+  e.kinetic = totals[S::kinetic] + wall_energy;
   std::copy_n(totals.begin() + S::work, work_kinds, e.work.begin());
   e.contact = state.books.contact_work;
   e.friction = state.books.friction_work;
@@ -265,10 +265,10 @@ void Audit::archive(CheckpointArchive& archive) {
   archive.number("audit/moment_scale", moment_scale_);
 }
 
-AuditResult Audit::operator()(const State& state) {
+AuditResult Audit::operator()(const State& state, double wall_energy) {
   const Totals totals = sum_all(state);
   AuditResult result;
-  result.energy = balance_energy(state, totals);
+  result.energy = balance_energy(state, totals, wall_energy);
   result.momentum = balance_momentum(totals);
   result.eroded = {state.books.eroded_elements, totals[S::eroded_mass], sum_gone(totals), totals[S::vanished_mass]};
   return result;

@@ -52,9 +52,9 @@ class Audit {
  public:
   explicit Audit(const Model& model);
 
-  /// Energies and momentum of the state, of all ranks, the same on each. The first call sets what later ones are
-  /// compared with. One message a rank. Collective.
-  AuditResult operator()(const State& state);
+  /// Energies and momentum of the state, of all ranks, the same on each. wall_energy: kinetic, of walls with a mass.
+  /// The first call sets what later ones are compared with. One message a rank. Collective.
+  AuditResult operator()(const State& state, double wall_energy = 0);
 
   /// For a scene that begins at rest under loads, whose balances of momentum are round-off: momentum and moment that it
   /// would have if so much energy moved it. reach: of its nodes from its mass centre [length].
@@ -79,7 +79,7 @@ class Audit {
   Totals sum_all(const State& state);
   static double sum_gone(const Totals& totals);
   void note_start(const State& state, const Totals& totals, double held);
-  EnergySummary balance_energy(const State& state, const Totals& totals);
+  EnergySummary balance_energy(const State& state, const Totals& totals, double wall_energy);
   MomentumSummary balance_momentum(const Totals& totals);
 
   const Model& model_;

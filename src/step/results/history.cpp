@@ -116,6 +116,7 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
     columns.insert(columns.end(), more.begin(), more.end());
   };
   add(list_part_columns(find_booked_parts(deck)));
+  add(list_motion_columns(deck));
   add(list_block_columns(deck));
   add(list_body_columns(deck));
   add(list_joint_columns(deck));
@@ -143,6 +144,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       table_(deck),
       points_(find_history_points(deck, chunked)),
       parts_(deck, chunked),
+      motions_(deck, chunked),
       blocks_(deck, chunked),
       has_sections_(has_sections(deck)),
       thermal_(name_thermal_columns(deck)) {
@@ -278,6 +280,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   std::vector<double> row;
   table_.append(sources, row);
   parts_.append(model, state, row);
+  motions_.append(model, state, row);
   blocks_.append(model, state, row);
   bodies_.append(model, state, row);
   append_joints(model, state, row);

@@ -9,6 +9,7 @@
 #include "src/output/history_file.hpp"
 #include "src/step/audit/block_energies.hpp"
 #include "src/step/audit/part_energies.hpp"
+#include "src/step/audit/part_motions.hpp"
 #include "src/step/model/followed_points.hpp"
 #include "src/step/results/body_columns.hpp"
 #include "src/step/results/history_table.hpp"
@@ -57,6 +58,7 @@ class History {
   HistoryTable table_;
   std::vector<FollowedPoint> points_;
   PartEnergies parts_;
+  PartMotions motions_;
   BlockEnergies blocks_;
   BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams

@@ -10,6 +10,7 @@
 #include "src/contact/overlap/start_overlap.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "src/mesh/describe_joints.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/output/files/safe_text.hpp"
@@ -64,6 +65,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   warnings_.add(model_.welds.warnings);
   warnings_.end_input();
   say(chunked_.mesh.notes);
+  say(describe_joints(chunked_.mesh));
   say(model_.mass_notes);
   say(describe_added_masses(model_));
   if (sensors_.any()) sensors_.find_columns(History::list_columns(deck_, chunked_, model_));
@@ -300,7 +302,7 @@ void Run::note_contact_gain(bool is_last) {
 void Run::audit() {
   if (audited_step_ == state_.step) return;
   const Phase phase("percuss::reduce", stepper_.clocks().reduce);
-  audited_ = audit_(state_);
+  audited_ = audit_(state_, contact_.find_wall_energy());
   audited_step_ = state_.step;
 }
 

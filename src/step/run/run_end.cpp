@@ -126,7 +126,7 @@ void Run::note_lost_frames() {
 /// The state in which a run failed, if it can be looked at: a row and a frame more.
 void Run::write_failed_state() {
   if (!is_state_whole_) return;
-  output_.write_row(state_, audit_(state_), stepper_);
+  output_.write_row(state_, audit_(state_, contact_.find_wall_energy()), stepper_);
   note_lost_frames();
   output_.write_kept_frames(state_);
   if (!has_finite_positions(model_, state_)) return;

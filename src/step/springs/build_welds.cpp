@@ -130,8 +130,9 @@ std::string describe_regions(const WeldDeck& deck, const std::vector<std::array<
       most = std::max(most, region.nodes.size());
     }
   }
-  return fmt::format("weld '{}': {} of them, of radius {:.4g}, with {} to {} nodes at each end", deck.name,
-                     regions.size(), *deck.radius, fewest, most);
+  return fmt::format("weld '{}': {} of them, {}, with {} to {} nodes at each end", deck.name, regions.size(),
+                     deck.file.empty() ? fmt::format("of radius {:.4g}", *deck.radius) : "of " + deck.file, fewest,
+                     most);
 }
 
 void refuse_too_many(const WeldLaw& law, std::size_t count) {
@@ -148,7 +149,7 @@ std::vector<DraftWeld> draft_welds(const Deck& deck, const ChunkedMesh& chunked,
   model.warnings = std::move(regions.warnings);
   std::vector<PairOfEnds> entries;
   for (const WeldDeck& weld : deck.welds)
-    if (!weld.radius) entries.push_back({weld.name, weld.between, weld.place});
+    if (!weld.is_between_faces()) entries.push_back({weld.name, weld.between, weld.place});
   const std::vector<std::vector<NodePair>> pairs = find_node_pairs(deck, chunked, entries, "weld");
   std::vector<DraftWeld> all;
   std::set<std::string> names;
@@ -156,10 +157,10 @@ std::vector<DraftWeld> draft_welds(const Deck& deck, const ChunkedMesh& chunked,
   for (std::size_t i = 0; i < deck.welds.size(); ++i) {
     const WeldDeck& weld = deck.welds[i];
     const WeldLaw& law = model.laws.emplace_back(make_weld_law(deck, weld));
-    model.notes.push_back(weld.radius ? describe_regions(weld, regions.of_entry[i])
-                                      : describe_welds(weld, pairs[next]));
+    model.notes.push_back(weld.is_between_faces() ? describe_regions(weld, regions.of_entry[i])
+                                                  : describe_welds(weld, pairs[next]));
     std::vector<DraftWeld> drafts =
-        weld.radius ? draft_regions(weld, regions.of_entry[i]) : draft_pairs(weld, pairs[next++], law);
+        weld.is_between_faces() ? draft_regions(weld, regions.of_entry[i]) : draft_pairs(weld, pairs[next++], law);
     for (DraftWeld& draft : drafts) {
       draft.weld.law = static_cast<int>(i);
       draft.weld.has_columns = drafts.size() <= most_welds_with_columns;

@@ -7,6 +7,7 @@
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/springs/weld_points.hpp"
 
 namespace percuss {
 namespace {
@@ -30,12 +31,18 @@ std::vector<ElementFace> list_faces(const Mesh& mesh, const Deck& deck, const Se
 
 std::string describe_place(const Vec3& x) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x[0], x[1], x[2]); }
 
-void check_reach(const Deck& deck, const WeldDeck& weld, const Vec3& place, std::size_t end, const WeldRegion& region) {
+/// "[1, 2, 3]", of a table with its line.
+std::string describe_point(const WeldDeck& weld, const WeldPoint& point) {
+  return describe_place(point.at) + (point.line > 0 ? fmt::format(", line {} of {}", point.line, weld.file) : "");
+}
+
+void check_reach(const Deck& deck, const WeldDeck& weld, const WeldPoint& point, std::size_t end,
+                 const WeldRegion& region) {
   if (region.covered >= least_cover) return;
-  const bool is_near = region.distance <= most_reach * *weld.radius;
+  const bool is_near = region.distance <= most_reach * point.radius;
   throw InputError(fmt::format(
       "{}: error: weld '{}' finds no faces of its {} end at {} ({}): correct at, radius or between",
-      deck.where(weld.place), weld.name, end == 0 ? "first" : "second", describe_place(place),
+      deck.where(weld.place), weld.name, end == 0 ? "first" : "second", describe_point(weld, point),
       is_near ? fmt::format("only {:.2g} % of the disc of its radius lies on them", 100 * region.covered)
               : fmt::format("the nearest is {:.4g} away, more than {:g} radii", region.distance, most_reach)));
 }
@@ -51,20 +58,20 @@ void check_shared(const Deck& deck, const ChunkedMesh& chunked, const WeldDeck& 
   }
 }
 
-void add_warnings(const Deck& deck, const WeldDeck& weld, const Vec3& place, const WeldRegion& region,
+void add_warnings(const Deck& deck, const WeldDeck& weld, const WeldPoint& point, const WeldRegion& region,
                   std::vector<Warning>& warnings) {
   const auto warn = [&](const char* rule, const std::string& text) {
     warnings.push_back({rule, text, deck.where(weld.place), 0, 1});
   };
-  if (region.distance > usual_reach * *weld.radius)
+  if (region.distance > usual_reach * point.radius)
     warn("weld_distance", fmt::format("weld '{}' at {} lies {:.4g} from the faces of an end (more than {:g} radii: is "
                                       "it meant to be there?): correct at, radius or between",
-                                      weld.name, describe_place(place), region.distance, usual_reach));
+                                      weld.name, describe_point(weld, point), region.distance, usual_reach));
   if (region.covered < usual_cover)
     warn("weld_rim",
          fmt::format("weld '{}' at {} has {:.0f} % of its disc on the faces of an end (the rest lies beyond "
                      "their rim): move it, or lower its radius",
-                     weld.name, describe_place(place), 100 * region.covered));
+                     weld.name, describe_point(weld, point), 100 * region.covered));
 }
 
 }  // namespace
@@ -72,9 +79,13 @@ void add_warnings(const Deck& deck, const WeldDeck& weld, const Vec3& place, con
 RegionWelds find_region_welds(const Deck& deck, const ChunkedMesh& chunked) {
   std::vector<WeldSpot> spots;
   std::vector<std::vector<ElementFace>> faces;
-  for (const WeldDeck& weld : deck.welds) {
-    if (!weld.radius) continue;
-    for (const Vec3& place : weld.at) spots.push_back({place, *weld.radius, {faces.size(), faces.size() + 1}});
+  std::vector<std::vector<WeldPoint>> points(deck.welds.size());
+  for (std::size_t w = 0; w < deck.welds.size(); ++w) {
+    const WeldDeck& weld = deck.welds[w];
+    if (!weld.is_between_faces()) continue;
+    points[w] = list_weld_points(deck, find_ranks(chunked.mesh), weld);
+    for (const WeldPoint& point : points[w])
+      spots.push_back({point.at, point.radius, {faces.size(), faces.size() + 1}});
     for (const SpringEndDeck& end : weld.between) faces.push_back(list_faces(chunked.mesh, deck, end.where));
   }
   RegionWelds found;
@@ -84,11 +95,11 @@ RegionWelds find_region_welds(const Deck& deck, const ChunkedMesh& chunked) {
   std::size_t next = 0;
   for (std::size_t w = 0; w < deck.welds.size(); ++w) {
     const WeldDeck& weld = deck.welds[w];
-    for (std::size_t i = 0; weld.radius && i < weld.at.size(); ++i) {
+    for (const WeldPoint& point : points[w]) {
       const std::array<WeldRegion, 2>& ends = found.of_entry[w].emplace_back(regions[next++]);
-      for (std::size_t e = 0; e < 2; ++e) check_reach(deck, weld, weld.at[i], e, ends[e]);
+      for (std::size_t e = 0; e < 2; ++e) check_reach(deck, weld, point, e, ends[e]);
       check_shared(deck, chunked, weld, ends);
-      for (const WeldRegion& region : ends) add_warnings(deck, weld, weld.at[i], region, found.warnings);
+      for (const WeldRegion& region : ends) add_warnings(deck, weld, point, region, found.warnings);
     }
   }
   return found;
