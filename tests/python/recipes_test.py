@@ -97,8 +97,7 @@ class Recipe(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = folder.name
         os.symlink(os.path.join(ROOT, "inputs"), os.path.join(cls.folder, "inputs"))
-        with open(os.path.join(ROOT, f"docs/recipe_{NAME}.md"), encoding="utf-8") as file:
-            cls.page = file.read()
+        cls.page = cls.read_page()
         cls.table = read_table(cls.page)
         cls.unsaid, printed = [], ""
         for kind, lines in list_blocks(cls.page):
@@ -106,6 +105,11 @@ class Recipe(unittest.TestCase):
                 printed = cls.run_lines(lines)
             else:
                 cls.unsaid += [line for line in lines if line.strip() and not is_said(line, printed)]
+
+    @classmethod
+    def read_page(cls):
+        with open(os.path.join(ROOT, f"docs/recipe_{NAME}.md"), encoding="utf-8") as file:
+            return file.read()
 
     @classmethod
     def run_lines(cls, lines):
@@ -251,7 +255,36 @@ class CrashBox(Recipe):
         self.assertLess(history["added_mass"][-1], 0.2 * history["mass:crash_box"][0])
 
 
-RECIPES = {"crash_box": CrashBox, "drop": Drop, "ballistic": Ballistic, "bolted_joint": BoltedJoint}
+class FirstRun(Recipe):
+    """The deck and the commands of the README."""
+
+    @classmethod
+    def read_page(cls):
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+            section = file.read().split("## A deck of your own\n")[1].split("\n## ")[0]
+        with open(os.path.join(cls.folder, "ball.yaml"), "w", encoding="utf-8") as file:
+            file.write(section.split("```yaml\n")[1].split("```")[0])
+        os.mkdir(os.path.join(cls.folder, "build"))
+        os.symlink(os.path.dirname(PERCUSS), os.path.join(cls.folder, "build/release"))
+        return section
+
+    def test_pictures_of_the_page_are_there(self):
+        for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", self.page):
+            self.assertTrue(os.path.exists(os.path.join(ROOT, picture)), picture)
+
+    def test_the_force_is_a_pulse_that_one_would_show(self):
+        history = History(self.place("ball"))
+        force, time = history["fz:impact"], history["time"]
+        impulse = np.sum(force[1:] * np.diff(time))
+        momentum = history["momentum_z:ball"]
+        self.assertLess(abs(impulse / (momentum[-1] - momentum[0]) - 1), 0.01)
+        self.assertEqual(force[-1], 0, "the ball has left the plate")
+        level = force[(time > 5e-5) & (time < 4e-4)]
+        self.assertLess(np.std(np.diff(level)), 0.05 * level.mean(), "no saw-tooth")
+        self.assertLess(level.max(), 1.4 * level.mean())
+
+
+RECIPES = {"first_run": FirstRun, "crash_box": CrashBox, "drop": Drop, "ballistic": Ballistic, "bolted_joint": BoltedJoint}
 
 
 def load_tests(loader, _tests, _pattern):
