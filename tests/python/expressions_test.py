@@ -64,6 +64,12 @@ class Expressions(unittest.TestCase):
             self.assertEqual(history.unit("it"), unit, text)
         self.assertIsNone(evaluate(history, "fx:hit + 1")[1])  # its dimension is not known
 
+    def test_a_label_may_name_the_unit(self):
+        history = make_history()
+        self.assertEqual(add_expressions(["pull [g] = wall_force_z / {mass:a b} / 9810", "plain = top_y / 2"], [history], Options()), ["pull", "plain"])
+        self.assertEqual((history.unit("pull"), history.unit("plain")), ("g", "mm"))
+        np.testing.assert_allclose(history["pull"], 1e6 * CRUSH / 9810)
+
     def test_wrong_ones_are_refused_with_the_nearest_name(self):
         for text, words in (("wall_forc_z * 2", "there is no column 'wall_forc_z'; did you mean wall_force_z?"), ("fx:hot + 1", "did you mean fx:hit?"),
                             ("intgral(time)", "did you mean integral?"), ("wall_force_z + top_z", "different dimensions"), ("exp(top_z)", "no dimension"),

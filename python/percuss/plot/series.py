@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from percuss.results.expressions import evaluate, is_expression, split_label
+from percuss.results.expressions import evaluate, is_expression, split_label, split_unit
 from percuss.results.filters import filter_cfc, resample
 
 MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
@@ -77,7 +77,8 @@ class _Filtered:
 
 
 def add_expressions(words, histories, options, known=()):
-    """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)'.
+    """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)',
+    with a unit: 'acceleration [g] = sensor_az / 9.81'.
     known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
     named = []
     for word in words:
@@ -87,9 +88,10 @@ def add_expressions(words, histories, options, known=()):
         if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):
             named.append(word)
             continue
+        name, unit = split_unit(label) if label != text else (label, None)
         for history in histories:
-            history.add(label, *evaluate(_Filtered(history, options) if options.channel_class else history, text))
-        named.append(label)
+            history.add(name, *evaluate(_Filtered(history, options) if options.channel_class else history, text), unit)
+        named.append(name)
     return named
 
 

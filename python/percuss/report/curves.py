@@ -5,7 +5,7 @@ import numpy as np
 from percuss.plot.drawing import Plot, write_svg
 from percuss.plot.panels import choose_panels, list_panels
 from percuss.plot.series import Options, add_expressions, choose_abscissa
-from percuss.results.expressions import compute, split_label
+from percuss.results.expressions import compute, split_label, split_unit
 from percuss.results.units import choose_unit
 
 from .markup import escape, make_table, with_unit
@@ -19,7 +19,7 @@ def make_curves(runs, labels, words, x="time"):
     histories = [run.history.in_units(units) if units and run.units and run.units.text != units.text else run.history.copy() for run in runs]
     numbers = {word: values for word in words if (values := _find_numbers(word, histories))}
     heading = ["", *(labels if len(runs) > 1 else ["value"])]
-    rows = [[split_label(word)[0], *values] for word, values in numbers.items()]
+    rows = [[split_unit(split_label(word)[0])[0], *values] for word, values in numbers.items()]
     table = make_table(heading, rows, range(1, 1 + len(runs))) if rows else ""
     drawn = [word for word in words if word not in numbers]
     if not drawn:
@@ -35,7 +35,8 @@ def make_curves(runs, labels, words, x="time"):
 
 def _find_numbers(word, histories):
     """A text a run of an expression that is one number; empty where it is more, or no expression."""
-    text = split_label(word)[1]
+    label, text = split_label(word)
+    given = split_unit(label)[1] if label != text else None
     if any(text in history or word in list_panels([history]) for history in histories) or word.startswith("="):
         return []
     found = []
@@ -46,7 +47,8 @@ def _find_numbers(word, histories):
             return []
         if np.ndim(value.values):
             return []
-        unit = history.units.name_of_powers(value.powers) if history.units and value.powers and any(value.powers) else ""
+        has_unit = history.units and value.powers and any(value.powers)
+        unit = given if given is not None else history.units.name_of_powers(value.powers) if has_unit else ""
         shown, factor = choose_unit(unit, abs(float(value.values)))
         found.append(with_unit(float(f"{float(value.values) * factor:.6g}"), shown))
     return found

@@ -62,6 +62,12 @@ def split_label(text: str) -> tuple[str, str]:
     return label.strip(), rest.strip()
 
 
+def split_unit(label: str) -> tuple[str, str | None]:
+    """('acceleration', 'g') of 'acceleration [g]': the unit that a label gives what an expression makes; None: it gives none."""
+    given = re.fullmatch(r"(.*\S)\s*\[([^\[\]]*)\]", label)
+    return (given[1], given[2].strip()) if given else (label, None)
+
+
 def clip(text: str) -> str:
     return text if len(text) <= 80 else text[:77] + "..."
 

@@ -100,9 +100,13 @@ class History:
         """The value of a column at a time, linear between rows."""
         return float(np.interp(time, self["time"], self[name]))
 
-    def add(self, name: str, values: Any, powers: Powers | None = None) -> None:
-        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known."""
-        unit = self.units.name_of_powers(powers) if self.units and powers and any(powers) else None
+    def add(self, name: str, values: Any, powers: Powers | None = None, unit: str | None = None) -> None:
+        """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known. unit: of a user,
+        whose dimension is not known."""
+        if unit is not None:
+            powers = None
+        elif self.units and powers and any(powers):
+            unit = self.units.name_of_powers(powers)
         self.computed.add(name)
         self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name}}
         if powers:
