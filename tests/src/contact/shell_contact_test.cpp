@@ -228,7 +228,7 @@ parts:
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}]
 contact: {surfaces: all, overlap: push_out}
 )");
-  scene.advance_into_contact(700);
+  scene.advance_into_contact(1300);
   EXPECT_LT(scene.find_range("b", 2)[1], -0.002 * (1 - 1e-3));
 }
 

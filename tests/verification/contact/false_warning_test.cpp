@@ -103,7 +103,7 @@ TEST(FalseWarnings, AreNotGivenOfRigidBlocksThatRestOnEachOther) {
 
 /// Two blocks between walls that overlap by so much.
 std::string make_press_fit(double overlap) {
-  return "time: {end: 1.5e-4}\n"
+  return "time: {end: 2.5e-3}\n"
          "parts:\n"
          "  a: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, material: s}\n"
          "  b: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0, 0, " +
