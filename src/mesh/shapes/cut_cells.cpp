@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "src/mesh/shapes/shape_source.hpp"
@@ -129,30 +130,52 @@ class PyramidSource final : public CenteredSource {
   static constexpr std::size_t base = 4;
 };
 
-/// Two wedges a cell, along its third direction: cells that follow each other in this direction are cut along the same
-/// diagonal, as their corners are in the same order.
+/// Two wedges a cell, along its third direction. The diagonals of neighbours cross over: all along one direction, they
+/// would make the part stiffer on one side than on the other. Cells that follow each other in the third direction are
+/// cut alike, as their corners are in the same order.
 class WedgeSource final : public CutSource {
  public:
-  explicit WedgeSource(std::unique_ptr<ShapeSource> cells) : CutSource(std::move(cells), 2) {}
+  explicit WedgeSource(std::unique_ptr<ShapeSource> cells) : CutSource(std::move(cells), 2), grids_(cells_->blocks()) {}
   TopologyKind topology() const override { return TopologyKind::wedge6; }
 
   Corners corners(int element) const override {
     const Corners c = cell_corners(element);
-    if (find_place(element) == 0) return {c[0], c[1], c[2], c[4], c[5], c[6]};
-    return {c[0], c[2], c[3], c[4], c[6], c[7]};
+    const Triangle t = find_triangle(element);
+    return {c[t[0]], c[t[1]], c[t[2]], c[t[0] + 4], c[t[1] + 4], c[t[2] + 4]};
   }
 
   FaceSides face_sides(int element) const override {
     FaceSides sides = all_interior();
-    const bool is_first = find_place(element) == 0;
-    // faces of a wedge: 0-1, 1-2 and 2-0 of the triangle, which are sides of the cell or its cut; then both triangles
-    sides[0] = is_first ? cell_side(element, 0) : interior;
-    sides[1] = cell_side(element, is_first ? 1 : 2);
-    sides[2] = is_first ? interior : cell_side(element, 3);
+    const Triangle t = find_triangle(element);
+    // Faces of a wedge: on the edges of the triangle, of which one is the cut; then both triangles. Edge i of a cell is
+    // that from corner i to the next.
+    for (std::size_t e = 0; e < 3; ++e)
+      if (t[(e + 1) % 3] == (t[e] + 1) % 4) sides[e] = cell_side(element, static_cast<int>(t[e]));
     sides[3] = cell_side(element, 4);
     sides[4] = cell_side(element, 5);
     return sides;
   }
+
+ private:
+  using Triangle = std::array<std::size_t, 3>;  // corners of the cell's first face across the third direction
+
+  Triangle find_triangle(int element) const {
+    const bool is_first = find_place(element) == 0;
+    if (is_crossed(find_cell(element))) return is_first ? Triangle{0, 1, 3} : Triangle{1, 2, 3};
+    return is_first ? Triangle{0, 1, 2} : Triangle{0, 2, 3};
+  }
+
+  /// Every other cell of a layer, of each of its grids.
+  bool is_crossed(int cell) const {
+    const int in_layer = cell % grids_.front().strides[2];
+    const auto next =
+        std::find_if(grids_.begin(), grids_.end(), [&](const CellBlock& grid) { return grid.first > in_layer; });
+    const CellBlock& grid = *std::prev(next);
+    const int place = in_layer - grid.first;
+    return (place % grid.strides[1] + place / grid.strides[1]) % 2 != 0;
+  }
+
+  std::vector<CellBlock> grids_;
 };
 
 }  // namespace

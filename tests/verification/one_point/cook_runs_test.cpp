@@ -42,14 +42,18 @@ TEST(CooksMembraneOfDecks, DoesNotLockWhenNearlyIncompressible) {
   for (const char* kind : {"wedges", "pyramids", "tetrahedra"}) {
     const double coarse = find_tip(kind, 4) / tip, fine = find_tip(kind, 8) / tip;
     fmt::print("{}: {:.3f} and {:.3f} of the deflection\n", kind, coarse, fine);
-    EXPECT_GT(fine, 0.75) << kind;  // locked: 0.27 and 0.64
+    EXPECT_GT(fine, kind == std::string("wedges") ? 0.9 : 0.75)
+        << kind;  // parallel diagonals: 0.79; locked: 0.27 and 0.64
     EXPECT_LT(fine, 1.01) << kind;
     EXPECT_LT(1 - fine, 0.6 * (1 - coarse)) << kind;  // towards the answer
   }
 }
 
-TEST(CooksMembraneOfDecks, LocksOfWedgesThatAverageNothing) {
-  EXPECT_LT(find_tip("wedges", 8, "elements: {tetrahedra: plain}"), 0.3 * tip);
+// Crossing diagonals keep wedges from locking by themselves, as in the plane; parallel ones would leave 0.27.
+TEST(CooksMembraneOfDecks, IsStifferOfWedgesThatAverageNothing) {
+  const double plain = find_tip("wedges", 8, "elements: {tetrahedra: plain}") / tip;
+  EXPECT_GT(plain, 0.7);
+  EXPECT_LT(plain, 0.85);
 }
 
 }  // namespace
