@@ -48,10 +48,26 @@ double find_first(double end, const Touches& touches) {
 
 }  // namespace
 
+bool do_beams_touch(const CheckedScene& scene, std::size_t part) {
+  const ContactDeck& contact = scene.deck.contact;
+  if (contact.surfaces == ContactDeck::Surfaces::all) return contact.beams;
+  const PartMeasures& measures = scene.measures->parts[part];
+  const bool is_of_beams = measures.solids + measures.shells == 0;
+  const auto means = [&](const Selector& side) {
+    const bool names = side.name == scene.deck.parts[part].name;
+    return !side.inside && ((names && is_of_beams) || (contact.beams && (names || side.name.empty())));
+  };
+  return std::any_of(contact.pairs.begin(), contact.pairs.end(),
+                     [&](const SurfacePairDeck& pair) { return means(pair.a) || means(pair.b); });
+}
+
 Flight::Flight(const CheckedScene& scene, std::size_t part) {
   const PartMeasures& measures = scene.measures->parts[part];
   const Deck& deck = scene.deck;
-  const double half = 0.5 * measures.shell_thickness;
+  double half = 0.5 * measures.shell_thickness;
+  const PartDeck& own = deck.parts[part];
+  if (own.section && do_beams_touch(scene, part))
+    half = std::max(half, own.contact_radius.value_or(find_contact_radius(*own.section)));
   start_ = {measures.low, measures.high};
   for (std::size_t k = 0; k < 3; ++k) {
     start_.low[k] -= half;

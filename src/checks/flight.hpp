@@ -59,6 +59,9 @@ inline constexpr double overlapping_share = -1e-6;
 /// All parts of a scene.
 std::vector<Flight> find_flights(const CheckedScene& scene);
 
+/// Whether the beams of a part touch, by the deck.
+bool do_beams_touch(const CheckedScene& scene, std::size_t part);
+
 /// Whether two boxes overlap.
 bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 

@@ -15,6 +15,7 @@
 #include "src/contact/overlap/start_overlap.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/surface/fold_watch.hpp"
+#include "src/contact/surface/touching_beams.hpp"
 #include "src/contact/ties/breaking_ties.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 #include "src/contact/ties/ties.hpp"
@@ -49,10 +50,12 @@ struct ContactStage::Impl {
     forces.set_surface(seen(), share);
     is_active = has_pairs() || has_switched_pairs(deck.contact) || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
+    for (const std::string& line : describe_touching_beams(deck, find_touching_radii(mesh, deck)))
+      start_notes.push_back(line);
   }
 
   ContactRanks seen() const { return {ranks, numbering, mesh}; }
-  bool has_pairs() const { return share.total_searched_faces > 0; }
+  bool has_pairs() const { return share.may_touch(); }
 
   bool search(const SurfaceMotion& motion, double fastest);
   void count_search();

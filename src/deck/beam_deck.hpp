@@ -2,6 +2,8 @@
 // Cross sections of beams, as a deck gives them.
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "kernels/beam/beam_section.hpp"
@@ -56,6 +58,21 @@ inline BeamSection make_beam_section(const BeamSectionDeck& section) {
     BeamSection operator()(const BeamSection& s) const { return s; }
   };
   return std::visit(Make{}, section);
+}
+
+/// Radius with which a beam touches: of a circle and a tube that of their outside, of a rectangle and a box that of the
+/// circle with the area of their outline, else of the circle with the area of the section.
+inline double find_contact_radius(const BeamSectionDeck& section) {
+  struct Find {
+    static double round(double area) { return std::sqrt(area / std::numbers::pi); }
+    double operator()(const TrussSection& s) const { return round(s.area); }
+    double operator()(const RoundSection& s) const { return s.radius; }
+    double operator()(const TubeSection& s) const { return s.outer_radius; }
+    double operator()(const RectangleSection& s) const { return round(s.size[0] * s.size[1]); }
+    double operator()(const BoxSection& s) const { return round(s.size[0] * s.size[1]); }
+    double operator()(const BeamSection& s) const { return round(s.area); }
+  };
+  return std::visit(Find{}, section);
 }
 
 }  // namespace percuss

@@ -189,9 +189,10 @@ struct PartDeck {
   std::optional<int> points;                        // across the thickness of its shells; default: by the material
   double offset = 0;                       // of the middle of its shells from the mesh, along their normal [length]
   std::optional<BeamSectionDeck> section;  // of its beams; they need one
-  std::optional<Vec3> toward;      // to which y of the section of its beams points as far as it can, a unit vector
-  std::optional<RigidDeck> rigid;  // none: it deforms
-  PartElementDeck own_elements;    // instead of Deck::elements
+  std::optional<Vec3> toward;  // to which y of the section of its beams points as far as it can, a unit vector
+  std::optional<double> contact_radius;  // with which its beams touch; none: find_contact_radius() of the section
+  std::optional<RigidDeck> rigid;        // none: it deforms
+  PartElementDeck own_elements;          // instead of Deck::elements
   Place place;
 
   /// Shells need it.
@@ -406,7 +407,8 @@ struct ContactDeck {
   /// How candidate pairs are found. The pairs are the same.
   enum class Search { blocks, points_in_box };
   Search search = Search::blocks;
-  bool edges = true;  // contact between edges, besides that of nodes and faces
+  bool edges = true;   // contact between edges, besides that of nodes and faces
+  bool beams = false;  // beams touch, too; those of a part of beams alone that a pair names do in any case
   /// When contact nodes and faces are divided again over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;

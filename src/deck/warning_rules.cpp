@@ -70,7 +70,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"wall_motion", "moving wall that reaches no body before the end"},
       // contact (src/checks/rules/motion_rules.cpp, resting_rules.cpp, contact_rules.cpp)
       {"no_contact", "parts without contact whose bounding boxes meet"},
-      {"beam_contact", "beams, which have no contact, whose bounding box meets a body or a wall"},
+      {"beam_contact", "beams without contact whose bounding box meets a body or a wall"},
       {"restitution", "rigid bodies that meet each other without a coefficient of restitution"},
       {"penalty_speed", "penalty contact that is too soft for the impact speed"},
       {"lagrange_rigid", "lagrange enforcement of rigid bodies that touch something"},

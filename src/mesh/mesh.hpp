@@ -106,6 +106,13 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
                                       const std::vector<ElementFace>& exterior);
 
+/// The same for who touches: of a part of beams alone, which touch without faces, there are none.
+std::vector<ElementFace> select_touching_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
+                                               const std::vector<ElementFace>& exterior);
+
+/// Whether a selector names a whole part that has nothing but beams; the same on all ranks.
+bool names_beams_alone(const Mesh& mesh, const Selector& selector);
+
 /// The faces that Mesh::exterior marks, ascending.
 std::vector<ElementFace> find_exterior_faces(const Mesh& mesh);
 

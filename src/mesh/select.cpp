@@ -242,6 +242,22 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
   return faces;
 }
 
+bool names_beams_alone(const Mesh& mesh, const Selector& selector) {
+  if (selector.name.empty() || selector.inside) return false;
+  bool has_beams = false, has_others = false;
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    if (mesh.parts[static_cast<std::size_t>(block.part)].name != selector.name) continue;
+    (find_topology(block.topology).is_line() ? has_beams : has_others) = true;
+  }
+  return has_beams && !has_others;
+}
+
+std::vector<ElementFace> select_touching_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
+                                               const std::vector<ElementFace>& exterior) {
+  if (names_beams_alone(mesh, selector)) return {};
+  return select_faces(mesh, deck, selector, exterior);
+}
+
 std::vector<int> list_whole_elements(const Elements& elements, const std::vector<ElementFace>& faces) {
   std::vector<int> whole;
   for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {

@@ -73,7 +73,8 @@ KOKKOS_INLINE_FUNCTION bool do_boxes_meet(const Boxes& box, int a, int b) {
 }
 
 /// An edge with what its faces say: the wedge at the predicted place and the size h at n, the shortest edge of its
-/// faces or the thickness of its shells.
+/// faces or the thickness of its shells. A beam has its length or its diameter, and a wedge of zeros: every plane
+/// parts it.
 struct EdgeFaces {
   Wedge wedge;
   double size = 0;
@@ -87,7 +88,8 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
   const Point3 along = start(surface.ends(edge, 1)), along_end = end(surface.ends(edge, 1));
   EdgeFaces found;
   double shortest = dot(along, along);
-  for (int f = 0; f < 2; ++f) {
+  const int num_faces = is_beam(surface, edge) ? 0 : 2;
+  for (int f = 0; f < num_faces; ++f) {
     const int p = surface.wings(edge, 2 * f), q = surface.wings(edge, 2 * f + 1);
     found.wedge.inward[f] = find_inward(Point3{}, along_end, end(p), end(q));
     const Point3 sides[3] = {start(p), start(q) - along, start(q) - start(p)};
@@ -115,6 +117,11 @@ KOKKOS_INLINE_FUNCTION double orient(const Wedge& a, const Wedge& b, const Point
     c.gap = -c.gap;
   }
   return flips ? back : reach;
+}
+
+/// How much deeper a new pair may be, share of h: beams slide from one to the next while springs give way.
+KOKKOS_INLINE_FUNCTION double find_beam_cushion(const EdgeSurface& surface, int a, int b) {
+  return surface.has_springs && (is_beam(surface, a) || is_beam(surface, b)) ? contact_limits::spring_cushion : 0;
 }
 
 /// How far a new pair has crossed before it touches, or overlaps at the start, share of h: 0 without a blunt edge. With
@@ -253,7 +260,8 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > find_edge_row_gap(known, h)) return false;
-  const double cushion = crossed > 0 ? crossed - contact_limits::crossed_depth * h : 0;
+  const double cushion =
+      crossed > 0 ? crossed - contact_limits::crossed_depth * h : find_beam_cushion(surface, a, b) * h;
   const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h + cushion;
   if (touch.gap_start < -deepest) return false;
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);

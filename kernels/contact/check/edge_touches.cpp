@@ -118,7 +118,8 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
   Kokkos::parallel_for(
       "contact::edge_depths", RangeOf<Space>(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
         EdgeTouch touch;
-        const double depth = find_edge_depth(s, m, a(i), b(i), touch);
+        double depth = find_edge_depth(s, m, a(i), b(i), touch);
+        if (!(depth > 0)) depth = find_beam_depth(s, m, a(i), b(i), touch);
         touch.gap_start = -depth;
         touches(i) = depth > 0 ? touching : 0;
         out(i) = touch;

@@ -5,6 +5,9 @@
 // none of its edges crosses the rim away from the corner. A rim is therefore round before its line, by half the
 // thickness: the corner is pushed from the closest point of the rim. Further on, beside the shell, it belongs to the
 // faces, and edges that cross the rim to edge_check.hpp.
+//
+// A beam is a rim that is round on all sides: ends of edges that lie along it, of other beams above all, keep its
+// radius.
 
 #include "kernels/contact/check/edge_check.hpp"
 
@@ -18,6 +21,9 @@ inline constexpr double rim_front = 0.3;
 inline constexpr double history_rim_front = 0.05;
 /// Beyond the ends of a rim by this share of it it still pushes, with history by twice as much.
 inline constexpr double rim_end_band = 0.02;
+/// Beyond its ends a beam is round, as far as this cosine between its axis and the way from there: the next beam of a
+/// line goes on, or lies in between. A free end is round all over for another free end.
+inline constexpr double round_end = 0.7071;
 
 }  // namespace contact_limits
 
@@ -38,10 +44,11 @@ KOKKOS_INLINE_FUNCTION RimPoint find_rim_point(const Point3 rim[2], const Point3
   return found;
 }
 
-/// A rim: an edge with one face as both of its sides.
+/// A rim: an edge with one face as both of its sides, or a beam.
 KOKKOS_INLINE_FUNCTION bool is_rim(const EdgeSurface& surface, int edge) {
-  return find_edge_offset(surface, edge) > 0 && surface.wings(edge, 0) == surface.wings(edge, 2) &&
-         surface.wings(edge, 1) == surface.wings(edge, 3);
+  if (!(find_edge_offset(surface, edge) > 0)) return false;
+  return is_beam(surface, edge) ||
+         (surface.wings(edge, 0) == surface.wings(edge, 2) && surface.wings(edge, 1) == surface.wings(edge, 3));
 }
 
 /// An end of one edge before the other one, over the step.
@@ -49,7 +56,11 @@ struct EndBeforeRim {
   bool is_of_b = false;  // an end of edge B before rim A
   RimPoint from, to;     // at n and at the end of the step
   Point3 along{};        // from the end to the other end of its edge, at the end of the step
+  Point3 rim_along{};    // from one end of the rim to the other, at the end of the step
   double offset = 0;     // that both keep by thickness
+  double cushion = 0;    // find_beam_cushion()
+  bool is_beam_rim = false,
+       are_free = false;  // the rim is a beam; the end is a free one, and so is that of the rim there
 };
 
 /// place: 0 or 1, which end.
@@ -59,6 +70,7 @@ KOKKOS_INLINE_FUNCTION EndBeforeRim load_end(const EdgePair& from, const EdgePai
   found.from = find_rim_point(is_of_b ? from.a : from.b, is_of_b ? from.b[place] : from.a[place]);
   found.to = find_rim_point(is_of_b ? to.a : to.b, is_of_b ? to.b[place] : to.a[place]);
   found.along = is_of_b ? to.b[1 - place] - to.b[place] : to.a[1 - place] - to.a[place];
+  found.rim_along = is_of_b ? to.a[1] - to.a[0] : to.b[1] - to.b[0];
   return found;
 }
 
@@ -74,7 +86,8 @@ KOKKOS_INLINE_FUNCTION bool is_before_rim(const EndBeforeRim& e, const EdgeFaces
   namespace limits = contact_limits;
   const Wedge &rim = faces[e.is_of_b ? 0 : 1].wedge, &edge = faces[e.is_of_b ? 1 : 0].wedge;
   const double slack = known ? limits::history_reach_through : limits::reach_through;
-  if (-dot(push, rim.inward[0]) < (known ? limits::history_rim_front : limits::rim_front)) return false;
+  const bool is_round = e.is_beam_rim;
+  if (!is_round && -dot(push, rim.inward[0]) < (known ? limits::history_rim_front : limits::rim_front)) return false;
   return dot(push, e.along) >= -slack * norm(e.along) && dot(push, edge.inward[0]) >= -slack &&
          dot(push, edge.inward[1]) >= -slack;
 }
@@ -95,7 +108,7 @@ KOKKOS_INLINE_FUNCTION bool check_end(const EndBeforeRim& e, const EdgeFaces fac
   touch.gap_end = dot(e.to.away, push) - offset;
   touch.t = has_turned ? e.from.t : e.to.t;
   touch.normal = push;
-  const double deepest = known ? limits::history_depth * h + offset : limits::new_depth * h;
+  const double deepest = known ? limits::history_depth * h + offset : (limits::new_depth + e.cushion) * h;
   return touch.gap_start >= -deepest && touch.gap_end <= find_edge_row_gap(known, h) &&
          is_before_rim(e, faces, push, known);
 }
@@ -124,11 +137,33 @@ KOKKOS_INLINE_FUNCTION void load_both_faces(const RimPair& p, EdgeFaces faces[2]
   faces[1] = load_edge_faces(p.surface, p.motion, p.b);
 }
 
+/// Whether the end of a beam that is closest to a point is round there.
+KOKKOS_INLINE_FUNCTION bool is_round_there(const EndBeforeRim& e, const RimPoint& point) {
+  if (e.are_free) return true;
+  const double along = dot(point.away, e.rim_along), most = contact_limits::round_end;
+  return along * along <= most * most * dot(point.away, point.away) * dot(e.rim_along, e.rim_along);
+}
+
 /// Whether an end is so near its rim that the faces of both decide.
 KOKKOS_INLINE_FUNCTION bool is_near_rim(const EndBeforeRim& e, double shorter, bool known) {
   const double past = e.from.past < e.to.past ? e.from.past : e.to.past;
-  return past <= (known ? 2 : 1) * contact_limits::rim_end_band &&
-         may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
+  if (past > (known ? 2 : 1) * contact_limits::rim_end_band &&
+      !(e.is_beam_rim && (is_round_there(e, e.to) || is_round_there(e, e.from))))
+    return false;
+  return may_reach(e, contact_limits::history_row_gap * shorter + e.offset);
+}
+
+/// End i of a pair, 0 and 1 of A, 2 and 3 of B, before the rim of the other edge.
+KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const EdgeSurface& surface, int a, int b, const EdgePair& from,
+                                                const EdgePair& to, int i) {
+  const bool is_of_b = i >= 2;
+  const int rim = is_of_b ? a : b, edge = is_of_b ? b : a;
+  EndBeforeRim e = load_end(from, to, is_of_b, i % 2);
+  e.offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  e.cushion = find_beam_cushion(surface, a, b);
+  e.is_beam_rim = is_beam(surface, rim);
+  e.are_free = is_free_end(surface, edge, i % 2) && is_free_end(surface, rim, e.to.t < 0.5 ? 0 : 1);
+  return e;
 }
 
 /// Checks the ends of one edge of a pair before the other one; touch is meaningful if the answer is true. last_normal:
@@ -145,8 +180,7 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const RimPair& p, EdgeTouch& touch) {
   for (int i = 0; i < 4; ++i) {
     const bool is_of_b = i >= 2;
     if (!is_rim_of[is_of_b ? 0 : 1]) continue;
-    EndBeforeRim e = load_end(from, to, is_of_b, i % 2);
-    e.offset = find_edge_offset(p.surface, p.a) + find_edge_offset(p.surface, p.b);
+    const EndBeforeRim e = load_end_of(p.surface, p.a, p.b, from, to, i);
     if (!is_near_rim(e, of_a < of_b ? of_a : of_b, known)) continue;
     if (!has_faces) load_both_faces(p, faces);
     has_faces = true;
@@ -159,6 +193,30 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const RimPair& p, EdgeTouch& touch) {
     found = true;
   }
   return found;
+}
+
+/// How deep the ends of two edges are inside a beam of the pair at the places of a motion with dt = 0, where their
+/// lines do not cross: find_edge_depth().
+KOKKOS_INLINE_FUNCTION double find_beam_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                              EdgeTouch& touch) {
+  if (!is_beam(surface, a) && !is_beam(surface, b)) return 0;
+  const EdgePair at = load_moving_pair(surface, motion, a, b).start;
+  EdgeFaces faces[2];
+  load_both_faces({surface, motion, a, b, nullptr}, faces);
+  touch.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
+  double depth = 0;
+  for (int i = 0; i < 4; ++i) {
+    const EndBeforeRim e = load_end_of(surface, a, b, at, at, i);
+    const double distance = norm(e.to.away);
+    if (!e.is_beam_rim || !(distance > 0) || e.offset - distance <= depth || !is_near_rim(e, touch.size, false))
+      continue;
+    const Point3 push = normalize(e.to.away);
+    if (!is_before_rim(e, faces, push, false)) continue;
+    depth = e.offset - distance;
+    touch.offset = static_cast<float>(e.offset);
+    touch.normal = e.is_of_b ? -push : push;
+  }
+  return depth;
 }
 
 }  // namespace percuss

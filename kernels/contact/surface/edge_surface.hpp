@@ -2,7 +2,8 @@
 // The feature edges of the contact surface as search and check of edge pairs see them.
 //
 // A feature edge is where two faces meet at a convex angle, where a shell ends or where two shells meet at an angle.
-// Two of them can cross while no node reaches any face. An edge is named by its place in these lists, which is in the
+// Two of them can cross while no node reaches any face. A beam is an edge without faces: its axis, with its radius as
+// offset. An edge is named by its place in these lists, which is in the
 // order of edge numbers, so that every choice by order is the same on any rank.
 
 #include "kernels/core/views.hpp"
@@ -18,13 +19,13 @@ struct EdgeSurface {
   Array<const std::int64_t> numbers;   // [edges] ascending
   Rows2<const int> ends;               // [edges][2] rows of the motion, lower node number first
   Rows4<const int> wings;              // [edges][4] rows: corners of the first face, then of the second, that lie next
-                                       // to end 0 and next to end 1
+                                       // to end 0 and next to end 1; of a beam is_beam() and is_free_end()
   Rows2<const std::int64_t> elements;  // [edges][2] numbers of the elements behind the two faces
   Array<const int> edge_class;         // [edges] which of the named surfaces it lies on, as a class
   int num_classes = 1;
   Array<const double> pair_friction;  // [classes * classes] friction; negative: may not touch
   Array<const int> pair_number;       // likewise: which of the deck's pairs
-  Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
+  Array<const double> offset;         // [edges] half the thickness of its shells, radius of a beam; empty: all are 0
   Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; 2: likewise, and only features, as
                                       // a line of a curved surface; empty: the scene has none
   bool has_springs = false;           // contacts give way (penalty)
@@ -40,9 +41,19 @@ struct EdgePairs {
   Array<int> edges = Array<int>("contact::pair_edges", 0);  // [num_edges] ascending
 };
 
-/// Half the thickness of the shells of an edge, 0 of solids.
+/// Half the thickness of the shells of an edge, the radius of a beam, 0 of solids.
 KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int edge) {
   return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
+}
+
+/// Whether an edge is a beam, which has no faces: its first wings are its ends.
+KOKKOS_INLINE_FUNCTION bool is_beam(const EdgeSurface& surface, int edge) {
+  return surface.wings(edge, 0) == surface.ends(edge, 0) && surface.wings(edge, 1) == surface.ends(edge, 1);
+}
+
+/// Whether a beam has an end that no other beam continues: its second wing there is the other end.
+KOKKOS_INLINE_FUNCTION bool is_free_end(const EdgeSurface& surface, int edge, int end) {
+  return is_beam(surface, edge) && surface.wings(edge, 2 + end) == surface.ends(edge, 1 - end);
 }
 
 /// Whether two edges touch only once they have crossed.

@@ -59,6 +59,9 @@ void select(const ChunkedMesh& chunked, const Deck& deck, const UsedSelector& us
     case Chosen::faces:
       select_faces(mesh, deck, used.where);
       break;
+    case Chosen::touching:
+      select_touching_faces(mesh, deck, used.where, find_exterior_faces(mesh));
+      break;
     case Chosen::surface_nodes:
       select_surface_nodes(mesh, deck, used.where);
       break;

@@ -329,13 +329,13 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
   const std::vector<Flight> flights = find_flights(scene);
   const Marks of_beams = scene.measures->mark_beams();
   for (std::size_t p = 0; p < flights.size(); ++p) {
-    if (!of_beams[p]) continue;
+    if (!of_beams[p] || do_beams_touch(scene, p)) continue;
     const std::string meets = describe_meeting(scene, flights, p);
     if (meets.empty()) continue;
     warnings.push_back(
         warn_at(deck, "beam_contact", "parts." + deck.parts[p].name,
-                fmt::format("the bounding box of part '{}' meets {} (beams have no contact and pass through): join it "
-                            "to a part that has a surface, or make it of shells or solids",
+                fmt::format("the bounding box of part '{}' meets {} (its beams have no contact and pass through): set "
+                            "contact.beams, name the part in contact.surfaces, or join it to a part that has a surface",
                             deck.parts[p].name, meets)));
   }
   return warnings;

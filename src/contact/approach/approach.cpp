@@ -16,18 +16,12 @@ namespace {
 
 constexpr double lowest_number = std::numeric_limits<double>::lowest();
 
-bool has_face(const OwnedContactNodes& nodes, std::size_t n) { return nodes.first_face[n + 1] > nodes.first_face[n]; }
-
-const FaceTopology& first_face(const SurfaceShare& share, std::size_t n) {
-  return share.face(share.nodes.faces[at(share.nodes.first_face[n])]);
-}
-
 /// [owned contact nodes] which group each belongs to, as a number that all ranks know it by; -1: none.
 std::vector<std::int64_t> list_keys(const SurfaceShare& share) {
   std::vector<std::int64_t> keys(share.nodes.sizes.size(), -1);
   for (std::size_t n = 0; n < keys.size(); ++n) {
-    if (!has_face(share.nodes, n)) continue;
-    keys[n] = std::int64_t{first_face(share, n).body} * share.num_classes + share.nodes.classes[n];
+    const FaceTopology* const around = share.find_around(n);
+    if (around != nullptr) keys[n] = std::int64_t{around->body} * share.num_classes + share.nodes.classes[n];
   }
   return keys;
 }
@@ -68,7 +62,7 @@ void ApproachWatch::redefine() {
   least_size_ = std::numeric_limits<double>::infinity();
   const OwnedContactNodes& nodes = share_.nodes;
   for (std::size_t n = 0; n < nodes.sizes.size(); ++n) {
-    if (has_face(nodes, n)) least_size_ = std::min(least_size_, nodes.sizes[n]);
+    if (share_.find_around(n) != nullptr) least_size_ = std::min(least_size_, nodes.sizes[n]);
   }
   all_reduce(ranks_, Reduce::least, least_size_);
 }
@@ -109,7 +103,7 @@ void ApproachWatch::measure_groups() {
     if (node_groups_[n] < 0) continue;
     double* const of = &values[3 * at(node_groups_[n])];
     of[0] = std::max(of[0], -nodes.sizes[n]);
-    of[1] = std::max(of[1], first_face(share_, n).offset);
+    of[1] = std::max({of[1], share_.find_around(n)->offset, share_.find_radius(n)});
     of[2] = std::max(of[2], static_cast<double>(nodes.parts[n]));
   }
   all_reduce(ranks_, Reduce::largest, values);
@@ -218,7 +212,7 @@ bool ApproachWatch::may_limit(double largest_way) const {
 }
 
 Approach ApproachWatch::look_at_start(const Rows3<const double>& x, const Rows3<const double>& v, double dt) {
-  if (share_.total_searched_faces == 0) return {};
+  if (!share_.may_touch()) return {};
   find_groups();
   move_groups({x, v, 0});
   return find_shortest(dt, Moment::start);

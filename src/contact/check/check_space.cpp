@@ -20,9 +20,11 @@ Buckets list_node_faces(const std::vector<std::array<int, 4>>& corners, std::siz
   });
 }
 
-/// Half the thickness of each node: that of the thickest shell around it.
-std::vector<double> find_node_offsets(const Buckets& node_faces, const std::vector<double>& face_offset) {
-  std::vector<double> offset(node_faces.first.size() - 1, 0);
+/// Half the thickness of each node: that of the thickest shell around it, or the radius of its beam.
+std::vector<double> find_node_offsets(const SurfaceLists& lists, const Buckets& node_faces) {
+  const std::vector<double>& face_offset = lists.face_offset;
+  std::vector<double> offset = lists.node_radius;
+  offset.resize(node_faces.first.size() - 1, 0);
   for (std::size_t n = 0; n < offset.size(); ++n)
     for (int f = node_faces.first[n]; f < node_faces.first[n + 1]; ++f)
       offset[n] =
@@ -34,7 +36,7 @@ SurfaceOffsets make_offsets(const SurfaceLists& lists, const Buckets& node_faces
   const SideRings rings = find_side_rings(lists.corners, lists.face_offset, node_faces);
   return {largest,
           to_view("contact::face_offset", lists.face_offset),
-          to_view("contact::node_offset", find_node_offsets(node_faces, lists.face_offset)),
+          to_view("contact::node_offset", find_node_offsets(lists, node_faces)),
           to_view("contact::first_in_ring", rings.first),
           to_view("contact::side_rings", rings.faces),
           to_view("contact::open_corners", rings.is_open)};
@@ -185,7 +187,9 @@ std::vector<PartGap> measure_gaps(const SurfaceMotion& motion, CheckSpace& check
   const auto first_face = to_host(check.surface.nodes_to_faces_offset), faces = to_host(check.surface.nodes_to_faces);
   const auto part_of = [&](int f) { return face_part[static_cast<std::size_t>(f)]; };
   for (int i = 0; i < candidates.num_nodes; ++i) {
-    const int node = nodes(i), part = part_of(faces(first_face(node)));
+    const int node = nodes(i);
+    if (first_face(node) == first_face(node + 1)) continue;  // of a particle or a beam
+    const int part = part_of(faces(first_face(node)));
     for (int c = offset(node); c < offset(node + 1); ++c) {
       if (gap(c) < 0) continue;
       const int other = part_of(face(c));

@@ -21,6 +21,7 @@ struct SurfaceLists {
   std::vector<int> face_class, face_body;          // [faces]
   std::vector<int> searched_nodes, searched_faces;
   std::vector<double> face_offset;  // [faces] FaceTopology::offset; empty: nothing is checked
+  std::vector<double> node_radius;  // [nodes] OwnedContactNodes::radii; empty: no beams touch
 };
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);

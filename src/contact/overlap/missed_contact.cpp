@@ -66,7 +66,8 @@ std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, co
   search.search_everywhere(motion);
   std::optional<MissedContact> deepest;
   find_nodes(search, motion, history, known, deepest);
-  if (search.share.total_edges > 0 && !known.has_shells()) find_edges(search, motion, history, deepest);
+  if (search.share.total_edges > 0 && !known.has_shells() && !search.share.has_beams)
+    find_edges(search, motion, history, deepest);
   std::vector<MissedContact> own;
   if (deepest) own.push_back(*deepest);
   deepest.reset();

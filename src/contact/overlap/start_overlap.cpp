@@ -17,7 +17,7 @@ namespace {
 
 /// Penetrations of this rank's nodes by a search of its own.
 std::vector<Penetration> look_everywhere(const OverlapSearch& search, const SurfaceMotion& motion) {
-  if (search.share.total_searched_faces == 0) return {};
+  if (!search.share.may_touch()) return {};
   search.search_everywhere(motion);
   return search.finder.find_penetrations(motion);
 }
@@ -257,7 +257,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     if (held) records.hold(contact_limits::max_touches * p.node, p.face, p.depth);
   }
   seed_walls(search, motion, {}, found, records);
-  if (search.share.total_searched_faces > 0) {
+  if (search.share.may_touch()) {
     seed_all_edges(search.finder.find_edge_penetrations(motion), pushes_out(history), found, history.edges);
     found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
   }
@@ -272,7 +272,7 @@ StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion,
     return std::binary_search(sorted.begin(), sorted.end(), number);
   };
   const SeededRecords records(history);
-  const bool has_faces = search.share.total_searched_faces > 0;
+  const bool has_faces = search.share.may_touch();
   StartOverlap found;
   for (const Penetration& p : has_faces ? search.finder.find_penetrations(motion) : std::vector<Penetration>{}) {
     if (p.depth <= contact_limits::overlap * p.size || !has(born.faces, p.face)) continue;
@@ -292,7 +292,7 @@ StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion,
 
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, const SurfaceChange& change,
                  ContactHistory& history) {
-  if (search.share.total_searched_faces == 0) return;
+  if (!search.share.may_touch()) return;
   const auto list_new = [](const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
     std::vector<std::int64_t> fresh;
     std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(fresh));
@@ -341,7 +341,7 @@ std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change) {
 
 void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const EdgeChange& change,
                 EdgeHistory& history) {
-  if (search.share.total_searched_faces == 0) return;
+  if (!search.share.may_touch()) return;
   std::vector<std::int64_t> fresh = gather_items(search.ranks, list_fresh_edges(change));
   std::sort(fresh.begin(), fresh.end());
   const auto is_fresh = [&](std::int64_t number) { return std::binary_search(fresh.begin(), fresh.end(), number); };
@@ -355,7 +355,7 @@ void seed_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {
   double deepest = 0;
   for (const Penetration& p : look_everywhere(search, motion)) deepest = std::max(deepest, p.ratio);
-  if (search.share.total_searched_faces > 0)
+  if (search.share.may_touch())
     for (const EdgePenetration& p : search.finder.find_edge_penetrations(motion))
       deepest = std::max(deepest, p.depth / p.size);
   const HostWalls host(search.walls, motion.x);

@@ -268,7 +268,15 @@ void ContactDecomposition::send_nodes_to_owners() {
   }
   nodes_ = data_.exchange(node_plan_, records);
   sent_nodes_ = to_view("contact::sent_nodes", order.items);
-  received_nodes_ = to_view("contact::received_nodes", sort_by_number(nodes_));
+  const std::vector<int> place = sort_by_number(nodes_);
+  received_nodes_ = to_view("contact::received_nodes", place);
+  if (share_.has_beams) {
+    std::vector<double> radii;
+    for (const int i : order.items) radii.push_back(share_.nodes.radii[at(searched_nodes_[at(i)])]);
+    const std::vector<double> received = data_.exchange(node_plan_, radii);
+    radii_.resize(received.size());
+    for (std::size_t n = 0; n < received.size(); ++n) radii_[at(place[n])] = received[n];
+  }
   places_ = Rows3<double>("contact::owned_places", nodes_.size());
 }
 

@@ -62,6 +62,8 @@ class ContactDecomposition {
   /// What this rank has after a search, ascending in number, and whether that are others than before it, on any rank.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
   const std::vector<FaceTopology>& faces() const { return faces_; }
+  /// [nodes] OwnedContactNodes::radii; empty: no beams touch.
+  const std::vector<double>& radii() const { return radii_; }
   bool has_changed() const { return has_changed_; }
 
   /// Where they are: [nodes][3], and capture boxes [faces], lowest x, y, z, highest x, y, z.
@@ -130,6 +132,7 @@ class ContactDecomposition {
   Array<const int> sent_nodes_;      // points
   Array<const int> received_nodes_;  // places in nodes_
   std::vector<NodeRecord> nodes_;
+  std::vector<double> radii_;
   Rows3<double> places_;  // [nodes]
 
   // Faces likewise.

@@ -24,6 +24,7 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
   lists.node_class = share.nodes.classes;
   lists.backs = share.face_backs;
   lists.searched_faces = share.searched_faces;
+  lists.node_radius = share.nodes.radii;
   std::vector<int> place(lists.nodes.empty() ? 0 : static_cast<std::size_t>(lists.nodes.back()) + 1, -1);
   for (std::size_t n = 0; n < lists.nodes.size(); ++n) {
     place[static_cast<std::size_t>(lists.nodes[n])] = static_cast<int>(n);

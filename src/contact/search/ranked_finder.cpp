@@ -28,7 +28,7 @@ std::array<int, 4> find_numbers(const NumberMap& places, const std::int64_t (&wa
 }
 
 /// Numbers the nodes of known faces and of what is behind the searched ones. known: in, its faces; out, all of it.
-SurfaceLists list_surface(const std::vector<NodeRecord>& searched_nodes,
+SurfaceLists list_surface(const std::vector<NodeRecord>& searched_nodes, const std::vector<double>& radii,
                           const std::vector<FaceTopology>& searched_faces, bool has_offsets, KnownSurface& known) {
   SurfaceLists lists;
   NumberMap found;
@@ -54,6 +54,8 @@ SurfaceLists list_surface(const std::vector<NodeRecord>& searched_nodes,
     known.searched_nodes.push_back(places.find(node.number));
     lists.node_class[at(known.searched_nodes.back())] = node.surface_class;
   }
+  if (!radii.empty()) lists.node_radius.assign(known.nodes.size(), 0);
+  for (std::size_t n = 0; n < radii.size(); ++n) lists.node_radius[at(known.searched_nodes[n])] = radii[n];
   lists.searched_nodes = known.searched_nodes;
   for (std::size_t f = 0; f < known.faces.size(); ++f) {
     const FaceTopology& face = known.faces[f];
@@ -237,7 +239,8 @@ void RankedFinder::number_surface(std::vector<FaceTopology> more) {
   KnownSurface known;
   known.faces.resize(searched.size() + more.size());
   std::merge(searched.begin(), searched.end(), more.begin(), more.end(), known.faces.begin(), comes_before);
-  const SurfaceLists lists = list_surface(decomposition_.nodes(), searched, share_.largest_offset > 0, known);
+  const SurfaceLists lists =
+      list_surface(decomposition_.nodes(), decomposition_.radii(), searched, share_.largest_offset > 0, known);
   check_.take_surface(std::move(known), make_contact_surface(lists, share_), exchange_);
   reserve(places_, check_.space().surface.num_nodes);
 }

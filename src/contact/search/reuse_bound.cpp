@@ -88,11 +88,11 @@ double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
     space.fence();
   });
   // Without reuse the boxes only need what a node moves in this step.
-  const bool has_margin = (enabled_ || wide) && share_.total_searched_faces > 0;
+  const bool has_margin = (enabled_ || wide) && share_.may_touch();
   if (has_margin) sums.edges = sum_edges_here(motion);
   if (ranks_.size() > 1) sum_(ranks_, sums);
   margin_ = sums.move;
-  if (has_margin) margin_ += margin_edges * (sums.edges.round() / static_cast<double>(share_.total_searched_faces));
+  if (has_margin) margin_ += margin_edges * find_mean(sums.edges);
   dt_ = motion.dt;
   valid_ = true;
   travel_ = near_travel_ = first_travel_ = 0;
@@ -164,11 +164,17 @@ ExactSum ReuseBound::sum_edges_here(const SurfaceMotion& motion) const {
   return sum;
 }
 
+/// Of the sum over all faces; where beams alone touch that of beams.
+double ReuseBound::find_mean(const ExactSum& edges) const {
+  if (share_.total_searched_faces == 0) return share_.edge_piece;
+  return edges.round() / static_cast<double>(share_.total_searched_faces);
+}
+
 double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {
-  if (share_.total_searched_faces == 0) return 0;
+  if (!share_.may_touch()) return 0;
   SearchSums sums{0, sum_edges_here(motion)};
   if (ranks_.size() > 1) sum_(ranks_, sums);
-  return sums.edges.round() / static_cast<double>(share_.total_searched_faces);
+  return find_mean(sums.edges);
 }
 
 }  // namespace percuss

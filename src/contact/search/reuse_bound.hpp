@@ -51,10 +51,11 @@ class ReuseBound {
   const Rows3<double>& origin() const { return origin_; }
   const Rows3<double>& velocity() const { return velocity_; }
 
-  /// Mean of the shortest edges of the searched faces [length].
+  /// Mean of the shortest edges of the searched faces, of beams where these alone touch [length].
   double find_mean_edge(const SurfaceMotion& motion) const;
 
  private:
+  double find_mean(const ExactSum& edges) const;
   /// Largest ways of nodes in this step, on all ranks: from the places of the last restart_near(), of the last search
   /// and of the pairs that can come near; in the step alone.
   struct Ways {

@@ -86,10 +86,10 @@ void gather_held_nodes(const ChunkedMesh& chunked, std::vector<HeldNode>& held) 
   }
 }
 
-/// Half the thickness of the thickest shell around a contact node; 0: none is one.
+/// Half the thickness of the thickest shell around a contact node, or the radius of a beam; 0: none is one.
 double find_node_offset(const SurfaceShare& share, int node) {
   const auto n = static_cast<std::size_t>(node);
-  double offset = 0;
+  double offset = share.find_radius(n);
   for (int f = share.nodes.first_face[n]; f < share.nodes.first_face[n + 1]; ++f)
     offset = std::max(offset, share.face(share.nodes.faces[static_cast<std::size_t>(f)]).offset);
   return offset;

@@ -28,6 +28,8 @@ FoundEdge make_edge(const EdgeSide& first, const EdgeSide& second) {
   }
   edge.home = first.rank;
   edge.offset = std::max(first.offset, second.offset);
+  found.part = first.part;
+  found.length = first.length;
   return found;
 }
 
@@ -44,9 +46,11 @@ bool has_folds(const std::vector<EdgeEnds>& folds, std::int64_t lower) {
 
 /// By part: the longest feature edge of any other part; 0 where none can pass between the nodes of the part.
 /// Collective.
-std::vector<double> find_passing_lengths(const ToldSides& told, const Mesh& mesh, const Communicator& ranks) {
+std::vector<double> find_passing_lengths(const ToldSides& told, const Mesh& mesh, const std::vector<FoundEdge>& beams,
+                                         const Communicator& ranks) {
   std::vector<double> longest(mesh.parts.size(), 0), passing(longest.size(), 0);
   if (longest.size() < 2) return passing;
+  for (const FoundEdge& beam : beams) longest[at(beam.part)] = std::max(longest[at(beam.part)], beam.length);
   std::vector<EdgeSide> sides;
   for (std::size_t node = 0; node < told.node_count(); ++node) {
     if (!told.may_have_edges(node, contact_limits::feature)) continue;
@@ -80,6 +84,45 @@ struct EdgeRule {
   }
 };
 
+void refuse_crowded_node(std::size_t num_edges) {
+  if (num_edges <= most_edges) return;
+  throw InputError(
+      "mesh: error: a node has more than 128 sharp edges (edge contact supports no more): coarsen the mesh around "
+      "it, or set contact.edges: false");
+}
+
+/// Numbers beams behind the edges of faces that have the same lower node, and adds them to these. beams: of the lower
+/// nodes of this rank, in any order; edges: by lower node.
+void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
+  std::sort(beams.begin(), beams.end(), [](const FoundEdge& a, const FoundEdge& b) {
+    const EdgeTopology &p = a.edge, &q = b.edge;
+    if (p.ends[0] != q.ends[0]) return p.ends[0] < q.ends[0];
+    return p.ends[1] != q.ends[1] ? p.ends[1] < q.ends[1] : p.elements[0] < q.elements[0];
+  });
+  std::vector<std::int64_t> lower_of_faces;
+  for (const FoundEdge& found : edges) lower_of_faces.push_back(found.edge.ends[0]);
+  std::int64_t lower = -1;
+  std::size_t next = 0;  // place among the edges of the node
+  for (FoundEdge& beam : beams) {
+    if (beam.edge.ends[0] != lower) {
+      lower = beam.edge.ends[0];
+      const auto [first, last] = std::equal_range(lower_of_faces.begin(), lower_of_faces.end(), lower);
+      next = at(last - first);
+    }
+    beam.edge.number = (lower << edge_place_bits) + static_cast<std::int64_t>(next++);
+    refuse_crowded_node(next);
+    edges.push_back(beam);
+  }
+}
+
+/// Those whose lower node is this rank's. Collective.
+std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, const Numbering& numbering,
+                                           const Communicator& ranks) {
+  std::vector<int> to;
+  for (const FoundEdge& beam : beams) to.push_back(numbering.find_node_owner(beam.edge.ends[0]));
+  return ItemExchange(ranks).send(to, beams);
+}
+
 /// Edges by lower node, numbered.
 std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const EdgeRule& rule) {
   const bool has_lines =
@@ -98,10 +141,7 @@ std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, con
         edges.back().edge.is_blunt = bluntness;
       });
     });
-    if (edges.size() - first_edge > most_edges)
-      throw InputError(
-          "mesh: error: a node has more than 128 sharp edges (edge contact supports no more): coarsen the mesh around "
-          "it, or set contact.edges: false");
+    refuse_crowded_node(edges.size() - first_edge);
     for (std::size_t i = first_edge; i < edges.size(); ++i)
       edges[i].edge.number = (edges[i].edge.ends[0] << edge_place_bits) + static_cast<std::int64_t>(i - first_edge);
   }
@@ -110,13 +150,18 @@ std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, con
 
 }  // namespace
 
-std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
-                                          const std::vector<std::array<int, 4>>& face_corners,
+std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
-  const ToldSides sides(chunked, faces, face_corners, exchange.ranks());
-  const std::vector<double> passing = find_passing_lengths(sides, chunked.mesh, exchange.ranks());
+  const Communicator& ranks = exchange.ranks();
+  const ToldSides sides(chunked, share.faces, share.face_corners, ranks);
+  const std::vector<double> passing = find_passing_lengths(sides, chunked.mesh, share.beams, ranks);
+  std::vector<FoundEdge> beams;
+  if (share.has_beams) beams = send_to_lower_nodes(share.beams, chunked.numbering, ranks);
   std::vector<FoundEdge> numbered;
-  fail_together(exchange.ranks(), [&] { numbered = number_edges(sides, chunked.mesh, {folds, passing}); });
+  fail_together(ranks, [&] {
+    numbered = number_edges(sides, chunked.mesh, {folds, passing});
+    add_beams(std::move(beams), numbered);
+  });
   std::vector<int> homes;
   homes.reserve(numbered.size());
   for (const FoundEdge& found : numbered) homes.push_back(found.edge.home);

@@ -1,6 +1,6 @@
 #pragma once
 // The feature edges of the contact surface: where two faces of a body meet at a convex angle at the start of the run,
-// where a shell ends, and where two shells meet at an angle.
+// where a shell ends, and where two shells meet at an angle. Beams that touch are edges without faces.
 
 #include <array>
 #include <compare>
@@ -12,18 +12,19 @@
 
 namespace percuss {
 
-struct FaceTopology;
+struct SurfaceShare;
 
 /// A feature edge in messages between ranks.
 struct EdgeTopology {
   std::int64_t number = -1;    // 128 * number of its lower node + place among that node's edges
   std::int64_t ends[2]{};      // node numbers, ascending
-  std::int64_t wings[4]{};     // corners of the first face, then of the second, next to end 0 and next to end 1
+  std::int64_t wings[4]{};     // corners of the first face, then of the second, next to end 0 and next to end 1; of a
+                               // beam its ends, and again, where an end is free the other one
   std::int64_t elements[2]{};  // numbers of the elements behind the faces
   int surface_class = 0;       // which of the named surfaces it lies on, as a class
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
   int pieces = 1;              // that search sees, each as a point
-  double offset = 0;           // half the thickness of its shells, 0 of solids [length]
+  double offset = 0;           // half the thickness of its shells, radius of a beam, 0 of solids [length]
   int is_blunt = 0;            // 1: touches only what has crossed it; 2: likewise, and only features
 };
 
@@ -38,14 +39,15 @@ struct EdgeEnds {
 struct FoundEdge {
   EdgeTopology edge;
   int face_classes[2] = {0, 0};  // FaceTopology::surface_class of its faces
+  int part = 0;                  // of the first
+  double length = 0;             // at time 0
 };
 
 /// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of curved
-/// surfaces between whose nodes a far longer feature edge of another part can pass. faces: of this rank's elements,
-/// with face_corners their mesh nodes; folds: edges that have become sharp in the run, of all ranks, ascending. Throws
+/// surfaces between whose nodes a far longer feature edge of another part can pass, and with beams that touch. share:
+/// with its faces and beams; folds: edges that have become sharp in the run, of all ranks, ascending. Throws
 /// InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
-std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
-                                          const std::vector<std::array<int, 4>>& face_corners,
+std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds);
 
 /// Into how many pieces of at most this length an edge is divided.

@@ -119,7 +119,7 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
   };
   const bool selects = !deck.contact.pairs.empty() || !deck.contact.frictions.empty();
   const std::vector<ElementFace> exterior = selects ? find_exterior_faces(mesh) : std::vector<ElementFace>{};
-  const auto select = [&](const Selector& side) { return select_faces(mesh, deck, side, exterior); };
+  const auto select = [&](const Selector& side) { return select_touching_faces(mesh, deck, side, exterior); };
   for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
     add(select(deck.contact.pairs[p].a), p, 0);
     add(select(deck.contact.pairs[p].b), p, 1);
@@ -158,6 +158,10 @@ std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck) {
     add(row.a, a);
     if (row.b) add(*row.b, a + 1);
   }
+  if (!has_rigid_parts(deck)) return sets;
+  const std::vector<int> bodies = name_rigid_bodies(deck).body_of_part;
+  for (std::size_t part = 0; part < sets.size(); ++part)
+    if (bodies[part] >= 0) sets[part].push_back(first_body_surface + bodies[part]);
   return sets;
 }
 

@@ -50,7 +50,7 @@ struct SurfaceClasses {
 std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
                                            const std::vector<ElementFace>& faces);
 
-/// [parts] surfaces that a part belongs to as a whole: what its particles touch as.
+/// [parts] surfaces that a part belongs to as a whole: what its particles and beams touch as.
 std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck);
 
 /// Each set once, ascending.

@@ -13,6 +13,7 @@
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/face_springs.hpp"
 #include "src/contact/surface/surface_classes.hpp"
+#include "src/contact/surface/touching_beams.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -146,8 +147,29 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
   return notices;
 }
 
-/// Tells the owner of every corner about each face of this rank, and of particles. Returns what the owned nodes are
-/// told: of faces of the share in their order, then of `told_faces`, which it fills.
+/// Adds ends of beams, as nodes with a radius, and to the share their edges. Collective.
+void list_beams(const ChunkedMesh& chunked, const Deck& deck, const std::vector<int>& part_classes,
+                const Communicator& ranks, std::vector<CornerNotice>& notices, SurfaceShare& share) {
+  for (const TouchingBeam& beam : list_touching_beams(chunked, deck, ranks.rank())) {
+    CornerNotice notice;
+    notice.size = std::min(beam.length, 2 * beam.radius);
+    notice.spring = beam.spring;
+    notice.face.part = beam.part;
+    notice.face.body = beam.body;
+    notice.face.surface_class = part_classes[at(beam.part)];
+    notice.face.offset = beam.radius;
+    for (const std::int64_t end : beam.edge.ends) {
+      notice.node = end;
+      notices.push_back(notice);
+    }
+    const int own = notice.face.surface_class;
+    share.beams.push_back({beam.edge, {own, own}, beam.part, beam.length});
+  }
+  mark_free_ends(chunked.numbering, ranks, share.beams);
+}
+
+/// Tells the owner of every corner about each face of this rank, and of particles and beams. Returns what the owned
+/// nodes are told: of faces of the share in their order, then of `told_faces`, which it fills.
 std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector<double>& springs,
                                    std::vector<CornerNotice> sent, UnstructuredExchange& exchange,
                                    SurfaceShare& share) {
@@ -185,7 +207,48 @@ std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector
   return notices;
 }
 
-/// particle_classes: out, [nodes] classes of the surfaces of particles.
+/// What lies at a node: the node of a solid has no thickness, whatever beams end there.
+struct NodeItems {
+  bool has_faces = false, has_solid = false;
+
+  template <class Items, class FaceOf>
+  NodeItems(const Items& first, const Items& last, const FaceOf& face_of) {
+    for (auto item = first; item != last; ++item) {
+      const FaceTopology& face = face_of(*item);
+      has_faces = has_faces || face.number >= 0;
+      has_solid = has_solid || (face.number >= 0 && face.offset == 0);
+    }
+  }
+};
+
+/// Adds a particle or an end of a beam to the last node, in no certain order.
+void add_point(const NodeNotice& notice, const FaceTopology& face, const NodeItems& around, SurfaceShare& share) {
+  OwnedContactNodes& nodes = share.nodes;
+  nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
+  if (!around.has_faces) nodes.parts.back() = std::min(nodes.parts.back(), face.part);
+  if (face.offset == 0) return;
+  const bool is_first = nodes.beams.back() < 0;
+  const FaceTopology& last = is_first ? face : share.face(nodes.beams.back());
+  if (is_first || std::pair(face.body, face.part) < std::pair(last.body, last.part)) nodes.beams.back() = notice.face;
+  nodes.radii.back() = std::max(nodes.radii.back(), face.offset);
+}
+
+/// Adds a node, so far without faces and beams.
+void begin_node(const Mesh& mesh, std::size_t n, int part, SurfaceShare& share) {
+  OwnedContactNodes& nodes = share.nodes;
+  nodes.mesh_nodes.push_back(static_cast<int>(n));
+  nodes.numbers.push_back(mesh.node_numbers[n]);
+  nodes.ids.push_back(mesh.node_ids[n]);
+  nodes.sizes.push_back(std::numeric_limits<double>::infinity());
+  nodes.springs.push_back(0);
+  nodes.parts.push_back(part);
+  nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+  if (!share.has_beams) return;
+  nodes.radii.push_back(0);
+  nodes.beams.push_back(-1);
+}
+
+/// particle_classes: out, [nodes] classes of the surfaces of particles and beams.
 void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, SurfaceShare& share,
                 std::vector<std::vector<int>>& particle_classes) {
   OwnedContactNodes& nodes = share.nodes;
@@ -200,32 +263,28 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
     const auto face_of = [&](int item) -> const FaceTopology& { return share.face(notices[at(item)].face); };
     if (at(notices[at(*(last - 1))].face) >= share.faces.size())  // the rank's own faces are in order
       std::sort(first, last, [&](int a, int b) { return face_of(a).number < face_of(b).number; });
-    nodes.mesh_nodes.push_back(static_cast<int>(n));
-    nodes.numbers.push_back(mesh.node_numbers[n]);
-    nodes.ids.push_back(mesh.node_ids[n]);
-    nodes.sizes.push_back(std::numeric_limits<double>::infinity());
-    nodes.springs.push_back(0);
-    nodes.parts.push_back(face_of(*first).part);
-    nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+    begin_node(mesh, n, face_of(*first).part, share);
+    const NodeItems around(first, last, face_of);
     particle_classes.emplace_back();
     for (auto item = first; item != last; ++item) {
       const NodeNotice& notice = notices[at(*item)];
       const FaceTopology& face = face_of(*item);
+      if (face.number < 0 && face.offset > 0 && around.has_solid) continue;
       nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
-      if (face.number < 0) {  // of a particle, in no certain order
-        nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
-        nodes.parts.back() = std::min(nodes.parts.back(), face.part);
+      if (face.number < 0) {
+        add_point(notice, face, around, share);
         particle_classes.back().push_back(face.surface_class);
         continue;
       }
       nodes.springs.back() += notice.spring;
+      if (nodes.faces.size() == at(nodes.first_face.back())) nodes.parts.back() = face.part;
       nodes.faces.push_back(notice.face);
     }
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
 }
 
-/// Surfaces of each owned node: those of all faces around it, of a particle those of its parts.
+/// Surfaces of each owned node: those of all faces around it, of a particle or a beam those of its parts.
 std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const SurfaceClasses& classes,
                                            const std::vector<std::vector<int>>& particle_classes) {
   const OwnedContactNodes& nodes = share.nodes;
@@ -244,6 +303,21 @@ std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const Surf
   return sets;
 }
 
+/// Ends of beams may not touch what they are tied to, as nodes of tied faces may not.
+void tie_beams(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNodes& nodes,
+               std::vector<SurfaceSet>& sets) {
+  if (nodes.radii.empty()) return;
+  for (const TiedNode& tied : ties.nodes) {
+    const auto place = std::lower_bound(nodes.numbers.begin(), nodes.numbers.end(), tied.node);
+    if (place == nodes.numbers.end() || *place != tied.node) continue;
+    const auto n = at(place - nodes.numbers.begin());
+    if (nodes.radii[n] == 0) continue;
+    sets[n].push_back(2 * (static_cast<int>(deck.contact.pairs.size()) + tied.tie));
+    std::sort(sets[n].begin(), sets[n].end());
+    sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
+  }
+}
+
 /// Nodes that have let go of a tie may touch what they were tied to, though a face of theirs is still tied.
 void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& numbers,
                    std::vector<SurfaceSet>& sets) {
@@ -256,7 +330,7 @@ void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector
   }
 }
 
-/// Surfaces of each edge: those of its two faces.
+/// Surfaces of each edge: those of its two faces, or of its beam.
 std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
   std::vector<SurfaceSet> sets;
   for (const FoundEdge& found : edges) {
@@ -304,6 +378,8 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const std::ve
   };
   std::for_each(share.faces.begin(), share.faces.end(), renumber);
   std::for_each(share.told_faces.begin(), share.told_faces.end(), renumber);
+  for (FoundEdge& beam : share.beams)
+    for (int& surface_class : beam.face_classes) surface_class = classes.find(of_faces.sets[at(surface_class)]);
   for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
   std::vector<double> friction;
   std::vector<int> pair_number;
@@ -325,9 +401,9 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const std::ve
   for (const FaceTopology& face : share.faces) share.face_searched.push_back(face_searched[at(face.surface_class)]);
 }
 
-/// Thickness of the shells that may touch anything.
+/// Thickness of the shells and beams that may touch anything.
 void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
-  if (!has_shells(mesh)) return;
+  if (!has_shells(mesh) && !share.has_beams) return;
   double largest = 0;
   for (std::size_t f = 0; f < share.faces.size(); ++f)
     if (share.face_searched[f] != 0) largest = std::max(largest, share.faces[f].offset);
@@ -335,6 +411,8 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
   for (std::size_t n = 0; n < nodes.searched.size(); ++n)
     for (int f = nodes.first_face[n]; nodes.searched[n] != 0 && f < nodes.first_face[n + 1]; ++f)
       largest = std::max(largest, share.face(nodes.faces[at(f)]).offset);
+  for (const double radius : nodes.radii) largest = std::max(largest, radius);
+  for (const FoundEdge& beam : share.beams) largest = std::max(largest, beam.edge.offset);
   all_reduce(ranks, Reduce::largest, largest);
   share.largest_offset = largest;
   if (largest == 0) return;
@@ -383,7 +461,8 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   list_faces(chunked, faces, share);
   const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);
   std::vector<SurfaceSet> named = face_sets, part_sets;
-  if (mesh.eroded.any) part_sets = find_part_surfaces(mesh, deck);
+  share.has_beams = has_touching_beams(mesh, deck);
+  if (mesh.eroded.any || share.has_beams) part_sets = find_part_surfaces(mesh, deck);
   named.insert(named.end(), part_sets.begin(), part_sets.end());
   // Classes are agreed on twice: nodes and edges lie on unions of the faces' surfaces, which are classes of their own.
   const SurfaceClasses of_faces = agree_on_classes(mesh, std::move(named));
@@ -392,11 +471,12 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   part_classes.reserve(part_sets.size());
   for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
   std::vector<std::vector<int>> particle_classes;
-  list_nodes(mesh,
-             tell_nodes(chunked, find_face_springs(mesh, deck, faces), list_particles(mesh, deck, part_classes),
-                        exchange, share),
-             share, particle_classes);
+  std::vector<CornerNotice> points = list_particles(mesh, deck, part_classes);
+  if (share.has_beams) list_beams(chunked, deck, part_classes, exchange.ranks(), points, share);
+  list_nodes(mesh, tell_nodes(chunked, find_face_springs(mesh, deck, faces), std::move(points), exchange, share), share,
+             particle_classes);
   std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
+  tie_beams(deck, ties, share.nodes, node_sets);
   release_nodes(deck, ties, share.nodes.numbers, node_sets);
   share.own_sets = of_faces.sets;
   share.own_sets.insert(share.own_sets.end(), node_sets.begin(), node_sets.end());
@@ -404,7 +484,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<SurfaceSet> all = share.own_sets;
   std::vector<FoundEdge> edges;
   const bool has_edges = has_edge_contact(deck.contact);
-  if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange, folds);
+  if (has_edges) edges = find_feature_edges(chunked, share, exchange, folds);
   const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
   all.insert(all.end(), edge_sets.begin(), edge_sets.end());
   share.classes = agree_on_classes(mesh, std::move(all));
@@ -417,7 +497,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
 
 bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                   UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds, SurfaceShare& share) {
-  const std::vector<FoundEdge> edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange, folds);
+  const std::vector<FoundEdge> edges = find_feature_edges(chunked, share, exchange, folds);
   const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, share.classes);
   std::vector<SurfaceSet> all = share.own_sets;
   all.insert(all.end(), edge_sets.begin(), edge_sets.end());

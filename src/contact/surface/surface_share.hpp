@@ -1,6 +1,7 @@
 #pragma once
 // What a rank holds of the contact surface in the FE decomposition: the faces of its elements, and the contact nodes
-// that it owns with all faces around them, also those of other ranks. Const after set-up.
+// that it owns with all faces around them, also those of other ranks. Beams that touch add nodes and edges. Const after
+// set-up.
 
 #include <cstdint>
 #include <vector>
@@ -40,6 +41,8 @@ struct OwnedContactNodes {
   std::vector<int> first_face;  // [nodes + 1] into faces
   std::vector<int> faces;       // around each node, ascending number: SurfaceShare::face(); a free particle has none
   std::vector<char> searched;   // whether it may touch any face
+  std::vector<double> radii;  // of the thickest beam at each, 0: of none that touches; empty: no beam of any rank does
+  std::vector<int> beams;     // one at each, as a face of SurfaceShare::face(), or -1; empty likewise
 
   int count() const { return static_cast<int>(mesh_nodes.size()); }
 };
@@ -47,7 +50,7 @@ struct OwnedContactNodes {
 struct SurfaceShare {
   OwnedContactNodes nodes;
   std::vector<FaceTopology> faces;       // of this rank's elements, ascending number
-  std::vector<FaceTopology> told_faces;  // of others' elements at nodes of this rank; and of particles, number -1
+  std::vector<FaceTopology> told_faces;  // of others' elements at nodes of this rank; of particles and beams, number -1
   std::vector<char> face_searched;       // whether it may be touched by any node
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
@@ -62,7 +65,10 @@ struct SurfaceShare {
   SurfaceClasses classes;            // what surface_class of faces, nodes and edges names
   std::vector<SurfaceSet> own_sets;  // of this rank's nodes and all ranks' faces: edges may add others
 
-  double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
+  std::vector<FoundEdge> beams;  // of this rank's elements that touch
+  bool has_beams = false;        // whether some of any rank do
+
+  double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells or beams do
   bool has_springs = false;   // contacts give way (penalty)
 
   // For kernels over the share.
@@ -80,6 +86,17 @@ struct SurfaceShare {
     return i < faces.size() ? faces[i] : told_faces[i - faces.size()];
   }
   BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
+
+  /// A face around an owned node, or a beam at it; null: it is a free particle.
+  const FaceTopology* find_around(std::size_t node) const {
+    if (nodes.first_face[node] < nodes.first_face[node + 1])
+      return &face(nodes.faces[static_cast<std::size_t>(nodes.first_face[node])]);
+    return nodes.beams.empty() || nodes.beams[node] < 0 ? nullptr : &face(nodes.beams[node]);
+  }
+  double find_radius(std::size_t node) const { return nodes.radii.empty() ? 0 : nodes.radii[node]; }
+
+  /// Whether anything may touch but walls.
+  bool may_touch() const { return total_searched_faces > 0 || has_beams; }
 };
 
 /// Whether edges touch edges at all.

@@ -29,7 +29,7 @@ inline std::string find_body(const Selector& selector) {
 }
 
 /// What a selector of the deck chooses.
-enum class Chosen { some, nodes, faces, surface_nodes, elements };
+enum class Chosen { some, nodes, faces, touching, surface_nodes, elements };  // touching: faces, or beams
 
 /// A selector as the deck has it; `all` has no name.
 struct UsedSelector {

@@ -17,8 +17,8 @@ namespace {
 
 const Keys<SurfacePairDeck>& pair_keys() {
   static const Keys<SurfacePairDeck> keys = with_switch<SurfacePairDeck>({
-      need("a", &SurfacePairDeck::a, SelectorValue{Chosen::faces}),
-      need("b", &SurfacePairDeck::b, SelectorValue{Chosen::faces}),
+      need("a", &SurfacePairDeck::a, SelectorValue{Chosen::touching}),
+      need("b", &SurfacePairDeck::b, SelectorValue{Chosen::touching}),
       may("friction", &SurfacePairDeck::friction, NumberValue{not_negative}),
   });
   return keys;
@@ -33,7 +33,7 @@ struct PairValue {
       reader.refuse(node, name, takes());
       return false;
     }
-    if (!TupleValue<SelectorValue, 2>{{Chosen::faces}}.read(reader, name, node, surfaces)) return false;
+    if (!TupleValue<SelectorValue, 2>{{Chosen::touching}}.read(reader, name, node, surfaces)) return false;
     out.a = surfaces[0];
     out.b = surfaces[1];
     return true;
@@ -103,8 +103,8 @@ bool are_different(const Reader& reader, const std::string& name, const Node& no
 
 const Keys<PairFrictionDeck>& pair_friction_keys() {
   static const Keys<PairFrictionDeck> keys = {
-      need("a", &PairFrictionDeck::a, SelectorValue{Chosen::faces}),
-      may("b", &PairFrictionDeck::b, SelectorValue{Chosen::faces}),
+      need("a", &PairFrictionDeck::a, SelectorValue{Chosen::touching}),
+      may("b", &PairFrictionDeck::b, SelectorValue{Chosen::touching}),
       need("friction", &PairFrictionDeck::friction, NumberValue{not_negative}),
   };
   return keys;
@@ -181,6 +181,7 @@ const Keys<ContactDeck>& contact_keys() {
       may("restitution", &ContactDeck::restitution, NumberValue{{"from 0 to 1", 0, 1}}),
       may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
       may("edges", &ContactDeck::edges, BooleanValue{}),
+      may("beams", &ContactDeck::beams, BooleanValue{}),
       may("search", &ContactDeck::search,
           ChoiceValue<Search>{{{"blocks", Search::blocks}, {"points_in_box", Search::points_in_box}}}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),

@@ -165,6 +165,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
     all.push_back(may("section", &PartDeck::section, BeamSectionValue{}));
     all.push_back(may("toward", &PartDeck::toward, DirectionValue{}));
+    all.push_back(may("contact_radius", &PartDeck::contact_radius, NumberValue{positive}));
     all.push_back(may("array", &PartDeck::array, MapValue<ArrayCopies>{array_keys, check_array}));
     all.push_back(make_key<PartDeck>("axis", false, DirectionValue{}, read_axis));
     all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));

@@ -120,19 +120,22 @@ bool check_beam_section(const Reader& reader, const Node& node, const PartDeck& 
   const bool is_line = std::holds_alternative<LineShape>(part.shape);
   const bool may_have = is_line || std::holds_alternative<FileMesh>(part.shape);
   const Node *section = node.find("section"), *toward = node.find("toward");
-  for (const Node* given : {section, toward}) {
+  for (const char* key : {"section", "toward", "contact_radius"}) {
+    const Node* const given = node.find(key);
     if (may_have || given == nullptr) continue;
-    reader.error(given->key, fmt::format("{} has no effect{} (only beams have a cross section)",
-                                         reader.name_of(given == section ? "section" : "toward"), reader.in()));
+    reader.error(given->key,
+                 fmt::format("{} has no effect{} (only beams have a cross section)", reader.name_of(key), reader.in()));
     return false;
   }
   if (is_line && section == nullptr) {
     reader.error(node.key, fmt::format("{} has no section (its beams need one)", reader.self()));
     return false;
   }
-  if (section == nullptr && toward != nullptr) {
-    reader.error(toward->key, fmt::format("{} has no effect{} (it applies only with a section, and none is given)",
-                                          reader.name_of("toward"), reader.in()));
+  for (const char* key : {"toward", "contact_radius"}) {
+    const Node* const given = node.find(key);
+    if (section != nullptr || given == nullptr) continue;
+    reader.error(given->key, fmt::format("{} has no effect{} (it applies only with a section, and none is given)",
+                                         reader.name_of(key), reader.in()));
     return false;
   }
   if (section == nullptr) return true;

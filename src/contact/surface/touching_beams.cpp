@@ -1,0 +1,131 @@
+#include "src/contact/surface/touching_beams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "comm/exchange/item_exchange.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/index.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+/// An end of a beam on its way to the owner of its node, and back if it is free.
+struct BeamEnd {
+  std::int64_t node = 0;
+  int rank = 0;
+};
+
+bool is_before_end(const BeamEnd& a, const BeamEnd& b) { return a.node != b.node ? a.node < b.node : a.rank < b.rank; }
+
+/// Whether beams of a part touch: all where all surfaces do, else those of parts that a pair names.
+bool may_touch(const Mesh& mesh, const ContactDeck& contact, const std::string& part) {
+  if (contact.surfaces == ContactDeck::Surfaces::all) return contact.beams;
+  const auto means = [&](const Selector& side) {
+    if (side.inside || (!side.name.empty() && side.name != part)) return false;
+    return contact.beams || names_beams_alone(mesh, side);
+  };
+  return std::any_of(contact.pairs.begin(), contact.pairs.end(),
+                     [&](const SurfacePairDeck& pair) { return means(pair.a) || means(pair.b); });
+}
+
+/// E L / 2: a bar that is pressed from the side resists about as a layer of its own thickness.
+double find_beam_spring(const MaterialDeck& material, double length) {
+  const LameConstants moduli = find_moduli(material);
+  const double youngs = moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
+  return 0.5 * youngs * length;
+}
+
+}  // namespace
+
+std::vector<double> find_touching_radii(const Mesh& mesh, const Deck& deck) {
+  std::vector<double> radii(mesh.parts.size(), 0);
+  if (deck.contact.surfaces == ContactDeck::Surfaces::none) return radii;
+  for (const ElementBlock& block : mesh.elements.blocks) {  // the same on all ranks
+    const PartDeck& part = deck.parts[at(block.part)];
+    if (!find_topology(block.topology).is_line() || !part.section || !may_touch(mesh, deck.contact, part.name))
+      continue;
+    radii[at(block.part)] = part.contact_radius.value_or(find_contact_radius(*part.section));
+  }
+  return radii;
+}
+
+bool has_touching_beams(const Mesh& mesh, const Deck& deck) {
+  const std::vector<double> radii = find_touching_radii(mesh, deck);
+  return std::any_of(radii.begin(), radii.end(), [](double radius) { return radius > 0; });
+}
+
+std::vector<std::string> describe_touching_beams(const Deck& deck, const std::vector<double>& radii) {
+  std::vector<std::string> lines;
+  for (std::size_t p = 0; p < radii.size(); ++p) {
+    if (radii[p] == 0) continue;
+    const PartDeck& part = deck.parts[p];
+    const bool is_round =
+        std::holds_alternative<RoundSection>(*part.section) || std::holds_alternative<TubeSection>(*part.section);
+    const char* const from = part.contact_radius ? "contact_radius"
+                             : is_round          ? "that of the section"
+                                                 : "the circle with the area of the section";
+    lines.push_back(fmt::format("beams of part '{}' touch with radius {:.4g} ({})", part.name, radii[p], from));
+  }
+  return lines;
+}
+
+std::vector<TouchingBeam> list_touching_beams(const ChunkedMesh& chunked, const Deck& deck, int rank) {
+  const Mesh& mesh = chunked.mesh;
+  const std::vector<double> radii = find_touching_radii(mesh, deck);
+  std::vector<TouchingBeam> beams;
+  const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
+  const bool has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const double radius = radii[at(mesh.part_of(e))];
+    if (radius == 0 || !mesh.topology_of(e).is_line()) continue;
+    if (!mesh.eroded.dead.empty() && mesh.eroded.dead[e] != 0) continue;
+    const std::span<const int> corners = mesh.corners(e);
+    TouchingBeam beam{{corners[0], corners[1]}, mesh.part_of(e), mesh.bodies[e], radius};
+    beam.length = find_distance(mesh.nodes[at(corners[0])], mesh.nodes[at(corners[1])]);
+    if (has_springs) beam.spring = find_beam_spring(deck.materials[at(mesh.block_of(e).material)], beam.length);
+    EdgeTopology& edge = beam.edge;
+    for (std::size_t i = 0; i < 2; ++i) edge.ends[i] = mesh.node_numbers[at(corners[i])];
+    if (edge.ends[1] < edge.ends[0]) std::swap(edge.ends[0], edge.ends[1]);
+    for (std::size_t i = 0; i < 4; ++i) edge.wings[i] = edge.ends[i % 2];
+    edge.elements[0] = edge.elements[1] = numbers[e];
+    edge.home = rank;
+    edge.offset = radius;
+    beams.push_back(beam);
+  }
+  return beams;
+}
+
+void mark_free_ends(const Numbering& numbering, const Communicator& ranks, std::vector<FoundEdge>& beams) {
+  std::vector<BeamEnd> sent;
+  std::vector<int> to;
+  for (const FoundEdge& beam : beams)
+    for (const std::int64_t end : beam.edge.ends) {
+      sent.push_back({end, ranks.rank()});
+      to.push_back(numbering.find_node_owner(end));
+    }
+  std::vector<BeamEnd> ends = ItemExchange(ranks).send(to, sent);
+  std::sort(ends.begin(), ends.end(), is_before_end);
+  sent.clear();
+  to.clear();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const bool is_alone =
+        (i == 0 || ends[i - 1].node != ends[i].node) && (i + 1 == ends.size() || ends[i + 1].node != ends[i].node);
+    if (!is_alone) continue;
+    sent.push_back(ends[i]);
+    to.push_back(ends[i].rank);
+  }
+  std::vector<BeamEnd> free = ItemExchange(ranks).send(to, sent);
+  std::sort(free.begin(), free.end(), is_before_end);
+  for (FoundEdge& beam : beams) {
+    EdgeTopology& edge = beam.edge;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (std::binary_search(free.begin(), free.end(), BeamEnd{edge.ends[i], ranks.rank()}, is_before_end))
+        edge.wings[2 + i] = edge.ends[1 - i];
+  }
+}
+
+}  // namespace percuss
