@@ -46,8 +46,10 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     row = reader.row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD")
     form = row.integer("ELFORM") or 1
     kind = row.integer("CST")
-    if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place, "a rule of integration of the user's", "the section of the card is used"):
-        return None  # the section is that of the rule
+    if row.number("QR") < 0 and form == 1:
+        return make_ruled(deck, card, row)
+    if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place, f"a rule of integration with formulation {form}", "the section of the card is used"):
+        return None
     row.skip("SECID", "SHRF", "QR", "NSM")
     row.finish(deck.ledger, "it is left out")
     if form == 1:
@@ -64,6 +66,48 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
         return {"truss": {"area": area}} if area > 0 else more.fail("A", "must be positive")
     deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2, 3 and 9 are read)", LEFT_OUT)
     return None
+
+
+# ICST of *INTEGRATION_BEAM.
+SHAPES = ("points", "I", "channel", "angle", "T", "box", "Z", "trapezoid", "circle", "tube", "I 2", "rectangle", "cross", "H", "T 2", "I 3", "channel 2", "channel 3", "T 3", "box 2",
+          "hexagon", "hat", "hat 2")  # fmt: skip
+
+
+def read_rules(deck: KeywordDeck, card: Card) -> None:
+    """*INTEGRATION_BEAM: rules of integration, which sections name by -IRID."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("IRID NIP RA ICST K~unused")
+        shape, points = row.integer("ICST"), row.integer("NIP")
+        row.skip("RA", "K")
+        deck.rules[row.integer("IRID")] = row, reader.row("D1 D2 D3~unused D4~unused SREF TREF D5~unused D6~unused") if shape else None
+        for _ in range(points if reader else 0):
+            reader.take()
+
+
+def make_ruled(deck: KeywordDeck, card: Card, section: Row) -> Deck | None:
+    """The section of a rule: a circle, a tube or a rectangle of the standard shapes."""
+    id = -section.integer("QR")
+    if id not in deck.rules:
+        raise BadInput(section.place, missing(f"*INTEGRATION_BEAM {id}, of section {section.integer('SECID')}"))
+    row, sizes = deck.rules[id]
+    shape = row.integer("ICST")
+    name = SHAPES[shape] if 0 <= shape < len(SHAPES) else "unknown shape"
+    if row.integer("NIP") or sizes is None or name not in ("circle", "tube", "rectangle"):
+        what = "points of its own" if sizes is None or row.integer("NIP") else f"the shape of ICST {shape} ({name})"
+        deck.ledger.refuse("INTEGRATION_BEAM.ICST", row.place, f"a section of beams with {what}: circle, tube and rectangle are read", LEFT_OUT)
+        return None
+    first, second = sizes.numbers("D1", "D2")
+    if any(sizes.numbers("SREF", "TREF")):
+        deck.ledger.refuse("INTEGRATION_BEAM.SREF", sizes.place, "nodes that are not in the middle of the section", "they are")
+    section.skip("SECID", "SHRF", "QR", "CST", "NSM")
+    section.finish(deck.ledger, "it is left out")
+    deck.ledger.translated("INTEGRATION_BEAM", row.place, f"section: {name}")
+    if first <= 0 or (name == "rectangle" and second <= 0) or (name == "tube" and not 0 < second < first):
+        sizes.fail("D1", "positive sizes, or an outer radius above the inner one, are expected")
+    if name == "rectangle":
+        return {"rectangle": {"size": [first, second]}}
+    return {"round": {"radius": first}} if name == "circle" else {"tube": {"outer_radius": first, "inner_radius": second}}
 
 
 def make_weld(deck: KeywordDeck, reader: Lines) -> Deck | None:
@@ -112,6 +156,17 @@ def make_general(deck: KeywordDeck, reader: Lines) -> Deck:
         "general": {"area": area, "inertia_y": iss, "inertia_z": itt, "torsion": j if j > 0 else iss + itt,
                     "shear_area_y": shear, "shear_area_z": across}
     }  # fmt: skip
+
+
+def width_of_section(section: Deck) -> float:
+    """Diameter with which a beam of LS-DYNA touches: the first width of ELFORM 1 and 9, the root of the area of 2 and 3."""
+    if "round" in section:
+        return 2 * section["round"]["radius"]
+    if "tube" in section:
+        return 2 * section["tube"]["outer_radius"]
+    if "general" in section or "truss" in section:
+        return (section["general"] if "general" in section else section["truss"])["area"] ** 0.5
+    return next(iter(section.values()))["size"][0]
 
 
 def has_axes(section: Deck) -> bool:

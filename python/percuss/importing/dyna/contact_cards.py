@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 
 from ..fields import REASONS, Row
 from ..ledger import Place
-from ..model import Deck
+from ..model import Block, Deck
+from .beam_cards import width_of_section
 from .cards import Card, Lines
 from .deck import KeywordDeck
 from .reaches import find_reach
@@ -174,7 +175,7 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
         transduce(deck, contact)
     elif find_strengths(contact):
         if "ONLY" not in options:  # contact goes on where the tie has failed
-            add_pairs(deck, contact, is_single=False)
+            add_pairs(deck, contact, False, options)
         tie(deck, contact)
     elif breaks:
         if deck.ledger.refuse(name, contact.place, *tell_breaking(contact)):
@@ -182,7 +183,7 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
     elif kind == TIE:
         tie(deck, contact)
     else:
-        add_pairs(deck, contact, is_single=kind == SINGLE)
+        add_pairs(deck, contact, kind == SINGLE, options)
 
 
 def tell_breaking(contact: Contact) -> tuple[str, str]:
@@ -216,24 +217,53 @@ def list_named_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int
     return None
 
 
-def has_surface(deck: KeywordDeck, contact: Contact, side: str) -> bool:
-    """Whether something of a side can touch. Beams cannot: a side of beams alone is refused, beams among others are told."""
+def list_side_beams(deck: KeywordDeck, contact: Contact, side: str) -> list[Block]:
+    """Blocks of beams of a side; of a side by nodes those that have them, whole. Spot welds lie within what they hold together, and touch nothing."""
     parts = list_side_parts(deck, contact, side)
-    blocks = [block for block in deck.model.blocks if parts is not None and block.part in parts]
-    beams = [block for block in blocks if block.beams]
-    if beams and len(beams) == len(blocks):
-        deck.ledger.refuse(f"{contact.keyword}.beams", contact.place, "contact of beams (beams of percuss touch nothing)", INSTEAD)
-        return False
-    if beams:
-        deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "solids and shells alone: beams of percuss touch nothing")
-    return True
+    blocks = [block for block in deck.model.blocks if block.beams and parts is not None and block.part in parts]
+    welds = [block for block in blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
+    if welds:
+        deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "beams of *MAT_SPOTWELD touch nothing")
+    return [block for block in blocks if block not in welds]
+
+
+def set_contact_radius(deck: KeywordDeck, contact: Contact, side: str, block: Block) -> None:
+    """Beams touch as circles. Their diameter is SST or OPTT, else TS1 of ELFORM 1 and 9, or the root of the area of 2 and 3, times SFST."""
+    section: Deck = block.keys["section"]
+    width = abs(contact.scale.number(f"{side}ST")) or deck.parts[block.part].contact_thickness
+    if not width:
+        width = width_of_section(section) * (contact.scale.number(f"SF{side}T") or 1.0)
+    radius, own = block.keys.get("contact_radius"), 0.5 * width
+    if radius is not None and radius != own:
+        text = f"a contact thickness of the beams of part {block.part} of {2 * own:g}, which is {2 * radius:g} in another contact"
+        deck.ledger.refuse(f"CONTACT.{side}ST", contact.place, text, "that of the first contact acts in all")
+        return
+    block.keys["contact_radius"] = own
+
+
+def list_beam_pairs(deck: KeywordDeck, contact: Contact, sides: str, names: list[str | None], options: list[str]) -> list[tuple[str, str]]:
+    """Pairs with beams. sides: of the contact; names: the surfaces beside them. Where each is long, as in _GENERAL, beams touch each other, too."""
+    beams = [list_side_beams(deck, contact, side) for side in sides]
+    for side, blocks in zip(sides, beams):
+        for block in blocks:
+            set_contact_radius(deck, contact, side, block)
+    others, of_others = names[-1], beams[-1]
+    pairs = [(block.name, others or "all") for block in beams[0] if others is not None]
+    if len(sides) > 1:
+        pairs += [(names[0] or "all", block.name) for block in of_others if names[0] is not None]
+    if "AUTOMATIC_GENERAL" in contact.keyword or "MORTAR" in options:
+        pairs += [(a.name, b.name) for i, a in enumerate(beams[0]) for b in (beams[0][i:] if len(sides) == 1 else of_others)]
+    elif beams[0] and of_others:
+        text = "beams touch surfaces and edges, not each other, as in LS-DYNA but for nodes of beams: *CONTACT_AUTOMATIC_GENERAL has them"
+        deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, text)
+    return pairs
 
 
 def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = False) -> str | None:
     """The surface of a side: an empty name for all, None for nothing."""
     id, kind, place = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP"), contact.place
     if kind == 5 or (kind in (0, 2) and id == 0):
-        return ""
+        return None if all(block.beams for block in deck.model.blocks) else ""
     if kind == 0:
         return deck.segment_set_name(id, place)
     if kind == 1:
@@ -248,7 +278,7 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
         return deck.name_blocks(without_beams(deck, deck.without_skins(parts)), f"surface_{id}") or None
     if kind == 3:
         deck.find_part(id, place)
-        return deck.name_blocks(deck.without_skins([id]), f"surface_{id}") or None
+        return deck.name_blocks(without_beams(deck, deck.without_skins([id])), f"surface_{id}") or None
     if kind == 4 and for_tie:
         return deck.node_set_name(id, place)
     if kind == 4:
@@ -358,22 +388,25 @@ def check_thickness(deck: KeywordDeck, contact: Contact, side: str, field: str, 
         )
 
 
-def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
-    """A pair of a surface with itself, or of two surfaces."""
+def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool, options: list[str]) -> None:
+    """A pair of a surface with itself, or of two surfaces, and pairs with beams."""
     contact.sides.skip("MSID", "MSTYP")
-    if not all([has_surface(deck, contact, side) for side in ("S" if is_single else "SM")]):
-        return
     a = name_whole(deck, side_name(deck, contact, "S"))
     b = a if is_single else name_whole(deck, side_name(deck, contact, "M"))
+    pairs = [] if a is None or b is None else [(a or "all", b or "all")]
+    pairs += list_beam_pairs(deck, contact, "S" if is_single else "SM", [a] if is_single else [a, b], options)
     by_part = contact.law.number("FS") == -1
     friction = find_friction(deck, contact)
     times = find_times(deck, contact)
     check_fields(deck, contact)
-    if a is None or b is None:
+    if not pairs:
         deck.ledger.ignored(contact.keyword, contact.place, "one of its sides has no element")
         return
-    deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title, "by_part": by_part, "times": times})
+    for one, other in pairs:
+        deck.contacts.append({"a": one, "b": other, "friction": friction, "title": contact.title, "by_part": by_part, "times": times})
     text = "contact.surfaces: a surface with itself" if is_single else "contact.surfaces: a pair, both ways"
+    if "INTERIOR" in options:
+        deck.ledger.approximated(f"{contact.keyword}.INTERIOR", contact.place, "edges inside shells touch other edges where they fold by 10 degrees")
     if "AUTOMATIC" in contact.keyword or "ERODING" in contact.keyword:
         deck.ledger.translated(contact.keyword, contact.place, text)
     else:
@@ -412,7 +445,7 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.refuse(
             "CONTACT_TIED.BT", contact.place, "a tie that begins during the run", "the surfaces are in contact, not tied"
         )
-        add_pairs(deck, contact, is_single=False)
+        add_pairs(deck, contact, False, [])
         return
     a, b = tied_name(deck, contact), side_name(deck, contact, "M")
     thicknesses = contact.scale.numbers("SST", "MST")
@@ -497,7 +530,7 @@ def read_defaults(deck: KeywordDeck, card: Card) -> None:
 
 
 def check_part_thicknesses(deck: KeywordDeck) -> None:
-    """OPTT of *PART_CONTACT: shells touch at half their own thickness, and beams not at all."""
+    """OPTT of *PART_CONTACT: shells touch at half their own thickness; of beams it is the diameter."""
     for block in deck.model.blocks:
         wanted = deck.parts[block.part].contact_thickness
         own = set(block.thicknesses.values()) or {block.thickness or 0.0}

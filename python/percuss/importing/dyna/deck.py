@@ -215,6 +215,7 @@ class KeywordDeck:
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts
         self.detonations: list[tuple[int, Vector, Place]] = []  # part or 0 for all, point
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
+        self.rules: dict[int, tuple[Row, Row | None]] = {}  # *INTEGRATION_BEAM: its first two lines
         self.skins: dict[int, list[Any]] = {}  # materials.skins.Skin, by the part whose shells they are
         self.masses_of_sets: list[Row] = []  # of sets of nodes, of parts
         self.springs: list[SpringElement] = []

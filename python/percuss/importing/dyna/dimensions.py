@@ -33,6 +33,7 @@ FIELDS: dict[str, str] = {
     "ELEMENT_SEATBELT_ACCELEROMETER": "mass: MASS",
     "PART": BODY, "CONSTRAINED_NODAL_RIGID_BODY": BODY,
     "SECTION_SHELL": "length: T1 T2 T3 T4; per_area: MAREA",
+    "INTEGRATION_BEAM": "length: D1 D2 D3 D4 D5 D6",
     "SECTION_BEAM": "length: TS1 TS2 TT1 TT2; area: A SA SAT; area2: ISS ITT IST J; per_length: NSM; time: RAMPT; stress: STRESS",
     "DEFINE_CURVE_SMOOTH": "length: DIST; time: TSTART TEND TRISE; speed: VMAX",
     "CONTROL_TERMINATION": "time: ENDTIM", "CONTROL_TIMESTEP": "time: DTINIT TSLIMT DT2MS DT2MSF",

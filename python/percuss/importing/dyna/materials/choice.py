@@ -121,7 +121,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
         law = translate_rigid(deck, card)
-    elif law_name == "NULL" and use.is_shell and not use.state and cover(deck, block, use.density):
+    elif law_name == "NULL" and (use.is_shell or use.is_beam) and not use.state and cover(deck, block, use.density):
         return None
     elif law_name in LAWS:
         law = translate(deck, card, use, LAWS[law_name])
