@@ -161,7 +161,7 @@ bool fill_row(const Reader& reader, const Node& node, WeldDeck& weld) {
                  length > 0
                      ? fmt::format("{} is {:g}{} (the row of length {:g} would have {:.0f} welds): give a larger one",
                                    reader.name_of("pitch"), *weld.pitch, reader.in(), length, spaces + 1)
-                     : fmt::format("{} is the place of {}{} (a row has two ends): use at for one weld",
+                     : fmt::format("{} is the same place as {}{} (a row has two ends): use at for one weld",
                                    reader.name_of("to"), reader.name_of("from"), reader.in()));
     return false;
   }

@@ -374,6 +374,64 @@ std::vector<WrongDeck> at_odds() {
   };
 }
 
+/// Parts that are made of parts and placed, rows of welds, means of parts.
+std::vector<WrongDeck> placed_parts() {
+  return {
+      {"MirrorOfAnUnknownPart", append("mirror: [{parts: [rot], normal: x}]"), "6:10",
+       "mirror.0 names part 'rot', which is unknown (did you mean 'rod'?)"},
+      {"MirrorWithoutANewName", append("mirror: [{parts: [rod], normal: x, suffix: ''}]"), "6:10",
+       "mirror.0 would call a part 'rod'"},
+      {"MirrorTwice", append("mirror: [{parts: [rod, rod], normal: x}]"), "6:10",
+       "mirror.0 would make a part 'rod_mirror' (the deck has one already)"},
+      {"PatternOfNeitherKind", append("pattern: [{parts: [rod]}]"), "6:11",
+       "'pattern.0' has neither linear nor circular"},
+      {"PatternOfOne", append("pattern: [{parts: [rod], linear: {count: 1, step: [1, 0, 0]}}]"), "6:42",
+       "pattern.0.linear.count is 1 (must be at least 2)"},
+      {"PatternOfTooMany", append("pattern: [{parts: [rod], linear: {count: 2000000000, step: [1, 0, 0]}}]"), "6:42",
+       "pattern.0.linear.count is 2000000000 (must be at most 1000)"},
+      {"PatternInPlace", append("pattern: [{parts: [rod], linear: {count: 2, step: [0, 0, 0]}}]"), "6:51",
+       "pattern.0.linear.step is zero (the copies would coincide)"},
+      {"PatternOfFullTurns", append("pattern: [{parts: [rod], circular: {count: 3, axis: z, step: 180}}]"), "6:36",
+       "'pattern.0.circular' turns copy 3 by a multiple of 360 degrees"},
+      {"PlaceOfAnUnknownPart", append("place: [{parts: [rot], direction: -z, lowest: {face: [0, 0, -1]}}]"), "6:9",
+       "place.0.parts names part 'rot', which is unknown (did you mean 'rod'?)"},
+      {"PlaceThatDoesNothing", append("place: [{parts: [rod], direction: -z}]"), "6:9",
+       "'place.0' does nothing (must have lowest or rest_on)"},
+      {"PlaceWithoutADirection", append("place: [{parts: [rod], lowest: {face: [0, 0, -1]}}]"), "6:9",
+       "place.0 has no direction (there is no gravity at time 0, which would give it)"},
+      {"PlaceOnItself", append("place: [{parts: [rod], direction: -z, rest_on: {part: rod}}]"), "6:48",
+       "place.0.rest_on.part is 'rod' (it moves itself)"},
+      {"PlaceOnNoWall", append("place: [{parts: [rod], direction: -z, rest_on: {wall: floor}}]"), "6:48",
+       "place.0.rest_on.wall is 'floor', which is no name of a wall"},
+      {"PlaceOnNothing", append("place: [{parts: [rod], direction: -z, rest_on: {clearance: 1}}]"), "6:48",
+       "'place.0.rest_on' has neither wall nor part"},
+      {"LowestCornerOfAnEdge", append("place: [{parts: [rod], direction: -z, lowest: {corner: [0, 1, 1]}}]"), "6:56",
+       "place.0.lowest.corner is [0, 1, 1] (must be a list of 3, each -1 or 1)"},
+      {"LowestOfTwoKinds",
+       append("place: [{parts: [rod], direction: -z, lowest: {corner: [1, 1, 1], face: [0, 0, 1]}}]"), "6:47",
+       "'place.0.lowest' has several keys"},
+      {"JoinSideWithoutAPart", append("join: [{sides: [x_min]}]"), "6:17",
+       "join.0.sides.0 is 'x_min' (must be a side or a set with its part"},
+      {"MotionOfAPartTwice", append("output: {history: {motion: [rod, rod]}}"), "6:34",
+       "output.history.motion.1 is 'rod' (must be a name from parts, each once)"},
+      {"WeldRowWithoutPitch",
+       append("welds: {w: {between: [rod, rod/x_min], from: [0, 0, 0], to: [1, 0, 0], radius: 1}}"), "6:12",
+       "pitch is missing in weld 'w'"},
+      {"WeldRowOfNoLength",
+       append("welds: {w: {between: [rod, rod/x_min], from: [0, 0, 0], to: [0, 0, 0], pitch: 1, radius: 1}}"), "6:61",
+       "to is the same place as from in weld 'w'"},
+      {"WeldRowOfTooMany",
+       append("welds: {w: {between: [rod, rod/x_min], from: [0, 0, 0], to: [1, 0, 0], pitch: 1e-9, radius: 1}}"),
+       "6:79", "would have 1000000000 welds"},
+      {"WeldRowAndPlaces",
+       append("welds: {w: {between: [rod, rod/x_min], from: [0, 0, 0], to: [1, 0, 0], pitch: 1, at: [0, 0, 0], radius: "
+              "1}}"),
+       "6:12", "weld 'w' has places in several ways"},
+      {"WeldsOfNoFile", append("welds: {w: {between: [rod, rod/x_min], file: no.csv}}"), "6:46",
+       "file is 'no.csv' in weld 'w' (there is no file"},
+  };
+}
+
 /// Joints and sets of nodes.
 std::vector<WrongDeck> joined_bodies() {
   return {
@@ -463,7 +521,7 @@ std::vector<WrongDeck> wrong_starts() {
 
 std::vector<WrongDeck> wrong_section_decks() {
   std::vector<WrongDeck> all = missing_keys();
-  for (const auto& part : {unknown_names(), at_odds(), joined_bodies(), wrong_starts()})
+  for (const auto& part : {unknown_names(), at_odds(), placed_parts(), joined_bodies(), wrong_starts()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
