@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, FIRST, LARGEST, LAST, MAX, MIN, Proof
-from .pieces import CUBE_MASS, cube, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
+from .pieces import CUBE_MASS, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
 MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
