@@ -6,6 +6,8 @@
 //   e(n+1) = e(n) + w - ((p(n) + p(n+1)) / 2 + q) (J(n+1) - J(n)),   w: work of the deviatoric stress
 // which is solved for p(n+1) together with the equation of state (Wilkins 1964).
 
+#include <limits>
+
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/point_step.hpp"
 
@@ -28,15 +30,25 @@ struct StatePoint {
   T lighting_time;  // of an explosive: when the detonation arrives
 };
 
+/// The pressure below which none falls, of every equation of state, where the deck gives none.
+inline constexpr double no_cutoff = -std::numeric_limits<double>::infinity();
+template <class State>
+constexpr MaterialKey<State> cutoff_key() {
+  return may("least_pressure", &State::least_pressure, KeyRange::not_positive, "pressure",
+             "Cutoff of tension: the pressure stays level there, and nothing fails.");
+}
+
 /// p = K (1/J - 1).
 struct LinearState {
   static constexpr const char* name = "linear";
   using Constants = LinearState;
   double bulk_modulus = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     return std::array{
-        need("bulk_modulus", &LinearState::bulk_modulus, KeyRange::positive, "pressure", "K of p = K (V0 / V - 1).")};
+        need("bulk_modulus", &LinearState::bulk_modulus, KeyRange::positive, "pressure", "K of p = K (V0 / V - 1)."),
+        cutoff_key<LinearState>()};
   }
   double find_start_energy() const { return 0; }
 
@@ -56,6 +68,7 @@ struct MieGrueneisenState {
   using Constants = MieGrueneisenState;
   double sound_speed = 0, slope = 0, grueneisen = 0, start_energy = 0;
   double slope_2 = 0, slope_3 = 0, grueneisen_slope = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = MieGrueneisenState;
@@ -69,7 +82,8 @@ struct MieGrueneisenState {
             "s2 of the Hugoniot Us = c + (s + s2 h + s3 h^2) up, h = 1 - V / V0."),
         may("slope_3", &M::slope_3, KeyRange::any, "-", "s3 of the Hugoniot; see slope_2."),
         may("grueneisen_slope", &M::grueneisen_slope, KeyRange::any, "-",
-            "a of Gamma + a m, by which the energy acts; m = V0 / V - 1.")};
+            "a of Gamma + a m, by which the energy acts; m = V0 / V - 1."),
+        cutoff_key<M>()};
   }
   double find_start_energy() const { return start_energy; }
 
@@ -96,6 +110,7 @@ struct PolynomialState {
   static constexpr const char* name = "polynomial";
   using Constants = PolynomialState;
   double c0 = 0, c1 = 0, c2 = 0, c3 = 0, c4 = 0, c5 = 0, c6 = 0, start_energy = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = PolynomialState;
@@ -108,7 +123,8 @@ struct PolynomialState {
         may("c4", &M::c4, KeyRange::not_negative, "-", "c4 of the pressure; see c0."),
         may("c5", &M::c5, KeyRange::any, "-", "c5 of the pressure; see c0."),
         may("c6", &M::c6, KeyRange::any, "-", "c6 of the pressure, in compression only; see c0."),
-        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
+        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start."),
+        cutoff_key<M>()};
   }
   double find_start_energy() const { return start_energy; }
 
@@ -129,6 +145,7 @@ struct TabulatedState {
   using Constants = TabulatedState;
   MaterialTable cold, heat;
   double gamma = 0, start_energy = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = TabulatedState;
@@ -137,7 +154,8 @@ struct TabulatedState {
              "C of p = C + gamma T e over ln(V / V0), falling; the first and the last slope continue."),
         may("heat", &M::heat, KeyRange::any, "-, -", "T over ln(V / V0); see cold. Without it, C is all."),
         may("gamma", &M::gamma, KeyRange::any, "-", "gamma of the pressure; see cold."),
-        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
+        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start."),
+        cutoff_key<M>()};
   }
   const char* find_fault() const {
     if (cold.rows < 2) return "a curve cold of one row (it has no slope)";
@@ -175,12 +193,14 @@ struct IdealGasState {
   static constexpr const char* name = "ideal_gas";
   using Constants = IdealGasState;
   double gamma = 0, start_energy = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = IdealGasState;
     return std::array{
         need("gamma", &M::gamma, KeyRange::above_one, "-", "Ratio of specific heats."),
-        need("start_energy", &M::start_energy, KeyRange::positive, "energy / volume", "Internal energy at the start.")};
+        need("start_energy", &M::start_energy, KeyRange::positive, "energy / volume", "Internal energy at the start."),
+        cutoff_key<M>()};
   }
   double find_start_energy() const { return start_energy; }
 

@@ -61,11 +61,12 @@ PERCUSS_NO_INLINE StateChange<T> advance_state(const State& state, const Symmetr
     now.by_energy = select(open, again.by_energy, now.by_energy);
     now.by_volume = select(open, again.by_volume, now.by_volume);
   }
+  // adiabatic: -J dp/dJ with de = -p dJ; at the cutoff that of the state, which is there again once it closes
+  const T bulk = larger(j * (pressure * now.by_energy - now.by_volume), T(least_bulk));
+  pressure = larger(pressure, T(state.least_pressure));
   history[0] = known - half * change * pressure;
   history[1] = j;
   step.stress = add_pressure(deviator, -pressure);
-  // adiabatic: -J dp/dJ with de = -p dJ
-  const T bulk = larger(j * (pressure * now.by_energy - now.by_volume), T(least_bulk));
   step.lambda = bulk - T(2.0 / 3.0) * step.mu;
   return {change, now.by_energy};
 }

@@ -14,6 +14,7 @@ struct JwlState {
   using Constants = JwlState;
   double a = 0, b = 0, r1 = 0, r2 = 0, omega = 0, energy = 0, detonation_velocity = 0;
   double detonation_point[3] = {0, 0, 0};
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = JwlState;
@@ -26,7 +27,8 @@ struct JwlState {
         need("energy", &M::energy, KeyRange::positive, "energy / volume", "Chemical energy."),
         need("detonation_velocity", &M::detonation_velocity, KeyRange::positive, "velocity",
              "Speed at which the burn spreads."),
-        need("detonation_point", &M::detonation_point, KeyRange::any, "length", "Where it is lit, at time 0.")};
+        need("detonation_point", &M::detonation_point, KeyRange::any, "length", "Where it is lit, at time 0."),
+        cutoff_key<M>()};
   }
   double find_start_energy() const { return energy; }
 

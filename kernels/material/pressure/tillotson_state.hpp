@@ -14,6 +14,7 @@ struct TillotsonState {
   using Constants = TillotsonState;
   double a = 0, b = 0, bulk_a = 0, bulk_b = 0, reference_energy = 0, alpha = 0, beta = 0;
   double incipient_energy = 0, vapour_energy = 0, start_energy = 0;
+  double least_pressure = no_cutoff;
 
   static constexpr auto keys() {
     using M = TillotsonState;
@@ -31,7 +32,8 @@ struct TillotsonState {
              "Where an expanded material begins to vaporise."),
         need("vapour_energy", &M::vapour_energy, KeyRange::positive, "energy / mass",
              "Where it is all vapour; above incipient_energy."),
-        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
+        may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start."),
+        cutoff_key<M>()};
   }
   const char* find_fault() const {
     return vapour_energy > incipient_energy ? "" : "a vapour_energy that is not above its incipient_energy";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "tests/kernels/material/point_driver.hpp"
@@ -58,6 +59,31 @@ void compare_isentrope(const State& state, double end) {
 }
 
 }  // namespace
+
+// The work of the cutoff heats; compressed again, the pressure is that of the state with this energy.
+TEST(EquationOfState, StaysLevelAtItsCutoff) {
+  MieGrueneisenState state{4000, 1.5, 2, 1e8};
+  state.least_pressure = -3e7;
+  Point<Fluid> point(Fluid{}, density, state);
+  point.advance({}, 0);
+  change_volume(point, 1.05, 4000);
+  EXPECT_EQ(find_pressure(point.stress), -3e7);
+  change_volume(point, 0.98, 4000);
+  const auto pressure = [&](double j, double e) { return std::max(evaluate(state, j, e), -3e7); };
+  const double open = integrate_isentrope(pressure, 1e8, 1, 1.05), e = integrate_isentrope(pressure, open, 1.05, 0.98);
+  EXPECT_NEAR(find_pressure(point.stress), pressure(0.98, e), 1e-5 * pressure(0.98, e));
+}
+
+TEST(Fluid, HasTwiceItsViscosityTimesTheDeviatorOfTheRate) {
+  Point<Fluid> point(Fluid{2.5}, density, LinearState{10e9});
+  const double dt = 1e-6;
+  point.advance({3e-6, 0, 0, 4e-6, -1e-6, 0}, dt);
+  EXPECT_NEAR(point.stress.xy, 2 * 2.5 * 4, 1e-12);
+  EXPECT_NEAR(point.stress.yz, 2 * 2.5 * -1, 1e-12);
+  EXPECT_NEAR(point.stress.xx - point.stress.yy, 2 * 2.5 * 3, 1e-9);
+  point.advance({}, dt);
+  EXPECT_EQ(point.stress.xy, 0);
+}
 
 TEST(EquationOfState, EveryKindFollowsItsIsentropesAndTellsTheirModulus) {
   for (const double end : {0.7, 0.95, 1.05}) {

@@ -3,7 +3,7 @@
 from ...model import Deck, Vector
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, level_tension, limit_tension
+from .shared import Use, finish_lines, limit_tension
 from .states import initial_bulk_modulus, translate_state
 
 
@@ -31,8 +31,8 @@ def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         row.fail("K", "must be positive")
     row.skip("E", "PR")
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": bulk}}
-    if more.number("CP") < bulk and not (more.number("CP") > 0 and level_tension(deck, more, law, "CP", -more.number("CP"))):
-        deck.ledger.refuse(f"{card.keyword}.CP", more.place, "CP: a limit of tension", "there is no limit")
+    if more.number("CP") < bulk:
+        law["equation_of_state"]["least_pressure"] = -max(more.number("CP"), 0.0)
     row.finish(deck.ledger)
     more.finish(deck.ledger, "there is none")
     finish_lines(deck, card, reader)
@@ -56,6 +56,8 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         )
         return None
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
+    if row.number("MU"):
+        law["viscosity"] = row.number("MU")
     limit_tension(deck, row, law, initial_bulk_modulus(state, law["density"]))
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)

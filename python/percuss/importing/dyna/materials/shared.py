@@ -9,7 +9,6 @@ from ...model import Deck
 from ..cards import Card, Lines
 from ..deck import KeywordDeck
 from ..dimensions import scale
-from .cutoffs import cut_tension
 
 FAR = 1.0  # plastic strain by which a table goes on with its last slope
 COROTATIONAL = {9}  # ELFORM of solids of *MAT_MODIFIED_HONEYCOMB, beside 0
@@ -132,21 +131,10 @@ def limit_tension(deck: KeywordDeck, row: Row, law: Deck, bulk: float, stays: bo
         return
     if -limit >= bulk > 0:
         deck.ledger.ignored(f"{row.card}.PC", row.place, "a tension beyond the bulk modulus, which nothing reaches")
-    elif stays and level_tension(deck, row, law, "PC", limit):
-        return
+    elif stays and "equation_of_state" in law:
+        law["equation_of_state"]["least_pressure"] = limit
     elif deck.ledger.refuse(f"{row.card}.PC", row.place, "a tension cutoff without failure", "the element fails at it"):
         set_failure(law, pressure=-limit)
-
-
-def level_tension(deck: KeywordDeck, row: Row, law: Deck, field: str, limit: float) -> bool:
-    """Whether the equation of state of a law can stay level at a tension. limit: the pressure there."""
-    found = cut_tension(law["equation_of_state"], law["density"], limit) if "equation_of_state" in law else None
-    if found is None:
-        return False
-    law["equation_of_state"], error = found
-    text = f"equation_of_state: tabulated, level from the cutoff on; between rows within {100 * error:.2g} % to half of the volume"
-    deck.ledger.approximated(f"{row.card}.{field}", row.place, text)
-    return True
 
 
 def tell_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
