@@ -62,13 +62,14 @@ struct ConstraintDeck {
 
 /// What two rigid bodies, or one and the ground, have in common.
 struct JointDeck {
-  enum class Kind { spherical, revolute, cylindrical, translational, planar, universal, fixed };
+  enum class Kind { spherical, revolute, cylindrical, translational, planar, universal, fixed, screw };
   std::string name;
   Kind kind = Kind::spherical;
   std::vector<std::string> bodies;  // one: it is joined to the ground
   Vec3 at{};                        // the common point at time 0
   std::optional<Vec3> axis;         // a unit vector at time 0; of all kinds but spherical and fixed
   std::optional<Vec3> second_axis;  // likewise, on the second body, across the axis; of universal joints
+  std::optional<double> lead;       // of screws: way along the axis of a turn of the first body about it [length]
   Place place;
 };
 
@@ -83,6 +84,7 @@ struct JointTraits {
   const char* motion;  // that it leaves
   bool has_axis() const { return kind != JointDeck::Kind::spherical && kind != JointDeck::Kind::fixed; }
   bool has_second_axis() const { return kind == JointDeck::Kind::universal; }
+  bool has_lead() const { return kind == JointDeck::Kind::screw; }
 };
 
 /// In the order of JointDeck::Kind.
@@ -98,7 +100,9 @@ inline constexpr std::array joint_traits{
                 "slides across an axis and turns about it"},
     JointTraits{"universal", JointDeck::Kind::universal, JointTraits::Point::all, false, true,
                 "turns about an axis of each body"},
-    JointTraits{"fixed", JointDeck::Kind::fixed, JointTraits::Point::all, true, true, "does not move"}};
+    JointTraits{"fixed", JointDeck::Kind::fixed, JointTraits::Point::all, true, true, "does not move"},
+    JointTraits{"screw", JointDeck::Kind::screw, JointTraits::Point::across, true, false,
+                "slides along an axis as it turns about it"}};
 
 inline const JointTraits& find_traits(JointDeck::Kind kind) { return joint_traits[static_cast<std::size_t>(kind)]; }
 

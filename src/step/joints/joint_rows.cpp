@@ -1,6 +1,7 @@
 #include "src/step/joints/joint_rows.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "src/index.hpp"
 
@@ -45,6 +46,23 @@ double find_skew(const Joint& joint, const std::vector<RigidState>& bodies) {
                             find_direction(joint.ends[1], joint.ends[1].turn, bodies));
 }
 
+/// The angle by which the first body has turned about the axis against the second, between -pi and pi: the turn of the
+/// second is a right angle ahead at the start.
+double find_angle(const Joint& joint, const std::vector<RigidState>& bodies) {
+  const Vector axis = find_direction(joint.ends[0], joint.ends[0].axis, bodies),
+               turn = find_direction(joint.ends[0], joint.ends[0].turn, bodies),
+               ahead = find_direction(joint.ends[1], joint.ends[1].turn, bodies);
+  return std::atan2(dot(turn, ahead), dot(turn, cross(ahead, axis)));
+}
+
+/// An angle without the whole turns in it.
+double take_turns_off(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+/// What the way of a step, and the turn of a direction that it is measured along, add to a way.
+double find_way_change(const Vector& way, const Vector& apart, const Vector& before, const Vector& after) {
+  return dot(way, after) + dot(apart, after - before);
+}
+
 /// The directions of the ways that are kept. Those of a point that slides turn with the first body.
 std::array<Vector, 3> find_ways(const Joint& joint, const JointFrame& frame, const Vector& axis) {
   if (joint.point == JointTraits::Point::all) return {axes[0], axes[1], axes[2]};
@@ -76,6 +94,10 @@ JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& n
   if (joint.keeps_axis) {
     for (const double turned : find_turned(joint, frame, now)) frame.gap[row++] = turned;
   }
+  if (joint.lead != 0) {  // the whole turns follow from the way, whose error is round-off
+    frame.turn = axis;
+    frame.gap[row] = joint.lead * take_turns_off(dot(frame.apart, axis) / joint.lead - find_angle(joint, now));
+  }
   if (joint.keeps_turn) {
     frame.turn = cross(find_direction(joint.ends[0], joint.ends[0].turn, now),
                        find_direction(joint.ends[1], joint.ends[1].turn, now));
@@ -98,7 +120,10 @@ void add_joint_rows(const Joint& joint, const JointFrame& frame, const std::vect
       if (is_way) {
         row.unit[e] = find_wrench(frame.point - now[at(end.body)].center, sign * frame.way[at(r)]);
       } else {
-        row.unit[e].moment = sign * joint.length * (is_side ? frame.side[at(r - ways)] : frame.turn);
+        const bool is_thread = joint.lead != 0 && !is_side;
+        if (is_thread) row.unit[e] = find_wrench(frame.point - now[at(end.body)].center, sign * frame.turn);
+        const double lever = is_thread ? -joint.lead : joint.length;
+        row.unit[e].moment = row.unit[e].moment + sign * lever * (is_side ? frame.side[at(r - ways)] : frame.turn);
       }
     }
     rows.push_back(row);
@@ -115,10 +140,11 @@ std::array<double, most_joint_rows> find_gap_changes(const Joint& joint, const J
     const int first = joint.ends[0].body;
     const Matrix3<double> before = find_rotation(now[at(first)].orientation),
                           after = find_rotation(next[at(first)].orientation);
-    for (std::size_t r = 0; r < row; ++r) {
-      const Vector turned = after * transpose_times(before, frame.way[r]);
-      changes[r] = dot(way, turned) + dot(frame.apart, turned - frame.way[r]);
-    }
+    for (std::size_t r = 0; r < row; ++r)
+      changes[r] = find_way_change(way, frame.apart, frame.way[r], after * transpose_times(before, frame.way[r]));
+    if (joint.lead != 0)
+      changes[row + 2] = find_way_change(way, frame.apart, frame.turn, after * transpose_times(before, frame.turn)) -
+                         joint.lead * take_turns_off(find_angle(joint, next) - find_angle(joint, now));
   }
   if (joint.keeps_axis) {
     for (const double turned : find_turned(joint, frame, next)) {
@@ -149,6 +175,10 @@ Wrench sum_joint_rows(const Joint& joint, const JointFrame& frame, const double*
   if (joint.keeps_axis) {
     sum.moment = joint.length * (next[0] * frame.side[0] + next[1] * frame.side[1]);
     next += 2;
+  }
+  if (joint.lead != 0) {
+    sum.impulse = sum.impulse + next[0] * frame.turn;
+    sum.moment = sum.moment + (-joint.lead * next[0]) * frame.turn;
   }
   if (joint.keeps_turn) sum.moment = sum.moment + (joint.length * next[0]) * frame.turn;
   return sum;

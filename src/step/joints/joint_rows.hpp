@@ -23,17 +23,17 @@ struct JointFrame {
   Vector3<double> apart{};                // the point of the first body less that of the second
   std::array<Vector3<double>, 3> way{};   // directions of the ways that are kept, of length one
   std::array<Vector3<double>, 2> side{};  // across the axis; of length one
-  Vector3<double> turn{};                 // axis of the turn that is kept
+  Vector3<double> turn{};                 // axis of the turn that is kept, of a screw of the thread
   std::array<double, 6> gap{};
 };
 
-/// Most rows of a joint, and those of one of a kind: first those of ways, then of the axis, then of the turn.
+/// Most rows of a joint, and those of one of a kind: first those of ways, then of the axis, then of the turn or thread.
 constexpr int most_joint_rows = 6;
 inline int count_ways(const Joint& joint) {
   return joint.point == JointTraits::Point::all ? 3 : joint.point == JointTraits::Point::across ? 2 : 1;
 }
 inline int count_rows(const Joint& joint) {
-  return count_ways(joint) + (joint.keeps_axis ? 2 : 0) + (joint.keeps_turn ? 1 : 0);
+  return count_ways(joint) + (joint.keeps_axis ? 2 : 0) + (joint.keeps_turn || joint.lead != 0 ? 1 : 0);
 }
 
 /// Two directions across an axis, of length one.

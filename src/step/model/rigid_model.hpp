@@ -63,6 +63,7 @@ struct Joint {
   std::string name, place;  // the latter in the deck
   JointTraits::Point point = JointTraits::Point::all;
   bool keeps_axis = false, keeps_turn = false;
+  double lead = 0;  // of a screw: way along the axis over the angle about it [length]; 0: no screw
   std::array<JointEnd, 2> ends;
   double length = 0;  // radius of gyration of a body: turns times this are compared with ways
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "src/deck/rigid_bodies.hpp"
 #include "src/index.hpp"
@@ -53,7 +54,8 @@ void build_joints(const Deck& deck, Model& model) {
     joint.keeps_axis = traits.keeps_axis;
     joint.keeps_turn = traits.keeps_turn;
     joint.ends = {make_end(model.rigid, first, of), make_end(model.rigid, second, of)};
-    if (joint.keeps_turn) set_turns(of, joint);
+    joint.lead = of.lead.value_or(0) / (2 * std::numbers::pi);
+    if (joint.keeps_turn || joint.lead != 0) set_turns(of, joint);
     joint.length = std::sqrt(trace(body.inertia) / (2 * body.mass));
     model.rigid.joints.push_back(joint);
     model.mass_notes.push_back(describe(of));

@@ -13,6 +13,7 @@ TWO_RIGID = two_cubes(1.0).replace("*MAT_ELASTIC", "*MAT_RIGID").replace("0.3\n"
 JOINED = "*CONSTRAINED_EXTRA_NODES_NODE\n1,90\n2,91\n1,92\n2,93\n" + nodes((90, 5.0, 5.0, 10.5), (91, 5.0, 5.0, 10.5), (92, 5.0, 5.0, 12.5), (93, 5.0, 5.0, 12.5))
 JOINED_OFF = JOINED + "*CONSTRAINED_EXTRA_NODES_NODE\n1,94\n2,95\n" + nodes((94, 6.0, 5.0, 10.5), (95, 6.0, 5.0, 10.5))
 SPIN = CUBE_MASS * 100.0 / 6  # of a cube about its axis
+THREAD = 3.0 / (2 * (1 + 2.0**2 * CUBE_MASS / SPIN))  # force of a screw of 2 mm per radian between two cubes, of which 3 N push one
 TWIST = "*LOAD_NODE_POINT\n12,{dof},7,2.0\n" + CONSTANT
 INERTIA = "5,5,5,2e-5,{ircs},0\n1e-3,0,0,2e-3,0,2.5e-3\n10,20,30,0,0,0\n"
 HEAVY = hexahedron() + "*PART_INERTIA\npart_1\n1,1,1\n" + INERTIA.format(ircs=0) + solid_section() + rigid()
@@ -172,7 +173,14 @@ PROOFS = [
     Proof("CONSTRAINED_JOINT_UNIVERSAL: N3 N4", joint("UNIVERSAL", "90,91,92,93"), refused="not perpendicular"),
     Proof("CONSTRAINED_JOINT_LOCKING: N1 N2 N3 N4 N5 N6", joint("LOCKING", "90,91,92,93,94,95", TWIST.format(dof=7)),
           [("body_wz:part_1", LAST, 2.0 * END / (2 * SPIN), 2e-3)], "they move as one"),
-    Proof("CONSTRAINED_JOINT_SCREW", joint("SCREW", "90,91,92,93,94,95"), refused="CONSTRAINED_JOINT_SCREW"),
+    Proof("CONSTRAINED_JOINT_SCREW: N1 N2 N3 N4 N5 N6 PARM", joint("SCREW", "90,91,92,93,94,95\n2.0", PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, THREAD * END / CUBE_MASS, 2e-3), ("body_wz:part_1", LAST, -2.0 * THREAD * END / SPIN, 2e-3), ("angular_z", LAST, 0.0, 1e-12)],
+          "the thread pushes with q and turns with PARM q: 2 q - 3 = -2 PARM^2 q m / I, from ways that differ by PARM times the angle"),
+    Proof("CONSTRAINED_JOINT_SCREW: PARM", joint("SCREW", "90,91,92,93,94,95\n"), refused="PARM"),
+    Proof("CONSTRAINED_JOINT_SCREW: LCID", joint("SCREW", "90,91,92,93,94,95\n2.0,7"), refused="LCID"),
+    Proof("CONSTRAINED_JOINT_SCREW: TYPE", joint("SCREW", "90,91,92,93,94,95\n2.0,0,1"), refused="TYPE"),
+    Proof("CONSTRAINED_JOINT_SCREW: H_ANGLE", joint("SCREW", "90,91,92,93,94,95\n2.0,0,0,0,30.0"), refused="H_ANGLE"),
+    Proof("CONSTRAINED_JOINT_GEARS", joint("GEARS", "90,91,92,93,94,95\n2.0"), refused="CONSTRAINED_JOINT_GEARS"),
     Proof("CONSTRAINED_JOINT_SPHERICAL_FAILURE", deck(TWO_RIGID, JOINED, "*CONSTRAINED_JOINT_SPHERICAL_FAILURE\n90,91\n"), refused="CONSTRAINED_JOINT_SPHERICAL_FAILURE"),
     Proof("MAT_RIGID: CMO CON1 CON2",
           deck(cube(rigid(1, -1, 5, 100000)), "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n", velocity(3.0, 4.0)),

@@ -61,6 +61,23 @@ TEST(SlidingJoint, CylindricalTurnsAboutItsAxisToo) {
   EXPECT_NEAR(run.history.last("joint_my:sleeve"), -2 * 9.81 * (0.3 + 0.5 * 4 * end * end), 2e-2);
 }
 
+// A force along a screw moves its mass and turns its inertia: a = F / (m + I / p^2), w = v / p, p the way over the
+// angle. It turns several times; a negative lead turns the other way.
+TEST(SlidingJoint, ScrewTurnsAsItSlides) {
+  const double end = 3, inertia = 0.1;
+  for (const double lead : {0.5, -0.5}) {
+    const double p = lead / (2 * std::numbers::pi), a = 4 * 2 / (2 + inertia / (p * p));
+    const Outcome run =
+        run_rod(end, fmt::format("{{screw: {{kind: screw, bodies: [rod], at: [0.2, 0, 0], axis: x, lead: {}}}}}", lead),
+                "loads: {gravity: [4, 0, 0]}\n");
+    EXPECT_NEAR(run.history.last("body_x:rod"), 0.5 + 0.5 * a * end * end, 1e-6);
+    const std::size_t last = run.history.rows() - 1;
+    const double angle = find_angle(run.history, "rod", last, {1, 0, 0});
+    EXPECT_NEAR(std::remainder(angle - 0.5 * a * end * end / p, 2 * std::numbers::pi), 0, 1e-4);
+    EXPECT_NEAR(run.history.last("joint_fx:screw"), 2 * (a - 4), 1e-6);
+  }
+}
+
 TEST(SlidingJoint, PlanarFallsInItsPlane) {
   const double end = 0.5, rate = 3;
   const Outcome run = run_rod(end, "{table: {kind: planar, bodies: [rod], at: [0.1, 0, 0], axis: z}}",

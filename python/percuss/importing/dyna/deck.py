@@ -128,6 +128,7 @@ class JointCard:
     title: str
     nodes: list[int]
     place: Place
+    lead: float = 0.0  # of a screw: way of a turn
 
 
 @dataclass

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ..fields import Row
 from ..ledger import BadInput, missing
 from ..model import Deck, Vector
-from .cards import Card
+from .cards import Card, Lines
 from .deck import JointCard, KeywordDeck, NodalBody
 from .materials.rigid import DIRECTIONS, read_local_limits
 from .rigid_cards import read_inertia_lines, start_body
@@ -19,7 +19,7 @@ CARDS = {
     "CONSTRAINED_JOINT_SPHERICAL": ("spherical", 2), "CONSTRAINED_JOINT_REVOLUTE": ("revolute", 4),
     "CONSTRAINED_JOINT_CYLINDRICAL": ("cylindrical", 4), "CONSTRAINED_JOINT_PLANAR": ("planar", 4),
     "CONSTRAINED_JOINT_UNIVERSAL": ("universal", 4), "CONSTRAINED_JOINT_TRANSLATIONAL": ("translational", 6),
-    "CONSTRAINED_JOINT_LOCKING": ("fixed", 6),
+    "CONSTRAINED_JOINT_LOCKING": ("fixed", 6), "CONSTRAINED_JOINT_SCREW": ("screw", 6),
 }  # fmt: skip
 
 
@@ -94,7 +94,20 @@ def read_joints(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("N1 N2 N3 N4 N5 N6 RPS~penalty DAMP~penalty")
         nodes = [row.integer(f"N{k}") for k in range(1, 1 + CARDS[card.keyword][1])]
         row.finish(deck.ledger, "it does not count")
-        deck.joints.append(JointCard(card.keyword, id, title, nodes, row.place))
+        joint = JointCard(card.keyword, id, title, nodes, row.place)
+        if card.keyword == "CONSTRAINED_JOINT_SCREW":
+            joint.lead = read_lead(deck, reader)
+        deck.joints.append(joint)
+
+
+def read_lead(deck: KeywordDeck, reader: Lines) -> float:
+    """The second line of a screw: PARM is the way along the axis over the angle about it, in radians; R1 is the radius of gears."""
+    row = reader.row("PARM LCID TYPE R1~unused H_ANGLE")
+    lead = 2 * math.pi * row.number("PARM")
+    if not lead:
+        row.fail("PARM", "must be the way along the axis over the angle, and not 0")
+    row.finish(deck.ledger, "it does not count")
+    return lead
 
 
 @dataclass
@@ -144,6 +157,8 @@ def make_entry(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: flo
         entry["axis"] = to_node(deck, pairs[0], joint.nodes[2])
     if kind == "universal":
         entry["second_axis"] = to_node(deck, pairs[0], joint.nodes[3])
+    if kind == "screw":
+        entry["lead"] = joint.lead
     return entry
 
 

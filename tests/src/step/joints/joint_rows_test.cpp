@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "src/step/rigid/inertia.hpp"
 
@@ -53,10 +54,14 @@ Joint make_joint(JointDeck::Kind kind) {
   joint.ends[0].turn = {0, 0, 1};
   joint.ends[1].turn = {1, 0, 0};
   if (traits.keeps_axis) joint.ends[0].turn = {0, 1, 0};
+  if (traits.has_lead()) {
+    joint.ends[1].turn = {-1, 0, 0};
+    joint.lead = 0.3 / (2 * std::numbers::pi);
+  }
   return joint;
 }
 
-/// Bodies whose points have slid along z, and across it, as far as the kind lets them.
+/// Bodies whose points have slid along z, and across it, as far as the kind lets them: a screw by a whole turn.
 std::vector<RigidState> make_slid_bodies(JointDeck::Kind kind) {
   std::vector<RigidState> bodies = make_bodies();
   const JointTraits::Point point = find_traits(kind).point;
@@ -72,12 +77,13 @@ std::string name_kind(const testing::TestParamInfo<JointDeck::Kind>& info) { ret
 INSTANTIATE_TEST_SUITE_P(Kinds, JointRowsOfAKind,
                          testing::Values(JointDeck::Kind::spherical, JointDeck::Kind::revolute,
                                          JointDeck::Kind::cylindrical, JointDeck::Kind::translational,
-                                         JointDeck::Kind::planar, JointDeck::Kind::universal, JointDeck::Kind::fixed),
+                                         JointDeck::Kind::planar, JointDeck::Kind::universal, JointDeck::Kind::fixed,
+                                         JointDeck::Kind::screw),
                          name_kind);
 
 // Six less the degrees of freedom that the kind leaves.
 TEST_P(JointRowsOfAKind, AreAsManyAsItTakes) {
-  constexpr int count[] = {3, 5, 4, 5, 3, 4, 6};
+  constexpr int count[] = {3, 5, 4, 5, 3, 4, 6, 5};
   EXPECT_EQ(count_rows(make_joint(GetParam())), count[static_cast<std::size_t>(GetParam())]);
 }
 
