@@ -192,6 +192,7 @@ void ContactStage::end_relaxation(Rows3<const double> x) {
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   if (stage.archive_active(archive)) restore_surface();
+  if (stage.late.archive(archive, stage.active, stage.ties_of_start)) restore_surface();
   if (stage.breaking.archive(archive, stage.ties_of_start)) restore_surface();
   if (stage.folds.archive(archive, stage.share)) restore_surface();
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.contact, stage.history);

@@ -49,12 +49,12 @@ class ContactStage {
   /// Whether apply() does less if it knows the largest speeds, ContactMotion::fastest and fastest_before.
   bool wants_speeds() const;
 
-  /// What sensors have seen at the start, before prepare(): which pairs and walls act. Collective.
+  /// What sensors have seen at the start, before prepare(): which pairs, walls and ties act. Collective.
   void set_switches(const std::vector<char>& happened);
 
   /// The same between steps, with x and v of the state. What overlaps where a pair or a wall begins to act is taken as
-  /// that of the start. Returns what is to be said, the same on all ranks; throws RunError with it where the deck
-  /// refuses overlap. Collective.
+  /// that of the start; a tie holds nodes where they are then. Returns what is to be said, the same on all ranks;
+  /// throws RunError with it where the deck refuses overlap. Collective.
   std::vector<std::string> switch_now(const std::vector<char>& happened, Rows3<const double> x, Rows3<const double> v);
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
@@ -84,7 +84,7 @@ class ContactStage {
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
   /// After a step, with x and v of the state: ties whose failure it brought let go, and their surfaces may touch from
-  /// now on. Returns whether any did. Collective.
+  /// now on; of ties that grow, nodes that it brought into contact are tied. Returns whether any did. Collective.
   bool break_ties(Rows3<const double> x, Rows3<const double> v);
 
   /// After a step, with x and v of the state: every so many steps, edges that have become sharp join the edges that may

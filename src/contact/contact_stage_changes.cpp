@@ -14,6 +14,7 @@ namespace percuss {
 
 /// Everything that follows from the mesh as it is now, but the history.
 void ContactStage::Impl::redefine_surface() {
+  if (late.any()) late.refresh(active, ties_of_start);
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   breaking.use(ties);
   tie_rows = TieRows(seen(), ties, contact);
@@ -129,6 +130,7 @@ bool ContactStage::Impl::archive_active(CheckpointArchive& archive) {
   };
   archive_all("pairs", deck.contact.pairs, active.pairs);
   archive_all("walls", deck.walls, active.walls);
+  archive_all("ties", deck.contact.ties, active.ties);
   return active != before;
 }
 
@@ -136,7 +138,10 @@ void ContactStage::set_switches(const std::vector<char>& happened) {
   Impl& stage = *impl_;
   const ActiveContact now = find_active_contact(stage.deck, happened);
   if (now == stage.active) return;
-  stage.active = now;
+  const ActiveContact before = std::exchange(stage.active, now);
+  std::vector<std::string> lines;
+  stage.switch_ties(before, stage.place_at_start(), lines);
+  stage.start_notes.insert(stage.start_notes.end(), lines.begin(), lines.end());
   stage.restore_surface();
 }
 
@@ -146,14 +151,17 @@ std::vector<std::string> ContactStage::switch_now(const std::vector<char>& happe
   const ActiveContact before = std::exchange(stage.active, find_active_contact(stage.deck, happened));
   if (stage.active == before) return {};
   const SurfaceMotion here{x, v, 0};
-  stage.redefine(here, nullptr);
+  std::vector<std::string> lines;
+  const ReleasedTies released = stage.switch_ties(before, x, lines);
+  stage.redefine(here, lines.empty() ? nullptr : &released);
   const StartOverlap found =
       seed_born(stage.look_for_overlap(*stage.finder), here, stage.list_born(before), stage.history);
   const std::string line = stage.describe(found, "as contact begins");
-  if (line.empty()) return {};
+  if (line.empty()) return lines;
   if (stage.contact.overlap == ContactDeck::Overlap::refuse)
     throw RunError(fmt::format("{}: move the parts apart, or set contact.overlap to accept or push_out", line));
-  return {line};
+  lines.push_back(line);
+  return lines;
 }
 
 void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) { impl_->redefine({x, v, 0}, nullptr); }
@@ -170,9 +178,13 @@ void ContactStage::watch_folds(Rows3<const double> x, Rows3<const double> v, lon
 
 bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
-  if (!stage.breaking.are_failing()) return false;
-  const ReleasedTies released = stage.breaking.release(stage.ties_of_start);
-  stage.redefine({x, v, 0}, &released);
+  const bool are_failing = stage.breaking.are_failing();
+  if (are_failing) {
+    const ReleasedTies released = stage.breaking.release(stage.ties_of_start);
+    stage.redefine({x, v, 0}, &released);
+  }
+  if (!stage.late.grows(stage.active) || !stage.stick(x)) return are_failing;
+  stage.redefine({x, v, 0}, nullptr);
   return true;
 }
 

@@ -17,6 +17,7 @@
 #include "src/contact/surface/fold_watch.hpp"
 #include "src/contact/surface/touching_beams.hpp"
 #include "src/contact/ties/breaking_ties.hpp"
+#include "src/contact/ties/late_ties.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 #include "src/contact/ties/ties.hpp"
 
@@ -34,7 +35,8 @@ struct ContactStage::Impl {
         ties(ties_of_start),
         active(find_active_contact(deck, std::vector<char>(deck.sensors.size(), 0))),
         share(build_surface_share(chunked, deck, ties, exchange, {}, active)),
-        breaking(chunked, deck, ties, world),
+        late(chunked, deck, ties, world),
+        breaking(chunked, deck, ties, late.numbers(), world),
         tie_rows(seen(), ties, deck.contact),
         walls(build_walls(chunked, deck, share)),
         has_walls(!deck.walls.empty()),
@@ -52,6 +54,9 @@ struct ContactStage::Impl {
     if (ties.any()) start_notes = describe_ties(deck, ties);
     for (const std::string& line : describe_touching_beams(deck, find_touching_radii(mesh, deck)))
       start_notes.push_back(line);
+    if (!late.any()) return;
+    measure_late_areas(place_at_start());
+    restore_surface();
   }
 
   ContactRanks seen() const { return {ranks, numbering, mesh}; }
@@ -79,6 +84,11 @@ struct ContactStage::Impl {
   BornContact list_born(const ActiveContact& before) const;
   std::string describe(const StartOverlap& found, const std::string& when) const;
   bool archive_active(CheckpointArchive& archive);
+  Rows3<const double> place_at_start() const;
+  void measure_late_areas(const Rows3<const double>& x);
+  ReleasedTies switch_ties(const ActiveContact& before, const Rows3<const double>& x, std::vector<std::string>& lines);
+  std::vector<std::int64_t> list_sticking(std::size_t tie) const;
+  bool stick(const Rows3<const double>& x);
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, tie_rows.keys()); }
 
   const Communicator ranks;
@@ -91,6 +101,7 @@ struct ContactStage::Impl {
   TiedSurfaces ties;           // those that erosion has left
   ActiveContact active;
   SurfaceShare share;
+  LateTies late;
   BreakingTies breaking;
   TieRows tie_rows;
   WallPairs walls;

@@ -375,6 +375,8 @@ struct PairFrictionDeck {
 };
 
 struct TieDeck {
+  /// When nodes of a are tied: as the tie begins, or also as they come into contact with b.
+  enum class Sticks { at_start, on_contact };
   Selector a, b;                   // nodes of a are tied to faces of b
   std::optional<double> distance;  // within which nodes are tied [length]; default: a share of the face
   bool rotations = false;          // whether nodes of shells and beams turn as their faces do
@@ -382,9 +384,12 @@ struct TieDeck {
   std::optional<double> normal_strength, shear_strength;
   double normal_exponent = 2, shear_exponent = 2;
   bool may_be_empty = false;  // a tie that ties nothing is no error
+  Sticks sticks = Sticks::at_start;
+  SwitchDeck when{};
   Place place;
 
   bool can_fail() const { return normal_strength || shear_strength; }
+  bool is_late() const { return when.any() || sticks == Sticks::on_contact; }
 };
 
 struct ContactDeck {

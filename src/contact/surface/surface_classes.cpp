@@ -91,7 +91,7 @@ ActiveContact find_active_contact(const Deck& deck, const std::vector<char>& hap
     for (const auto& entry : entries) active.push_back(find_switch(deck.sensors, entry.when).is_on(happened) ? 1 : 0);
     return active;
   };
-  return {list(deck.contact.pairs), list(deck.walls)};
+  return {list(deck.contact.pairs), list(deck.walls), list(deck.contact.ties)};
 }
 
 bool has_switched_pairs(const ContactDeck& contact) {

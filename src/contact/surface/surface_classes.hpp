@@ -19,12 +19,13 @@ struct PairRule {
   double friction = -1;  // Coulomb's coefficient; negative: may not touch
 };
 
-/// Which of the deck's pairs of surfaces and walls act now, by their place in the deck. Empty: all do.
+/// Which of the deck's pairs of surfaces, walls and ties act now, by their place in the deck. Empty: all do.
 struct ActiveContact {
-  std::vector<char> pairs, walls;
+  std::vector<char> pairs, walls, ties;
 
   bool has_pair(std::size_t pair) const { return pairs.empty() || pairs[pair] != 0; }
   bool has_wall(std::size_t wall) const { return walls.empty() || walls[wall] != 0; }
+  bool has_tie(std::size_t tie) const { return ties.empty() || ties[tie] != 0; }
   bool operator==(const ActiveContact&) const = default;
 };
 

@@ -318,14 +318,16 @@ void tie_beams(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNod
   }
 }
 
-/// Nodes that have let go of a tie may touch what they were tied to, though a face of theirs is still tied.
+/// Nodes that have let go of a tie, or are not tied yet, may touch side b, though a face of theirs is tied.
 void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& numbers,
                    std::vector<SurfaceSet>& sets) {
-  for (std::size_t t = 0; t < ties.released.size(); ++t) {
-    const int side_a = 2 * static_cast<int>(deck.contact.pairs.size() + t);
-    for (const std::int64_t number : ties.released[t]) {
-      const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
-      if (place != numbers.end() && *place == number) std::erase(sets[at(place - numbers.begin())], side_a);
+  for (const auto* const free : {&ties.released, &ties.untied}) {
+    for (std::size_t t = 0; t < free->size(); ++t) {
+      const int side_a = 2 * static_cast<int>(deck.contact.pairs.size() + t);
+      for (const std::int64_t number : (*free)[t]) {
+        const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
+        if (place != numbers.end() && *place == number) std::erase(sets[at(place - numbers.begin())], side_a);
+      }
     }
   }
 }

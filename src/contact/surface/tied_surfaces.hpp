@@ -18,6 +18,7 @@ struct TiedNode {
   int tie = 0;                // index into ContactDeck::ties
   int side = 1;               // on which the node lies of a face: 1 outside, -1 behind a shell; 0: in a shell's middle
   TieGeometry geometry;
+  double area = 0;  // that it holds, of a late tie that may fail [area]
 };
 
 /// What became of the nodes of one tie's side a, on all ranks.
@@ -39,6 +40,8 @@ struct TiedSurfaces {
   std::vector<TieCounts> counts;                 // [ties]
   std::vector<std::vector<std::int64_t>>
       released{};  // [ties] numbers of nodes that have let go, of all ranks, ascending
+  // [ties] of late ones: numbers of nodes, of all ranks, that are not tied though a face of theirs is, ascending
+  std::vector<std::vector<std::int64_t>> untied{};
 
   bool any() const { return !counts.empty(); }
 };

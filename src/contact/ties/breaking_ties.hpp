@@ -11,9 +11,11 @@ namespace percuss {
 
 class BreakingTies {
  public:
-  /// deck: outlives this. ties: those of the start. Throws InputError as TieFailures does. Collective.
-  BreakingTies(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties, const Communicator& ranks)
-      : deck_(deck), failures_(chunked, deck, ties, ranks) {}
+  /// deck: outlives this. ties: those of the start. late: as of TieFailures. Throws InputError as TieFailures does.
+  /// Collective.
+  BreakingTies(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+               const std::vector<std::int64_t>& late, const Communicator& ranks)
+      : deck_(deck), failures_(chunked, deck, ties, late, ranks) {}
 
   /// The ties in use from now on. Collective.
   void use(const TiedSurfaces& ties) { failures_.use(ties); }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "comm/all_reduce.hpp"
@@ -67,7 +68,7 @@ void list_shares(const ChunkedMesh& chunked, const std::vector<ElementFace>& fac
 }  // namespace
 
 TieFailures::TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
-                         const Communicator& ranks)
+                         const std::vector<std::int64_t>& late, const Communicator& ranks)
     : chunked_(chunked), ranks_(ranks) {
   for (const TieDeck& tie : deck.contact.ties) {
     law_of_tie_.push_back(tie.can_fail() ? static_cast<int>(laws_.size()) : -1);
@@ -76,16 +77,16 @@ TieFailures::TieFailures(const ChunkedMesh& chunked, const Deck& deck, const Tie
         {tie.normal_strength.value_or(0), tie.shear_strength.value_or(0), tie.normal_exponent, tie.shear_exponent});
   }
   if (laws_.empty()) return;
-  sum_areas(deck, ties);
+  sum_areas(deck, ties, late);
   refuse_bare(deck, ties);
   use(ties);
 }
 
 /// Areas of the nodes, each added up in the order of its faces.
-void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties) {
+void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& late) {
   std::vector<AreaItem> items;
   for (std::size_t t = 0; t < law_of_tie_.size(); ++t) {
-    if (law_of_tie_[t] >= 0)
+    if (law_of_tie_[t] >= 0 && !deck.contact.ties[t].is_late())
       list_shares(chunked_, select_surface_nodes(chunked_.mesh, deck, deck.contact.ties[t].a).faces, ties.known[t],
                   items);
   }
@@ -95,22 +96,25 @@ void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties) {
   items = ItemExchange(ranks_).send(owners, items);
   std::sort(items.begin(), items.end(),
             [](const AreaItem& a, const AreaItem& b) { return a.node != b.node ? a.node < b.node : a.face < b.face; });
-  for (const TiedNode& tied : ties.nodes) {
-    if (law_of_tie_[at(tied.tie)] < 0) continue;
-    auto item = std::lower_bound(items.begin(), items.end(), tied.node,
-                                 [](const AreaItem& i, std::int64_t number) { return i.node < number; });
-    numbers_.push_back(tied.node);
+  std::vector<std::int64_t> of_start;
+  for (const TiedNode& tied : ties.nodes)
+    if (law_of_tie_[at(tied.tie)] >= 0) of_start.push_back(tied.node);
+  std::set_union(of_start.begin(), of_start.end(), late.begin(), late.end(), std::back_inserter(numbers_));
+  for (const std::int64_t number : numbers_) {
+    auto item = std::lower_bound(items.begin(), items.end(), number,
+                                 [](const AreaItem& i, std::int64_t n) { return i.node < n; });
     areas_.push_back(0);
-    for (; item != items.end() && item->node == tied.node; ++item) areas_.back() += item->area;
+    for (; item != items.end() && item->node == number; ++item) areas_.back() += item->area;
   }
   has_failed_.assign(numbers_.size(), 0);
 }
 
 void TieFailures::refuse_bare(const Deck& deck, const TiedSurfaces& ties) const {
   std::vector<std::int64_t> bare(law_of_tie_.size(), 0);
-  std::size_t next = 0;
-  for (const TiedNode& tied : ties.nodes)
-    if (law_of_tie_[at(tied.tie)] >= 0 && !(areas_[next++] > 0)) ++bare[at(tied.tie)];
+  for (const TiedNode& tied : ties.nodes) {
+    if (law_of_tie_[at(tied.tie)] < 0 || deck.contact.ties[at(tied.tie)].is_late()) continue;
+    if (!(areas_[at(find_number(numbers_, tied.node))] > 0)) ++bare[at(tied.tie)];
+  }
   all_reduce(ranks_, Reduce::sum, bare);
   for (std::size_t t = 0; t < bare.size(); ++t) {
     if (bare[t] == 0) continue;
@@ -133,7 +137,7 @@ void TieFailures::use(const TiedSurfaces& ties) {
     tie_in_use_.push_back(tied.tie);
     side.push_back(tied.side);
     law.push_back(law_of_tie_[at(tied.tie)]);
-    area.push_back(law.back() < 0 ? 1 : areas_[at(find_number(numbers_, tied.node))]);
+    area.push_back(law.back() < 0 ? 1 : tied.area > 0 ? tied.area : areas_[at(find_number(numbers_, tied.node))]);
   }
   strengths_ = {to_view("contact::tie_laws", law), to_view("contact::tie_strengths", laws_),
                 to_view("contact::tie_areas", area), to_view("contact::tie_sides", side)};
@@ -161,7 +165,8 @@ ReleasedTies TieFailures::release(TiedSurfaces& ties) {
     has_failed_[n] = 1;
     const auto tied = std::lower_bound(ties.nodes.begin(), ties.nodes.end(), numbers_[n],
                                        [](const TiedNode& t, std::int64_t number) { return t.node < number; });
-    own.push_back({tied->node, tied->tie});
+    const bool is_tied = tied != ties.nodes.end() && tied->node == numbers_[n];  // not where its tie has ended since
+    if (is_tied) own.push_back({tied->node, tied->tie});
   }
   noted_.clear();
   ReleasedTies free;
@@ -197,8 +202,10 @@ bool TieFailures::archive(CheckpointArchive& archive, TiedSurfaces& ties) {
   noted_.clear();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
     if (has_failed_[n] != 0) noted_.push_back(n);
-  count_ = 0;
+  auto failed = static_cast<std::int64_t>(noted_.size());
+  all_reduce(ranks_, Reduce::sum, failed);
   release(ties);
+  count_ = failed;
   return count_ > 0;
 }
 

@@ -21,8 +21,10 @@ struct ReleasedTies {
 
 class TieFailures {
  public:
-  /// ties: those of the start. Throws InputError, on all ranks, where a node has no area. Collective.
-  TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties, const Communicator& ranks);
+  /// ties: those of the start. late: nodes that this rank owns and that may be tied later. Throws InputError, on all
+  /// ranks, where a node has no area. Collective.
+  TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+              const std::vector<std::int64_t>& late, const Communicator& ranks);
 
   /// Whether ties are left, on any rank, that can fail.
   bool any_left() const { return any_left_; }
@@ -45,15 +47,15 @@ class TieFailures {
   bool archive(CheckpointArchive& archive, TiedSurfaces& ties);
 
  private:
-  void sum_areas(const Deck& deck, const TiedSurfaces& ties);
+  void sum_areas(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& late);
   void refuse_bare(const Deck& deck, const TiedSurfaces& ties) const;
 
   const ChunkedMesh& chunked_;
   const Communicator ranks_;
   std::vector<ConnectionStrength> laws_;  // [failing ties]
   std::vector<int> law_of_tie_;           // [ties of the deck] -1: does not fail
-  std::vector<std::int64_t> numbers_;     // of the nodes that this rank owned in failing ties at the start, ascending
-  std::vector<double> areas_;             // [numbers]
+  std::vector<std::int64_t> numbers_;     // of the nodes that this rank owns in failing ties, late ones too; ascending
+  std::vector<double> areas_;             // [numbers] of those of the start
   std::vector<double> has_failed_;        // [numbers] 1 or 0
   std::vector<std::int64_t> in_use_;      // nodes of the ties in use
   std::vector<int> tie_in_use_;           // [in use] of the deck

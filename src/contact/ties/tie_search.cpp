@@ -53,25 +53,24 @@ struct Query {
   int asker = 0;
 };
 
-FacePoints load_face(const Mesh& mesh, const Face& face, const Vec3& origin) {
+FacePoints load_face(const std::vector<Vec3>& x, const Face& face, const Vec3& origin) {
   FacePoints points;
-  for (std::size_t i = 0; i < 4; ++i) points.corner[i] = to_point(mesh.nodes[at(face.corners[i])]) - to_point(origin);
+  for (std::size_t i = 0; i < 4; ++i) points.corner[i] = to_point(x[at(face.corners[i])]) - to_point(origin);
   return points;
 }
 
-std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& selected,
-                             const std::optional<double>& distance) {
+std::vector<Face> list_faces(const ChunkedMesh& chunked, const TieSearch& search) {
   const Mesh& mesh = chunked.mesh;
   const double thickest = find_largest_half_thickness(mesh);
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
   std::vector<Face> faces;
-  for (const ElementFace& f : selected) {
+  for (const ElementFace& f : search.faces) {
     Face face;
     face.number = find_face_number(numbers[at(f.element)], f.face);
     face.element = f.element;
     face.corners = mesh.elements.face_nodes(f);
-    face.size = find_shortest_edge(load_face(mesh, face, mesh.nodes[at(face.corners[0])]));
-    face.reach = distance.value_or(default_tie_distance * face.size);
+    face.size = find_shortest_edge(load_face(search.places, face, search.places[at(face.corners[0])]));
+    face.reach = search.distance.value_or(default_tie_distance * face.size);
     face.thickness = find_half_thickness(mesh, f);
     face.box_reach = face.reach + (face.thickness + thickest);
     faces.push_back(face);
@@ -79,9 +78,9 @@ std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<Eleme
   return faces;
 }
 
-Box find_reach(const Mesh& mesh, const Face& face) {
+Box find_reach(const std::vector<Vec3>& x, const Face& face) {
   Box box;
-  for (const int corner : face.corners) box.add(mesh.nodes[at(corner)]);
+  for (const int corner : face.corners) box.add(x[at(corner)]);
   box.widen(face.box_reach);
   return box;
 }
@@ -96,12 +95,12 @@ int find_side(const TieGeometry& tie, bool is_shell) {
 }
 
 /// Judges one node by one face; the face must not belong to an element of the node.
-void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& best) {
+void judge(const Mesh& mesh, const std::vector<Vec3>& x, const Face& face, const Query& query, ClosestFace& best) {
   for (const int corner : face.corners)
     if (mesh.node_numbers[at(corner)] == query.node) best.joined = 1;
   for (const int node : mesh.corners(at(face.element)))
     if (mesh.node_numbers[at(node)] == query.node) return;
-  const FacePoints points = load_face(mesh, face, query.x);
+  const FacePoints points = load_face(x, face, query.x);
   const FacePoint closest = find_closest_point(points);
   const double gap = closest.distance - (face.thickness + query.thickness);
   if (!(gap <= face.reach)) return;
@@ -124,7 +123,7 @@ void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& 
 }
 
 /// The closest face of this rank for each query: nodes sorted along the axis on which they lie farthest apart.
-std::vector<ClosestFace> answer_queries(const Mesh& mesh, const std::vector<Face>& faces,
+std::vector<ClosestFace> answer_queries(const Mesh& mesh, const std::vector<Vec3>& x, const std::vector<Face>& faces,
                                         const std::vector<Query>& queries) {
   std::vector<ClosestFace> answers(queries.size());
   if (queries.empty()) return answers;
@@ -138,11 +137,11 @@ std::vector<ClosestFace> answer_queries(const Mesh& mesh, const std::vector<Face
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return queries[a].x[axis] < queries[b].x[axis]; });
   for (const Face& face : faces) {
-    const Box box = find_reach(mesh, face);
+    const Box box = find_reach(x, face);
     auto next = std::lower_bound(order.begin(), order.end(), box.low[axis],
                                  [&](std::size_t i, double low) { return queries[i].x[axis] < low; });
     for (; next != order.end() && queries[*next].x[axis] <= box.high[axis]; ++next)
-      if (box.holds(queries[*next].x)) judge(mesh, face, queries[*next], answers[*next]);
+      if (box.holds(queries[*next].x)) judge(mesh, x, face, queries[*next], answers[*next]);
   }
   return answers;
 }
@@ -162,10 +161,10 @@ std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const Ti
                                             ItemExchange& exchange) {
   const Mesh& mesh = chunked.mesh;
   const std::vector<int>& nodes = search.nodes;
-  const std::vector<Face> faces = list_faces(chunked, search.faces, search.distance);
+  const std::vector<Face> faces = list_faces(chunked, search);
   Box own;
   for (const Face& face : faces) {
-    const Box reach = find_reach(mesh, face);
+    const Box reach = find_reach(search.places, face);
     own.add({reach.low[0], reach.low[1], reach.low[2]});
     own.add({reach.high[0], reach.high[1], reach.high[2]});
   }
@@ -176,13 +175,13 @@ std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const Ti
     const int n = nodes[i];
     const double thickness = search.thickness.empty() ? 0 : search.thickness[i];
     for (std::size_t r = 0; r < boxes.size(); ++r) {
-      if (!boxes[r].holds(mesh.nodes[at(n)])) continue;
+      if (!boxes[r].holds(search.places[at(n)])) continue;
       destinations.push_back(static_cast<int>(r));
-      queries.push_back({mesh.node_numbers[at(n)], mesh.nodes[at(n)], thickness, exchange.ranks().rank()});
+      queries.push_back({mesh.node_numbers[at(n)], search.places[at(n)], thickness, exchange.ranks().rank()});
     }
   }
   const std::vector<Query> asked = exchange.send(destinations, queries);
-  std::vector<ClosestFace> given = answer_queries(mesh, faces, asked);
+  std::vector<ClosestFace> given = answer_queries(mesh, search.places, faces, asked);
   std::vector<int> askers;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     given[i].found.node = asked[i].node;

@@ -24,6 +24,7 @@ struct ClosestFace {
 
 /// What is searched: nodes of side a, on faces of side b.
 struct TieSearch {
+  const std::vector<Vec3>& places;        // [mesh nodes] of now
   const std::vector<int>& nodes;          // mesh nodes of this rank, ascending
   const std::vector<double>& thickness;   // [nodes] half that of shells (tie_thickness.hpp) [length]; empty: no shells
   const std::vector<ElementFace>& faces;  // of this rank

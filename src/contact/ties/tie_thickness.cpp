@@ -80,11 +80,11 @@ std::vector<double> find_node_thickness(const ChunkedMesh& chunked, const Surfac
   return half;
 }
 
-void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<int>& nodes,
-                                const std::optional<double>& distance, std::vector<ClosestFace>& answers,
+void leave_out_what_lies_behind(const ChunkedMesh& chunked, const TieSearch& search, std::vector<ClosestFace>& answers,
                                 ItemExchange& exchange) {
   constexpr double steep = 0.7;  // sine of the angle at which an edge leads away from the surface
   const Mesh& mesh = chunked.mesh;
+  const std::vector<int>& nodes = search.nodes;
   if (!(find_largest_half_thickness(mesh) > 0)) return;
   std::vector<int> places(mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) places[at(nodes[i])] = static_cast<int>(i);
@@ -94,7 +94,7 @@ void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<in
       for (const int m : mesh.corners(e)) {
         if (n == m || places[at(n)] < 0 || places[at(m)] < 0) continue;
         const double farther = answers[at(places[at(n)])].distance - answers[at(places[at(m)])].distance;
-        if (farther > steep * find_distance(mesh.nodes[at(n)], mesh.nodes[at(m)])) behind[at(places[at(n)])] = 1;
+        if (farther > steep * find_distance(search.places[at(n)], search.places[at(m)])) behind[at(places[at(n)])] = 1;
       }
     }
   }
@@ -102,7 +102,8 @@ void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<in
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ClosestFace& answer = answers[i];
     if (answer.found.face < 0 || !(behind[i] > 0)) continue;
-    if (answer.distance > distance.value_or(default_tie_distance * answer.found.geometry.size)) answer.found.face = -1;
+    if (answer.distance > search.distance.value_or(default_tie_distance * answer.found.geometry.size))
+      answer.found.face = -1;
   }
 }
 

@@ -23,10 +23,9 @@ std::vector<double> find_node_thickness(const ChunkedMesh& chunked, const Surfac
 
 /// Unties nodes that only thickness lets in, beyond the tie's distance from the mesh, behind another node of their
 /// element: what stands on a thick shell, or begins at its middle, is held by the nodes that are closest to it, however
-/// fine its mesh. nodes, answers: those of the search, the same on all ranks that have a node. Collective. Throws
+/// fine its mesh. answers: those of the search, the same on all ranks that have a node. Collective. Throws
 /// MpiError.
-void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<int>& nodes,
-                                const std::optional<double>& distance, std::vector<ClosestFace>& answers,
+void leave_out_what_lies_behind(const ChunkedMesh& chunked, const TieSearch& search, std::vector<ClosestFace>& answers,
                                 ItemExchange& exchange);
 
 /// The faces with those on the other sides of their shells, ascending.

@@ -98,14 +98,53 @@ void part_sides(const Communicator& ranks, const Deck& deck, const TieDeck& tie,
 }
 
 void refuse_nothing(const Deck& deck, const TieDeck& tie, const TieCounts& counts) {
-  if (counts.tied > 0 || tie.may_be_empty) return;
-  throw InputError(fmt::format(
+  if (counts.tied > 0 || tie.may_be_empty || tie.sticks == TieDeck::Sticks::on_contact) return;
+  const std::string text = fmt::format(
       "{}: error: tie of '{}' and '{}' ties nothing ({} nodes of '{}' are farther than {} from it, {} are already "
       "shared by the mesh, {} are tied by an earlier tie): set the tie's distance, or "
       "empty: ignore",
       deck.where(tie.place), name_side(tie.a), name_side(tie.b), counts.apart, name_side(tie.a),
       tie.distance ? fmt::format("{:g}", *tie.distance) : fmt::format("{:g} of a face", default_tie_distance),
-      counts.joined, counts.earlier));
+      counts.joined, counts.earlier);
+  if (tie.when.from.empty()) throw InputError(text);
+  throw RunError(text);
+}
+
+/// What lives of both sides of a tie.
+struct TieSides {
+  SurfaceNodes a;
+  std::vector<ElementFace> b, both_of_b;
+};
+TieSides select_sides(const TieScene& scene, std::size_t t) {
+  const Mesh& mesh = scene.chunked.mesh;
+  const TieDeck& tie = scene.deck.contact.ties[t];
+  TieSides sides{select_surface_nodes(mesh, scene.deck, tie.a), select_faces(mesh, scene.deck, tie.b), {}};
+  if (mesh.eroded.any) {
+    const auto is_dead = [&](const ElementFace& face) { return mesh.eroded.dead[at(face.element)] != 0; };
+    std::erase_if(sides.a.faces, is_dead);
+    std::erase_if(sides.b, is_dead);
+    std::erase_if(sides.a.nodes, [&](int node) { return mesh.eroded.nodes[at(node)] != ErodedMesh::held; });
+  }
+  sides.both_of_b = add_other_sides(mesh, sides.b);
+  part_sides(scene.ranks, scene.deck, tie, sides.a, sides.both_of_b);
+  return sides;
+}
+
+/// Gives the owners of nodes what was found for them.
+void keep_found(const TieScene& scene, std::size_t t, const std::vector<int>& nodes, std::vector<ClosestFace> answers,
+                TiedSurfaces& ties) {
+  std::vector<int> owners;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    answers[n].found.node = scene.chunked.mesh.node_numbers[at(nodes[n])];
+    owners.push_back(scene.chunked.numbering.find_node_owner(answers[n].found.node));
+  }
+  std::vector<ClosestFace> owned = ItemExchange(scene.ranks).send(owners, answers);
+  std::stable_sort(owned.begin(), owned.end(),
+                   [](const ClosestFace& p, const ClosestFace& q) { return p.found.node < q.found.node; });
+  TieCounts counts;
+  keep_owned(owned, static_cast<int>(t), ties.nodes, counts);
+  reduce(scene.ranks, counts);
+  ties.counts[t] = counts;
 }
 
 /// Refuses a tie of rotations whose nodes have none.
@@ -129,38 +168,68 @@ void refuse_no_rotations(const ChunkedMesh& chunked, const Communicator& ranks, 
 }  // namespace
 
 TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks) {
-  const Mesh& mesh = chunked.mesh;
   TiedSurfaces ties;
-  if (deck.contact.ties.empty()) return ties;
-  ItemExchange exchange(ranks);
-  for (const TieDeck& tie : deck.contact.ties) {
-    SurfaceNodes a = select_surface_nodes(mesh, deck, tie.a);
-    const std::vector<ElementFace> b = select_faces(mesh, deck, tie.b), sides_of_b = add_other_sides(mesh, b);
-    const std::vector<int>& nodes = a.nodes;
-    part_sides(ranks, deck, tie, a, sides_of_b);
-    refuse_no_rotations(chunked, ranks, deck, tie, nodes);
-    const std::vector<double> thickness = find_node_thickness(chunked, a, exchange);
-    std::vector<ClosestFace> answers = find_closest_faces(chunked, {nodes, thickness, b, tie.distance}, exchange);
-    leave_out_what_lies_behind(chunked, nodes, tie.distance, answers, exchange);
-    ties.faces.push_back({add_other_sides(mesh, keep_tied_faces(mesh, a.faces, nodes, answers)), sides_of_b});
-    std::vector<int> owners;
-    std::vector<std::int64_t>& known = ties.known.emplace_back();
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      answers[n].found.node = mesh.node_numbers[at(nodes[n])];
-      if (is_tied(answers[n])) known.push_back(answers[n].found.node);
-      owners.push_back(chunked.numbering.find_node_owner(answers[n].found.node));
-    }
-    std::vector<ClosestFace> owned = exchange.send(owners, answers);
-    std::stable_sort(owned.begin(), owned.end(),
-                     [](const ClosestFace& p, const ClosestFace& q) { return p.found.node < q.found.node; });
-    TieCounts counts;
-    keep_owned(owned, static_cast<int>(ties.counts.size()), ties.nodes, counts);
-    reduce(ranks, counts);
-    refuse_nothing(deck, tie, counts);
-    if (counts.tied == 0) ties.faces.back() = {};
-    ties.counts.push_back(counts);
-  }
+  const std::size_t count = deck.contact.ties.size();
+  ties.faces.resize(count);
+  ties.known.resize(count);
+  ties.counts.resize(count);
+  for (std::size_t t = 0; t < count; ++t)
+    if (deck.contact.ties[t].when.from.empty()) add_tied_nodes({chunked, deck, ranks, chunked.mesh.nodes}, t, ties);
   return ties;
+}
+
+void add_tied_nodes(const TieScene& scene, std::size_t t, TiedSurfaces& ties) {
+  const auto& [chunked, deck, ranks, places] = scene;
+  const TieDeck& tie = deck.contact.ties[t];
+  ItemExchange exchange(ranks);
+  const TieSides sides = select_sides(scene, t);
+  const std::vector<int>& nodes = sides.a.nodes;
+  refuse_no_rotations(chunked, ranks, deck, tie, nodes);
+  const std::vector<double> thickness = find_node_thickness(chunked, sides.a, exchange);
+  const TieSearch search{places, nodes, thickness, sides.b, tie.distance};
+  std::vector<ClosestFace> answers = find_closest_faces(chunked, search, exchange);
+  leave_out_what_lies_behind(chunked, search, answers, exchange);
+  ties.faces[t] = {add_other_sides(chunked.mesh, keep_tied_faces(chunked.mesh, sides.a.faces, nodes, answers)),
+                   sides.both_of_b};
+  ties.known[t].clear();
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (is_tied(answers[n])) ties.known[t].push_back(chunked.mesh.node_numbers[at(nodes[n])]);
+  keep_found(scene, t, nodes, answers, ties);
+  refuse_nothing(deck, tie, ties.counts[t]);
+  if (ties.counts[t].tied == 0) ties.faces[t] = {};
+}
+
+void stick_nodes(const TieScene& scene, std::size_t t, const std::vector<std::int64_t>& numbers, TiedSurfaces& ties) {
+  const Mesh& mesh = scene.chunked.mesh;
+  ItemExchange exchange(scene.ranks);
+  const TieSides sides = select_sides(scene, t);
+  const std::vector<double> half = find_node_thickness(scene.chunked, sides.a, exchange);
+  std::vector<int> nodes;
+  std::vector<double> thickness;
+  for (std::size_t n = 0; n < sides.a.nodes.size(); ++n) {
+    const std::int64_t number = mesh.node_numbers[at(sides.a.nodes[n])];
+    if (!std::binary_search(numbers.begin(), numbers.end(), number)) continue;
+    nodes.push_back(sides.a.nodes[n]);
+    if (!half.empty()) thickness.push_back(half[n]);
+  }
+  const TieSearch search{scene.places, nodes, thickness, sides.b, scene.deck.contact.ties[t].distance};
+  TieCounts all = ties.counts[t];
+  keep_found(scene, t, nodes, find_closest_faces(scene.chunked, search, exchange), ties);
+  all.tied += ties.counts[t].tied;
+  ties.counts[t] = all;
+}
+
+std::array<std::vector<ElementFace>, 2> list_tied_faces(const TieScene& scene, std::size_t t,
+                                                        const std::vector<std::int64_t>& tied) {
+  const Mesh& mesh = scene.chunked.mesh;
+  TieSides sides = select_sides(scene, t);
+  std::erase_if(sides.a.faces, [&](const ElementFace& face) {
+    const std::array<int, 4> corners = mesh.elements.face_nodes(face);
+    return std::none_of(corners.begin(), corners.end(), [&](int node) {
+      return std::binary_search(tied.begin(), tied.end(), mesh.node_numbers[at(node)]);
+    });
+  });
+  return {add_other_sides(mesh, std::move(sides.a.faces)), sides.both_of_b};
 }
 
 TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ties, const Communicator& ranks) {
@@ -185,24 +254,34 @@ TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ti
   return left;
 }
 
+std::string describe_tie(const Deck& deck, const TiedSurfaces& ties, std::size_t t) {
+  const TieDeck& tie = deck.contact.ties[t];
+  const TieCounts& c = ties.counts[t];
+  const bool has_thickness = c.widest < c.farthest;
+  const double widest = c.widest > rounding * c.farthest ? c.widest : 0;
+  std::string line =
+      fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away{}), {} not in reach", c.tied,
+                  c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest,
+                  has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", widest) : "", c.apart);
+  if (c.tied == 0 && tie.sticks == TieDeck::Sticks::at_start)
+    line = fmt::format("tie of '{}' and '{}' is ignored: it ties nothing, {} nodes not in reach", name_side(tie.a),
+                       name_side(tie.b), c.apart);
+  if (tie.rotations) line += ", with the rotations of shells and beams";
+  if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
+  if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
+  if (tie.sticks == TieDeck::Sticks::on_contact) line += "; others stick as they come into contact";
+  return line;
+}
+
 std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& ties) {
   std::vector<std::string> lines;
   for (std::size_t t = 0; t < ties.counts.size(); ++t) {
     const TieDeck& tie = deck.contact.ties[t];
-    const TieCounts& c = ties.counts[t];
-    const bool has_thickness = c.widest < c.farthest;
-    const double widest = c.widest > rounding * c.farthest ? c.widest : 0;
-    std::string line =
-        fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away{}), {} not in reach", c.tied,
-                    c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest,
-                    has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", widest) : "", c.apart);
-    if (c.tied == 0)
-      line = fmt::format("tie of '{}' and '{}' is ignored: it ties nothing, {} nodes not in reach", name_side(tie.a),
-                         name_side(tie.b), c.apart);
-    if (tie.rotations) line += ", with the rotations of shells and beams";
-    if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
-    if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
-    lines.push_back(line);
+    if (tie.when.from.empty())
+      lines.push_back(describe_tie(deck, ties, t));
+    else
+      lines.push_back(fmt::format("tie of '{}' and '{}' begins with sensor '{}'", name_side(tie.a), name_side(tie.b),
+                                  tie.when.from));
   }
   return lines;
 }

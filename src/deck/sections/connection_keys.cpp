@@ -54,14 +54,17 @@ bool check_tie_failure(const Reader& reader, const Node& node, TieDeck& tie) {
 }
 
 const Keys<TieDeck>& tie_keys() {
-  static const Keys<TieDeck> keys = {
+  using Sticks = TieDeck::Sticks;
+  static const Keys<TieDeck> keys = with_switch<TieDeck>({
       need("a", &TieDeck::a, SelectorValue{Chosen::surface_nodes}),
       need("b", &TieDeck::b, SelectorValue{Chosen::faces}),
       may("distance", &TieDeck::distance, NumberValue{positive}),
       may("empty", &TieDeck::may_be_empty, ChoiceValue<bool>{{{"refuse", false}, {"ignore", true}}}),
       may("rotations", &TieDeck::rotations, BooleanValue{}),
+      may("sticks", &TieDeck::sticks,
+          ChoiceValue<Sticks>{{{"at_start", Sticks::at_start}, {"on_contact", Sticks::on_contact}}}),
       group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
-  };
+  });
   return keys;
 }
 
@@ -212,6 +215,7 @@ const Keys<JointDeck>& joint_keys() {
       need("at", &JointDeck::at, vector3()),
       may("axis", &JointDeck::axis, DirectionValue{}),
       may("second_axis", &JointDeck::second_axis, DirectionValue{}),
+      may("lead", &JointDeck::lead, NumberValue{any_number}),
   };
   return keys;
 }
@@ -242,6 +246,14 @@ bool check_cross(const Reader& reader, const Node& node, const JointDeck& joint)
   return false;
 }
 
+bool check_lead(const Reader& reader, const Node& node, const JointDeck& joint) {
+  if (!joint.lead || *joint.lead != 0) return true;
+  reader.error(node.find("lead")->spot, fmt::format("{} is 0 (such a screw does not slide): use revolute, or give the "
+                                                    "way of a turn; a left-handed thread has a negative one",
+                                                    reader.name_of("lead")));
+  return false;
+}
+
 bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
   const Node& bodies = *node.find("bodies");
   if (joint.bodies.empty() || joint.bodies.size() > 2) {
@@ -258,7 +270,8 @@ bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
   const JointTraits& traits = find_traits(joint.kind);
   return check_axis(reader, node, joint, "axis", joint.axis.has_value(), traits.has_axis()) &&
          check_axis(reader, node, joint, "second_axis", joint.second_axis.has_value(), traits.has_second_axis()) &&
-         check_cross(reader, node, joint);
+         check_axis(reader, node, joint, "lead", joint.lead.has_value(), traits.has_lead()) &&
+         check_lead(reader, node, joint) && check_cross(reader, node, joint);
 }
 
 /// The same bodies at the same place.

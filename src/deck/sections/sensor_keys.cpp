@@ -117,6 +117,7 @@ void check_sensors(const Deck& deck, const Node& root, Reading& reading) {
   check_all(deck.nodal_loads, nodal);
   check_all(deck.walls, root.find("walls"));
   check_all(deck.contact.pairs, contact ? contact->find("surfaces") : nullptr);
+  check_all(deck.contact.ties, contact ? contact->find("ties") : nullptr);
   for (std::size_t i = 0; is_whole(conditions, deck.conditions.size()) && i < deck.conditions.size(); ++i) {
     check_switch(deck.conditions[i].when, conditions, i, reading);
     check_condition(deck, deck.conditions[i], conditions->items[i], reading);

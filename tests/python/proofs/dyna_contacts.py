@@ -42,6 +42,32 @@ def tied(contact, *more, gap=0.0, poisson=0.0):
     return deck(text, node_set(1, *range(1, 9)), "*BOUNDARY_SPC_SET\n1,0,1,1,1\n", moves, contact, *more, end=2e-5, rows=200)
 
 
+def velocity_of_two(x):
+    return f"*INITIAL_VELOCITY_GENERATION\n2,2,0,{x!r},0,0\n0\n"
+
+
+PULL = "*LOAD_RIGID_BODY\n2,{dof},7,{of}\n*DEFINE_CURVE\n7\n0,1.0\n1.0,1.0\n"
+
+
+def coupled(contact, *more):
+    """A rigid cube on another, both free."""
+    return deck(two_cubes(0.0).replace(elastic(), rigid()), "*CONTACT_TIED_SURFACE_TO_SURFACE\n", contact, *more, end=1e-5)
+
+
+def fallen(options):
+    """A rigid cube falls 0.01 mm on a held one, in 1e-5 s, and is pulled off it from 2e-5 s on, with 400 N at 6e-5 s."""
+    pull = "*LOAD_RIGID_BODY\n2,3,7,400.0\n*DEFINE_CURVE\n7\n0,0\n2e-5,0\n6e-5,1.0\n"
+    floor = hexahedron(1, 1, (-5.0, -5.0, 0.0), (20.0, 20.0, 10.0)) + part() + solid_section() + rigid(1, 1, 7, 7)
+    cube_above = hexahedron(2, 11, (0.0, 0.0, 10.01), of=2) + part(2, 1, 2) + rigid(2) + "*INITIAL_VELOCITY_GENERATION\n2,2,0,0,0,-1000.0\n0\n"
+    contact = f"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n0,0,-1e-3,-1e-3\n{options}\n"
+    return deck(floor, cube_above, contact, pull, end=6e-5, rows=600)
+
+
+def release_time(history):
+    """When the last tie lets go; 0: none does."""
+    return next((time for time, count in zip(history["time"], history["failed_ties"]) if count > 3), 0.0)
+
+
 def sheets(gap, scale=""):
     """A sheet of 1 mm above a held one begins to move away; its nodes are tied to the other."""
     lower = square() + part() + shell_section() + elastic() + node_set(1, 1, 2, 3, 4) + "*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
@@ -165,8 +191,12 @@ PROOFS = FAMILIES + [
     Proof("CONTACT_TIED_NODES_TO_SURFACE_OFFSET; CONTACT_TIED: SSID SSTYP SST MST",
           tied("*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n7,1,4,3\n\n0,0,1.0,1.0\n", node_set(7, 11, 12, 13, 14), gap=1.0), [("momentum_z", MIN, -HALF, 5e-2)],
           "nodes within 0.6 (SST + MST)"),
-    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: BT", tied("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n0,0,0,0,0,0,1e-6\n\n"), refused="begins during the run"),
-    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: DT", tied("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n0,0,0,0,0,0,0,1e-6\n\n"), refused="birth or death"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: BT", coupled("2,1,3,3\n0,0,0,0,0,0,4e-6\n\n", velocity_of_two(100.0)),
+          [("body_vx:part_1", 3.9e-6, 0.0, 1e-12), ("body_vx:part_1", LAST, 20.0, 2e-3), ("body_vx:part_2", LAST, 80.0, 2e-3), ("body_wy:part_1", LAST, 6.0, 2e-3)],
+          "rigid cubes, m and I = m 100 / 6, are one from BT on: v / 2, and the spin 5 m v / (2 I + 50 m), keep both momenta"),
+    Proof("CONTACT_TIED_SURFACE_TO_SURFACE; CONTACT_TIED: DT", coupled("2,1,3,3\n0,0,0,0,0,0,0,4e-6\n\n", PULL.format(dof=1, of=3.0)),
+          [("body_vx:part_1", LAST, 0.2 * 3.0 * 4e-6 / CUBE_MASS, 2e-2), ("body_vx:part_2", LAST, (0.8 * 4e-6 + 6e-6) * 3.0 / CUBE_MASS, 1e-2)],
+          "3 N on the upper one, which shares 1/2 - 3/10 of them until DT"),
     Proof("CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", tied("*CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE\n2,1,3,3\n\n\n1.0,1.0\n"), refused="ties that fail"),
     Proof("CONTACT_TIEBREAK_SURFACE_TO_SURFACE; CONTACT_TIED: NFLS SFLS", tied("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n1.0,1.0\n"), [("failed_ties", LAST, 4.0, 0.0)],
           "the stress of the start, rho c v of 4 MPa, breaks it"),
@@ -175,7 +205,15 @@ PROOFS = FAMILIES + [
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS",
           tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,90.0,90.0\n"), [("momentum_z", MIN, -HALF, 5e-2)], "it holds"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,90.0,90.0\n"), refused="ties that fail by the rule of OPTION 9"),
-    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n1\n"),
-          refused="OPTION 1: nodes that come into contact later stick too"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", fallen("1,2.0,2.0"),
+          [("momentum_z", LAST, 0.0, 1e-9)], "a cube that has fallen on a floor is held against 400 N: with OPTION 1 it never lets go"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS", fallen("3,2.0,90.0"),
+          [(release_time, LAST, 4e-5, 5e-3), ("failed_ties", LAST, 4.0, 0.0), ("momentum_z", LAST, 300.0 * 2e-5, 1e-2)],
+          "with OPTION 3 it comes off as the pull, 1e7 N/s from 2e-5 s on, is NFLS times 100 mm^2; then it moves freely"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", fallen("2,2.0,90.0"),
+          [("momentum_z", LAST, 0.5 * 400.0 * 4e-5, 1e-2)],
+          "with OPTION 2 what comes later does not stick", allow="CONTACT_TIED.empty"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n4,90.0,90.0\n"),
+          refused="OPTION 4: nodes that are held along the normal and slide"),
     Proof("CONTACT_TIEBREAK_NODES_TO_SURFACE", tied("*CONTACT_TIEBREAK_NODES_TO_SURFACE\n7,1,4,3\n\n\n90.0,90.0\n", node_set(7, 11, 12, 13, 14)), refused="ties that fail"),
 ]  # fmt: skip

@@ -74,7 +74,7 @@ TEST(SlidingJoint, ScrewTurnsAsItSlides) {
     const std::size_t last = run.history.rows() - 1;
     const double angle = find_angle(run.history, "rod", last, {1, 0, 0});
     EXPECT_NEAR(std::remainder(angle - 0.5 * a * end * end / p, 2 * std::numbers::pi), 0, 1e-4);
-    EXPECT_NEAR(run.history.last("joint_fx:screw"), 2 * (a - 4), 1e-6);
+    EXPECT_NEAR(run.history.last("joint_fx:screw"), 2 * (a - 4), 1e-5);  // of second order in a step's turn, 0.017
   }
 }
 

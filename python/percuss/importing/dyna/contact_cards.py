@@ -52,6 +52,7 @@ SCALE_OF = {
 }
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
 TURNS = ("TIED_SHELL_EDGE", "SPOTWELD")  # ties that hold rotations, too
+STICKS = {1, 3}  # OPTION of a tie: nodes that come into contact later stick too; with 1 they never let go
 INSTEAD = "it is left out"
 BY_TABLE = -9999  # DT: BT is a curve of births and deaths
 # Optional cards A to G.
@@ -173,8 +174,8 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
     breaks = family.startswith("TIEBREAK") or "TIEBREAK" in options or "FAILURE" in options
     if kind == TRANSDUCER:
         transduce(deck, contact)
-    elif find_strengths(contact):
-        if "ONLY" not in options:  # contact goes on where the tie has failed
+    elif find_strengths(contact) or find_option(contact) == 1:
+        if "ONLY" not in options or find_option(contact) in STICKS:  # contact goes on where the tie has failed, or is not yet
             add_pairs(deck, contact, False, options)
         tie(deck, contact)
     elif breaks:
@@ -188,9 +189,9 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
 
 def tell_breaking(contact: Contact) -> tuple[str, str]:
     """What a tie does that percuss lacks, and what is done instead."""
-    option = contact.failure.integer("OPTION") if contact.failure and "AUTOMATIC" in contact.keyword else 0
-    if option in (1, 4):
-        return f"OPTION {option}: nodes that come into contact later stick too", "those alone that touch at the start"
+    option = find_option(contact)
+    if option == 4:
+        return "OPTION 4: nodes that are held along the normal and slide with friction", "they are held in all directions, and do not fail"
     return f"ties that fail{f' by the rule of OPTION {option}' if option else ''}", "they do not fail"
 
 
@@ -413,10 +414,15 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool, options: lis
         deck.ledger.approximated(contact.keyword, contact.place, text + ", both faces of shells, at half their thickness")
 
 
+def find_option(contact: Contact) -> int:
+    """Of a tie that breaks, by its own card; 0: of another tie."""
+    return contact.failure.integer("OPTION") if contact.failure and "AUTOMATIC" in contact.keyword else 0
+
+
 def find_strengths(contact: Contact) -> Deck:
     """Of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
     row = contact.failure
-    if row is None or ("AUTOMATIC" in contact.keyword and row.integer("OPTION") not in (2, 3)):
+    if row is None or ("AUTOMATIC" in contact.keyword and find_option(contact) not in (2, 3)):
         return {}
     return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
 
@@ -441,25 +447,20 @@ def tied_name(deck: KeywordDeck, contact: Contact) -> str | None:
 
 
 def tie(deck: KeywordDeck, contact: Contact) -> None:
-    if contact.law.number("BT") > 0:
-        deck.ledger.refuse(
-            "CONTACT_TIED.BT", contact.place, "a tie that begins during the run", "the surfaces are in contact, not tied"
-        )
-        add_pairs(deck, contact, False, [])
-        return
     a, b = tied_name(deck, contact), side_name(deck, contact, "M")
     thicknesses = contact.scale.numbers("SST", "MST")
     contact.law.skip("FS", "FD")
-    if 0 < contact.law.number("DT") < deck.end_time:
-        deck.ledger.refuse("CONTACT.BT", contact.place, "a tie with a birth or death time", "it acts during the whole run")
+    times, option = find_times(deck, contact), find_option(contact)
     strengths = find_strengths(contact)
-    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths else None):
+    if option == 1 and contact.failure:
+        contact.failure.skip("NFLS", "SFLS")
+    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths or option == 1 else None):
         if row is not None:
             row.finish(deck.ledger)
     if not a or not b:
         deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
         return
-    entry: Deck = {"a": a, "b": b}
+    entry: Deck = {"a": a, "b": b, **times}
     reach = find_reach(deck, nodes_of_side(deck, contact), nodes_of_side(deck, contact, "M"), thicknesses)
     if reach:
         entry["distance"] = reach
@@ -467,6 +468,8 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         entry["rotations"] = True
     if strengths:
         entry["failure"] = strengths
+    if option in STICKS:
+        entry["sticks"] = "on_contact"
     if deck.ledger.allows("CONTACT_TIED.empty"):  # found by the run, which knows the reach
         entry["empty"] = "ignore"
         deck.ledger.approximated("CONTACT_TIED.empty", contact.place, "a tie in reach of nothing is told by the run, and ignored")
