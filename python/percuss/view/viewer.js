@@ -2,6 +2,8 @@
 
 const AMBIENT = 0.42, LIGHTS = [[-0.5, 0.95, 0.75, 0.42], [0.9, 0.15, 0.75, 0.26]];  // where they are as the camera sees it, and their strength
 
+const MANY_FACES = 30000;  // above it edges are a choice, and lines are not smoothed: that takes most of the time of software that draws
+
 class Viewer {
   constructor(about, data, box) {
     Object.assign(this, {about, data, box, canvas: box.querySelector('canvas'), surface: new Surface(about, data)});
@@ -11,7 +13,7 @@ class Viewer {
     this.camera = new THREE.PerspectiveCamera(24, 1, this.surface.diagonal / 1000, this.surface.diagonal * 50);
     this.camera.up.set(0, 0, 1);
     try {
-      this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: true});
+      this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: about.faces <= MANY_FACES, preserveDrawingBuffer: true});
     } catch (error) {
       const plain = this.canvas.cloneNode();  // the other may have a kind already
       this.canvas.replaceWith(plain);
@@ -45,7 +47,7 @@ class Viewer {
     };
     this.copies = [];
     this.mirror([]);
-    this.setEdges(this.about.faces <= 30000);
+    this.setEdges(this.about.faces <= MANY_FACES);
   }
 
   // planes: [axis, value] of mirrors, in places of the run. The surface and its images; two mirrors give three.
