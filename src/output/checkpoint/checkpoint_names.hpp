@@ -6,7 +6,7 @@
 namespace percuss::checkpoint_names {
 
 /// Changes when a reader of the other format could not make sense of a file.
-inline constexpr std::int64_t format = 7;
+inline constexpr std::int64_t format = 8;
 
 inline constexpr const char* header = "percuss_checkpoint";  // group whose attributes are the header
 inline constexpr const char* state = "state";                // group of the arrays
