@@ -9,7 +9,7 @@ from .camera import directions
 ON_THE_PLANE = 1e-6  # nodes that are nearer to it, as a share of the size of the mesh, lie on it: no slivers are cut off
 
 
-class BadChoice(Exception):
+class BadChoice(ValueError):
     """An argument does not fit the file; str() is a message for the user."""
 
 
