@@ -16,6 +16,9 @@ LONGEST = 1 << 30  # of what is not broken
 ORDER = (
     "time",
     "parts",
+    "mirror",
+    "pattern",
+    "place",
     "materials",
     "elements",
     "imperfections",
