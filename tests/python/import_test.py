@@ -818,7 +818,7 @@ class Scene(InFolder):
         self.assertIn("within one rigid body", refusals("*CONSTRAINED_EXTRA_NODES_SET\n3,11", "*CONSTRAINED_EXTRA_NODES_SET\n4,11")[revolute])
         self.assertIn("no direction", refusals("101,102,103,104", "101,102,101,102")[revolute])
         self.assertIn(spherical + ".N3", refusals("105,106", "105,106,107"))
-        self.assertIn("CONSTRAINED_JOINT_SCREW", refusals(spherical, "CONSTRAINED_JOINT_SCREW"))
+        self.assertIn("CONSTRAINED_JOINT_GEARS", refusals(spherical, "CONSTRAINED_JOINT_GEARS"))
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY.DRFLAG", refusals("20,0,13", "20,0,13,0,0,1"))
         self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_SPC.CMO", refusals("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n-1,1,1\n"))
         self.fails(decks.JOINTED.replace("105,106", "105,999"), "there is no node 999")
@@ -917,7 +917,7 @@ class Strictness(InFolder):
                           ("*DAMPING_GLOBAL\n0,1.0,1,0,0\n", "DAMPING_GLOBAL.STX"),
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
                           ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
-                          ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
+                          ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n4\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
                           ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,7,-9999\n0\n", "CONTACT.DT")):  # fmt: skip
             with self.subTest(key):
                 self.assertIn(key, self.refusals(decks.SMALL.replace("*END", card + "*END")))
