@@ -1,5 +1,6 @@
 """CHANGELOG and the recipes in packaging/, as far as they can be tested without Spack and a container: packaging_test.py ROOT."""
 
+import glob
 import os
 import re
 import sys
@@ -38,8 +39,9 @@ class Packaging(unittest.TestCase):
         """pip takes the folders that are packages, and of other files those that pyproject.toml names."""
         project = read("python/pyproject.toml")
         self.assertEqual(re.search(r'^version = "([^"]+)"', project, re.M)[1], re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1])
-        named = {f"{package.replace('.', '/')}/{name}" for package, names in re.findall(r'^"(percuss[\w.]*)" = \[(.*)\]', project, re.M)
-                 for name in re.findall(r'"([^"]+)"', names)}
+        patterns = [f"{package.replace('.', '/')}/{name}" for package, names in re.findall(r'^"(percuss[\w.]*)" = \[(.*)\]', project, re.M)
+                    for name in re.findall(r'"([^"]+)"', names)]
+        named = {name for pattern in patterns for name in glob.glob(pattern, root_dir=os.path.join(ROOT, "python"))}
         others = set()
         for folder, folders, names in os.walk(os.path.join(ROOT, "python/percuss")):
             folders[:] = [name for name in folders if name != "__pycache__"]
