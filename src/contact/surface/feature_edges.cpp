@@ -100,6 +100,7 @@ void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
     return p.ends[1] != q.ends[1] ? p.ends[1] < q.ends[1] : p.elements[0] < q.elements[0];
   });
   std::vector<std::int64_t> lower_of_faces;
+  lower_of_faces.reserve(edges.size());
   for (const FoundEdge& found : edges) lower_of_faces.push_back(found.edge.ends[0]);
   std::int64_t lower = -1;
   std::size_t next = 0;  // place among the edges of the node
@@ -119,6 +120,7 @@ void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
 std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, const Numbering& numbering,
                                            const Communicator& ranks) {
   std::vector<int> to;
+  to.reserve(beams.size());
   for (const FoundEdge& beam : beams) to.push_back(numbering.find_node_owner(beam.edge.ends[0]));
   return ItemExchange(ranks).send(to, beams);
 }

@@ -88,6 +88,7 @@ int SurfaceClasses::find(const SurfaceSet& set) const {
 ActiveContact find_active_contact(const Deck& deck, const std::vector<char>& happened) {
   const auto list = [&](const auto& entries) {
     std::vector<char> active;
+    active.reserve(entries.size());
     for (const auto& entry : entries) active.push_back(find_switch(deck.sensors, entry.when).is_on(happened) ? 1 : 0);
     return active;
   };

@@ -79,6 +79,7 @@ std::vector<std::int64_t> list_tied(const TiedSurfaces& ties, std::size_t tie, c
 std::vector<std::int64_t> number_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces) {
   const std::vector<std::int64_t> elements = list_element_numbers(chunked);
   std::vector<std::int64_t> numbers;
+  numbers.reserve(faces.size());
   for (const ElementFace& face : faces) numbers.push_back(find_face_number(elements[at(face.element)], face.face));
   return numbers;
 }
