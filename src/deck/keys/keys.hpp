@@ -89,7 +89,7 @@ Key<Owner> member_key(std::string name, bool required, Member Owner::*member, Va
   return make_key<Owner>(
       std::move(name), required, std::move(value),
       [member](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
-        if constexpr (requires { (owner.*member).emplace(); }) {
+        if constexpr (requires { (owner.*member).has_value(); }) {
           typename Member::value_type inner{};
           if (!v.read(reader, full, node, inner)) return false;
           owner.*member = std::move(inner);

@@ -49,6 +49,7 @@ Deck::~Deck() = default;
 
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
   std::vector<std::string> paths;
+  paths.reserve(overrides.size());
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));
   Deck deck;
   deck.file = file;

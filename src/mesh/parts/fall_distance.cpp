@@ -233,6 +233,7 @@ std::optional<double> find_fall_to_body(const std::vector<FallingTriangle>& fall
   if (still.empty()) return std::nullopt;
   const std::array<Vec3, 2> axes = find_axes(direction);
   std::vector<SeenTriangle> seen;
+  seen.reserve(still.size());
   for (const FallingTriangle& triangle : still) seen.push_back(see(triangle, direction, axes));
   const SeenBody body(std::move(seen));
   double least = never;
