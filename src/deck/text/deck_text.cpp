@@ -10,14 +10,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "src/deck/text/table_text.hpp"
 #include "src/error.hpp"
 #include "src/regular_file.hpp"
 #include "src/utf8.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 

@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "src/deck/text/number_text.hpp"
+#include "src/deck/text/table_text.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/regular_file.hpp"
@@ -25,29 +26,8 @@ namespace {
 constexpr std::string_view stress_heading = "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx";
 constexpr std::string_view strain_heading = "equivalent_plastic_strain";
 constexpr std::string_view temperature_heading = "temperature";
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::uintmax_t largest_table = std::numeric_limits<int>::max();  // MPI sends it, and counts with an int
 constexpr std::string_view velocity_heading = "node,velocity_x,velocity_y,velocity_z";
-
-[[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& what) {
-  throw InputError(fmt::format("{}:{}: error: {}", path, line, what));
-}
-
-std::string_view trim(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split_cells(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const auto end = std::min(line.find(',', begin), line.size());
-    cells.push_back(trim(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return cells;
-}
 
 /// Takes a word, or some, and the comma before it from the front of a text.
 bool take_heading(std::string_view& text, std::string_view words) {
@@ -82,16 +62,17 @@ void read_heading(std::string_view line, std::size_t number, const std::string& 
     table.has_layers = take_heading(rest, "layer");
     if (read_quantities(rest, table)) return;
   }
-  refuse(path, number,
-         fmt::format("the heading is neither '{}' nor 'element', perhaps 'layer', and one or more of '{}', '{}' and "
-                     "'{}' (it says what the numbers are)",
-                     velocity_heading, stress_heading, strain_heading, temperature_heading));
+  refuse_row(
+      path, number,
+      fmt::format("the heading is neither '{}' nor 'element', perhaps 'layer', and one or more of '{}', '{}' and "
+                  "'{}' (it says what the numbers are)",
+                  velocity_heading, stress_heading, strain_heading, temperature_heading));
 }
 
 std::int64_t read_positive(std::string_view cell, std::size_t number, const std::string& path, const char* what) {
   const auto value = read_integer(cell);
   if (!std::holds_alternative<long long>(value) || std::get<long long>(value) < 1)
-    refuse(path, number, fmt::format("the {} is not a positive integer", what));
+    refuse_row(path, number, fmt::format("the {} is not a positive integer", what));
   return std::get<long long>(value);
 }
 
@@ -99,20 +80,21 @@ void read_row(std::string_view line, std::size_t number, const std::string& path
   const std::vector<std::string_view> cells = split_cells(line);
   const std::size_t first = table.has_layers ? 2 : 1;
   if (cells.size() != first + at(table.columns))
-    refuse(path, number,
-           fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(), first + at(table.columns)));
+    refuse_row(
+        path, number,
+        fmt::format("the row has {} numbers (must be {}, as the heading)", cells.size(), first + at(table.columns)));
   table.ids.push_back(read_positive(cells[0], number, path, "id"));
   table.layers.push_back(table.has_layers ? read_positive(cells[1], number, path, "layer") : 0);
   table.lines.push_back(static_cast<int>(number));
   for (std::size_t c = first; c < cells.size(); ++c) {
     const auto value = read_number(cells[c]);
     if (const auto* problem = std::get_if<NumberProblem>(&value))
-      refuse(path, number, fmt::format("number {} of the row must be {}", c + 1, problem->must_be));
+      refuse_row(path, number, fmt::format("number {} of the row must be {}", c + 1, problem->must_be));
     table.values.push_back(std::get<double>(value));
   }
   const int strain = table.plastic_strain;
   if (strain != StartTable::absent && table.row(static_cast<int>(table.ids.size()) - 1)[strain] < 0)
-    refuse(path, number, "the equivalent plastic strain is negative (must be zero or positive)");
+    refuse_row(path, number, "the equivalent plastic strain is negative (must be zero or positive)");
 }
 
 /// Rows by ascending ids and layers.
@@ -128,10 +110,10 @@ void sort_rows(const std::string& path, StartTable& table) {
   sorted.values.clear();
   for (const std::size_t row : order) {
     if (!sorted.ids.empty() && std::pair(sorted.ids.back(), sorted.layers.back()) == key(row))
-      refuse(path, static_cast<std::size_t>(table.lines[row]),
-             fmt::format("{} {} is there twice{} (first in line {})", table.is_of_nodes ? "node" : "element",
-                         table.ids[row], table.has_layers ? fmt::format(" with layer {}", table.layers[row]) : "",
-                         sorted.lines.back()));
+      refuse_row(path, static_cast<std::size_t>(table.lines[row]),
+                 fmt::format("{} {} is there twice{} (first in line {})", table.is_of_nodes ? "node" : "element",
+                             table.ids[row], table.has_layers ? fmt::format(" with layer {}", table.layers[row]) : "",
+                             sorted.lines.back()));
     sorted.ids.push_back(table.ids[row]);
     sorted.layers.push_back(table.layers[row]);
     sorted.lines.push_back(table.lines[row]);
@@ -168,7 +150,7 @@ StartTable parse_start_table(const std::string& text, const std::string& path) {
   std::size_t number = 0;
   for (std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; begin < text.size();) {
     const auto end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = trim(std::string_view(text).substr(begin, end - begin));
+    const std::string_view line = trim_cell(std::string_view(text).substr(begin, end - begin));
     begin = end + 1;
     ++number;
     if (line.empty() || line.front() == '#') continue;
@@ -179,7 +161,7 @@ StartTable parse_start_table(const std::string& text, const std::string& path) {
     has_heading = true;
   }
   if (table.ids.empty())
-    refuse(path, number + 1, "there are no rows (a heading and a row an element or node are expected)");
+    refuse_row(path, number + 1, "there are no rows (a heading and a row an element or node are expected)");
   sort_rows(path, table);
   return table;
 }

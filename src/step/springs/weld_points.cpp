@@ -10,6 +10,7 @@
 
 #include "comm/agreement.hpp"
 #include "src/deck/text/number_text.hpp"
+#include "src/deck/text/table_text.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/regular_file.hpp"
@@ -20,26 +21,6 @@ namespace {
 constexpr std::size_t most_rows = 100000;
 constexpr std::uintmax_t most_bytes = 64 << 20;
 
-[[noreturn]] void refuse_table(const std::string& path, std::size_t line, const std::string& what) {
-  throw InputError(fmt::format("{}:{}: error: {}", path, line, what));
-}
-
-std::string_view strip(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> cut_at_commas(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const auto end = std::min(line.find(',', begin), line.size());
-    cells.push_back(strip(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return cells;
-}
-
 /// Whether no cell begins as a number does.
 bool is_heading(const std::vector<std::string_view>& cells) {
   return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
@@ -49,17 +30,16 @@ bool is_heading(const std::vector<std::string_view>& cells) {
 
 WeldPoint read_point(const std::vector<std::string_view>& cells, std::size_t line, const std::string& path) {
   if (cells.size() != 3 && cells.size() != 4)
-    refuse_table(
-        path, line,
-        fmt::format("the row has {} values (must be x, y, z, or x, y, z, diameter, with commas)", cells.size()));
+    refuse_row(path, line,
+               fmt::format("the row has {} values (must be x, y, z, or x, y, z, diameter, with commas)", cells.size()));
   std::array<double, 4> values{};
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const auto value = read_number(cells[c]);
     if (const auto* problem = std::get_if<NumberProblem>(&value))
-      refuse_table(path, line, fmt::format("value {} of the row must be {}", c + 1, problem->must_be));
+      refuse_row(path, line, fmt::format("value {} of the row must be {}", c + 1, problem->must_be));
     values[c] = std::get<double>(value);
   }
-  if (cells.size() == 4 && !(values[3] > 0)) refuse_table(path, line, "the diameter is not positive");
+  if (cells.size() == 4 && !(values[3] > 0)) refuse_row(path, line, "the diameter is not positive");
   return {{values[0], values[1], values[2]}, 0.5 * values[3], static_cast<int>(line)};
 }
 
@@ -83,23 +63,22 @@ std::string read_table(const std::string& path) {
 }  // namespace
 
 std::vector<WeldPoint> parse_weld_points(const std::string& text, const std::string& path, std::size_t most) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
   std::vector<WeldPoint> points;
   std::size_t number = 0;
   bool is_first = true;
-  for (std::size_t begin = text.starts_with(mark) ? mark.size() : 0; begin < text.size();) {
+  for (std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; begin < text.size();) {
     const auto end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = strip(std::string_view(text).substr(begin, end - begin));
+    const std::string_view line = trim_cell(std::string_view(text).substr(begin, end - begin));
     begin = end + 1;
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string_view> cells = cut_at_commas(line);
+    const std::vector<std::string_view> cells = split_cells(line);
     if (!(is_first && is_heading(cells))) points.push_back(read_point(cells, number, path));
     is_first = false;
     if (points.size() > most)
-      refuse_table(path, number, fmt::format("the table has more than {} welds: divide it", most));
+      refuse_row(path, number, fmt::format("the table has more than {} welds: divide it", most));
   }
-  if (points.empty()) refuse_table(path, number + 1, "there are no welds (a row x, y, z each is expected)");
+  if (points.empty()) refuse_row(path, number + 1, "there are no welds (a row x, y, z each is expected)");
   return points;
 }
 
