@@ -120,10 +120,9 @@ bool PlaceFinder::is_quote_closed(int line, int byte_column) const {
   if (i >= text_.size() || (text_[i] != '"' && text_[i] != '\'')) return true;
   const char quote = text_[i];
   for (++i; i < text_.size(); ++i) {
-    if (quote == '"' && text_[i] == '\\')
-      ++i;
-    else if (text_[i] == quote && quote == '\'' && i + 1 < text_.size() && text_[i + 1] == quote)
-      ++i;  // '' is a quote
+    const bool is_doubled = quote == '\'' && text_[i] == quote && i + 1 < text_.size() && text_[i + 1] == quote;
+    if (is_doubled || (quote == '"' && text_[i] == '\\'))
+      ++i;  // '' and \" are quotes within the quoted text
     else if (text_[i] == quote)
       return true;
   }
