@@ -92,7 +92,10 @@ class Page(OfARun):
         fields = self.run_.fields
         for frame, told in enumerate(about["fields"][0]["largest"]):
             values = fields.values("von_mises", frame)
-            self.assertAlmostEqual(float(told["value"]) * 1e6 / max(values.max(), 1), float(values.max() > 0), delta=1e-3)
+            if not values.any():
+                self.assertIsNone(told)
+                continue
+            self.assertAlmostEqual(float(told["value"]) * 1e6 / values.max(), 1, delta=1e-3)
             element = int(told["of"].split()[1])
             self.assertEqual(values[fields.element_ids == element], values.max())
             corners = np.unique(fields.hexahedra[fields.element_ids == element])

@@ -4,18 +4,18 @@ import numpy as np
 
 
 def find_largest(fields, name, frame, drawn):
-    """(item, value) of a field in the elements that are drawn, or their nodes; (None, None) where nothing is finite."""
+    """(item, value) of a field in the elements that are drawn, or their nodes; (None, None) where nothing is finite or all are zero."""
     values = fields.values(name, frame)
     items = np.flatnonzero(drawn) if fields.names()[name] == "element" else np.unique(fields.hexahedra[drawn])
     items = items[np.isfinite(values[items])]
-    if not len(items):
+    if not values[items].any():
         return None, None
     item = int(items[np.argmax(values[items])])
     return item, float(values[item])
 
 
 class Largest:
-    """Of a frame. Attributes: value (in the unit of the file; None where nothing is finite), point [3], text ('element 12 of part 'plate'')."""
+    """Of a frame. Attributes: value (in the unit of the file; None where find_largest finds none), point [3], text ('element 12 of part 'plate'')."""
 
     def __init__(self, fields, coloring, frame, drawn):
         self.value, self.point, self.text = None, None, ""

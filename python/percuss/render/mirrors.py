@@ -49,10 +49,12 @@ def list_copies(planes):
 
 def reflect(points, planes):
     """Points [n][3] with their images in each copy."""
-    images = [points]
-    for chosen in list_copies(planes):
-        image = points.copy()
-        for axis, value in chosen:
-            image[:, axis] = 2 * value - image[:, axis]
-        images.append(image)
-    return np.concatenate(images)
+    return np.concatenate([points, *(reflect_once(points, chosen) for chosen in list_copies(planes))])
+
+
+def reflect_once(points, planes):
+    """Points [...][3] as one copy shows them."""
+    image = np.array(points, dtype=float)
+    for axis, value in planes:
+        image[..., axis] = 2 * value - image[..., axis]
+    return image

@@ -20,7 +20,7 @@ from .coloring import Coloring
 from .following import Following
 from .largest import Largest, format_value
 from .mirrors import choose_planes, list_copies, reflect
-from .plates import span_walls
+from .plates import mirror_walls, span_walls
 from .scene import Scene, Surface
 from .selection import BadChoice, choose_elements
 from .skin import Skin
@@ -115,8 +115,9 @@ class Shot:
         self.coloring = Coloring(fields, arguments, self.kept, frames)
         self.surface = Surface(Skin(fields.hexahedra, self.kept, self.cut))
         self.following = Following(fields, arguments.follow, self.surface.skin.nodes(), frames)
-        planes = choose_planes(fields, arguments.mirror, find_deck_of(fields) if arguments.mirror else None)
-        self.scene, self.walls = make_scene(fields, arguments, self.surface, self.coloring, frames, box, Extras(self.following, planes, title))
+        self.planes = choose_planes(fields, arguments.mirror, find_deck_of(fields) if arguments.mirror else None)
+        extras = Extras(self.following, self.planes, title)
+        self.scene, self.walls = make_scene(fields, arguments, self.surface, self.coloring, frames, box, extras)
         self.clock = self.scene.add_text("", 0.03, 0.035, 0.03)
         self.alive = self.kept
 
@@ -139,7 +140,7 @@ class Shot:
 
     def _mark(self, frame):
         found = Largest(self.fields, self.coloring, frame, self.alive)
-        self.scene.mark(found.point, f"max {format_value(found.value, self.coloring)}" if found.point is not None else "")
+        self.scene.mark(found.point, f"max {format_value(found.value, self.coloring)}" if found.point is not None else "", self.planes)
         if found.point is not None and (self.largest is None or found.value > self.largest[0]):
             self.largest = (found.value, found.text, frame)
 
@@ -179,15 +180,15 @@ def choose_frames(fields, wanted):
 
 
 class Walls:
-    """The plates of rigid walls; one that stands between the camera and the bodies is seen through."""
+    """The plates of rigid walls and of their mirrored images; one that stands between the camera and the bodies is seen through."""
 
-    def __init__(self, fields, points, camera):
-        self._fields, self._points, self._camera = fields, points, camera
+    def __init__(self, fields, points, camera, planes):
+        self._fields, self._points, self._camera, self._planes = fields, points, camera, planes
 
     def span(self, frame):
-        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame."""
-        return [(plates, plane is not None and (self._camera - plane[0]) @ plane[1] < 0)
-                for plates, plane in span_walls(self._fields, frame, self._points)]
+        """[(plates [k][4][3], whether it is seen from behind)] of each at the time of a frame; None for plates: it is not drawn."""
+        walls = mirror_walls(span_walls(self._fields, frame, self._points), self._planes)
+        return [(plates, plane is not None and (self._camera - plane[0]) @ plane[1] < 0) for plates, plane in walls]
 
 
 class NoWalls:
@@ -209,9 +210,9 @@ def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 
     shown = np.concatenate([points, *[marks] * max(1, len(points) // 400)]) if len(marks) else points
     aspect = arguments.size[0] / arguments.size[1]
     position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
-    walls = NoWalls() if arguments.no_walls else Walls(fields, points, position)
+    walls = NoWalls() if arguments.no_walls else Walls(fields, points, position, extras.planes)
     scene.place_walls(walls.span(frames[0]))
-    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame)]
+    ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame) if plates is not None]
     scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
     if not arguments.fast:
         start = fields.positions(0)

@@ -3,15 +3,44 @@ bodies; a cylinder or a sphere as many."""
 
 import numpy as np
 
+from .mirrors import list_copies, reflect_once
+
 MARGIN = 0.08  # of the plate around the bodies, as a share of the size of the scene
 GAP = 5e-4     # by which the plate lies behind the wall, likewise: faces that lie on the wall are seen
 AROUND = 96    # plates around a cylinder or a sphere
+SAME = 1e-6    # of the size of the scene: where the plates of two walls are alike
 
 
 def span_walls(fields, frame, points):
     """[(plates [k][4][3], plane)] of all walls at the time of a frame. plane: its point and normal; None of a round wall."""
     return [(span_wall(*wall, points)[np.newaxis], wall[:2]) for wall in fields.walls_at(frame)] + [
         (span_round_wall(*wall, points), None) for wall in fields.round_walls_at(frame)]
+
+
+def mirror_walls(walls, planes):
+    """The walls of span_walls with their images in each mirrored copy of the scene; (None, None) for an image that lies where a wall is
+    already, such as that of a floor. There are as many at each time."""
+    images = list(walls)
+    for chosen in list_copies(planes):
+        for plates, plane in walls:
+            image = reflect_once(plates, chosen)
+            there = any(_are_alike(image, other) for other, _ in images if other is not None)
+            images.append((None, None) if there else (image, plane and (reflect_once(plane[0], chosen), _turn(plane[1], chosen))))
+    return images
+
+
+def _are_alike(one, two):
+    """Whether plates lie at the same places: they may begin at other corners."""
+    one, two = (np.reshape(plates, (-1, 3)) for plates in (one, two))
+    near = SAME * max(find_size(one), find_size(two))
+    return bool(np.allclose(one.mean(axis=0), two.mean(axis=0), rtol=0, atol=near)
+                and np.allclose(np.cov(one.T), np.cov(two.T), rtol=0, atol=near * find_size(two)))
+
+
+def _turn(normal, planes):
+    image = np.array(normal, dtype=float)
+    image[[axis for axis, _ in planes]] *= -1
+    return image
 
 
 def span_wall(point, normal, edges, points):

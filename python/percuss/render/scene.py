@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 
 from .camera import narrow_view
 from .colors import rgb
+from .mirrors import reflect
 from .walls import WallPlates
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
@@ -143,10 +144,10 @@ class Scene:
         self.renderer.SSAOBlurOn()
 
     def place_walls(self, walls):
-        """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now on. The
-        edges of a wall of one plate are drawn."""
-        for plates, _ in walls[len(self._walls) :]:
-            self._walls.append(WallPlates(0.6 * self.scale, len(plates) == 1))
+        """walls: [(plates [k][4][3], whether it is seen from behind)], as many at every call; where they are from now on. Plates of
+        None are not drawn."""
+        for _ in walls[len(self._walls) :]:
+            self._walls.append(WallPlates(0.6 * self.scale))
             self.renderer.AddActor(self._walls[-1].actor)
         for wall, place in zip(self._walls, walls):
             wall.place(*place)
@@ -168,8 +169,9 @@ class Scene:
         camera.SetPosition(*(self._stand[0] + by))
         camera.SetFocalPoint(*(self._stand[1] + by))
 
-    def mark(self, point, text):
-        """A ring at a point with a text beside it, over all that is drawn. None: no mark in this picture."""
+    def mark(self, point, text, planes=()):
+        """A ring at a point with a text beside it, over all that is drawn; of the images of mirrored copies at that which is nearest to the
+        camera. None: no mark in this picture."""
         if not self._mark:
             ring, label = (self.add_text("", 0, 0, points, bold=True) for points in (0.034, 0.022))
             ring.GetTextProperty().SetBackgroundOpacity(0)
@@ -182,6 +184,8 @@ class Scene:
             actor.SetVisibility(point is not None)
         if point is None:
             return
+        images = reflect(np.reshape(point, (1, 3)), planes)
+        point = images[np.argmin(np.linalg.norm(images - self.renderer.GetActiveCamera().GetPosition(), axis=1))]
         ring, label = self._mark
         for actor in self._mark:
             actor.GetPositionCoordinate().SetValue(*point)

@@ -13,9 +13,9 @@ SEEN_FROM_BEHIND = 0.25  # opacity then: what lives in front of the wall is seen
 
 
 class WallPlates:
-    """The plates of a wall, which may move from frame to frame; `actor` draws them. has_edges: whether their edges are drawn."""
+    """The plates of a wall, which may move from frame to frame; `actor` draws them. The edges of a wall of one plate are drawn."""
 
-    def __init__(self, line_width, has_edges):
+    def __init__(self, line_width):
         self._points, self._cells, self._mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
         self._mesh.SetPoints(self._points)
         self._mesh.SetPolys(self._cells)
@@ -24,10 +24,14 @@ class WallPlates:
         mapper.ScalarVisibilityOff()
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)
-        _color(self.actor.GetProperty(), line_width, has_edges)
+        _color(self.actor.GetProperty(), line_width)
 
     def place(self, plates, seen_from_behind):
-        """plates: [k][4][3], as many at every call."""
+        """plates: [k][4][3], as many at every call; None: they are not drawn."""
+        self.actor.SetVisibility(plates is not None)
+        if plates is None:
+            return
+        self.actor.GetProperty().SetEdgeVisibility(len(plates) == 1)
         corners = np.ascontiguousarray(np.reshape(plates, (-1, 3)))
         self._points.SetData(numpy_to_vtk(corners, deep=1))
         for first in range(0, 0 if self._cells.GetNumberOfCells() else len(corners), 4):
@@ -38,10 +42,9 @@ class WallPlates:
         self.actor.GetProperty().SetOpacity(SEEN_FROM_BEHIND if seen_from_behind else 1)
 
 
-def _color(look, line_width, has_edges):
+def _color(look, line_width):
     look.SetColor(*FRONT)
     look.SetAmbient(0.45)
     look.SetDiffuse(0.6)
-    look.SetEdgeVisibility(has_edges)
     look.SetEdgeColor(*EDGE)
     look.SetLineWidth(line_width)

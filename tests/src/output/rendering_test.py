@@ -13,7 +13,8 @@ except ImportError as error:
     sys.exit(77)
 
 from percuss.results.units import choose_unit, format_time  # noqa: E402
-from percuss.render.plates import span_wall  # noqa: E402
+from percuss.render.largest import find_largest  # noqa: E402
+from percuss.render.plates import mirror_walls, span_round_wall, span_wall  # noqa: E402
 from percuss.render.ranges import choose_bar, find_ends, find_typical_ends  # noqa: E402
 from percuss.render.selection import Cut, faces_camera  # noqa: E402
 from percuss.render.skin import Skin  # noqa: E402
@@ -33,6 +34,51 @@ class Wall(unittest.TestCase):
         plate = span_wall(np.array([5.0, 5, -1]), self.up, edges, self.points)
         np.testing.assert_array_equal(plate[:, :2], [[5, 5], [7, 5], [7, 8], [5, 8]])
         np.testing.assert_allclose(plate[:, 2], -1, atol=0.01)
+
+    def mirror(self, plates, plane, *planes):
+        return [image for image, _ in mirror_walls([(plates, plane)], planes) if image is not None]
+
+    def test_has_an_image_in_each_mirrored_copy(self):
+        normal = np.array([-0.8, 0, 0.6])
+        plate = span_wall(np.array([1.0, 0, 0]), normal, None, np.array([[-1.0, -2, 0], [1, 2, 3]]))[np.newaxis]
+        walls = mirror_walls([(plate, (np.array([1.0, 0, 0]), normal))], [(0, 0.0), (1, 0.0)])
+        self.assertEqual([image is None for image, _ in walls], [False, False, True, True])  # it is its own image across y
+        image, (point, turned) = walls[1]
+        np.testing.assert_allclose(turned, [0.8, 0, 0.6])
+        np.testing.assert_allclose(point, [-1, 0, 0])
+        np.testing.assert_allclose((image - point) @ turned, (plate - [1, 0, 0]) @ normal, atol=1e-12)
+
+    def test_has_no_image_where_it_stands(self):
+        floor = span_wall(np.array([0.0, 0, 0]), self.up, None, np.array([[-1.0, -2, 0], [1, 2, 3]]))[np.newaxis]
+        self.assertEqual(len(self.mirror(floor, (np.zeros(3), self.up), (0, 0.0), (1, 0.0))), 1)
+        ball = span_round_wall(np.array([0.0, 3, 0]), None, 1.0, None, self.points)
+        self.assertEqual(len(self.mirror(ball, None, (0, 0.0))), 1)
+        images = self.mirror(ball, None, (1, 0.5))
+        np.testing.assert_allclose(images[1].reshape(-1, 3).mean(axis=0), [0, -2, 0], atol=0.05)
+        edges = np.array([[2.0, 0, 0], [0, 3, 0]])
+        plate = span_wall(np.array([5.0, 5, -1]), self.up, edges, self.points)[np.newaxis]
+        images = self.mirror(plate, (np.array([5.0, 5, -1]), self.up), (0, 5.0))
+        np.testing.assert_allclose(sorted(images[1][0, :, 0]), [3, 3, 5, 5])
+
+
+class Largest(unittest.TestCase):
+    def test_is_none_of_a_field_of_zeros(self):
+        class Fields:
+            hexahedra = np.array([[0, 1, 2, 3, 4, 5, 6, 7]])
+
+            def __init__(self, *values):
+                self.all = np.array(values)
+
+            def names(self):
+                return {"f": "element" if len(self.all) == 1 else "node"}
+
+            def values(self, name, frame):
+                return self.all
+
+        drawn = np.array([True])
+        self.assertEqual(find_largest(Fields(*[0.0] * 8), "f", 0, drawn), (None, None))
+        self.assertEqual(find_largest(Fields(*[-1.0] * 7, np.nan), "f", 0, drawn), (0, -1.0))
+        self.assertEqual(find_largest(Fields(np.nan), "f", 0, drawn), (None, None))
 
 
 class Bar(unittest.TestCase):
