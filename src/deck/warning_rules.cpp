@@ -101,7 +101,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"shell_normals", "shells turned against their neighbours"},
       {"file_ids", "ids of a mesh file that are not positive and unique"},
       {"raised_ids", "ids of a mesh file that an earlier part already uses"},
-      {"unread_content", "content of a mesh file that is ignored"},
+      {"unread_content", "content of a mesh file or a weld file that is ignored"},
       {"unused_nodes", "nodes of a mesh file without an element"},
       {"coordinate_precision", "coordinates too far from the origin for the elements"},
       // ranks and runs (src/app, src/step)

@@ -278,6 +278,56 @@ class Welds(Scenes):
         table = self.write("spots.csv", "\ufeffx, y, z, diameter\n# spots\n\n" + lines + "\n")
         self.assertEqual(self.hash_of(self.run_deck(self.weld(f"file: {table}"), "table")), listed)
 
+    XMCF = """<?xml version="1.0" encoding="UTF-8"?>
+<!-- a <connection_0d> in a remark -->
+<xmcf xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
+  <version>3.0.0</version> <date>2020-01-01</date> <units length="%s" mass="kg"/>
+  <appdata><tool><connection_group/><loc>7 7 7</loc></tool></appdata>
+  <connection_group id="1">
+    <connected_to><part index="1" label="PART_1" pname="low" pid="11"/><part index="2" label="high"/></connected_to>
+    <connection_list>
+      <connection_0d label="a"><spotweld diameter="%s"/><loc> %s </loc><appdata><loc>9 9 9</loc></appdata></connection_0d>
+      <connection_0d><loc>%s</loc><spotweld/></connection_0d>
+      <connection_0d><rivet shaft_diameter="4"/><loc>0 0 0</loc></connection_0d>
+      <connection_1d><loc_list><loc v="1">0 0 0</loc></loc_list><seamweld/></connection_1d>
+    </connection_list>
+  </connection_group>
+  <connection_group id="2">
+    <connected_to><assy index="1"><part pid="11"/><part label="roof"/></assy></connected_to>
+    <connection_list><connection_0d><spotweld/><loc>8 8 8</loc></connection_0d></connection_list>
+  </connection_group>
+</xmcf>
+"""
+
+    def in_metres(self, keys):
+        return "units: m, kg, s\n" + self.weld(keys)
+
+    def test_a_master_connection_file_has_the_places_of_its_parts(self):
+        listed = self.hash_of(self.run_deck(self.weld("at: [[0.0625, 0.05, 0.001], [0.25, 0.05, 0.001]], radius: 0.005"), "two"))
+        metres = self.write("body.xmcf", self.XMCF % ("m", "0.01", "0.0625 0.05 0.001", "0.25\n 0.05 1e-3"))
+        self.assertEqual(self.hash_of(self.run_deck(self.in_metres(f"file: {metres}, radius: 0.005"), "metres")), listed)
+        text = self.check(self.in_metres(f"file: {metres}, radius: 0.005"))
+        self.assertIn("weld 'spots': 2 of them", text)
+        self.assertIn("1 of kind rivet, 1 of kind seamweld", text)
+        millimetres = self.write("body.xml", self.XMCF % ("mm", "10", "62.5 50 1", "250 50 1"))
+        self.assertEqual(self.hash_of(self.run_deck(self.in_metres(f"file: {millimetres}, radius: 0.005"), "millimetres")), listed)
+        self.assertIn("has no radius for line 10 of", self.refused(self.in_metres(f"file: {millimetres}")))
+        self.assertIn("give units", self.refused(self.weld(f"file: {metres}, radius: 0.005")))
+
+    def test_master_connection_files_are_hostile_until_checked(self):
+        good = self.XMCF % ("m", "0.01", "0.0625 0.05 0.001", "0.25 0.05 0.001")
+        for old, new, told in (("</xmcf>", "", "ends within <xmcf>"), ("<xmcf ", "<mcf ", "the file begins with <mcf>"), ('"m"', '"cubit"', "'cubit' of length"),
+                               ("0.0625 0.05 0.001", "0.0625 0.05", "three numbers"), ("0.0625 0.05 0.001", "0.0625 0.05 0.001 1", "three numbers"),
+                               ("0.0625 0.05 0.001", "0.0625 0.05 nan", ":9: error: <loc>"), ('"0.01"', '"-1"', ":9: error: diameter"),
+                               ("<loc>0.25 0.05 0.001</loc>", "", ":10: error: a spot weld has no <loc>"),
+                               ('"low"', '"lower"', "no group of"), ('"low"', '"lower"', "did you mean 'lower'"),
+                               ("<spotweld", "<screw", "no spot weld between 'low' and 'high'"), ("<!--", "<![CDATA[", "is not read")):
+            with self.subTest(new=new):
+                self.assertIn(told, self.refused(self.in_metres(f"file: {self.write('bad.xmcf', good.replace(old, new))}, radius: 0.005")))
+        for other in ("<VTKFile/>", "<", "<>", "<xmcf/>", "<xmcf><connection_group/></xmcf>", "<?xml?>"):
+            with self.subTest(other=other):
+                self.refused(self.in_metres(f"file: {self.write('bad.xmcf', other)}, radius: 0.005"))
+
     def test_a_row_that_leaves_a_plate_is_refused_with_its_place(self):
         text = self.refused(self.weld("from: [0.05, 0.05, 0.001], to: [0.85, 0.05, 0.001], pitch: 0.4, radius: 0.005"))
         self.assertIn("at [0.85, 0.05, 0.001]", text)

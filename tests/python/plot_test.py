@@ -109,6 +109,15 @@ class Plot(unittest.TestCase):
         for words in ("Loss", "integral(wall_force_z) [", "[J]"):
             self.assertTrue(words in text, words)
 
+    def test_names_and_units_of_a_user_stand_as_they_are(self):
+        path = os.path.join(self.folder.name, "named.svg")
+        done = self.plot(self.out, "--x", "step", "mine [J] = 1e6 * kinetic", 'norm(kinetic, internal)', "--out", path, "kinetic * 1e6")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        for words in (">Mine<", ">[J]<", ">norm(kinetic, internal)<", ">Kinetic * 1e6<", ">[MJ]<"):
+            self.assertIn(words, text)
+
     def test_writes_what_it_draws_as_a_table(self):
         path = os.path.join(self.folder.name, "curves.csv")
         self.assertEqual(self.plot(self.out, "kinetic + internal", "--out", path).returncode, 0)
@@ -163,6 +172,11 @@ class Plot(unittest.TestCase):
 
     def test_says_what_is_wrong(self):
         for arguments, words in (((self.out, "kinetics"), "there is no column 'kinetics'"), (("nowhere",), "no folder among nowhere"),
+                                 ((self.out, "kinetics"), "did you mean kinetic? (percuss plot DIR --list shows all)"),
+                                 ((self.out, "kinetic +"), "'kinetic +' is no expression"),
+                                 ((self.out, "integral(kinetic, time"), "'integral(kinetic, time' is no expression"),
+                                 ((self.out, "kinetic", "--x", "max(time"), "'max(time' is no expression"),
+                                 ((self.out, "--out", "curve.pdf"), ".png, .svg or .csv, not .pdf"),
                                  ((self.out, "--units", "m, stone, s"), "'m, stone, s' is no system of units"),
                                  ((self.folder.name,), "there are no results of percuss")):
             done = self.plot(*arguments)

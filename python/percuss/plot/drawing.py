@@ -54,7 +54,8 @@ class Plot:
             self.x_unit, self.x_factor = choose_time_unit(history.unit("time"), min(max(ends, default=0), options.end))
         else:
             largest = max((find_size(h[options.x]) for _, _, h in runs), default=0)
-            self.x_unit, self.x_factor = choose_unit(history.unit(options.x), largest)
+            unit = history.unit(options.x)
+            self.x_unit, self.x_factor = (unit, 1.0) if history.has_given_unit(options.x) else choose_unit(unit, largest)
 
     def draw_all(self, panels, size, title=""):
         """One figure of all panels, in two columns where there are more than two. size: (width, height) in inches or None."""
@@ -140,7 +141,8 @@ class Plot:
         if units == {""} and 0 < largest < SMALL_NUMBER:
             power = 3 * math.floor(math.log10(largest) / 3)
             return "10" + str(power).translate(SUPERSCRIPTS), 10.0**-power
-        return choose_unit(units.pop(), largest) if len(units) == 1 else (", ".join(sorted(u or "-" for u in units)), 1.0)
+        is_given = any(history.has_given_unit(name) for _, _, history in self.runs for name in panel.columns)
+        return choose_unit(units.pop(), largest) if len(units) == 1 and not is_given else (", ".join(sorted(u or "-" for u in units)), 1.0)
 
     def _color_by_part(self, axes, run, history, factor):
         """Dots on the curve of the step, in the colour of the part whose element controls it."""
@@ -162,7 +164,8 @@ class Plot:
         single = len(panel.columns) == 1
         meaning = history.label(panel.columns[0])
         title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
-        axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
+        title = title if "(" in title else title[:1].upper() + title[1:]
+        axes.set_title(title, loc="left", fontsize=10, fontweight="bold")
         words = "time" if self.options.x == "time" else self.runs[0][2].label(self.options.x)
         axes.set_xlabel(f"{words} [{self.x_unit}]" if self.x_unit else words)
         axes.set_ylabel(f"[{unit}]" if unit else "")

@@ -4,11 +4,13 @@ import difflib
 import fnmatch
 from dataclasses import dataclass, field
 
+from percuss.results.expressions import check_syntax
 from percuss.results.extremes import find_size
 
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
 SMALL_FORCE = 0.01  # of the largest force: smaller columns are left out of the panel of forces
+MOST_NAMES = 40  # of columns in a message
 MOST_CURVES = 12  # of a panel that was chosen by a pattern or by default
 
 
@@ -85,13 +87,21 @@ def choose_columns(word, histories):
     return _choose_columns(word, list(dict.fromkeys(name for history in histories for name in history.everything)), {}).columns
 
 
+def _hint(word, names, known):
+    if near := difflib.get_close_matches(word, [*names, *known], 1, 0.6):
+        return f"; did you mean {near[0]}? (percuss plot DIR --list shows all)"
+    panels = f"panels: {', '.join(known)}; " if known else ""
+    rest = ", ...; percuss plot DIR --list shows all" if len(names) > MOST_NAMES else ""
+    return f" and no folder of this name ({panels}columns: {', '.join(names[:MOST_NAMES])}{rest})"
+
+
 def _choose_columns(word, names, known):
     columns = []
     for part in [word] if word in names else word.split(","):
         found = [part] if part in names else fnmatch.filter(names, part) or (known[part].columns if part in known else [])
         if not found:
-            near = difflib.get_close_matches(part, [*names, *known], 1, 0.6)
-            raise BadChoice(f"there is no column '{part}'{f'; did you mean {near[0]}?' if near else ''} (panels: {', '.join(known)}; columns: {', '.join(names)})")
+            check_syntax(word, names)
+            raise BadChoice(f"there is no column '{part}'{_hint(part, names, known)}")
         columns += found
     columns = list(dict.fromkeys(columns))
     return Panel(word, columns[0] if len(columns) == 1 else "", columns, columns == ["dt"])

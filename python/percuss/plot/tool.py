@@ -8,6 +8,8 @@ from percuss.libraries import require
 from percuss.terminal import fail as end
 
 NEEDS = ("numpy", "h5py", "matplotlib")
+ENDINGS = (".png", ".svg", ".csv")
+OTHER_ENDINGS = (".pdf", ".eps", ".ps", ".jpg", ".jpeg", ".gif", ".tif", ".tiff", ".bmp", ".webp", ".txt", ".dat", ".xls", ".xlsx", ".html")
 EPILOG = """\
 WHAT is drawn, a panel for each word; by default energies, their error, momentum, forces, the time step with the part
 that controls it, contact and its penetration:
@@ -47,7 +49,7 @@ def parse_arguments(words):
         help="output folders of runs, complete or under way; any other word says what to plot")
     add("--out", metavar="FILE", help="the picture, .png or .svg, or the curves as .csv; without an ending PNG and SVG (default: plot in the first DIR)")
     add("--x", metavar="COLUMN", default="time", help="the abscissa: a column or an expression (default: time)")
-    add("--test", metavar="FILE", help="a measured curve (CSV: x, y and, if there is a corridor, low and high) in the units of the plot; "
+    add("--test", metavar="FILE", help="a measured curve (CSV: x, y and, if there is a corridor, low and high) in the units of the deck, or of --units; "
         "runs are rated against it by ISO/TS 18571. For one curve")
     add("--cfc", metavar="CLASS", type=int, choices=(60, 180, 600, 1000), default=0,
         help="filter all columns by a channel frequency class of SAE J211: 60, 180, 600 or 1000 (without shift of phase)")
@@ -58,7 +60,7 @@ def parse_arguments(words):
     add("--size", metavar="WxH", type=parse_size, help="size of the PNG in pixels (default: by the number of panels)")
     add("-f", "--force", action="store_true", help="write over a file that percuss plot has not written; never over results of a run")
     add("--list", action="store_true", help="list the columns of each run with unit and meaning; plot nothing")
-    return parser.parse_args(words)
+    return parser.parse_intermixed_args(words)  # options may stand between folders and curves
 
 
 def parse_size(text):
@@ -88,8 +90,11 @@ def list_columns(run):
 
 def choose_files(out, run):
     out = out or os.path.join(run.folder, "plot")
-    if out.endswith((".png", ".svg", ".csv")):
+    ending = os.path.splitext(out)[1]
+    if ending in ENDINGS:
         return [out]
+    if ending.lower() in OTHER_ENDINGS or ending.lower() in ENDINGS:
+        raise ValueError(f"plots are written as .png, .svg or .csv, not {ending}: another program converts .svg")
     return [out + ".png", out + ".svg"]
 
 

@@ -49,6 +49,6 @@ def _find_numbers(word, histories):
             return []
         has_unit = history.units and value.powers and any(value.powers)
         unit = given if given is not None else history.units.name_of_powers(value.powers) if has_unit else ""
-        shown, factor = choose_unit(unit, abs(float(value.values)))
+        shown, factor = (unit, 1.0) if given is not None else choose_unit(unit, abs(float(value.values)))
         found.append(with_unit(float(f"{float(value.values) * factor:.6g}"), shown))
     return found

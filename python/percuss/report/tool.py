@@ -45,7 +45,7 @@ def parse_arguments(words):
     add("--x", metavar="COLUMN", default="time", help="the abscissa of these curves: a column or an expression (default: time)")
     add("--no-pictures", dest="pictures", action="store_false", help="leave the pictures out (they need VTK)")
     add("--no-view", dest="interactive", action="store_false", help="leave the interactive view out (it takes about 2 MB)")
-    return parser.parse_args(join_view(words))
+    return parser.parse_intermixed_args(join_view(words))
 
 
 def join_view(words):

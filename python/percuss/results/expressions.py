@@ -83,6 +83,12 @@ def is_expression(text: str, names: Iterable[str]) -> bool:
     return not isinstance(tree, (ast.Name, ast.Constant, ast.Tuple))
 
 
+def check_syntax(text: str, names: Iterable[str]) -> None:
+    """BadExpression where a text has signs of an expression, and cannot be computed."""
+    if re.search(r"[()+'\"]|\s[-*/]|[-*/]\s", text):
+        _parse(text, names)
+
+
 def _parse(text: str, names: Iterable[str]) -> tuple[ast.expr, dict[str, str]]:
     """The tree, with names of Python in place of columns, and what they stand for. Names of columns may hold signs that Python does
     not know (fx:hit, f_x:a/b): the longest that is there counts; any may stand in braces."""

@@ -94,7 +94,11 @@ class History:
 
     def label(self, name: str) -> str:
         """The same in few words, as it stands beside a curve."""
-        return self.meaning(name).partition(", ")[0]
+        return self.meaning(name) if name in self.computed else self.meaning(name).partition(", ")[0]
+
+    def has_given_unit(self, name: str) -> bool:
+        """Whether a user has named the unit of a computed column, which then stands as it is: no kN for N."""
+        return bool(self._sidecar.get(name, {}).get("given"))
 
     def at(self, time: float, name: str) -> float:
         """The value of a column at a time, linear between rows."""
@@ -103,12 +107,13 @@ class History:
     def add(self, name: str, values: Any, powers: Powers | None = None, unit: str | None = None) -> None:
         """One more column, computed from others. powers: of length, mass and time; None: the dimension is not known. unit: of a user,
         whose dimension is not known."""
-        if unit is not None:
+        given = unit is not None
+        if given:
             powers = None
         elif self.units and powers and any(powers):
             unit = self.units.name_of_powers(powers)
         self.computed.add(name)
-        self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name}}
+        self._columns[name], self._sidecar = np.asarray(values, dtype=float), {**self._sidecar, name: {"unit": unit, "meaning": name, "given": given}}
         if powers:
             words = [f"{base}^{power:g}" for base, power in zip(("length", "mass", "time"), powers) if power]
             self._sidecar[name]["dimension"] = " ".join(words) or "1"

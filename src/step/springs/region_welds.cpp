@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -79,16 +80,23 @@ void add_warnings(const Deck& deck, const WeldDeck& weld, const WeldPoint& point
 RegionWelds find_region_welds(const Deck& deck, const ChunkedMesh& chunked) {
   std::vector<WeldSpot> spots;
   std::vector<std::vector<ElementFace>> faces;
+  RegionWelds found;
   std::vector<std::vector<WeldPoint>> points(deck.welds.size());
   for (std::size_t w = 0; w < deck.welds.size(); ++w) {
     const WeldDeck& weld = deck.welds[w];
     if (!weld.is_between_faces()) continue;
-    points[w] = list_weld_points(deck, find_ranks(chunked.mesh), weld);
+    WeldPoints listed = list_weld_points(deck, find_ranks(chunked.mesh), weld);
+    points[w] = std::move(listed.points);
+    if (!listed.left_out.empty())
+      found.warnings.push_back({"unread_content",
+                                fmt::format("weld '{}' takes the spot welds of {} alone (the same parts have "
+                                            "connections {}): give these in another way",
+                                            weld.name, weld.file, listed.left_out),
+                                deck.where(weld.place), 0, 1});
     for (const WeldPoint& point : points[w])
       spots.push_back({point.at, point.radius, {faces.size(), faces.size() + 1}});
     for (const SpringEndDeck& end : weld.between) faces.push_back(list_faces(chunked.mesh, deck, end.where));
   }
-  RegionWelds found;
   found.of_entry.resize(deck.welds.size());
   if (spots.empty()) return found;
   const auto regions = find_weld_regions(chunked, spots, faces, most_reach);

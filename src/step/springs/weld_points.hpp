@@ -1,5 +1,6 @@
 #pragma once
-// Places and diameters of welds from a table: comma-separated x, y, z and perhaps a diameter, one weld a line.
+// Places and diameters of welds from a table: comma-separated x, y, z and perhaps a diameter, one weld a line; or from
+// a master connection file.
 
 #include <string>
 #include <vector>
@@ -19,7 +20,12 @@ struct WeldPoint {
 /// InputError with file and line: rows of another length, what is no number, more than `most` rows, none.
 std::vector<WeldPoint> parse_weld_points(const std::string& text, const std::string& path, std::size_t most);
 
+struct WeldPoints {
+  std::vector<WeldPoint> points;
+  std::string left_out;  // connections of the file that are no spot welds; empty: none
+};
+
 /// The points of a weld of the deck, the same on all ranks. Rank 0 reads. Collective.
-std::vector<WeldPoint> list_weld_points(const Deck& deck, const Communicator& ranks, const WeldDeck& weld);
+WeldPoints list_weld_points(const Deck& deck, const Communicator& ranks, const WeldDeck& weld);
 
 }  // namespace percuss

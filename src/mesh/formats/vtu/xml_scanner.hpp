@@ -1,6 +1,6 @@
 #pragma once
-// Tags of an XML file of VTK, one after the other. What such files do not have is an error: document types, CDATA, tags
-// that do not match.
+// Tags of an XML file, one after the other, as VTK and master connection files have them. What such files do not have
+// is an error: document types, CDATA, tags that do not match.
 
 #include <cstdint>
 #include <map>
