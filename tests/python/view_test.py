@@ -242,6 +242,25 @@ def picture_tests(make_browser):
             self.assertIn(f"(frame {last - 1})", self.do("return find('.clock').textContent"))
             self.assertIn("next field", self.do("return find('.keys').hidden ? '' : find('.keys').textContent"))
 
+        def test_the_bar_ends_where_the_user_wants(self):
+            self.do("viewer.choose(viewer.about.frames - 1);")
+            labels = "return [...find('.bar-labels').children].map(one => +one.textContent)"
+            end = "find('.bar-{}').value = {}; find('.bar-{}').dispatchEvent(new Event('change'));"
+            largest = float(self.do("return viewer.about.fields[0].largest[viewer.state.frame].value"))
+            whole, bar = self.look("press('d');"), self.do(labels)
+            own = self.look("press('r');")
+            ends = self.do(labels)
+            self.assertLess(0, ends[-1])
+            self.assertLessEqual(ends[-1], min(1.01 * largest, 0.99 * bar[-1]))
+            self.assertGreater(np.abs(own - whole).mean(), 0.1)
+            typed = self.look(end.format("high", 2 * ends[-1], "high") + end.format("low", 0, "low"))
+            self.assertEqual(self.do(labels)[::4], [0, float(f"{2 * ends[-1]:.4g}")])
+            self.assertGreater(np.abs(own - typed).mean(), 0.1)
+            self.do(end.format("high", -5, "high"))
+            self.assertEqual(self.do(labels)[-1], float(f"{2 * ends[-1]:.4g}"), "ends in the wrong order change nothing")
+            self.assertSame(self.look("press('r');"), whole, 1e-9)
+            self.assertEqual(self.do(labels), bar)
+
         def test_no_deformation_is_the_start(self):
             start = self.look("press('p'); viewer.choose(0);")
             end = self.look("press('End');")

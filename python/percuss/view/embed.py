@@ -34,6 +34,9 @@ _VIEW = """<div id=view><div class=stage><canvas tabindex=0 aria-label='The surf
 <button data-view='-90:0.01'>Along y</button><button data-view='-90:89.9'>Along z</button>
 <label><input type=checkbox class=edges>Edges</label><label><input type=checkbox class=by-part>Colours by part</label></div>
 <div class='row tools' style='display:none'><label>Field <select class=fields></select></label>
+<label>Bar <input type=number step=any class=bar-low aria-label='Low end of the bar'> to
+<input type=number step=any class=bar-high aria-label='High end of the bar'></label>
+<label><input type=checkbox class=bar-frame>Of this frame</label>
 <label>Deformation <input type=range class=swell min=0 max=20 step=0.5 value=1> x <span class=factor>1</span></label>
 <label><input type=checkbox class=outline>Start as outline</label><label><input type=checkbox class=mark checked>Largest value</label>
 <label>Mirror <select class=mirror></select></label>

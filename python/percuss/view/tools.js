@@ -9,6 +9,7 @@ function addTools(viewer) {
   const tools = viewer.find('.tools'), plain = !viewer.renderer;
   tools.style.display = '';
   addFields(viewer);
+  addBar(viewer);
   addDeformation(viewer);
   addMirrors(viewer);
   const cut = new Cut(viewer), list = [cut];
@@ -28,6 +29,43 @@ function addFields(viewer) {
     viewer.showBar();
     viewer.choose(viewer.state.frame);
   });
+}
+
+// The ends of the bar: typed, those of the frame that is shown, or those of the run.
+function addBar(viewer) {
+  const {surface, state, about} = viewer, [low, high] = ['.bar-low', '.bar-high'].map(name => viewer.find(name)), frame = viewer.find('.bar-frame');
+  const set = ends => {
+    const field = about.fields[state.field], shadeOf = value => 254 * (value - field.low) / (field.high - field.low);
+    field.ends = ends;
+    surface.tables[state.field] = ends ? makeColors(field.map, ...ends.map(shadeOf)) : makeColors(field.map);
+    viewer.showBar();
+    viewer.choose(state.frame);
+  };
+  const typed = () => {
+    const ends = [low, high].map(box => box.valueAsNumber);
+    if (ends.every(Number.isFinite) && ends[0] < ends[1]) set(ends);
+    else viewer.showBar();
+  };
+  low.addEventListener('change', typed);
+  high.addEventListener('change', typed);
+  frame.addEventListener('change', () => set(frame.checked ? findEnds(viewer) : null));
+}
+
+// Of the field on what is shown in this frame; null where it is the same everywhere.
+function findEnds({about, data, surface, state}) {
+  const field = about.fields[state.field], shades = data.fields[state.field][state.frame], seen = data.visible && data.visible[state.frame];
+  let least = 255, most = -1;
+  const take = shade => {
+    if (shade === 255) return;
+    least = Math.min(least, shade);
+    most = Math.max(most, shade);
+  };
+  for (let f = 0; f < about.faces; ++f) {
+    if ((seen && !seen[f]) || state.hidden.has(data.parts[data.owners[f]])) continue;
+    if (field.place === 'element') take(shades[data.owners[f]]);
+    else for (let k = 4 * f; k < 4 * f + 4; ++k) take(shades[data.corners[k]]);
+  }
+  return least < most ? [least, most].map(shade => field.low + (field.high - field.low) * shade / 254) : null;
 }
 
 function addDeformation(viewer) {
@@ -351,7 +389,7 @@ function tellValue(field, shade) {
   return `${beyond}${+(field.low + (field.high - field.low) * shade / 254).toPrecision(3)} ${field.unit}`.trim();
 }
 
-const KEYS = [['\u2190 \u2192', 'frame'], ['Home End', 'first, last frame'], ['space', 'play'], ['f', 'next field'], ['x y z d', 'look along an axis, default view'],
+const KEYS = [['\u2190 \u2192', 'frame'], ['Home End', 'first, last frame'], ['space', 'play'], ['f', 'next field'], ['r', 'bar of this frame, or of the run'], ['x y z d', 'look along an axis, default view'],
   ['+ \u2212', 'zoom'], ['c', 'cut: x, y, z, across the view, none'], ['[ ]', 'move the cut'], ['i', 'turn the cut around'], ['e', 'edges'], ['p', 'colours by part'],
   ['o', 'outline of the start'], ['m', 'mirror'], ['a', 'arrows'], ['l', 'largest value'], ['h', 'this list']];
 
@@ -368,7 +406,7 @@ function addKeys(viewer, cut) {
   };
   const {frames} = viewer.about, go = frame => viewer.choose((frame + frames) % frames), look = number => viewer.box.querySelectorAll('[data-view]')[number].click();
   const actions = {ArrowRight: () => go(viewer.state.frame + 1), ArrowLeft: () => go(viewer.state.frame - 1), Home: () => go(0), End: () => go(frames - 1),
-    ' ': () => viewer.play(), f: () => next('.fields'), d: () => look(0), x: () => look(1), y: () => look(2), z: () => look(3),
+    ' ': () => viewer.play(), f: () => next('.fields'), r: () => viewer.find('.bar-frame').click(), d: () => look(0), x: () => look(1), y: () => look(2), z: () => look(3),
     '+': () => zoom(1 / 1.15), '=': () => zoom(1 / 1.15), '-': () => zoom(1.15), c: () => next('.cut'), '[': () => cut.place(cut.share - 0.02),
     ']': () => cut.place(cut.share + 0.02), i: () => viewer.find('.flip').click(), e: () => viewer.find('.edges').click(),
     p: () => viewer.find('.by-part').click(), o: () => viewer.find('.outline').click(), m: () => next('.mirror'), a: () => next('.arrows'),

@@ -41,10 +41,11 @@ function readPack(about, bytes) {
 const rgb = text => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255);
 
 // Of bytes 0 to 254, and of 255, which is no number.
-function makeColors(map) {
+// first, last: the shades at the ends of the map; what lies beyond has their colours.
+function makeColors(map, first = 0, last = 254) {
   const stops = map.map(rgb), table = [];
   for (let i = 0; i < 255; ++i) {
-    const x = i / 254 * (stops.length - 1), k = Math.min(Math.floor(x), stops.length - 2);
+    const x = Math.min(Math.max((i - first) / (last - first), 0), 1) * (stops.length - 1), k = Math.min(Math.floor(x), stops.length - 2);
     table.push(stops[k].map((c, j) => Math.round(255 * (c + (x - k) * (stops[k + 1][j] - c)))));
   }
   table.push([255, 0, 255]);

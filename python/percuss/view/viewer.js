@@ -2,6 +2,8 @@
 
 const AMBIENT = 0.42, LIGHTS = [[-0.5, 0.95, 0.75, 0.42], [0.9, 0.15, 0.75, 0.26]];  // where they are as the camera sees it, and their strength
 
+const FAR_BITS = 1.4;  // of the distance from which nearly all is in view: what needs more is left out
+
 const MANY_FACES = 30000;  // above it edges are a choice, and lines are not smoothed: that takes most of the time of software that draws
 
 class Viewer {
@@ -117,14 +119,15 @@ class Viewer {
     return {sample, center};
   }
 
-  // From where they are in view.
+  // From where they are in view, but for bits that are far from the rest.
   findDistance({sample, center}, back, right, up) {
     const tangent = Math.tan(this.camera.fov * Math.PI / 360);
     const needed = sample.map(point => {
       const along = axis => point.reduce((sum, x, i) => sum + (x - center[i]) * axis[i], 0);
       return along(back) + 1.16 * Math.max(Math.abs(along(right)) / (tangent * this.camera.aspect), Math.abs(along(up)) / tangent);
     }).sort((a, b) => a - b);
-    return Math.max(needed[Math.floor(0.995 * (needed.length - 1))], 0.1 * this.surface.diagonal);
+    const most = needed[needed.length - 1], usual = needed[Math.floor(0.995 * (needed.length - 1))];
+    return Math.max(Math.min(most, FAR_BITS * usual), 0.1 * this.surface.diagonal);
   }
 
   look(azimuth, elevation) {
@@ -192,14 +195,19 @@ class Viewer {
   }
 
   showBar() {
-    const field = this.about.fields[this.state.field];
+    const field = this.about.fields[this.state.field], {ends} = field;
+    const labels = ends ? [0, 1, 2, 3, 4].map(k => String(+(ends[0] + k / 4 * (ends[1] - ends[0])).toPrecision(4))) : field.labels;
     this.find('.bar-title').textContent = nameOf(field) + (field.note ? ` (${field.note})` : '');
     this.find('.bar i').style.background = `linear-gradient(to right, ${field.map.join(',')})`;
-    this.find('.bar-labels').replaceChildren(...field.labels.map(text => {
+    this.find('.bar-labels').replaceChildren(...labels.map(text => {
       const label = document.createElement('span');
       label.textContent = text;
       return label;
     }));
+    const [low, high] = ends || [field.low, field.high];
+    this.find('.bar-low').value = +low.toPrecision(4);
+    this.find('.bar-high').value = +high.toPrecision(4);
+    this.find('.bar-frame').checked = Boolean(ends);
   }
 
   // Marks beside the surface, of a scene before its run: sets, conditions, walls, arrows, overlaps (preview/marks.py).
