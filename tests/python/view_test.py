@@ -302,6 +302,13 @@ def webgl_tests(make_browser):
             self.do("press('p');")
             self.assertRegex(self.point(), r"^block, element \d+: ")
 
+        def test_light_does_not_depend_on_the_unit_of_length(self):
+            small = self.look("press('p'); press('e'); press('d');")
+            large = self.look("const {camera, controls} = viewer; for (const copy of viewer.copies) { copy.scale.multiplyScalar(1000); copy.updateMatrixWorld(); }"
+                              "camera.far *= 1000; camera.near *= 1000; camera.updateProjectionMatrix();"
+                              "camera.position.multiplyScalar(1000); controls.target.multiplyScalar(1000); controls.update();")
+            self.assertSame(small, large, 0.5)
+
         def test_a_cut_takes_away_one_side(self):
             self.do("press('p'); press('e'); press('z');")
             whole = self.look("set('.cut', 'x'); set('.cut-place', 0); press('i');")

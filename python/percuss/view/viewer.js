@@ -39,7 +39,7 @@ class Viewer {
     for (const [x, y, z, strength] of LIGHTS) {
       const light = new THREE.DirectionalLight(0xffffff, strength);
       light.position.set(x, y, z);
-      this.camera.add(light);
+      this.camera.add(light, light.target);  // a target that stays in the middle of the scene would have light come from the camera
     }
     this.materials = {
       surface: new THREE.MeshPhongMaterial({vertexColors: THREE.VertexColors || true, side: THREE.DoubleSide, specular: 0x050505,
