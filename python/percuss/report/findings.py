@@ -131,7 +131,7 @@ def _judge_steps(run, summary):
                      f"look at {where} in the last frame; failure criteria, mass scaling or other elements there keep the step")]
     if summary["mass"]["share"] > ADDED_MASS:
         found.append(Finding(LOOK, f"Mass scaling added {100 * summary['mass']['share']:.3g} % of the mass.",
-                             "lower time.mass_scaling.step, and see whether forces change"))
+                             "lower the step of mass_scaling, and see whether forces change"))
     return found
 
 

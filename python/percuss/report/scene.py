@@ -4,6 +4,7 @@ import numpy as np
 
 from percuss.render.colors import PART_COLORS
 from percuss.results.units import choose_time_unit
+from percuss.watch.screen import format_duration
 
 from .markup import Markup, escape, fold, format_number, make_table, show_deck, with_unit
 
@@ -26,7 +27,7 @@ def make_facts(run):
         (f"{summary['steps']:,}", "steps"),
         (f"{summary['elements']:,}", "elements"),
         (f"{summary['contact_faces']:,}", "contact faces"),
-        (f"{summary['loop_s']:.3g} s", f"computing time, {summary['ranks']} x {summary['threads']} cores"),
+        (f"{summary['loop_s']:.3g} s" if summary["loop_s"] < 60 else format_duration(summary["loop_s"]), f"computing time, {summary['ranks']} x {summary['threads']} cores"),
         (f"{summary['energy']['error'] or 0:.2g}", "energy error"),
         (Markup(f"<span class=mono>{escape(summary['state_hash'] or '-')}</span>"), "state hash"),
     ]

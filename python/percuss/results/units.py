@@ -27,7 +27,8 @@ NAMED: list[tuple[str, str, float, bool]] = [("force", "N", 1, True), ("force", 
 OWN_PREFIXES: list[tuple[str, float]] = [("", 1), ("k", 1e3), ("M", 1e6), ("G", 1e9), ("T", 1e12), ("m", 1e-3), ("\u00b5", 1e-6), ("n", 1e-9)]
 
 PREFIXES: list[tuple[float, str]] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
-PREFIXED = ("Pa", "N", "J")  # units that take a prefix to suit the numbers; others stay as the deck has them
+PREFIXED = {"Pa": ("Pa", 1.0), "N": ("N", 1.0), "J": ("J", 1.0), "mJ": ("J", 1e-3), "kJ": ("J", 1e3)}  # units whose prefix suits the
+# numbers, and what they are without one; others stay as the deck has them
 
 
 def find_powers(quantity: str | None) -> Powers | None:
@@ -128,8 +129,9 @@ def choose_unit(unit: str, largest: float) -> tuple[str, float]:
     """The unit to show and the factor that turns the file's numbers into it: ('MPa', 1e-6) of 'Pa' and 3e8."""
     if unit not in PREFIXED or not largest > 0:
         return unit, 1.0
-    size, prefix = _choose_prefix(largest)
-    return prefix + unit, 1.0 / size
+    plain, factor = PREFIXED[unit]
+    size, prefix = _choose_prefix(largest * factor)
+    return prefix + plain, factor / size
 
 
 def choose_time_unit(unit: str, end: float) -> tuple[str, float]:

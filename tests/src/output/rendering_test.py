@@ -144,6 +144,8 @@ class Units(unittest.TestCase):
     def test_take_a_prefix_that_suits_the_numbers(self):
         self.assertEqual(choose_unit("Pa", 3e8), ("MPa", 1e-6))
         self.assertEqual(choose_unit("N", 2e3), ("kN", 1e-3))
+        self.assertEqual(choose_unit("mJ", 1e7), ("kJ", 1e-6))
+        self.assertEqual(choose_unit("mJ", 20), ("mJ", 1))
         self.assertEqual(choose_unit("Pa", 0), ("Pa", 1))
 
     def test_stay_where_they_are_those_of_the_system(self):
