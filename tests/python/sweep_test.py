@@ -92,6 +92,9 @@ class Statistics(unittest.TestCase):
         self.assertEqual(list(rank(np.array([5.0, 1, 5, 9]))), [1.5, 0, 1.5, 3])
         self.assertEqual(find_main_effect(np.array([1.0, 2, 1, 2]), np.array([1.0, 10, 3, 30])), [(1, 2, 2), (2, 20, 2)])
         self.assertEqual([count for _, _, count in find_main_effect(np.arange(20.0), np.arange(20.0))], [4] * 5)
+        six = np.array([3.0, 1, 6, 2, 5, 4])
+        self.assertEqual(find_main_effect(six, 10 * six), [(1.5, 15, 2), (3.5, 35, 2), (5.5, 55, 2)])
+        self.assertEqual(find_main_effect(six, 10 * six, is_alone=True), [(float(x), 10.0 * x, 1) for x in range(1, 7)])
         self.assertEqual(place_inputs(["b", "a", "b"])[1], ["b", "a"])
 
 
@@ -118,8 +121,9 @@ class Sweep(unittest.TestCase):
 
     def test_a_free_cube_has_the_energy_and_momentum_of_its_design(self):
         self.sweep("--vary", "materials.steel.density=1000,-5,2000", "--vary", "initial.0.velocity.0=1,3", "--output",
-                   "energy = max(kinetic)", "--output", "momentum_x", "--output", "wide = first(kinetic) / 2")
+                   "energy = max(kinetic)", "--output", "momentum_x", "--output", "wide = first(kinetic) / 2", "--output", "mine [g] = last(kinetic) / first(kinetic)")
         rows = self.read()
+        self.assertEqual([row["mine [g]"] for row in rows], ["1", "1", "", "", "1", "1"])
         self.assertEqual([row["state"] for row in rows], ["completed", "completed", "refused", "refused", "completed", "completed"])
         for row in rows:
             if row["state"] != "completed":
@@ -151,14 +155,22 @@ class Sweep(unittest.TestCase):
         self.assertNotIn("before", self.sweep("--vary", "initial.0.velocity.0=1,3").stdout)
 
     def test_an_interrupt_leaves_checkpoints_that_the_same_command_goes_on_from(self):
+        self.interrupt(signal.SIGINT)
+
+    def test_a_sweep_in_the_background_ends_likewise(self):
+        self.interrupt(signal.SIGTERM)
+
+    def interrupt(self, sent):
         words = ("--vary", "initial.0.velocity.0=1,3", "--set", "time.end=4", "--set", "time.max_step=1e-5", "--set",
                  "output.history.every=1", "--output", "last(momentum_x)", "--jobs", "2")
-        process = subprocess.Popen(self.command(*words), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder, env=ENVIRONMENT)
+        # As behind & in a script: SIGINT is ignored, and SIGTERM must not be.
+        process = subprocess.Popen(self.command(*words), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder, env=ENVIRONMENT,
+                                   preexec_fn=(lambda: signal.signal(signal.SIGINT, signal.SIG_IGN)) if sent == signal.SIGTERM else None)
         folder, end = os.path.join(self.folder, "cube_sweep"), time.monotonic() + 60
         while time.monotonic() < end and sum(os.path.exists(os.path.join(folder, name, "summary.json"))
                                              for name in (os.listdir(folder) if os.path.isdir(folder) else ())) < 2:
             time.sleep(0.02)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(sent)
         error = process.communicate(timeout=100)[1]
         self.assertEqual(process.returncode, 130, error)
         states = [percuss_status(os.path.join(folder, name)) for name in os.listdir(folder)]

@@ -1,17 +1,20 @@
 """What is told of a run in the table of a sweep: columns of its history and expressions of them."""
 
-from ..results.expressions import BadExpression, compute, split_label
+from ..results.expressions import BadExpression, compute, split_label, split_unit
 from ..results.extremes import find_size, find_top
 
 WAYS = ("peak", "mean", "last")
 
 
 class Output:
-    """A column or an expression, with a label or not: 'crush = mean(wall_force_z)'. What is a number gives one column of the table;
+    """A column or an expression, with a label or not: 'crush = mean(wall_force_z)', 'peak [kN] = max(fz:hit) / 1000'. What is a number gives one column of the table;
     what has a value in each row gives three: LABEL.peak (of the largest magnitude, with its sign), LABEL.mean (over time), LABEL.last."""
 
     def __init__(self, text):
         self.label, self.text = split_label(text)
+        self.unit = None  # that of the label; None: what follows from the columns
+        if self.label != self.text:
+            self.label, self.unit = split_unit(self.label)
 
     def read(self, history):
         """{column: (number, unit)}. BadExpression where it cannot be computed."""
@@ -19,6 +22,7 @@ class Output:
 
         value = compute(history, self.text)
         unit = history.units.name_of_powers(value.powers) if history.units and value.powers and any(value.powers) else ""
+        unit = unit if self.unit is None else self.unit
         if np.ndim(value.values) == 0:
             return {self.label: (float(value.values), unit)}
         rows, time = np.asarray(value.values, dtype=float), history["time"]

@@ -57,7 +57,7 @@ def _draw_effects(table, done):
     left = len(table.outputs) - len(outputs)
     note = f"<p class=soft>{left} more outputs are not drawn; sweep.csv has them.</p>" if left else ""
     return ("<p>Each point is a design. The line joins the means of the designs with one value of the input, or of groups of neighbours "
-            f"where there are more than eight values.</p><div class=plots>{figures}</div>{note}")
+            f"where there are more than eight values or one design to most values.</p><div class=plots>{figures}</div>{note}")
 
 
 def _list_varied(table, done):
@@ -75,8 +75,9 @@ def _draw_output(name, unit, inputs, done):
             first = axes = figure.add_subplot(1, len(inputs), place + 1, sharey=first)
             x, words = place_inputs([row.inputs[factor] for row in rows])
             axes.plot(x, y, "o", markersize=4, color=COLORS[0], alpha=0.55, markeredgewidth=0)
-            if len(x):
-                axes.plot(*zip(*((at, mean) for at, mean, _ in find_main_effect(x, y))), color=COLORS[1], linewidth=1.5)
+            effect = [(at, mean) for at, mean, _ in find_main_effect(x, y, len(inputs) == 1)] if len(x) else []
+            if len(effect) > 1:
+                axes.plot(*zip(*effect), color=COLORS[1], linewidth=1.5)
             if words and len(words) <= MOST_LABELS:
                 axes.set_xticks(range(len(words)), [word[:LONGEST_LABEL] for word in words], rotation=30, ha="right")
             axes.set_xlabel(factor if len(factor) <= 2 * LONGEST_LABEL else "\u2026" + factor[-2 * LONGEST_LABEL :], fontsize=8)

@@ -3,7 +3,7 @@
 import numpy as np
 
 MOST_LEVELS = 8  # of an input whose designs are grouped by its values; others by equal counts
-GROUPS = 5
+GROUPS, FEWEST_IN_GROUP = 5, 2
 
 
 def place_inputs(texts):
@@ -31,12 +31,13 @@ def rank(values):
     return (np.cumsum(counts) - (counts + 1) / 2)[inverse]
 
 
-def find_main_effect(x, y):
-    """(x, mean of y, number of designs) of each level of x, or of groups of neighbours."""
+def find_main_effect(x, y, is_alone=False):
+    """(x, mean of y, number of designs) of each level of x, or of groups of neighbours: where there are many levels, or where other inputs
+    vary too and most levels have one design, as in samples. is_alone: no other input varies."""
     levels, inverse = np.unique(x, return_inverse=True)
-    if len(levels) > MOST_LEVELS:
+    if len(levels) > MOST_LEVELS or (not is_alone and len(levels) > len(x) / FEWEST_IN_GROUP):
         order = np.argsort(x, kind="stable")
         inverse = np.empty(len(x), dtype=int)
-        inverse[order] = np.arange(len(x)) * min(GROUPS, len(x)) // len(x)
+        inverse[order] = np.arange(len(x)) * max(1, min(GROUPS, len(x) // FEWEST_IN_GROUP)) // len(x)
     groups = [inverse == group for group in range(inverse.max() + 1)]
     return [(float(np.mean(x[group])), float(np.mean(y[group])), int(group.sum())) for group in groups]

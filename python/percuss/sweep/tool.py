@@ -179,7 +179,7 @@ def main(words):
     require("sweeps need", (*NEEDS, *(WISHES if arguments.sample else ())))
     from percuss import NotResults
 
-    signal.signal(signal.SIGTERM, signal.getsignal(signal.SIGINT))
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # SIGINT may be ignored, as shells have it for what runs behind &
     try:
         sweep(arguments)
     except (NotResults, ValueError) as error:
