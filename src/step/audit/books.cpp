@@ -92,7 +92,8 @@ void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const H
   add_work(work[0], books);
 }
 
-/// Impulses and the first half of the work of the pressure forces at n, which stand in the slots.
+/// Impulses and the first half of the work of the pressure forces at n, which stand in the slots. A face
+/// is on one rank and its corners have an order: only faces need exact sums, which cost more than all the rest.
 void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state, double dt, double dt_mean) {
   const PressureFaces faces = state.pressure_faces;
   if (faces.count == 0) return;
@@ -100,15 +101,18 @@ void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state
   const MomentCenter center(model.mass_center);
   const auto sums = pressure_sums(
       ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
+        double of_face[7] = {};
+        const auto collect = [&of_face](int k, double value) { of_face[k] += value; };
         for (int i = 0; i < 4; ++i) {
           const int s = faces.first_slot + 4 * f + i;
           const int n = faces.nodes(f, i);
           const double share[3] = {slot_force(s, 0), slot_force(s, 1), slot_force(s, 2)};
-          add(0, 0.5 * dt * (share[0] * v(n, 0) + share[1] * v(n, 1) + share[2] * v(n, 2)));
+          collect(0, 0.5 * dt * (share[0] * v(n, 0) + share[1] * v(n, 1) + share[2] * v(n, 2)));
           const double j[3] = {dt_mean * share[0], dt_mean * share[1], dt_mean * share[2]};
           const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
-          add_impulse(r, j, 1, add);
+          add_impulse(r, j, 1, collect);
         }
+        for (int k = 0; k < 7; ++k) add(k, of_face[k]);
       });
   add_work(sums[0], state.books);
   add_to_books(sums, 1, state.books);
