@@ -143,6 +143,36 @@ KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes
   row.couple = find_couple(row, row.force);
 }
 
+/// rho^2 I - rho rho^T.
+KOKKOS_INLINE_FUNCTION Symmetric3<double> find_inertia(const Point3& p) {
+  return {p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
+          -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
+}
+
+/// The share of the arm from the middle of both edges to that of one which bears a moment: none where they cross by
+/// more than 30 degrees, all where they are parallel and only that arm bears a moment about both.
+KOKKOS_INLINE_FUNCTION double find_common_share(const FacePoints& ends) {
+  constexpr double square_of_sine = 0.25;
+  const Point3 u = ends.corner[1] - ends.corner[0], v = ends.corner[3] - ends.corner[2], c = cross(u, v);
+  const double most = square_of_sine * dot(u, u) * dot(v, v), square = dot(c, c);
+  return square < most ? 1 - square / most : 0;
+}
+
+/// rho and J of two edges that thickness keeps apart: the moment of friction, as long an arm as that distance, is borne
+/// by each about its own middle. Borne about the middle of both, it would take back most of the friction of short
+/// edges. Still sum rho_i = 0 and sum x_i x (q x rho_i) = J q.
+KOKKOS_INLINE_FUNCTION Symmetric3<double> set_edge_arms(const FacePoints& ends, ContactRow& row) {
+  const Point3 middle = find_middle(ends), to_a = 0.5 * (ends.corner[0] + ends.corner[1]) - middle;
+  const double share = find_common_share(ends);
+  Symmetric3<double> inertia{};
+  for (int i = 0; i < 4; ++i) {
+    const Point3 away = i < 2 ? to_a : -to_a, own = (ends.corner[i] - middle) - away;
+    row.rho[i] = own + share * away;
+    inertia = inertia + find_inertia(own) + share * find_inertia(away);
+  }
+  return inertia;
+}
+
 /// rho, J^-1 and r from the places at n.
 KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
   // Bearing nodes: the last four slots.
@@ -155,13 +185,16 @@ KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& r
     row.arm = row.arm + row.weight[slot] * p;
     if (slot >= first) bearing.corner[slot - first] = p;
   }
+  if (row.kind == RowKind::edges && row.has_thickness) {
+    row.inverse_inertia = invert(set_edge_arms(bearing, row));
+    return;
+  }
   const Point3 middle = find_middle(bearing);
   Symmetric3<double> inertia{};
   for (int i = 0; i < 4; ++i) {
     const Point3 p = bearing.corner[i] - middle;
     row.rho[first + i] = p;
-    inertia = inertia + Symmetric3<double>{p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
-                                           -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
+    inertia = inertia + find_inertia(p);
   }
   row.inverse_inertia = invert(inertia);
 }

@@ -163,6 +163,32 @@ output: {{history: {{every: 1e-3, parts: all, nodes: [{{name: m, near: [0, 0, 0.
     }
 }
 
+// A bar slides over two rails of elements as short as the distance of the axes, across them and along them: its weight
+// presses the rails, and mu g slows it. What moment friction has is borne by each edge for itself.
+TEST(BeamContact, FrictionOfABarOnCrossedRailsIsCoulombs) {
+  for (const char axis : {'x', 'y'})
+    for (const char* const enforcement : {"kinematic", "penalty"}) {
+      const HistoryTable h = run_deck(fmt::format(R"yaml(
+time: {{end: 0.005}}
+parts:
+  bar: {{line: {{from: [-0.1, 0, 0.01], to: [0.1, 0, 0.01], cells: 8}}, section: {{round: {{radius: 0.005}}}}, material: steel}}
+  rails: {{line: {{from: [0, -0.08, 0], to: [0, 0.08, 0], cells: 16}}, array: {{count: [2, 1, 1], pitch: [0.124, 1, 1]}}, at: [-0.062, 0.003, 0], section: {{round: {{radius: 0.005}}}}, material: steel}}
+conditions: [{{nodes: rails, fixed: [x, y, z, rx, ry, rz]}}]
+initial: [{{part: bar, velocity: [{}, {}, 0]}}]
+loads: {{gravity: [0, 0, -9.81]}}
+contact: {{surfaces: [[bar, rails]], friction: 0.3, enforcement: {}}}
+output: {{history: {{every: 5e-4, parts: all, forces: [{{name: f, contact: [bar, rails]}}]}}}}
+)yaml",
+                                                  axis == 'x' ? 0.5 : 0.0, axis == 'y' ? 0.5 : 0.0, enforcement) +
+                                      steel)
+                                 .history;
+      const double mass = find_mass(0.005, 0.2), pressed = find_impulse(h, "fz:f");
+      EXPECT_NEAR(pressed, mass * g * 0.005, 0.02 * mass * g * 0.005) << axis << enforcement;
+      EXPECT_NEAR(h.last(fmt::format("momentum_{}", axis)), mass * 0.5 - 0.3 * pressed, 0.01 * 0.3 * pressed)
+          << axis << enforcement;
+    }
+}
+
 // A bar lies across two that are held, with its middle at a third of the span: they carry two thirds and one third.
 TEST(BeamContact, ABarOnTwoCrossedBarsIsCarriedByStatics) {
   const HistoryTable h = run_deck(R"yaml(

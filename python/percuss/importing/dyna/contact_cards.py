@@ -253,9 +253,6 @@ def list_beam_pairs(deck: KeywordDeck, contact: Contact, sides: str, names: list
     if len(sides) > 1:
         pairs += [(names[0] or "all", block.name) for block in of_others if names[0] is not None]
     if "AUTOMATIC_GENERAL" in contact.keyword or "MORTAR" in options:
-        if any(beams) and contact.law.number("FS"):
-            text = "friction between crossing beams is too small where their elements are shorter than some diameters (limits.md)"
-            deck.ledger.approximated(f"{contact.keyword}.FS", contact.place, text)
         pairs += [(a.name, b.name) for i, a in enumerate(beams[0]) for b in (beams[0][i:] if len(sides) == 1 else of_others)]
     elif beams[0] and of_others:
         text = "beams touch surfaces and edges, not each other, as in LS-DYNA but for nodes of beams: *CONTACT_AUTOMATIC_GENERAL has them"
