@@ -90,7 +90,8 @@ PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const Sur
 /// The candidate faces of a node: of the list those from first to last - 1.
 struct NodeCandidates {
   Array<const int> face, with_history;
-  bool leaves_out = false;  // those that only a node with a history is checked against
+  bool leaves_out = false;   // those that only a node with a history is checked against
+  bool passes_over = false;  // those that cannot change what holds the node
   int first = 0, last = 0;
 
   /// -1: left out.
@@ -105,9 +106,9 @@ KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, in
 
 /// Flattened: a pair is checked by some fifty small functions.
 template <Thickness thickness>
-PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const CheckInputs& inputs, int node,
-                                                     const NodeCandidates& candidates, NodeTouches& accepted) {
-  check_node<thickness>(inputs, node, candidates, accepted);
+PERCUSS_FLATTEN KOKKOS_FUNCTION int check_node_flat(const CheckInputs& inputs, int node,
+                                                    const NodeCandidates& candidates, NodeTouches& accepted) {
+  return check_node<thickness>(inputs, node, candidates, accepted);
 }
 
 /// The first of the candidates whose box the node meets in the step, or `last`: for most nodes, in most steps, there is
@@ -336,23 +337,26 @@ void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateL
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   const Array<const int> with_history = candidates.with_history;
   const bool has_marks = with_history.extent(0) > 0;
+  const bool passes_over = table.checked_at.extent(0) > 0;  // where nothing may be left out, nothing is watched
   const Array<NodeTouches> by_node = table.by_node;
   const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
+  std::int64_t num_passed_over = 0;
   Kokkos::parallel_reduce(
       "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
-      KOKKOS_LAMBDA(int k, int& found) {
+      KOKKOS_LAMBDA(int k, int& found, std::int64_t& passed_over) {
         const int node = nodes(is_listed ? checked(k) : k);
-        NodeCandidates own{face, with_history, has_marks && !has_history(in.history_face, node), offset(node),
-                           offset(node + 1)};
+        NodeCandidates own{face,        with_history, has_marks && !has_history(in.history_face, node),
+                           passes_over, offset(node), offset(node + 1)};
         own.first = find_first_near(in, node, own);
         const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
         if (own.first == own.last)
           by_node(node).count = 0;
         else
-          check_node_flat<thickness>(in, node, own, by_node(node));
+          passed_over += check_node_flat<thickness>(in, node, own, by_node(node));
         found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
       },
-      table.num_new);
+      table.num_new, num_passed_over);
+  table.num_kept_pairs += num_passed_over;
 }
 
 }  // namespace

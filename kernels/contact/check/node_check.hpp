@@ -155,37 +155,160 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
     }
 }
 
-/// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
-/// negative. accepted: out.
-template <Thickness thickness, class Faces>
-KOKKOS_INLINE_FUNCTION void check_node(const CheckInputs& inputs, int node, const Faces& candidates,
-                                       NodeTouches& accepted) {
-  const ContactSurface& surface = inputs.surface;
-  const SurfaceMotion& motion = inputs.motion;
-  const FaceState& faces = inputs.faces;
-  const int last = candidates.last;
-  const CheckedNode checked = load_checked_node(surface, motion, node);
-  const KnownFaces known = load_known_faces(faces, inputs.history_face, checked);
-  TouchList found;
-  for (int c = candidates.first; c < last;) {
-    PairPack pairs;
-    for (; c < last && pairs.faces.count < FacePack::lanes; ++c)
-      if (const int face = candidates(c); face >= 0 && is_in_box(checked, faces.box, face))
-        add_pair<thickness>(inputs, known, checked, face, pairs);
-    check_pairs<thickness>(inputs, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
-  }
+/// The faces that a node obeys of those found, in the order of their keys.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void accept_touches(const MovingSurface& moving, const KnownFaces& known,
+                                           const CheckedNode& node, TouchList& found, NodeTouches& accepted) {
   bool decided[TouchList::capacity];
-  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(inputs, known, checked, found, i);
+  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(moving, known, node, found, i);
   accepted.count = 0;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
-    settle_start<thickness>(inputs, checked, touch);
+    settle_start<thickness>(moving, node, touch);
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
-    decide_around(surface, motion, faces, found, i, decided);
+    decide_around(moving.surface, moving.motion, moving.faces, found, i, decided);
   }
   sort_by_face(accepted);
+}
+
+/// In which turn candidates are checked: first the faces that pushed the node in the last step; then others, but for
+/// those that cannot change what the first hold; at last these, if others are in contact too.
+enum class Turn { remembered, others, passed_over, all };
+
+/// Whether the faces that are found, which pushed the node in the last step, hold it before all others whatever these
+/// come to: no key is less than theirs, and each of them is obeyed.
+KOKKOS_INLINE_FUNCTION bool are_first(const TouchList& found, const NodeTouches& accepted) {
+  if (found.count != accepted.count) return false;
+  int sum = 0;
+  for (int i = 0; i < found.count; ++i)
+    for (int k = 0; k < 5; ++k) sum |= found.key[i].value[k];
+  return sum == 0;
+}
+
+/// Whether a face, if it is in contact too, pushes the same way as one of those that hold the node (are_first()) and
+/// takes none of the others away: it is then not obeyed, and changes nothing. Its push direction is a mean of its
+/// vertex normals with weights that are not negative, but for the band beside a face.
+KOKKOS_INLINE_FUNCTION bool adds_nothing(const MovingSurface& moving, const TouchList& holds, int face) {
+  constexpr double same = contact_limits::independent + 2e-3;   // of all vertex normals: so is their mean
+  constexpr double other = contact_limits::independent - 0.05;  // divided by `same`: less than independent
+  const Point3 normal = load_row(moving.faces.normal, face);
+  bool may_be = false;
+  for (int i = 0; i < holds.count; ++i) may_be = may_be || dot(normal, holds.touch[i].normal) > same;
+  if (!may_be || !moving.faces.has_prepared(face)) return false;
+  const CornerDirections& vertex = moving.faces.vertex(face);
+  int num_same = 0;
+  for (int i = 0; i < holds.count; ++i) {
+    double least = 1, most = -1;
+    for (int k = 0; k < 4; ++k) {
+      const double cosine = dot(vertex.of[k], holds.touch[i].normal);
+      least = cosine < least ? cosine : least;
+      most = cosine > most ? cosine : most;
+    }
+    if (least > same)
+      ++num_same;
+    else if (!(most < other) || moving.surface.face_body(face) == moving.surface.face_body(holds.touch[i].face))
+      return false;
+  }
+  return num_same == 1;
+}
+
+/// Faces of candidates whose box the node meets.
+struct NearFaces {
+  static constexpr int most = 64;
+  int count = 0;
+  int face[most];
+
+  /// Lists those of candidate c and after, as far as there is room; returns the first that it has not looked at.
+  template <class Faces>
+  KOKKOS_INLINE_FUNCTION int fill(const CheckedNode& node, const Boxes& box, const Faces& candidates, int c) {
+    count = 0;
+    for (; c < candidates.last && count < most; ++c)
+      if (const int near = candidates(c); near >= 0 && is_in_box(node, box, near)) face[count++] = near;
+    return c;
+  }
+};
+
+/// Places in NearFaces that are passed over.
+struct PassedOver {
+  std::uint64_t bits = 0;
+  int count = 0;
+
+  KOKKOS_INLINE_FUNCTION bool has(int i) const { return (bits >> i & 1) != 0; }
+  KOKKOS_INLINE_FUNCTION void add(int i) {
+    bits |= std::uint64_t{1} << i;
+    ++count;
+  }
+};
+
+/// What the check of a node keeps from turn to turn.
+struct NodeCheck {
+  KnownFaces known;
+  NearFaces near;
+  TouchList found;
+  int num_first = 0;  // of those found, that hold the node before all others
+  PassedOver passed{};
+};
+
+/// Whether the face at a place of NearFaces is checked in this turn.
+KOKKOS_INLINE_FUNCTION bool is_in_turn(const MovingSurface& moving, Turn turn, int place, NodeCheck& check) {
+  if (turn == Turn::all) return true;
+  const int face = check.near.face[place];
+  const int* const known = check.known.face;
+  const bool is_remembered = face == known[0] || face == known[1] || face == known[2];
+  if (turn == Turn::remembered || is_remembered) return turn == Turn::remembered && is_remembered;
+  if (turn == Turn::passed_over) return check.passed.has(place);
+  if (check.num_first == 0 || !adds_nothing(moving, check.found, face)) return true;
+  check.passed.add(place);
+  return false;
+}
+
+/// The turn that comes first.
+KOKKOS_INLINE_FUNCTION Turn find_first_turn(const KnownFaces& known, bool passes_over) {
+  return passes_over && (known.face[0] >= 0 || known.face[1] >= 0 || known.face[2] >= 0) ? Turn::remembered : Turn::all;
+}
+
+/// Checks the listed faces whose turn it is. pairs: memory.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void check_near(const MovingSurface& moving, const CheckedNode& node, Turn turn, PairPack& pairs,
+                                       NodeCheck& check) {
+  for (int i = 0; i < check.near.count;) {
+    pairs.faces.count = 0;  // other lanes keep what they have
+    for (; i < check.near.count && pairs.faces.count < FacePack::lanes; ++i)
+      if (is_in_turn(moving, turn, i, check)) add_pair<thickness>(moving, check.known, node, check.near.face[i], pairs);
+    check_pairs<thickness>(moving, check.known, node, pairs, [&](const Touch& t) { check.found.insert(t); });
+  }
+}
+
+/// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
+/// negative. accepted: out. Returns how many were passed over.
+template <Thickness thickness, class Faces>
+KOKKOS_INLINE_FUNCTION int check_node(const CheckInputs& inputs, int node, const Faces& candidates,
+                                      NodeTouches& accepted) {
+  const CheckedNode checked = load_checked_node(inputs.surface, inputs.motion, node);
+  NodeCheck check;
+  check.known = load_known_faces(inputs.faces, inputs.history_face, checked);
+  PairPack pairs;
+  int next = check.near.fill(checked, inputs.faces.box, candidates, candidates.first);
+  Turn turn = find_first_turn(check.known, candidates.passes_over && next == candidates.last);
+  for (;;) {
+    check_near<thickness>(inputs, checked, turn, pairs, check);
+    if (next < candidates.last) {
+      next = check.near.fill(checked, inputs.faces.box, candidates, next);
+      continue;
+    }
+    const bool has_others = check.found.count != check.num_first;
+    if (turn == Turn::others && check.num_first > 0 && !has_others) return check.passed.count;  // accepted stands
+    if (turn == Turn::others && check.passed.count > 0) {
+      turn = Turn::passed_over;
+      continue;
+    }
+    accept_touches<thickness>(inputs, check.known, checked, check.found, accepted);
+    if (turn != Turn::remembered) return 0;
+    check.num_first = are_first(check.found, accepted) ? check.found.count : 0;
+    turn = Turn::others;
+  }
 }
 
 }  // namespace percuss
