@@ -25,6 +25,7 @@ SCENES = {
     "rock_blast": ("inputs/rock_blast/deck.yaml", {"time.max_steps": 150}, {"time.max_steps": 40}),
     "crushed_block": ("perf/crushed_block/deck.yaml", {}, {"time.max_steps": 1500}),
     "soft_stack": ("perf/soft_stack/deck.yaml", {}, {"time.max_steps": 800}),
+    "stacked_sheets": ("perf/stacked_sheets/deck.yaml", {}, {"time.max_steps": 300}),
     "rod_through_plates": ("inputs/rod_through_plates/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 500}),
 }
 CONTACT = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]
