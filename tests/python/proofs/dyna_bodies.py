@@ -12,6 +12,7 @@ PUSH = "*LOAD_RIGID_BODY\n{id},{dof},7,3.0\n" + CONSTANT
 TWO_RIGID = two_cubes(1.0).replace("*MAT_ELASTIC", "*MAT_RIGID").replace("0.3\n", "0.3\n0\n\n")
 JOINED = "*CONSTRAINED_EXTRA_NODES_NODE\n1,90\n2,91\n1,92\n2,93\n" + nodes((90, 5.0, 5.0, 10.5), (91, 5.0, 5.0, 10.5), (92, 5.0, 5.0, 12.5), (93, 5.0, 5.0, 12.5))
 JOINED_OFF = JOINED + "*CONSTRAINED_EXTRA_NODES_NODE\n1,94\n2,95\n" + nodes((94, 6.0, 5.0, 10.5), (95, 6.0, 5.0, 10.5))
+APART = "*CONSTRAINED_EXTRA_NODES_NODE\n2,96\n2,97\n" + nodes((96, 5.0, 5.0, 14.5), (97, 5.0, 5.0, 17.0))
 SPIN = CUBE_MASS * 100.0 / 6  # of a cube about its axis
 THREAD = 3.0 / (2 * (1 + 2.0**2 * CUBE_MASS / SPIN))  # force of a screw of 2 mm per radian between two cubes, of which 3 N push one
 TWIST = "*LOAD_NODE_POINT\n12,{dof},7,2.0\n" + CONSTANT
@@ -176,6 +177,11 @@ PROOFS = [
     Proof("CONSTRAINED_JOINT_SCREW: N1 N2 N3 N4 N5 N6 PARM", joint("SCREW", "90,91,92,93,94,95\n2.0", PUSH.format(id=2, dof=3)),
           [("body_vz:part_1", LAST, THREAD * END / CUBE_MASS, 2e-3), ("body_wz:part_1", LAST, -2.0 * THREAD * END / SPIN, 2e-3), ("angular_z", LAST, 0.0, 1e-12)],
           "the thread pushes with q and turns with PARM q: 2 q - 3 = -2 PARM^2 q m / I, from ways that differ by PARM times the angle"),
+    Proof("CONSTRAINED_JOINT_SCREW: N2 N4", joint("SCREW", "90,96,92,97,94,95\n2.0", APART, PUSH.format(id=2, dof=3)),
+          [("body_vz:part_1", LAST, THREAD * END / CUBE_MASS, 2e-3), ("body_wz:part_1", LAST, -2.0 * THREAD * END / SPIN, 2e-3)], "nodes that lie apart on the axis are the same screw"),
+    Proof("CONSTRAINED_JOINT_CYLINDRICAL: N2 N4", joint("CYLINDRICAL", "90,96,92,97", APART, TWIST.format(dof=6)),
+          [("body_wy:part_1", LAST, 2.0 * END / (2 * (SPIN + CUBE_MASS * 5.5**2)), 2e-3)], "and the same cylindrical joint: a moment across it turns both as one"),
+    Proof("CONSTRAINED_JOINT_SCREW: N2", joint("SCREW", "90,95,92,97,94,95\n2.0", APART), refused="not on its axis"),
     Proof("CONSTRAINED_JOINT_SCREW: PARM", joint("SCREW", "90,91,92,93,94,95\n"), refused="PARM"),
     Proof("CONSTRAINED_JOINT_SCREW: LCID", joint("SCREW", "90,91,92,93,94,95\n2.0,7"), refused="LCID"),
     Proof("CONSTRAINED_JOINT_SCREW: TYPE", joint("SCREW", "90,91,92,93,94,95\n2.0,0,1"), refused="TYPE"),

@@ -14,6 +14,8 @@ from .rigid_cards import read_inertia_lines, start_body
 LEFT_OUT = "the joint is left out"
 # Of the extent of the model: nodes of a joint are at one place.
 COINCIDENT = 1e-6
+# Joints whose bodies move along the axis: their nodes may lie apart on it.
+SLIDING = ("cylindrical", "screw")
 # Kind of the joint, and how many nodes.
 CARDS = {
     "CONSTRAINED_JOINT_SPHERICAL": ("spherical", 2), "CONSTRAINED_JOINT_REVOLUTE": ("revolute", 4),
@@ -112,7 +114,7 @@ def read_lead(deck: KeywordDeck, reader: Lines) -> float:
 
 @dataclass
 class Pair:
-    """Two nodes at one place, of two bodies; an empty name is none."""
+    """Two nodes at one place, or on one axis, of two bodies; an empty name is none. The place is that of the first."""
 
     place: Vector
     bodies: tuple[str, str]
@@ -141,8 +143,9 @@ def make_pair(deck: KeywordDeck, joint: JointCard, nodes: list[int], bodies: dic
         if node not in deck.nodes:
             raise BadInput(joint.place, missing(f"node {node}"))
     a, b = (deck.nodes[node] for node in nodes)
-    middle = tuple((x + y) / 2 for x, y in zip(a, b, strict=True)) if math.dist(a, b) > 0 else a
-    return Pair(middle, (bodies.get(nodes[0], ""), bodies.get(nodes[1], "")))  # type: ignore[arg-type]
+    is_sliding = CARDS[joint.card][0] in SLIDING
+    place = a if is_sliding or math.dist(a, b) == 0 else tuple((x + y) / 2 for x, y in zip(a, b, strict=True))
+    return Pair(place, (bodies.get(nodes[0], ""), bodies.get(nodes[1], "")))  # type: ignore[arg-type]
 
 
 def make_entry(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: float) -> Deck | None:
@@ -168,10 +171,13 @@ def to_node(deck: KeywordDeck, pair: Pair, node: int) -> list[float]:
 
 def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: float) -> str:
     """Why it is no joint of two rigid bodies; empty: it is one."""
+    kind = CARDS[joint.card][0]
     for k, pair in enumerate(pairs):
         first, second = joint.nodes[2 * k : 2 * k + 2]
-        is_cross = k == 1 and CARDS[joint.card][0] == "universal"
-        if not is_cross and math.dist(deck.nodes[first], deck.nodes[second]) > near:
+        if kind in SLIDING:
+            if k < 2 and not is_on_axis(deck, joint, second, near):
+                return f"node {second} of the joint is not on its axis, from node {joint.nodes[0]} to {joint.nodes[2]}"
+        elif not (k == 1 and kind == "universal") and math.dist(deck.nodes[first], deck.nodes[second]) > near:
             return f"nodes {first} and {second} of the joint are not at one place"
         if not all(pair.bodies):
             return f"node {second if pair.bodies[0] else first} of the joint is on no rigid body"
@@ -179,11 +185,20 @@ def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: flo
             return "a joint within one rigid body"
         if pair.bodies != pairs[0].bodies:
             return "a joint whose pairs of nodes are on different bodies"
-    if len(pairs) > 1 and any(math.dist(pairs[0].place, deck.nodes[node]) <= near for node in joint.nodes[2:4]):
+    if len(pairs) > 1 and any(math.dist(pairs[0].place, deck.nodes[node]) <= near for node in (joint.nodes[2:3] if kind in SLIDING else joint.nodes[2:4])):
         return "a joint whose axis has no direction"
-    if CARDS[joint.card][0] == "universal" and not is_perpendicular(to_node(deck, pairs[0], joint.nodes[2]), to_node(deck, pairs[0], joint.nodes[3])):
+    if kind == "universal" and not is_perpendicular(to_node(deck, pairs[0], joint.nodes[2]), to_node(deck, pairs[0], joint.nodes[3])):
         return "a universal joint whose axes, from node 1 to 3 and from 2 to 4, are not perpendicular"
     return ""
+
+
+def is_on_axis(deck: KeywordDeck, joint: JointCard, node: int, near: float) -> bool:
+    """Whether a node is on the line through nodes 1 and 3."""
+    start, end, x = (deck.nodes[n] for n in (joint.nodes[0], joint.nodes[2], node))
+    axis, way = ([b - a for a, b in zip(start, to, strict=True)] for to in (end, x))
+    square = sum(d * d for d in axis)
+    along = sum(d * w for d, w in zip(axis, way, strict=True)) / square if square else 0.0
+    return math.hypot(*(w - along * d for w, d in zip(way, axis, strict=True))) <= near
 
 
 def is_perpendicular(a: list[float], b: list[float]) -> bool:
