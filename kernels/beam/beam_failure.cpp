@@ -10,6 +10,20 @@ KOKKOS_INLINE_FUNCTION BeamForces<double> read_forces(const ElementRecord& recor
   return {f.get(0), f.get(1), f.get(2), f.get(3), f.get(4), f.get(5)};
 }
 
+/// Whether fibres of the share of the section have reached the plastic strain at which they fail.
+KOKKOS_INLINE_FUNCTION bool do_fibres_fail(const FailureLimits& limits, const BeamFibres& fibres,
+                                           const ElementRecord& record) {
+  constexpr double round_off = 1e-9;
+  if (!(limits.plastic_strain < FailureLimits::none)) return false;
+  const ElementRecord states = record.from(BeamRecord::fibres);
+  double failed = 0, all = 0;
+  for (int i = 0; i < fibres.count; ++i) {
+    all += fibres.fibre[i].area;
+    if (states.get(2 * i + 1) >= limits.plastic_strain) failed += fibres.fibre[i].area;
+  }
+  return all > 0 && failed >= (limits.layers - round_off) * all;
+}
+
 }  // namespace
 
 FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& chunks, const JudgedBeams& beams,
@@ -24,16 +38,19 @@ FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& ch
       KOKKOS_LAMBDA(const int i, int& sum_failing) {
         const int c = failing.list(i);
         if (!is_beam(chunks, c)) return;
-        const BeamLimits limits = beams.parameters(chunks.parameters(c)).limits;
+        const BeamParameters& par = beams.parameters(chunks.parameters(c));
         const FailingRecords of = find_records(chunks, failing, records, c);
         const int count = count_elements(chunks, c);
         bool changed = false;
         for (int e = 0; e < count; ++e) {
           const int lane = of.first_lane + e;
           if (lives.steps_left(lane) != ElementLives::whole) continue;
-          if (find_beam_load(limits, read_forces(of.find(e))) < 1 && beams.time < limits.time) continue;
-          const FailureLimits& fading = failing.find_limits(c, e);
-          set_left(lives, lane, fading.fade_steps, fading);
+          const ElementRecord record = of.find(e);
+          const FailureLimits& limits = failing.find_limits(c, e);
+          if (find_beam_load(par.limits, read_forces(record)) < 1 && beams.time < par.limits.time &&
+              !do_fibres_fail(limits, par.fibres, record))
+            continue;
+          set_left(lives, lane, limits.fade_steps, limits);
           ++sum_failing;
           changed = true;
         }

@@ -41,12 +41,15 @@ struct FailureLimits {
   bool takes_inverted = false;  // so does no positive volume
   bool of_element = false;      // of one element of the size that it has: the next row is that of the next element
   int fade_steps = 1;           // evaluations until a failed element, or layer of a shell, has no force
-  double layers = 1;            // of a shell: share of the thickness that has to fail
+  double layers = 1;            // of a shell: share of the thickness that has to fail; of a beam, of the section
+  double least_volume = 0;      // V / V(0)
+  double most_volume = none;
 
   KOKKOS_INLINE_FUNCTION bool reads_stress() const {
     return tension < none || principal_stress < none || johnson_cook.any();
   }
   KOKKOS_INLINE_FUNCTION bool reads_stretch() const { return principal_strain < none; }
+  KOKKOS_INLINE_FUNCTION bool reads_volume() const { return least_volume > 0 || most_volume < none; }
 
   /// With failure strains times a factor.
   KOKKOS_INLINE_FUNCTION FailureLimits scale_strains(double factor) const {

@@ -14,6 +14,7 @@ struct ElementLoad {
   Symmetric3<double> stretch{};  // V, likewise
   double plastic_strain = 0;     // equivalent, at n+1
   double homologous = 0;         // (T - T room) / (T melt - T room)
+  double volume = 1;             // V / V(0); 1 where no limit asks for it
 };
 
 /// ElementLoad::homologous at a temperature; 0 where the limits have none.
@@ -26,6 +27,11 @@ KOKKOS_INLINE_FUNCTION double find_homologous(const FailureLimits& limits, doubl
 struct FailureHistory {
   double plastic_strain = 0, damage = 0, time_at_yield = 0;
 };
+
+/// J of a stretch V.
+KOKKOS_INLINE_FUNCTION double find_stretch_determinant(const Symmetric3<double>& v) {
+  return v.xx * (v.yy * v.zz - v.yz * v.yz) - v.xy * (v.xy * v.zz - v.yz * v.zx) + v.zx * (v.xy * v.yz - v.yy * v.zx);
+}
 
 KOKKOS_INLINE_FUNCTION Symmetric3<double> find_deviator(const Symmetric3<double>& a) {
   const double mean = trace(a) / 3;
@@ -85,7 +91,8 @@ KOKKOS_INLINE_FUNCTION bool fails(const FailureLimits& limits, const ElementLoad
     }
   }
   bool failed = load.plastic_strain >= limits.plastic_strain || history.time_at_yield >= limits.yield_time ||
-                history.damage >= 1 || trace(load.stress) / 3 >= limits.tension;
+                history.damage >= 1 || trace(load.stress) / 3 >= limits.tension || load.volume <= limits.least_volume ||
+                load.volume >= limits.most_volume;
   if (limits.principal_stress < FailureLimits::none) failed = failed || reaches(load.stress, limits.principal_stress);
   if (limits.principal_strain < FailureLimits::none) {
     failed = failed || reaches(load.stretch, exp(limits.principal_strain));

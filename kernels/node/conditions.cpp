@@ -11,7 +11,13 @@ void hold_velocities(const ExecSpace& space, const HeldDirections& held, const P
         const int k = held.direction(i);
         const int m = held.motion(i);
         const double value = motions.value(m);
-        v(n, k) = motions.is_displacement(m) != 0 ? (held.start(i) + value - x(n, k)) / dt : value;
+        const TurnShare& turn = motions.turn(m);
+        if (turn.other >= 0) {
+          v(n, k) =
+              turn.sign * value * (x(n, turn.other) - turn.other_center) - motions.back(m) * (x(n, k) - turn.center);
+        } else {
+          v(n, k) = motions.is_displacement(m) != 0 ? (held.start(i) + value - x(n, k)) / dt : value;
+        }
       });
 }
 

@@ -14,10 +14,19 @@ struct HeldDirections {
   int count = 0;
 };
 
-/// The prescribed motions of a step, one row a condition and direction: v(n+1/2), or the displacement at n+1.
+/// One direction of nodes that turn about an axis of space: what the other direction across the axis gives to it.
+struct TurnShare {
+  int other = -1;  // that direction; -1: no turn
+  double sign = 0;
+  double center = 0, other_center = 0;  // place of the axis in both directions [length]
+};
+
+/// The prescribed motions of a step, one row a condition and direction: v(n+1/2), or the displacement at n+1. Of a turn
+/// by an angle a in a step dt: sin(a) / dt, and (1 - cos(a)) / dt in `back`, so that the distance from the axis stays.
 struct PrescribedMotions {
-  Array<double> value;
+  Array<double> value, back;
   Array<int> is_displacement;
+  Array<TurnShare> turn;
 };
 
 /// Sets v(n+1/2) of every fixed direction. A prescribed displacement u gives the velocity that reaches start + u.

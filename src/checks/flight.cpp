@@ -91,15 +91,33 @@ bool Flight::is_uniform() const {
 
 void Flight::add(const ConditionDeck& condition, double end, bool of_all_nodes) {
   is_held_ = true;
-  is_held_in_part_ = is_held_in_part_ || !of_all_nodes;
+  is_held_in_part_ = is_held_in_part_ || !of_all_nodes || condition.turn.has_value();
   for (std::size_t k = 0; k < 3; ++k) {
     if (!of_all_nodes || condition.active[k]) gravity_[k] = 0;
     if (of_all_nodes && condition.active[k]) velocity_low_[k] = velocity_high_[k] = 0;
   }
   if (condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry) return;
+  if (condition.turn) {
+    add_turn(*condition.turn);
+    return;
+  }
   const bool is_velocity = condition.kind == ConditionDeck::Kind::velocity;
   for (std::size_t k = 0; k < 3; ++k) {
     if (condition.active[k]) add_range(condition.value[k], is_velocity, end, driven_.low[k], driven_.high[k]);
+  }
+}
+
+void Flight::add_turn(const TurnDeck& turn) {
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == turn.axis) continue;
+    const double far = std::max(std::abs(start_.low[k] - turn.through[k]), std::abs(start_.high[k] - turn.through[k]));
+    square += far * far;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == turn.axis) continue;
+    driven_.low[k] -= 2 * std::sqrt(square);
+    driven_.high[k] += 2 * std::sqrt(square);
   }
 }
 

@@ -48,6 +48,7 @@ class Flight {
   bool is_held_ = false, is_held_in_part_ = false;
 
   bool is_uniform() const;
+  void add_turn(const TurnDeck& turn);
 };
 
 /// Of a size: bodies that are closer touch.

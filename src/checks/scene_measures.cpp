@@ -285,7 +285,8 @@ class InitialCounts {
     stopping_.assign(mesh_.nodes.size(), InitialMeasures::no_condition);
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const ConditionDeck& condition = deck_.conditions[c];
-      if (condition.kind == ConditionDeck::Kind::displacement || !condition.when.from.empty()) continue;
+      if (condition.kind == ConditionDeck::Kind::displacement || condition.turn || !condition.when.from.empty())
+        continue;
       for (const int node : select_nodes(mesh_, deck_, condition.where)) {
         const Vec3 velocity = find_velocity(velocities_, node);
         const double least = share * std::sqrt(dot(velocity, velocity));

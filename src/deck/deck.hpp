@@ -229,6 +229,8 @@ struct FailureDeck {
   std::optional<double> pressure;          // below minus this
   std::optional<JohnsonCookDamageDeck> johnson_cook;
   std::optional<double> yield_time;           // at yield, in all
+  std::optional<double> volume_below;         // of solids: V / V(0) falls below this
+  std::optional<double> volume_above;         // of solids: V / V(0) rises above this
   std::optional<BeamFailureDeck> resultants;  // of beams
   std::optional<double> time;                 // of beams: at this time
   std::optional<double> step;                 // the step that the element allows falls below this
@@ -269,14 +271,22 @@ struct InitialDeck {
   std::optional<RadialVelocityDeck> radial_velocity;
 };
 
+/// About an axis of space at rest, from where the nodes are.
+struct TurnDeck {
+  std::size_t axis = 0;    // x, y, z
+  Vec3 through{};          // a point of the axis
+  Curve angular_velocity;  // [rad / time]
+};
+
 /// Exactly one of the kinds a list entry. Directions are the axes x, y, z and, of nodes of shells, rotations about
 /// them. Of a body: of its centre, and its turns about axes through it; directions that are not named stay free.
 struct ConditionDeck {
-  enum class Kind { fixed, symmetry, velocity, displacement };
+  enum class Kind { fixed, symmetry, velocity, displacement, turn };
   Selector where;
   Kind kind = Kind::fixed;
   std::array<bool, 6> active{};  // which directions are held: x, y, z, then rotations about x, y, z
   std::array<Curve, 6> value;    // velocity, displacement or angular velocity [rad / time] in each active direction
+  std::optional<TurnDeck> turn;  // both directions across its axis are active
   SwitchDeck when;
 };
 

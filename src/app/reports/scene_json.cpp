@@ -79,6 +79,8 @@ std::string name_kind(ConditionDeck::Kind kind) {
       return "velocity";
     case ConditionDeck::Kind::displacement:
       return "displacement";
+    case ConditionDeck::Kind::turn:
+      return "turn";
   }
   return "";
 }

@@ -21,6 +21,11 @@ struct NamedCurve {
 
 void list_conditions(const Deck& deck, std::vector<NamedCurve>& curves) {
   for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
+    if (const auto& turn = deck.conditions[c].turn) {
+      curves.push_back(
+          {turn->angular_velocity, join_path("conditions", c) + ".turn.angular_velocity", NamedCurve::Of::velocity});
+      continue;
+    }
     const bool is_velocity = deck.conditions[c].kind == ConditionDeck::Kind::velocity;
     for (std::size_t k = 0; k < 6; ++k)
       curves.push_back(

@@ -32,6 +32,7 @@ bool is_moving(const Curve& curve) { return !curve.is_constant() || curve(0) != 
 
 /// Whether a condition moves a node.
 bool is_driving(const ConditionDeck& condition) {
+  if (condition.turn) return is_moving(condition.turn->angular_velocity);
   return (condition.kind == ConditionDeck::Kind::velocity || condition.kind == ConditionDeck::Kind::displacement) &&
          std::any_of(condition.value.begin(), condition.value.end(), is_moving);
 }

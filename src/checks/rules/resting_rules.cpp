@@ -129,7 +129,8 @@ bool rings(const Deck& deck, std::size_t part) {
 
 bool is_at_rest(const CheckedScene& scene) {
   const auto drives = [](const ConditionDeck& condition) {
-    return condition.kind == ConditionDeck::Kind::velocity || condition.kind == ConditionDeck::Kind::displacement;
+    return condition.turn || condition.kind == ConditionDeck::Kind::velocity ||
+           condition.kind == ConditionDeck::Kind::displacement;
   };
   const auto& parts = scene.measures->parts;
   return std::none_of(parts.begin(), parts.end(), [](const PartMeasures& part) { return part.speed > 0; }) &&

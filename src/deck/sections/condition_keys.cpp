@@ -283,12 +283,22 @@ bool note_damping_place(const Reader&, const Node& node, DampingDeck& damping) {
   return true;
 }
 
+const Keys<TurnDeck>& turn_keys() {
+  static const Keys<TurnDeck> keys = {
+      need("axis", &TurnDeck::axis, ChoiceValue<std::size_t>{{{"x", 0}, {"y", 1}, {"z", 2}}}),
+      need("through", &TurnDeck::through, vector3()),
+      need("angular_velocity", &TurnDeck::angular_velocity, CurveValue{}),
+  };
+  return keys;
+}
+
 const Keys<ConditionDeck>& condition_kind_keys() {
   static const Keys<ConditionDeck> keys = {
       group<ConditionDeck>("fixed", FixedValue{}),
       group<ConditionDeck>("symmetry", SymmetryValue{}),
       group<ConditionDeck>("velocity", MotionValue{ConditionDeck::Kind::velocity}),
       group<ConditionDeck>("displacement", MotionValue{ConditionDeck::Kind::displacement}),
+      may("turn", &ConditionDeck::turn, MapValue<TurnDeck>{turn_keys}),
   };
   return keys;
 }
@@ -301,6 +311,32 @@ const Keys<ConditionDeck>& condition_keys() {
     return with_switch(std::move(all));
   }();
   return keys;
+}
+
+/// A turn holds both directions across its axis.
+void note_turn(ConditionDeck& condition) {
+  if (!condition.turn) return;
+  condition.kind = ConditionDeck::Kind::turn;
+  for (std::size_t k = 0; k < 3; ++k) condition.active[k] = k != condition.turn->axis;
+}
+
+/// What holds no body: its nodes are not all on one plane, and it turns about its centre.
+bool check_condition_of_body(const Reader& reader, const std::string& name, const Node& node,
+                             const ConditionDeck& condition) {
+  if (find_body(condition.where).empty()) return true;
+  if (condition.kind == ConditionDeck::Kind::symmetry) {
+    reader.error(node.find("symmetry")->key, fmt::format("'{}' is a symmetry of a body (its nodes are not all on one "
+                                                         "plane): use fixed",
+                                                         name));
+    return false;
+  }
+  if (!condition.turn) return true;
+  reader.error(
+      node.find("turn")->key,
+      fmt::format("'{}' is a turn of a body (which turns about its mass centre): use velocity with rx, ry, rz, "
+                  "or a joint to the ground",
+                  name));
+  return false;
 }
 
 }  // namespace
@@ -319,14 +355,9 @@ bool ConditionValue::read(const Reader& reader, const std::string& name, const N
     known.push_back(key.name);
     if (node.find(key.name) != nullptr) given.push_back(key.name);
   }
-  if (given.size() == 1 && !check_nodes_or_body(inner, node)) return false;
-  if (given.size() == 1 && !find_body(out.where).empty() && out.kind == ConditionDeck::Kind::symmetry) {
-    reader.error(node.find("symmetry")->key, fmt::format("'{}' is a symmetry of a body (its nodes are not all on one "
-                                                         "plane): use fixed",
-                                                         name));
-    return false;
-  }
-  if (given.size() == 1) return good;
+  note_turn(out);
+  if (given.size() == 1)
+    return check_nodes_or_body(inner, node) && check_condition_of_body(reader, name, node, out) && good;
   const std::string what = given.empty() ? "does nothing" : fmt::format("has {}", fmt::join(given, " and "));
   reader.error(node.spot, fmt::format("'{}' {} (must have exactly one of {})", name, what, fmt::join(known, ", ")));
   return false;

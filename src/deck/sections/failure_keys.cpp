@@ -58,6 +58,10 @@ const Keys<FailureDeck>& failure_keys() {
       may("pressure", &FailureDeck::pressure, NumberValue{positive}),
       may("johnson_cook", &FailureDeck::johnson_cook, MapValue<JohnsonCookDamageDeck>{damage_keys, check_damage}),
       may("yield_time", &FailureDeck::yield_time, NumberValue{positive}),
+      may("volume_below", &FailureDeck::volume_below,
+          NumberValue{{"between 0 and 1, both excluded", 0, 1, true, true}}),
+      may("volume_above", &FailureDeck::volume_above,
+          NumberValue{{"above 1", 1, std::numeric_limits<double>::infinity(), true}}),
       may("resultants", &FailureDeck::resultants, MapValue<BeamFailureDeck>{beam_failure_keys, check_resultants}),
       may("time", &FailureDeck::time, NumberValue{not_negative}),
       may("step", &FailureDeck::step, NumberValue{positive}),
@@ -79,14 +83,14 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
                              reader.name_of("size")));
     return false;
   }
-  if (has_strain || failure.principal_stress || failure.pressure || failure.yield_time || failure.resultants ||
-      failure.time || failure.step || failure.inverted)
+  if (has_strain || failure.principal_stress || failure.pressure || failure.yield_time || failure.volume_below ||
+      failure.volume_above || failure.resultants || failure.time || failure.step || failure.inverted)
     return true;
   reader.error(
       node.spot,
       fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
-                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, resultants, time, "
-                  "step or inverted: true",
+                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, volume_below, "
+                  "volume_above, resultants, time, step or inverted: true",
                   reader.self()));
   return false;
 }

@@ -48,6 +48,18 @@ bool is_rest(const ConditionDeck& condition) {
   return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
 }
 
+/// What a condition prescribes in one direction.
+Motion make_motion(const ConditionDeck& condition, int k) {
+  if (!condition.turn) return {condition.value[at(k)], condition.kind == ConditionDeck::Kind::displacement, {}};
+  const TurnDeck& turn = *condition.turn;
+  const auto first = (turn.axis + 1) % 3, second = (turn.axis + 2) % 3;
+  const bool is_first = at(k) == first;
+  const auto other = is_first ? second : first;
+  return {turn.angular_velocity,
+          false,
+          {static_cast<int>(other), is_first ? -1.0 : 1.0, turn.through[at(k)], turn.through[other]}};
+}
+
 /// Rotations come after translations: directions 3, 4, 5.
 constexpr int first_rotation = 3, direction_count = 6;
 
@@ -81,8 +93,7 @@ class HeldDirectionFinder {
     int row = 0;
     if (!is_rest(condition)) {
       row = static_cast<int>(model_.motions.size());
-      model_.motions.push_back(
-          {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
+      model_.motions.push_back(make_motion(condition, k));
       model_.is_driven = true;
     }
     model_.is_driven = model_.is_driven || condition.when.any();  // nodes move as it begins to hold them
@@ -114,12 +125,18 @@ class HeldDirectionFinder {
                     deck_.where(condition.where.place), direction_names[at(active - condition.active.begin())]));
   }
 
-  /// Throws, on all ranks, if a sensor is to switch what holds a rigid body.
+  /// Throws, on all ranks, if a sensor is to switch what holds a rigid body, or a turn to hold one.
   void require_no_bodies(const ConditionDeck& condition, const std::vector<int>& nodes) const {
-    if (!condition.when.any() || !find_body(condition.where).empty()) return;
+    if ((!condition.when.any() && !condition.turn) || !find_body(condition.where).empty()) return;
     int some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return rigid_.holds(n); }) ? 1 : 0;
     all_reduce(model_.ranks, Reduce::largest, some);
     if (some == 0) return;
+    if (condition.turn)
+      throw InputError(
+          fmt::format("{}: error: nodes of a rigid body are to turn (turn moves nodes that deform): leave them out, or "
+                      "give the body "
+                      "a velocity with rx, ry or rz",
+                      deck_.where(condition.where.place)));
     throw InputError(fmt::format(
         "{}: error: the condition is of a rigid body and has from or until (sensors switch "
         "conditions on nodes that deform, and those that name a body): name it with body: in place of nodes",

@@ -32,6 +32,8 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   }
   limits.tension = deck.pressure.value_or(none);
   limits.yield_time = deck.yield_time.value_or(none);
+  limits.least_volume = deck.volume_below.value_or(0);
+  limits.most_volume = deck.volume_above.value_or(none);
   if (const auto& d = deck.johnson_cook) {
     limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
   }
@@ -68,6 +70,8 @@ void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
   const char* criterion = nullptr;
   if (!topology.is_surface() && (failure.thinning || failure.mean_thinning))
     criterion = failure.thinning ? "thinning (of shells)" : "mean_thinning (of shells)";
+  if (!topology.is_solid() && (failure.volume_below || failure.volume_above))
+    criterion = failure.volume_below ? "volume_below (of solids)" : "volume_above (of solids)";
   if (!topology.is_line() && (failure.resultants || failure.time))
     criterion = failure.resultants ? "resultants (of beams)" : "time (of beams)";
   if (criterion == nullptr) return;

@@ -33,9 +33,9 @@ const MaterialDeck& find_material(const Deck& deck, const ElementBlock& block) {
 }
 
 bool has_other_criteria(const FailureDeck& failure) {
-  return failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.thinning ||
-         failure.mean_thinning || failure.pressure || failure.johnson_cook || failure.yield_time || failure.step ||
-         failure.inverted;
+  return failure.principal_stress || failure.principal_strain || failure.thinning || failure.mean_thinning ||
+         failure.pressure || failure.johnson_cook || failure.yield_time || failure.volume_below ||
+         failure.volume_above || failure.step || failure.inverted;
 }
 
 /// On all ranks alike: they know all blocks.
@@ -50,9 +50,15 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
           fmt::format("of material '{}' (beams support {}, without an equation of state): give it one of these",
                       material.name, name_laws(&LawTraits::is_of_beams)));
     if (material.failure && has_other_criteria(*material.failure))
+      refuse_beams(
+          deck, block,
+          fmt::format("of material '{}', which fails by a criterion of other elements (those of beams are "
+                      "resultants, time and plastic_strain): give them a material with these alone, or without failure",
+                      material.name));
+    if (!law.has_plastic_strain && material.failure && material.failure->plastic_strain)
       refuse_beams(deck, block,
-                   fmt::format("of material '{}', which fails by a criterion of other elements (those of beams are "
-                               "resultants and time): give them a material with these alone, or without failure",
+                   fmt::format("of material '{}', which fails by plastic_strain and never yields: use a law that "
+                               "yields, or resultants",
                                material.name));
     if (law.has_plastic_strain && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
       refuse_beams(

@@ -1,6 +1,7 @@
 #include "src/step/loads/condition_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/step/sensors/held_directions.hpp"
@@ -9,9 +10,16 @@ namespace percuss {
 
 ConditionStage::ConditionStage(const Model& model) : model_(model) {
   std::vector<int> is_displacement;
-  for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
+  std::vector<TurnShare> turns;
+  is_displacement.reserve(model.motions.size());
+  turns.reserve(model.motions.size());
+  for (const Motion& motion : model.motions) {
+    is_displacement.push_back(motion.is_displacement ? 1 : 0);
+    turns.push_back(motion.turn);
+  }
   motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
-              to_view("percuss::is_displacement", is_displacement)};
+              Array<double>("percuss::motion_turns_back", model.motions.size()),
+              to_view("percuss::is_displacement", is_displacement), to_view("percuss::motion_turns", turns)};
 }
 
 void ConditionStage::start(State& state) {
@@ -45,12 +53,19 @@ void ConditionStage::hold(const HeldDirections& held, const State& state, double
 /// Values of the prescribed motions for the step from n to n+1.
 void ConditionStage::evaluate(const State& state, double dt) {
   const auto values = Kokkos::create_mirror_view(motions_.value);
+  const auto back = Kokkos::create_mirror_view(motions_.back);
   for (std::size_t m = 0; m < model_.motions.size(); ++m) {
     const Motion& motion = model_.motions[m];
     values(m) = motion.curve(motion.is_displacement ? state.time + dt : state.time + 0.5 * dt);
     if (motion.is_displacement && dt == 0) values(m) = 0;  // at the start: at rest where the mesh put it
+    back(m) = 0;
+    if (motion.turn.other < 0 || dt == 0) continue;
+    const double half = 0.5 * dt * values(m);
+    back(m) = 2 * std::sin(half) * std::sin(half) / dt;
+    values(m) = std::sin(2 * half) / dt;
   }
   Kokkos::deep_copy(motions_.value, values);
+  Kokkos::deep_copy(motions_.back, back);
 }
 
 }  // namespace percuss

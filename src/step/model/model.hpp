@@ -40,6 +40,7 @@ namespace percuss {
 struct Motion {
   Curve curve;
   bool is_displacement = false;
+  TurnShare turn;  // of a turn, whose curve is its angular velocity
 };
 
 /// The nodes that this rank owns, by the chunk that they belong to: each chunk has a contiguous run of them.

@@ -117,7 +117,7 @@ void Relaxation::make_model(const Deck& deck) {
     law.strength = {};
     law.time = WeldLaw::unbreakable;
   }
-  for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false};
+  for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false, {}};
   relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
   relaxed_.damped_velocity = has_contact_springs(deck) ? DampedVelocity::old : DampedVelocity::mean;
   relaxed_.damped_nodes.entry = Array<int>("percuss::relaxed_nodes", at(model_.node_count));

@@ -94,6 +94,13 @@ PROOFS = [
             deck(cube(), EVERYTHING, f"*BOUNDARY_PRESCRIBED_MOTION_SET\n4,{dof},0,7,100.0\n2.0,3.0\n", CONSTANT),
             [(f"momentum_{a}", LAST, -100.0 * 2.0 * CUBE_MASS, 5e-3), (f"momentum_{b}", LAST, 100.0 * 3.0 * CUBE_MASS, 5e-3)], "w x (c - p), c - p = (3, 2) across the axis")
       for dof, a, b in ((9, "y", "z"), (10, "z", "x"), (11, "x", "y"))),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_SET: DOF VAD BIRTH OFFSET1 OFFSET2",
+          deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,11,2,7,0.5,0,0,2e-4\n2.0,3.0\n", curve(7, (0, 0.0), (6e-4, 1.2), (1.0, 1.2)), velocity(5000.0), end=1e-3),
+          [("momentum_x", 1e-4, 5000.0 * CUBE_MASS, 1e-9), ("momentum_y", 1e-4, 0.0, 1e-9),
+           ("momentum_x", 5e-4, -1e3 * (2.0 * math.cos(0.3) + 4.0 * math.sin(0.3)) * CUBE_MASS, 5e-3),
+           ("momentum_y", 5e-4, 1e3 * (4.0 * math.cos(0.3) - 2.0 * math.sin(0.3)) * CUBE_MASS, 5e-3), ("momentum_x", LAST, 0.0, 1e-9)],
+          "it flies by 1 mm until BIRTH, has turned from there by 0.3 of 0.6 rad at 5e-4, and stays where the angle does"),
+    Proof("BOUNDARY_PRESCRIBED_MOTION_SET: VAD", deck(cube(), EVERYTHING, "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,11,1,7\n2.0,3.0\n", CONSTANT), refused="DOF 11 with VAD 1"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_NODE", deck(cube(), nodes((50, 5.0, 5.0, 25.0)), "*BOUNDARY_PRESCRIBED_MOTION_NODE\n50,1,0,7,40.0\n", CONSTANT),
           refused="node 50, which has no element"),
     Proof("BOUNDARY_SPC_NODE", deck(cube(), nodes((50, 5.0, 5.0, 25.0)), "*BOUNDARY_SPC_NODE\n50,0,1,1,1\n"), refused="node 50, which has no element"),

@@ -137,17 +137,21 @@ FLAT = deck(hexahedron(size=(10.0, 10.0, 1.0)), part(), solid_section(), STEEL, 
             "*BOUNDARY_SPC_SET\n2,0,1,1,0\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,2,7\n", curve(7, (0.0, 0.0), (END, -0.5)),
             "*CONTROL_BULK_VISCOSITY\n1e-9,1e-9\n*CONTROL_TIMESTEP\n0,0.5,0,0,0,0,1\n", end=END, rows=1000).replace(f"{END!r}\n*DATABASE", f"{END!r},0,0.9\n*DATABASE")  # fmt: skip
 
+FLAT_FLUID = FLAT.replace(STEEL, f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_LINEAR_POLYNOMIAL\n1,0.0,170000.0\n0.0,1.0\n").replace(part(), part(1, 1, 1, ",1"))
+
 LOADED = node_set(9, *range(1, 9)) + "*LOAD_NODE_SET\n9,1,7,2.0\n9,3,7,3.0\n" + curve(7, (0.0, 1.0), (1.0, 1.0))
 
-def weld_beam(limits, motion, time=0.0):
+def weld_beam(limits, motion, time=0.0, yields="1e6,0", more=""):
     """A weld of 4 mm diameter and 10 mm length that is led until the end."""
-    law = f"*MAT_SPOTWELD\n1,{DENSITY!r},{YOUNG!r},{POISSON!r},1e6,0,0,{time!r}\n{limits}\n"
+    law = f"*MAT_SPOTWELD\n1,{DENSITY!r},{YOUNG!r},{POISSON!r},{yields},0,{time!r}\n{limits}\n{more}"
     return beam("*SECTION_BEAM\n1,9,1.0,2,1\n4.0,4.0,0,0\n", motion, law=law, end=END)
 
 
 WELD_AREA, WELD_INERTIA = 4 * math.pi, 4 * math.pi
 PULL_AT_HALF, MOMENT_AT_HALF = YOUNG * WELD_AREA * math.log(1.005), YOUNG * WELD_INERTIA * TURN / 10.0
 TORQUE_AT_HALF, SHEAR_AT_HALF = SHEAR * 2 * WELD_INERTIA * TURN / 10.0, 0.9 * SHEAR * WELD_AREA * 0.0005
+FIBRE = 2.0 * 0.8873  # of the outermost ring of points of a circle of radius 2
+FLOW_AT_HALF, BENT_AT_HALF = (YOUNG * math.log(1.005) - 300.0) / (YOUNG + 2000.0), (YOUNG * FIBRE * TURN / 10.0 - 30.0) / (YOUNG + 2000.0)
 AT_HALF = [(erosion_time, LAST, 0.5 * END, 3e-2)]
 WELDS = [
     Proof("MAT_SPOTWELD: NRR", weld_beam(f"0,{PULL_AT_HALF!r}", PULLED), AT_HALF, "the tension E A ln(1.005) at half of the time"),
@@ -158,7 +162,12 @@ WELDS = [
     Proof("MAT_SPOTWELD: NRS", weld_beam("0,0,1.0,2.0", PULLED), refused="differ between the axes"),
     Proof("MAT_SPOTWELD: MSS", weld_beam("0,0,0,0,0,1.0,2.0", PULLED), refused="differ between the axes"),
     Proof("MAT_SPOTWELD: TFAIL", weld_beam("0", PULLED, 0.5 * END), AT_HALF, "at TFAIL"),
-    Proof("MAT_SPOTWELD: EFAIL", weld_beam("0.1", PULLED), refused="fail by plastic strain"),
+    Proof("MAT_SPOTWELD: EFAIL SIGY EH", weld_beam(f"{FLOW_AT_HALF!r},", PULLED, yields="300.0,2000.0"), AT_HALF, "E (e - p) = SIGY + EH p in all points at half of the time"),
+    Proof("MAT_SPOTWELD: EFAIL", weld_beam(f"{0.5 * BENT_AT_HALF!r},", ABOUT_Y, yields="30.0,2000.0"), [("eroded_elements", LAST, 0.0, 0.0)], "bent: points near the axis never yield"),
+    Proof("MAT_ADD_EROSION: EFFEPS NUMFIP", weld_beam("0", ABOUT_Y, yields="30.0,2000.0", more=f"*MAT_ADD_EROSION\n1,0,0,0,{-BENT_AT_HALF!r}\n0\n"),
+          [(erosion_time, LAST, 0.5 * END, 5e-2)], "the outermost points reach it at half of the time, and the first ends the beam"),
+    Proof("MAT_ADD_EROSION: NUMFIP", weld_beam("0", ABOUT_Y, yields="30.0,2000.0", more="*MAT_ADD_EROSION\n1,0,0,0,-0.1,0,3\n0\n"), refused="NUMFIP"),
+    Proof("MAT_ADD_EROSION: SIGP1", weld_beam("0", ABOUT_Y, more="*MAT_ADD_EROSION\n1\n0,100.0\n"), refused="beams that fail by stress"),
 ]  # fmt: skip
 
 CONTROLS = [
@@ -171,6 +180,8 @@ CONTROLS = [
           deck(cube(), velocity(100.0), "*CONTROL_TIMESTEP\n0,0.9,0,0,-9e-6\n").replace("1e-05\n*DATABASE", "1e-05,0,0,0,50.0\n*DATABASE"), refused="max_added"),
     Proof("CONTROL_TIMESTEP: ERODE; CONTROL_TERMINATION: DTMIN", FLAT, [(lambda h: 1 - 0.5 * erosion_time(h) / END, LAST, 0.9, 5e-2)],
           "the step of a flat element is in proportion to its height, and falls to 0.9 of the first one; the bound of percuss is 3 % below height over speed"),
+    Proof("CONTROL_TIMESTEP: ERODE; CONTROL_TERMINATION: DTMIN; MAT_NULL: RO; EOS_LINEAR_POLYNOMIAL: C1", FLAT_FLUID, [(lambda h: 1 - 0.5 * erosion_time(h) / END, LAST, 0.9, 5e-2)],
+          "of a fluid, whose speed of sound is the root of C1 over the density at all volumes, likewise"),
     *[Proof("CONTROL_TERMINATION: ENDENG", deck(cube(), velocity(0, 0, -1000.0), "*RIGIDWALL_PLANAR_ID\n1,wall\n0\n0,0,-0.001,0,0,1.0\n").replace("1e-05\n*DATABASE", f"1e-05,0,0,{percent}\n*DATABASE"),
             [("time", LAST, 1e-5, 1e-9)] if not words else [], "an impact balances to a percent, and not to 1e-14 of its energy", fails=words)
       for percent, words in (("1.0", ""), ("1e-12", "energy balance is off"))],

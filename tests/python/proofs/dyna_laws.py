@@ -286,6 +286,10 @@ STATES = [
           [(PRESSURE, LAST, 3e5 * math.log(UP), 3e-3), (PRESSURE, MIN, -5.0, 1e-6)], "the table above the cutoff"),
     Proof("MAT_NULL: PC", state_cube(f"*MAT_NULL\n1,{DENSITY!r},-5.0\n*EOS_GRUNEISEN\n1,4.6e6,1.5,0,0,2.0\n1.0\n", UP), [(PRESSURE, LAST, -5.0, 1e-6)],
           "likewise"),
+    *[Proof(f"MAT_NULL: {name}", state_cube(f"*MAT_NULL\n1,{DENSITY!r},0,0,{limits}\n{STATE}", ratio, rows=1000),
+            [(erosion_time, LAST, time_of(ratio, math.log(volume)), 1e-2)], "the element is gone at this volume over that at the start")
+      for name, limits, ratio, volume in (("TEROD", "1.012,0.5", UP, 1.012), ("CEROD", "1.5,0.988", 1 / UP, 0.988))],
+    *[Proof(f"MAT_NULL: {name}", state_cube(f"*MAT_NULL\n1,{DENSITY!r},0,0,{limits}\n{STATE}", UP), refused=name) for name, limits in (("TEROD", "0.9"), ("CEROD", "0,1.1"))],
     Proof("MAT_NULL: MU", state_cube(f"*MAT_NULL\n1,{DENSITY!r},0,0.01\n{STATE}", UP).replace("*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,2", "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,2")
           .replace("2,0,1,1,0", "2,0,0,1,1"), [(ZX, LAST, 0.01 * 0.02 / END, 1e-3)], "MU times the rate of shear, 20/s"),
     Proof("MAT_ELASTIC_FLUID: CP", stretched(f"*MAT_ELASTIC_FLUID\n1,{DENSITY!r},{E_NU}\n0,1.0\n", UP), [(PRESSURE, LAST, -1.0, 1e-6)], "tension stays at CP"),
@@ -391,8 +395,8 @@ SOFT = [
 ]  # fmt: skip
 
 
-def eroding(first, second="0", material=""):
-    return stretched((material or elastic(1, DENSITY, YOUNG, POISSON)) + f"*MAT_ADD_EROSION\n1,0,{first}\n{second}\n", UP, rows=1000)
+def eroding(first, second="0", material="", ratio=UP):
+    return stretched((material or elastic(1, DENSITY, YOUNG, POISSON)) + f"*MAT_ADD_EROSION\n1,0,{first}\n{second}\n", ratio, rows=1000)
 
 
 STIFF = BULK + 4 / 3 * SHEAR
@@ -405,6 +409,9 @@ EROSION = [
     Proof("MAT_ADD_EROSION: FAILTM", eroding("0", "0,3000.0,0,0,0,0,0,1.0"), [(erosion_time, LAST, time_of(UP, 3000.0 / STIFF), 2e-2)],
           "a time behind the end is none"),
     Proof("MAT_ADD_EROSION: FAILTM", eroding("0", "0,0,0,0,0,0,0,1e-4"), refused="FAILTM"),
+    Proof("MAT_ADD_EROSION: VOLEPS", eroding("0,0,0,0.012"), [(erosion_time, LAST, time_of(UP, 0.012), 1e-2)], "the logarithm of the volume, which is the strain along z"),
+    Proof("MAT_ADD_EROSION: VOLEPS", eroding("0,0,0,-0.012", ratio=1 / UP), [(erosion_time, LAST, time_of(1 / UP, -0.012), 1e-2)], "below 0 in compression"),
+    Proof("MAT_ADD_EROSION: VOLEPS", eroding("0,0,0,-0.012"), [("eroded_elements", LAST, 0.0, 0.0)], "which a tension does not reach"),
     Proof("MAT_ADD_EROSION: SIGP1", eroding("0", "0,-7.0"), refused="SIGP1"),
     Proof("MAT_ADD_EROSION: EFFEPS", eroding("0,0,0.1"), refused="EFFEPS"),
     Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic() + "*MAT_ADD_DAMAGE_GISSMO\n1\n", UP), refused="MAT_ADD_DAMAGE_GISSMO"),

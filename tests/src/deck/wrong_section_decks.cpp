@@ -123,7 +123,7 @@ std::vector<WrongDeck> missing_keys() {
       {"RadialVelocityWithoutSpeed", append("initial: [{radial_velocity: {center: [0, 0, 0]}}]"), "6:12",
        "initial.0.radial_velocity.speed is missing"},
       {"ConditionWithoutKind", append("conditions: [{nodes: rod}]"), "6:14",
-       "'conditions.0' does nothing (must have exactly one of fixed, symmetry, velocity, displacement)"},
+       "'conditions.0' does nothing (must have exactly one of fixed, symmetry, velocity, displacement, turn)"},
       {"ConditionWithoutNodes", append("conditions: [{fixed: x}]"), "6:14",
        "'conditions.0' has no nodes (must have exactly one of nodes, body)"},
       {"ConditionOfNoBody", append("conditions: [{body: c, fixed: x}]"), "6:21", "there is no rigid body 'c'"},

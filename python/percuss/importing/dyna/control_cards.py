@@ -1,11 +1,14 @@
 """*CONTROL_...: end, time step, viscosity."""
 
+import math
+
 from ..fields import Row
 from ..model import Block, Deck, Vector
 from ..shapes import dot, shell_area, solid_volume, subtract
 from ..solids import FACES
 from .cards import Card
 from .deck import KeywordDeck
+from .materials.states import initial_bulk_modulus
 
 # Whatever their fields say.
 HARMLESS = {
@@ -93,10 +96,12 @@ def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
         return
     blocks = [block for block in deck.model.blocks if block.part not in deck.rigid and not block.beams]
     laws = {block.id: deck.model.materials[block.keys["material"]] for block in blocks}
-    if any("youngs_modulus" not in law for law in laws.values()):
+    steps = [find_first_step(deck.nodes, block, laws[block.id]) for block in blocks]
+    first = min((step for step in steps if step is not None), default=0.0)
+    if None in steps or not math.isfinite(first):
         deck.ledger.refuse("CONTROL_TIMESTEP.ERODE", card.place, "ERODE: elements that are eroded where their step is below DTMIN, beside laws without Young's modulus", "the run ends there")
         return
-    least = time["step_scale"] * time["collapse_ratio"] * min((find_first_step(deck.nodes, block, laws[block.id]) for block in blocks), default=0.0)
+    least = time["step_scale"] * time["collapse_ratio"] * first
     for block in blocks:
         if code % 10 == 1 if block.solids else code // 10 % 10 == 1:
             law = laws[block.id]
@@ -105,13 +110,24 @@ def erode_short_steps(deck: KeywordDeck, card: Card, code: int) -> None:
     deck.ledger.approximated("CONTROL_TIMESTEP.ERODE", card.place, f"failure.step of {least:.4g}: DTMIN of the least step at the start by LS-DYNA's rule, up to 1.6 times that of percuss; and failure.inverted")
 
 
-def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float:
-    """The least step of its elements: volume over the largest face, or area over the longest edge, by the speed of sound."""
-    young, poisson = law["youngs_modulus"], law.get("poissons_ratio", 0.0)
-    stiffness = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) if block.solids else young / (1 - poisson**2)
+def find_first_step(nodes: dict[int, Vector], block: Block, law: Deck) -> float | None:
+    """The least step of its elements: volume over the largest face, or area over the longest edge, by the speed of sound; None: it is not known."""
+    stiffness = find_wave_stiffness(block, law)
+    if stiffness is None:
+        return None
     lengths = (find_length([nodes[n] for n in corners]) for _, corners in block.solids) if block.solids else (
         find_width([nodes[n] for n in dict.fromkeys(corners)]) for _, corners in block.shells)  # fmt: skip
-    return min(lengths, default=0.0) * (law["density"] / stiffness) ** 0.5
+    return min(lengths, default=0.0) * (law["density"] / stiffness) ** 0.5 if stiffness > 0 else math.inf
+
+
+def find_wave_stiffness(block: Block, law: Deck) -> float | None:
+    """Density times the square of the speed of sound at the start; 0 of a gas that is cold, None of other laws without Young's modulus."""
+    if law["model"] == "fluid":
+        return initial_bulk_modulus(law["equation_of_state"], law["density"])
+    if "youngs_modulus" not in law:
+        return None
+    young, poisson = law["youngs_modulus"], law.get("poissons_ratio", 0.0)
+    return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) if block.solids else young / (1 - poisson**2)
 
 
 def find_length(x: list[Vector]) -> float:

@@ -154,7 +154,7 @@ def read_motion(deck: KeywordDeck, card: Card) -> None:
         row = reader.row(LAYOUT)
         if abs(row.integer("DOF")) in (9, 10, 11) or row.integer("VAD") == 4:
             more = reader.row(MORE)
-            apply_turn(deck, row, more, card.keyword, list_card_nodes(deck, row.integer("ID"), form == "SET", row.place))
+            apply_turn(deck, row, more, card.keyword, list_card_nodes(deck, row.integer("ID"), form == "SET", row.place), form == "SET")
             continue
         apply_motion(deck, card, row, form == "SET")
 

@@ -81,7 +81,10 @@ TEST(BeamsOnRanks, AreRefusedWithWhatTheyDoNotHave) {
   build(round, elastic);
   expect(round, "model: neo_hookean, density: 1, youngs_modulus: 1, poissons_ratio: 0.3",
          "part 'bar' has beams of material 'm' (beams support elastic and j2_plasticity");
-  expect(round, yielding + ", failure: {plastic_strain: 0.1}", "which fails by a criterion of other elements");
+  build(round, yielding + ", failure: {plastic_strain: 0.1}");
+  for (const char* other : {"pressure: 1", "principal_strain: 0.1", "volume_above: 2"})
+    expect(round, yielding + ", failure: {" + other + "}", "which fails by a criterion of other elements");
+  expect(round, elastic + ", failure: {plastic_strain: 0.1}", "plastic_strain");
   expect("section: {general: {area: 1, inertia_y: 1, inertia_z: 1, torsion: 1, shear_area_y: 1, shear_area_z: 1}}",
          yielding, "with a general section of a material that yields");
   expect("section: {rectangle: {size: [1, 2]}}, toward: x", elastic,

@@ -106,6 +106,24 @@ TEST(PrescribedDisplacement, LandsOnItsCurveAtEveryStep) {
   }
 }
 
+TEST(Turn, KeepsEachNodeAtItsDistanceFromTheAxisAndFollowsItsAngle) {
+  Scene scene(bar_text +
+              R"deck(conditions: [{nodes: bar, turn: {axis: y, through: [0.3, 7, -0.2], angular_velocity: )deck" +
+              "{expression: \"3e7 * t\"}}}]\n");
+  scene.stepper.start(scene.state);
+  for (int i = 0; i < 200; ++i) scene.stepper.advance(scene.state);
+  const auto x = to_host(scene.state.x);
+  const double t = scene.state.time, angle = 1.5e7 * t * t, c = std::cos(angle), s = std::sin(angle);
+  ASSERT_GT(angle, 0.1);
+  for (std::size_t n = 0; n < scene.chunked.mesh.nodes.size(); ++n) {
+    const Vec3 start = scene.chunked.mesh.nodes[n];
+    const double from_z = start[2] + 0.2, from_x = start[0] - 0.3;  // a turn about y takes z to x
+    EXPECT_NEAR(x(n, 2), -0.2 + c * from_z - s * from_x, 1e-12);
+    EXPECT_NEAR(x(n, 0), 0.3 + s * from_z + c * from_x, 1e-12);
+    EXPECT_NEAR(x(n, 1), start[1], 1e-12);
+  }
+}
+
 TEST(PrescribedMotion, WorkAndImpulseAreBooked) {
   // Both ends are driven against each other; a third condition drags the middle sideways.
   Scene scene(bar_text + R"deck(conditions:

@@ -175,13 +175,13 @@ def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDec
 
 
 def keep_limits_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> None:
-    """Beams fail by the forces of their section or at a time, and by nothing else."""
+    """Beams fail by the forces of their section, by plastic strain or at a time, and by nothing else."""
     limits = law.pop("failure")
-    kept = {name: limits[name] for name in ("resultants", "time") if name in limits}
-    if kept:
+    kept = {name: limits[name] for name in ("resultants", "time", "plastic_strain", "layers") if name in limits}
+    if kept.keys() - {"layers"}:
         law["failure"] = kept
-    if limits.keys() - kept.keys() - {"layers"}:
-        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail by stress or strain", "they do not")
+    if limits.keys() - kept.keys():
+        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail by stress, a largest strain or their step", "they do not")
 
 
 def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:

@@ -1,9 +1,10 @@
 """Laws without yield: elastic, rubber, relaxation, fluids and explosives."""
 
+from ...fields import Row
 from ...model import Deck, Vector
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, limit_tension
+from .shared import Use, finish_lines, limit_tension, set_failure
 from .states import initial_bulk_modulus, translate_state
 
 
@@ -59,9 +60,20 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if row.number("MU"):
         law["viscosity"] = row.number("MU")
     limit_tension(deck, row, law, initial_bulk_modulus(state, law["density"]))
+    limit_volume(row, law)
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
+
+
+def limit_volume(row: Row, law: Deck) -> None:
+    """TEROD and CEROD: relative volumes beyond which the element is eroded; 0 is none."""
+    most, least = row.number("TEROD"), row.number("CEROD")
+    if most and most <= 1:
+        row.fail("TEROD", "must be above 1, a relative volume in tension, or 0")
+    if least < 0 or least >= 1:
+        row.fail("CEROD", "must be between 0 and 1, a relative volume in compression")
+    set_failure(law, volume_above=most, volume_below=least)
 
 
 def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:

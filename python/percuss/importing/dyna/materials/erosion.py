@@ -1,5 +1,7 @@
 """*MAT_ADD_EROSION: criteria of failure on top of those of a material."""
 
+import math
+
 from ... import laws
 from ...fields import Row
 from ...model import Deck
@@ -7,10 +9,12 @@ from ..deck import KeywordDeck
 from .shared import Use, finish_lines, set_failure
 
 POINTS = 1  # NUMFIP where it is 0
+FIRST_FIBRE = 1e-3  # of the area of a section: less than any fibre has
+MOST_VOLUME_STRAIN = 30.0  # beyond it nothing fails, and the exponential is no sound number
 
 
 def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
-    """Adds SIGP1, MXEPS, MNPRES and a plastic strain; anything else is refused."""
+    """Adds SIGP1, MXEPS, MNPRES, VOLEPS and a plastic strain; anything else is refused."""
     card = deck.erosions.get(material)
     if card is None:
         return
@@ -26,7 +30,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         """0 for none, as a value of EXCL is."""
         return 0.0 if found.raw(name) == excluded else found.number(name)
 
-    for found, names in ((row, "MXPRES MNEPS VOLEPS"), (more, "SIGVM EPSSH SIGTH IMPULSE")):
+    for found, names in ((row, "MXPRES MNEPS"), (more, "SIGVM EPSSH SIGTH IMPULSE")):
         for name in names.split():
             if limit(found, name):
                 deck.ledger.refuse(f"MAT_ADD_EROSION.{name}", found.place, "this failure criterion", "it is left out")
@@ -45,13 +49,33 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     if strain < 0 and not laws.has(law, "has_plastic_strain"):
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain of a law without it", "it is left out")
         del limits["plastic_strain"]
+    add_volume(deck, limits, limit(row, "VOLEPS"), row, use)
     own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook"} & law.get("failure", {}).keys() else None
     set_failure(law, **limits)
     if use.is_shell and any(value > 0 for value in limits.values()):
         set_layers(deck, law, row, use, own)
+    if use.is_beam and strain < 0:
+        set_first_fibre(deck, law, row)
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     deck.ledger.translated("MAT_ADD_EROSION", card.place, "failure of the material")
+
+
+def add_volume(deck: KeywordDeck, limits: dict[str, float], strain: float, row: Row, use: Use) -> None:
+    """VOLEPS: the logarithm of the relative volume of a solid, above 0 in tension and below 0 in compression."""
+    if not strain:
+        return
+    if use.is_shell or use.is_beam or abs(strain) > MOST_VOLUME_STRAIN:
+        deck.ledger.refuse("MAT_ADD_EROSION.VOLEPS", row.place, "failure by the volume of shells or beams, or at a logarithm of that size", "it is left out")
+        return
+    limits["volume_above" if strain > 0 else "volume_below"] = math.exp(strain)
+
+
+def set_first_fibre(deck: KeywordDeck, law: Deck, row: Row) -> None:
+    """NUMFIP of beams: with 1 they fail with their first fibre, as a law's own criterion does not."""
+    if row.number("NUMFIP") not in (0, 1):
+        deck.ledger.refuse("MAT_ADD_EROSION.NUMFIP", row.place, "several points of beams that must fail", "beams fail with the first")
+    law["failure"]["layers"] = FIRST_FIBRE
 
 
 def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:

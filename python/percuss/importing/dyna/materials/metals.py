@@ -234,7 +234,7 @@ RESULTANTS = {"NRR": "axial", "NRS": "shear_y", "NRT": "shear_z", "MRR": "torque
 
 
 def spot_weld(deck: KeywordDeck, card: Card, use: Use) -> Deck:
-    """*MAT_SPOTWELD of beams, which fail by the forces of their section or at a time, and of solids, which fail by their plastic strain."""
+    """*MAT_SPOTWELD of beams, which fail by the forces of their section, by plastic strain or at a time, and of solids, which fail by plastic strain."""
     reader = card.reader()
     row = reader.row("MID RO E PR SIGY EH DT TFAIL")
     more = reader.row("EFAIL NRR NRS NRT MRR MSS MTT NF~output")
@@ -269,9 +269,7 @@ def limit_weld(deck: KeywordDeck, card: Card, law: Deck, row: Row, more: Row) ->
         limits |= dict.fromkeys(pair, min(value for value in both if value > 0))
     if limits:
         law.setdefault("failure", {})["resultants"] = limits
-    set_failure(law, time=row.number("TFAIL"))
-    if 0 < more.number("EFAIL") < NEVER:
-        deck.ledger.refuse(f"{card.keyword}.EFAIL", more.place, "weld beams that fail by plastic strain", "they do not")
+    set_failure(law, time=row.number("TFAIL"), plastic_strain=more.number("EFAIL"))
 
 
 def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:

@@ -134,6 +134,8 @@ def translate_state(deck: KeywordDeck, use: Use) -> Deck | None:
 
 def initial_bulk_modulus(state: Deck, density: float) -> float:
     """Slope of pressure over compression at the start."""
+    if state["kind"] == "linear":
+        return state["bulk_modulus"]
     if state["kind"] == "mie_grueneisen":
         return density * state["sound_speed"] ** 2
     if state["kind"] == "tabulated":
