@@ -115,6 +115,7 @@ class Page(OfARun):
         self.assertIn("did you mean velocity?", self.make("--field", "velocty", code=2))
         self.assertIn("did you mean plate?", self.make("--part", "plat", code=2))
         self.assertIn("it has block, plate", self.make("--part", "rim", code=2))
+        self.assertIn("did you mean equivalent_plastic_strain?", self.make("--field", "plastic", code=2))
         with self.assertRaisesRegex(BadChoice, "did you mean von_mises"):
             check_field(self.run_.fields, "vonmises")
         with open(os.path.join(self.out, "mine.html"), "w", encoding="utf-8") as file:

@@ -180,7 +180,7 @@ def describe(database):
     if zeros := list_zeros(database.selection):
         told.append(f"{', '.join(zeros)}: not in the run (output.fields.write of the deck), or not chosen; zeros stand for it")
     shells = len(database.elements[SHELLS]) > 0
-    if shells and not {"stress_bottom", "stress_top"} <= set(database.selection.names):
+    if shells and "stress" in database.selection.names and not {"stress_bottom", "stress_top"} <= set(database.selection.names):
         told.append("stress_bottom and stress_top are not in the run: all three layers of shells have the mean stress, without bending")
     if len(database.elements[BEAMS]) and not {"section_force", "section_moment"} <= set(database.selection.names):
         told.append("section_force and section_moment are not in the run: forces of beams are zeros")

@@ -1,8 +1,7 @@
 """Which frames and fields are written."""
 
-import difflib
-
 from ..errors import NotResults
+from ..nearest import suggest
 
 TENSOR = ("xx", "yy", "zz", "xy", "yz", "zx")  # the order of six components in fields.vtkhdf
 VECTOR = ("x", "y", "z")
@@ -17,9 +16,7 @@ class Selection:
         known = {name: place for name, place in fields.names().items() if name != "part"}  # every file has the part
         for name in names or ():
             if name not in known:
-                near = difflib.get_close_matches(name, known, 1, 0.5)
-                raise NotResults(f"there is no field '{name}' in {fields.path}"
-                                 + (f"; did you mean {near[0]}?" if near else "") + f" (it has {', '.join(sorted(known))})")
+                raise NotResults(f"there is no field '{name}' in {fields.path}{suggest(name, known)} (it has {', '.join(sorted(known))})")
         self.names = {name: known[name] for name in (names or known)}
 
     @property

@@ -1,9 +1,9 @@
 """What is plotted: panels of columns, by default or by what the user asks for."""
 
-import difflib
 import fnmatch
 from dataclasses import dataclass, field
 
+from percuss.nearest import suggest
 from percuss.results.expressions import check_syntax
 from percuss.results.extremes import find_size
 
@@ -88,8 +88,8 @@ def choose_columns(word, histories):
 
 
 def _hint(word, names, known):
-    if near := difflib.get_close_matches(word, [*names, *known], 1, 0.6):
-        return f"; did you mean {near[0]}? (percuss plot DIR --list shows all)"
+    if hint := suggest(word, [*names, *known]):
+        return f"{hint} (percuss plot DIR --list shows all)"
     panels = f"panels: {', '.join(known)}; " if known else ""
     rest = ", ...; percuss plot DIR --list shows all" if len(names) > MOST_NAMES else ""
     return f" and no folder of this name ({panels}columns: {', '.join(names[:MOST_NAMES])}{rest})"

@@ -1,8 +1,8 @@
 """What of the mesh is drawn: parts by name, and what lies behind a cut."""
 
-import difflib
-
 import numpy as np
+
+from percuss.nearest import suggest
 
 from .camera import directions
 
@@ -17,12 +17,7 @@ def check_field(fields, name):
     """BadChoice with the nearest name where there is no such field."""
     known = fields.names()
     if name not in known:
-        raise BadChoice(f"there is no field '{name}' in {fields.path}{_suggest(name, known)} (it has {', '.join(sorted(known))})")
-
-
-def _suggest(name, known):
-    near = difflib.get_close_matches(name, list(known), 1, 0.5)
-    return f"; did you mean {near[0]}?" if near else ""
+        raise BadChoice(f"there is no field '{name}' in {fields.path}{suggest(name, known)} (it has {', '.join(sorted(known))})")
 
 
 class Cut:
@@ -63,7 +58,7 @@ def choose_parts(fields, wanted):
     names = [name for words in wanted for name in ([words] if words in fields.part_names else words.split(","))]
     unknown = [name for name in names if name not in fields.part_names]
     if unknown:
-        raise BadChoice(f"there is no part '{unknown[0]}' in {fields.path}{_suggest(unknown[0], fields.part_names)} (it has {', '.join(fields.part_names)})")
+        raise BadChoice(f"there is no part '{unknown[0]}' in {fields.path}{suggest(unknown[0], fields.part_names)} (it has {', '.join(fields.part_names)})")
     return np.isin(fields.part, [fields.part_names.index(name) for name in names])
 
 

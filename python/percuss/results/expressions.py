@@ -6,13 +6,13 @@ FUNCTIONS. Dimensions follow, so that units are known."""
 from __future__ import annotations
 
 import ast
-import difflib
 import re
 from collections.abc import Callable, Iterable
 from typing import Any, NoReturn
 
 import numpy as np
 
+from ..nearest import suggest
 from .arrays import Array
 from .history import History
 from .units import Powers, find_powers
@@ -143,8 +143,7 @@ class _Reader:
     def column(self, name: str) -> Value:
         names = self.history.everything
         if name not in names:
-            near = difflib.get_close_matches(name, names, 1, 0.5)
-            self.fail(f"there is no column '{name}'" + (f"; did you mean {near[0]}?" if near else f" (there are {', '.join(names)})"))
+            self.fail(f"there is no column '{name}'" + suggest(name, names, f" (there are {', '.join(names)})"))
         return Value(self.history[name], find_powers(self.history.dimension(name)))
 
     def operate(self, node: ast.BinOp, depth: int) -> Value:
@@ -174,8 +173,7 @@ class _Reader:
 
     def call(self, name: str, arguments: list[ast.expr], depth: int) -> Value:
         if name not in FUNCTIONS:
-            near = difflib.get_close_matches(name, FUNCTIONS, 1, 0.5)
-            self.fail(f"there is no function '{name}'" + (f"; did you mean {near[0]}?" if near else f" (there are {', '.join(FUNCTIONS)})"))
+            self.fail(f"there is no function '{name}'" + suggest(name, FUNCTIONS, f" (there are {', '.join(FUNCTIONS)})"))
         function, least, most, takes_names = FUNCTIONS[name]
         if not least <= len(arguments) <= most:
             self.fail(f"{name}() takes {least if least == most else f'{least} to {most}'} argument{'s' * (most != 1)}")
@@ -267,9 +265,7 @@ def _resultant(reader: _Reader, name: str) -> Value:
         if all(trial % axis in reader.history for axis in "xyz"):
             return _norm(reader, *[reader.column(trial % axis) for axis in "xyz"])
     known = [x.replace("fx:", "", 1).removesuffix("_x") for x in reader.history.everything if x.startswith("fx:") or x.endswith("_x")]
-    near = difflib.get_close_matches(name, known, 1, 0.5)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x{hint}")
+    return reader.fail(f"there are no three columns of a resultant '{name}', such as fx:{name} or {name}_x{suggest(name, known)}")
 
 
 def _distance(reader: _Reader, one: str, other: str) -> Value:
