@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -37,7 +38,7 @@ def find_settings(scene, quick):
 
 
 def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
-    """One run; its summary."""
+    """One run; its summary, with the processor time of its user code as user_s: that of the whole run, its start included."""
     shutil.rmtree(folder, ignore_errors=True)
     command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder),
                "--set", "output.checkpoint.at_end=false"]  # which is no part of a step
@@ -46,15 +47,22 @@ def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
     if ranks > 1:
         command = mpirun.split() + ["-n", str(ranks)] + command
     environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMP_PROC_BIND="false")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    user_s = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     if done.returncode != 0:
         sys.exit(f"{pathlib.Path(sys.argv[0]).name}: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
-    return json.loads((pathlib.Path(folder) / "summary.json").read_text())
+    return dict(json.loads((pathlib.Path(folder) / "summary.json").read_text()), user_s=user_s)
 
 
 def grind(summary):
     """Nanoseconds of a core per element and step, over the whole loop."""
     return 1e9 * summary["loop_s"] * summary["threads"] * summary["ranks"] / (summary["elements"] * summary["steps"])
+
+
+def grind_beside_others(summary):
+    """The same by processor time: other work on the machine takes none of it, but the start of the run counts."""
+    return 1e9 * summary["user_s"] / (summary["elements"] * summary["steps"])
 
 
 def contact_share(summary):
