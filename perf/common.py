@@ -37,19 +37,28 @@ def find_settings(scene, quick):
     return dict(full, **short) if quick else full
 
 
+AT_END = ["--set", "output.checkpoint.at_end=false"]  # writing a checkpoint is no part of a step
+
+
+def time_command(command, environment):
+    """The finished process and the processor time of its user code."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    return done, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
 def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
     """One run; its summary, with the processor time of its user code as user_s: that of the whole run, its start included."""
     shutil.rmtree(folder, ignore_errors=True)
-    command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder),
-               "--set", "output.checkpoint.at_end=false"]  # which is no part of a step
+    command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder)]
     for key, value in find_settings(scene, quick).items():
         command += ["--set", f"{key}={value}"]
     if ranks > 1:
         command = mpirun.split() + ["-n", str(ranks)] + command
     environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMP_PROC_BIND="false")
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
-    user_s = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    done, user_s = time_command(command + AT_END, environment)
+    if done.returncode == 2 and "unknown key 'at_end'" in done.stderr:  # an older program, which writes none
+        done, user_s = time_command(command, environment)
     if done.returncode != 0:
         sys.exit(f"{pathlib.Path(sys.argv[0]).name}: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
     return dict(json.loads((pathlib.Path(folder) / "summary.json").read_text()), user_s=user_s)
