@@ -21,7 +21,7 @@ class Place(NamedTuple):
 
 REFERRED = "(this card refers to it)"
 # What a refusal says of what has no elements: where parts were refused it follows from that, and is not told.
-FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element")
+FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element", "without two named sides")
 
 
 class BadInput(Exception):

@@ -1,7 +1,7 @@
 """Refusals: one cause, one message."""
 
 from . import Proof
-from .pieces import abaqus, abaqus_cube, cube, curve, deck, node_set, part, shell, square, elastic, shell_section
+from .pieces import abaqus, abaqus_cube, cube, curve, deck, hexahedron, node_set, part, shell, square, elastic, shell_section
 
 LEANING = (
     "*ELEMENT_MASS\n1,3,1e-6\n", node_set(5, 1, 2), "*LOAD_NODE_SET\n5,3,7,1.0\n*SET_SEGMENT\n6\n1,2,3,4\n*LOAD_SEGMENT_SET\n6,7,1.0\n",
@@ -25,6 +25,8 @@ PROOFS = [
     Proof("ELEMENT_SHELL", deck(square().replace("ELEMENT_SHELL", "ELEMENT_SHELL_DOF"), part(), shell_section(), elastic(), *LEANING),
           refused="ELEMENT_SHELL_DOF", messages=1),
     Proof("MAT_NULL", deck(cube("*MAT_NULL\n1,7.8e-9\n*EOS_TABULATED_COMPACTION\n1,0,0\n").replace("*PART\npart_1\n1,1,1", "*PART\npart_1\n1,1,1,1")), refused="EOS_TABULATED_COMPACTION", messages=1),
+    Proof("MAT_SPOTWELD", deck(cube(), hexahedron(2, 11, (0.0, 0.0, 11.0), of=2), part(2, 1, 2), "*MAT_SPOTWELD_DAMAGE-FAILURE\n2,7.8e-9,2.1e5,0.3,300.0\n0,5.0,5.0\n0,1\n*CONTACT_SPOTWELD\n2,1,3,3\n\n\n"),
+          refused="MAT_SPOTWELD_DAMAGE-FAILURE", messages=1),
     Proof("SENSOR_SWITCH", deck(shell(), "*SENSOR_DEFINE_NODE\n1,1,2,X,0\n*SENSOR_SWITCH\n1,SENSOR\n"), refused="SENSOR_SWITCH"),
     Proof("ELEMENT", abaqus(abaqus_cube()).replace("1, 1, 2, 3, 4", "2, 3, 4\n1, 1, 2, 3, 4"), refused="has 11 nodes (8 are expected)"),
     Proof("ELEMENT", abaqus(abaqus_cube()) + "* , x\n", refused="has no keyword"),
