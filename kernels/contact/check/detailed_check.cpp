@@ -337,7 +337,8 @@ void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateL
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   const Array<const int> with_history = candidates.with_history;
   const bool has_marks = with_history.extent(0) > 0;
-  const bool passes_over = table.checked_at.extent(0) > 0;  // where nothing may be left out, nothing is watched
+  // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to pass over.
+  const bool passes_over = thickness == Thickness::none && table.checked_at.extent(0) > 0;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
   std::int64_t num_passed_over = 0;
