@@ -103,14 +103,6 @@ std::optional<typename Sets::mapped_type> find_set(const Sets& sets, const Deck&
   return found;
 }
 
-template <class Sets>
-std::vector<std::string> list_names(const Sets& sets) {
-  std::vector<std::string> names;
-  names.reserve(sets.size());
-  for (const auto& [name, set] : sets) names.push_back(name);
-  return names;
-}
-
 [[noreturn]] void refuse_unknown(const Deck& deck, const Selector& selector, const char* what,
                                  std::vector<std::string> known) {
   std::sort(known.begin(), known.end());

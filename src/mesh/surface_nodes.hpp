@@ -2,11 +2,21 @@
 // What a selector means where the nodes of a surface count: those of faces, or a set of nodes as the edge of a shell;
 // and where elements count.
 
+#include <string>
 #include <vector>
 
 #include "src/mesh/mesh.hpp"
 
 namespace percuss {
+
+/// [sets] their names, ascending. Sets: a map from names.
+template <class Sets>
+std::vector<std::string> list_names(const Sets& sets) {
+  std::vector<std::string> names;
+  names.reserve(sets.size());
+  for (const auto& [name, set] : sets) names.push_back(name);
+  return names;
+}
 
 struct SurfaceNodes {
   std::vector<int> nodes;          // ascending

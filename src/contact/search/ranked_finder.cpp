@@ -13,7 +13,7 @@ namespace percuss {
 
 namespace {
 
-bool comes_before(const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; }
+bool has_lower_number(const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; }
 
 template <class Record>
 std::vector<std::int64_t> list_numbers(const std::vector<Record>& records) {
@@ -230,15 +230,15 @@ std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<s
 void RankedFinder::number_surface(std::vector<FaceTopology> more) {
   const std::vector<FaceTopology>& searched = decomposition_.faces();
   std::erase_if(more, [&](const FaceTopology& face) {
-    return std::binary_search(searched.begin(), searched.end(), face, comes_before);
+    return std::binary_search(searched.begin(), searched.end(), face, has_lower_number);
   });
-  std::sort(more.begin(), more.end(), comes_before);
+  std::sort(more.begin(), more.end(), has_lower_number);
   more.erase(std::unique(more.begin(), more.end(),
                          [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
              more.end());
   KnownSurface known;
   known.faces.resize(searched.size() + more.size());
-  std::merge(searched.begin(), searched.end(), more.begin(), more.end(), known.faces.begin(), comes_before);
+  std::merge(searched.begin(), searched.end(), more.begin(), more.end(), known.faces.begin(), has_lower_number);
   const SurfaceLists lists =
       list_surface(decomposition_.nodes(), decomposition_.radii(), searched, share_.largest_offset > 0, known);
   check_.take_surface(std::move(known), make_contact_surface(lists, share_), exchange_);

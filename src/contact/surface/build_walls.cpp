@@ -133,8 +133,6 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   return nodes;
 }
 
-Point3 to_point(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 /// A unit vector across another.
 Point3 find_across(const Point3& along) {
   const Point3 size = {std::abs(along.x), std::abs(along.y), std::abs(along.z)};

@@ -17,6 +17,9 @@
 
 namespace percuss {
 
+/// A place of a deck or mesh as kernels take it.
+inline Point3 to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
+
 /// A contact face in messages between ranks.
 struct FaceTopology {
   std::int64_t number = -1;   // find_face_number()

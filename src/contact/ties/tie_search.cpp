@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "src/contact/surface/surface_share.hpp"
 #include "src/contact/ties/tie_thickness.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-Point3 to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
 
 /// Lowest x, y, z, highest x, y, z; empty at first.
 struct Box {

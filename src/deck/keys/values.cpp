@@ -10,7 +10,6 @@ namespace percuss {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The text of a plain scalar; refuses everything else as not being `rule`.
 const std::string* plain_text(const Reader& reader, const std::string& name, const Node& node,

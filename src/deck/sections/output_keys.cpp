@@ -28,7 +28,7 @@ const Keys<HistoryPoint>& node_keys() {
   return keys;
 }
 
-const Keys<HistoryPoint>& element_keys() {
+const Keys<HistoryPoint>& element_point_keys() {
   static const Keys<HistoryPoint> keys = [] {
     Keys<HistoryPoint> more = make_point_keys();
     more.push_back(may("point", &HistoryPoint::layer, IntegerValue{1, most_thickness_points}));
@@ -77,7 +77,7 @@ struct PointsValue {
   Form form() const { return value().form(); }
   ListValue<MapValue<HistoryPoint>> value() const {
     if (kind == Kind::inside) return {{material_point_keys, check_material_point}};
-    return {{kind == Kind::elements ? element_keys : node_keys, check_point}};
+    return {{kind == Kind::elements ? element_point_keys : node_keys, check_point}};
   }
 };
 

@@ -7,6 +7,9 @@
 
 namespace percuss {
 
+/// Whether a character is a decimal digit, whatever the locale.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Why a text is no number that can be taken: what it must be, e.g. "a number; decimals take a point: 1.5".
 struct NumberProblem {
   std::string must_be;

@@ -114,13 +114,6 @@ void order_elements(FilePart& file, const std::vector<std::string>& summed_sets)
   }
 }
 
-template <class Sets>
-std::vector<std::string> list_names(const Sets& sets) {
-  std::vector<std::string> names;
-  for (const auto& [name, set] : sets) names.push_back(name);
-  return names;
-}
-
 bool is_of_shells(const ElementBlock& block) { return find_topology(block.topology).is_surface(); }
 
 bool is_of_beams(const ElementBlock& block) { return find_topology(block.topology).is_line(); }

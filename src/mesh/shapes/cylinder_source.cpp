@@ -7,13 +7,13 @@
 namespace percuss {
 namespace {
 
-// Sides as side_names() lists them.
-enum Side : int { start, end, side };
-
 /// Sections one above the other. A section counts its core along x first, then ring after ring, each counter-clockwise
 /// from the core's lowest corner. The edge 1-2 of a ring's quadrilaterals looks outside.
 class CylinderSource final : public ShapeSource {
  public:
+  // Sides as side_names() lists them.
+  enum Side : int { start, end, side };
+
   explicit CylinderSource(const CylinderShape& shape)
       : shape_(shape),
         split_(split_round(shape.across)),

@@ -74,13 +74,13 @@ TilesCost find_cost(const std::array<Cut, 3>& cuts, const Vec3& edges) {
   return cost;
 }
 
-struct Candidate {
+struct TilingCandidate {
   std::array<Cut, 3> cuts;
   TilesCost cost;
 };
 
-std::vector<Candidate> list_candidates(const CellBlock& block, int limit) {
-  std::vector<Candidate> candidates;
+std::vector<TilingCandidate> list_candidates(const CellBlock& block, int limit) {
+  std::vector<TilingCandidate> candidates;
   for (const Cut& x : list_cuts(block.cells[0], limit)) {
     for (const Cut& y : list_cuts(block.cells[1], limit)) {
       if (find_largest(x) * find_largest(y) > limit) continue;
@@ -96,14 +96,14 @@ std::vector<Candidate> list_candidates(const CellBlock& block, int limit) {
 }  // namespace
 
 BlockTiles choose_tiles(const CellBlock& block, int limit) {
-  const std::vector<Candidate> candidates = list_candidates(block, limit);
+  const std::vector<TilingCandidate> candidates = list_candidates(block, limit);
   double least_surface = candidates.front().cost.surface;
-  for (const Candidate& c : candidates) least_surface = std::min(least_surface, c.cost.surface);
-  const auto rate = [&](const Candidate& c) {
+  for (const TilingCandidate& c : candidates) least_surface = std::min(least_surface, c.cost.surface);
+  const auto rate = [&](const TilingCandidate& c) {
     return c.cost.work * (1 + surface_cost * (c.cost.surface / least_surface - 1));
   };
-  const Candidate* best = &candidates.front();
-  for (const Candidate& c : candidates) {
+  const TilingCandidate* best = &candidates.front();
+  for (const TilingCandidate& c : candidates) {
     if (rate(c) < rate(*best)) best = &c;
   }
   return {block, {best->cuts[0].tiles, best->cuts[1].tiles, best->cuts[2].tiles}};

@@ -8,12 +8,12 @@
 namespace percuss {
 namespace {
 
-// Sides as side_names() lists them.
-enum Side : int { start, end, inner, outer, first, last };
-
 /// A grid through the wall, around and along; the lines of nodes at both ends of a full turn are one.
 class TubeSource final : public ShapeSource {
  public:
+  // Sides as side_names() lists them.
+  enum Side : int { start, end, inner, outer, first, last };
+
   explicit TubeSource(const TubeShape& shape)
       : shape_(shape),
         grid_{shape.cells},

@@ -16,8 +16,8 @@
 namespace percuss {
 namespace {
 
-constexpr double usual_wait = 60;       // seconds that a full disk is given
-constexpr double longest_wait = 86400;  // that can be asked for
+constexpr double usual_wait = 60;             // seconds that a full disk is given
+constexpr double longest_wait_asked = 86400;  // that can be asked for
 
 /// PERCUSS_WAIT_FOR_SPACE in seconds; what is no number of them is as if it was not there.
 double find_longest_wait() {
@@ -25,7 +25,7 @@ double find_longest_wait() {
   if (text == nullptr) return usual_wait;
   char* end = nullptr;
   const double seconds = std::strtod(text, &end);
-  return end != text && *end == '\0' && seconds >= 0 && seconds <= longest_wait ? seconds : usual_wait;
+  return end != text && *end == '\0' && seconds >= 0 && seconds <= longest_wait_asked ? seconds : usual_wait;
 }
 
 /// What is done where a disk is full: it is tried again every second until there is room, the wait is over or a signal

@@ -113,7 +113,7 @@ Shortening make_shortening(const LameConstants& moduli, bool is_kirchhoff, const
 }
 
 /// Places of the corners of elements, at n.
-struct CornerPlaces {
+struct CornerPositions {
   ElementChunks chunks;
   Rows3<const double> x;
 
@@ -139,7 +139,7 @@ struct RecordLanes {
 /// Shortens the elements of a layer, by one strain along the normal.
 struct ShortenLayer {
   RecordLanes lanes;
-  CornerPlaces places;
+  CornerPositions places;
   Kokkos::View<BeamParameters*, MemSpace> beams;
   Kokkos::View<ThicknessPoints*, MemSpace> rules;
   Array<const int> chunks, first, elements;
@@ -260,7 +260,7 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
 /// Gives each beam what its own force lacks. Returns the largest of that, with its sign; the same on all ranks.
 double PreloadStage::shorten_beams(const Layer& layer, double force, State& state) const {
   const RecordLanes lanes{model_.chunks, state.elements};
-  const CornerPlaces places{model_.chunks, state.x};
+  const CornerPositions places{model_.chunks, state.x};
   const auto beams = model_.others.beams.parameters;
   const auto chunks = layer.chunks, first = layer.first, elements = layer.elements;
   const ChunkResults results = state.results;

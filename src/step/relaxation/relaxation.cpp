@@ -28,7 +28,7 @@ constexpr double fading = 0.8;
 /// Least steps for which the motion must stay below its tolerance.
 constexpr long least_quiet_steps = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
-constexpr double tolerated_lack = 1e-3;
+constexpr double tolerated_preload_error = 1e-3;
 /// A preload is stuck if in so many steps, or a share of the most steps, its least lack falls by less than this share,
 /// and its layer gets shorter by less than this share of what it has got shorter so far.
 constexpr double least_progress = 0.01;
@@ -198,7 +198,7 @@ void Relaxation::watch_preloads() {
   if (since % every != 0) return;
   const bool moves = has_moving_layers(), is_first = since == every;
   const bool stagnates = !is_first && lack_since_ > (1 - least_progress) * least_lack_;
-  is_stuck_ = stagnates && lack_since_ > tolerated_lack && !moves;
+  is_stuck_ = stagnates && lack_since_ > tolerated_preload_error && !moves;
   least_lack_ = lack_since_;
   lack_since_ = lack;
 }
@@ -251,7 +251,8 @@ void Relaxation::judge(const MotionTotals& totals) {
   const double wanted =
       std::clamp(half_period, static_cast<double>(least_quiet_steps),
                  std::max(static_cast<double>(least_quiet_steps), 0.5 * static_cast<double>(state_.step)));
-  const bool is_settled = static_cast<double>(quiet_steps_) >= wanted && report_.preload_error <= tolerated_lack;
+  const bool is_settled =
+      static_cast<double>(quiet_steps_) >= wanted && report_.preload_error <= tolerated_preload_error;
   report_.state = is_settled ? "settled" : "unsettled";
 }
 
@@ -294,7 +295,7 @@ Warning Relaxation::warn_unreached(std::size_t preload) const {
 }
 
 Warning Relaxation::warn_unsettled() const {
-  if (preloads_.any() && report_.preload_error > tolerated_lack && state_.step > rules_.ramp)
+  if (preloads_.any() && report_.preload_error > tolerated_preload_error && state_.step > rules_.ramp)
     return warn_unreached(preloads_.largest_lacking());
   return {"unsettled_relaxation",
           fmt::format("the relaxation is not at rest after {} steps (start.relaxation.tolerance is {:g}; {}): give "

@@ -18,7 +18,7 @@
 namespace percuss {
 namespace {
 
-enum Outcome : int { passed = 0, wrong_input = 1, system_failed = 2 };
+enum TrialOutcome : int { passed = 0, wrong_input = 1, system_failed = 2 };
 
 void write_all(int pipe, std::string_view text) {
   while (!text.empty()) {
