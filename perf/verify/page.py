@@ -1,5 +1,6 @@
-"""Writes docs/verification.md from the results of all cases."""
+"""Writes docs/verification.md, the errors by feature, and docs/verification/, a page a group of cases, from all results."""
 import pathlib
+import re
 import shutil
 
 from features import list_features
@@ -51,12 +52,12 @@ def make_anchor(title):
     return "".join(c for c in title.lower().replace(" ", "-") if c.isalnum() or c in "-_")
 
 
-def make_link(case):
-    return f"[{case.title}](#{make_anchor(case.title)})"
+def make_link(case, folder=""):
+    return f"[{case.title}]({folder}{case.group}.md#{make_anchor(case.title)})"
 
 
-def write_features(cases, results):
-    rows = list_features(cases, results, make_link)
+def write_features(cases, results, folder):
+    rows = list_features(cases, results, lambda case: make_link(case, folder))
     return "## By feature\n\nThe error of one quantity at a stated mesh; the case has the others.\n\n" + \
         make_table(["feature", "quantity and mesh", "error", "case"], rows)
 
@@ -75,7 +76,7 @@ def write_overview(cases, results):
 
 
 def write_case(case, result, images):
-    text = f"### {case.title}\n\n{case.text}\n\n"
+    text = f"## {case.title}\n\n{case.text}\n\n"
     if result is None:
         return text + "Not run.\n\n"
     rows = [[c["quantity"], show(c["measured"], c["unit"]), show(c["exact"], c["unit"]), c["error"], c["limit"],
@@ -91,10 +92,37 @@ def write_case(case, result, images):
     return text + f"`perf/verify/run --only {case.name}`: {result['runs']} runs, {result['cpu']:.1f} s.\n\n"
 
 
-def write_page(options, cases, results):
-    """Writes the page and copies the figures beside it. Returns the names of cases that are not right."""
-    page = pathlib.Path(options.page)
-    images = page.parent / "images" / "verification"
+def count_all(results):
+    """A sentence: how many quantities of how many cases are right, and which cases are not."""
+    wrong = [f"`{name}`" for name, result in results.items() if not is_right(result)]
+    passed, checks = (sum(count(r) for r in results.values()) for count in (count_passed, lambda r: len(r["checks"])))
+    outside = f"; outside: {', '.join(wrong)}" if wrong else ""
+    return f"{passed} of {checks} quantities of {len(results)} cases are within their tolerances{outside}.\n\n"
+
+
+def write_groups(cases, results, folder):
+    """The list of pages, with what each holds."""
+    rows = []
+    for group, title in GROUPS.items():
+        members = [case for case in cases if case.group == group]
+        right = sum(case.name in results and is_right(results[case.name]) for case in members)
+        rows.append([f"[{title}]({folder}{group}.md)", f"{right} of {len(members)}"])
+    return "## Pages\n\n" + make_table(["cases", "within tolerance"], rows)
+
+
+def move_links(text):
+    """A page that is written as if it lay in docs, for a folder below: its links to pages get `../`."""
+    return re.sub(r"\]\((?!https?:|#|\.\./)([^)]*\.md)", r"](../\1", text)
+
+
+def write_all_cases(here, cases, results):
+    text = (here / "running.md").read_text() + "\n" + write_overview(cases, results) + "\n"
+    runs, seconds = (sum(r[key] for r in results.values()) for key in ("runs", "cpu"))
+    return text + f"All together: {runs} runs, {seconds / 60:.1f} minutes.\n"
+
+
+def copy_figures(options, results, images):
+    """Copies the figures of all results beside the page; those that no case has any more go."""
     images.mkdir(parents=True, exist_ok=True)
     known = {figure["file"] for result in results.values() for figure in result["figures"]}
     for old in images.glob("*.svg"):
@@ -104,24 +132,22 @@ def write_page(options, cases, results):
         source = options.out / "figures" / name
         if source.exists():
             shutil.copyfile(source, images / name)
-    here = pathlib.Path(__file__).parent
-    wrong = [case.name for case in cases if case.name in results and not is_right(results[case.name])]
-    measured = [result for result in results.values()]
-    text = (here / "introduction.md").read_text() + "\n"
-    text += f"{sum(count_passed(r) for r in measured)} of {sum(len(r['checks']) for r in measured)} quantities of "
-    text += f"{len(measured)} cases are within their tolerances"
-    text += f"; outside: {', '.join('`' + name + '`' for name in wrong)}.\n\n" if wrong else ".\n\n"
-    text += write_features(cases, results) + "\n"
-    text += (here / "running.md").read_text() + "\n"
-    text += write_overview(cases, results) + "\n"
-    text += f"All together: {sum(r['runs'] for r in measured)} runs, {sum(r['cpu'] for r in measured) / 60:.1f} minutes.\n\n"
-    text += (here / "public_models.md").read_text() + "\n"
+
+
+def write_page(options, cases, results):
+    """Writes the pages and copies the figures beside them. Returns the names of cases that are not right."""
+    page = pathlib.Path(options.page)
+    here, below = pathlib.Path(__file__).parent, page.with_suffix("")
+    below.mkdir(parents=True, exist_ok=True)
+    copy_figures(options, results, page.parent / "images" / "verification")
+    results = {case.name: results[case.name] for case in cases if case.name in results}
+    folder = below.name + "/"
+    text = (here / "introduction.md").read_text() + "\n" + count_all(results)
+    page.write_text(text + write_features(cases, results, folder) + "\n" + write_groups(cases, results, folder))
+    (below / "cases.md").write_text(write_all_cases(here, cases, results))
+    for name in ("public_models.md", "open_points.md"):
+        (below / name).write_text(move_links((here / name).read_text().rstrip() + "\n"))
     for group, title in GROUPS.items():
-        text += f"## {title}\n\n"
-        for case in cases:
-            if case.group == group:
-                text += write_case(case, results.get(case.name), "images/verification")
-    text += (here / "open_points.md").read_text()
-    page.parent.mkdir(parents=True, exist_ok=True)
-    page.write_text(text.rstrip() + "\n")
-    return wrong
+        members = [write_case(case, results.get(case.name), "../images/verification") for case in cases if case.group == group]
+        (below / f"{group}.md").write_text(f"# {title}\n\n" + move_links("".join(members)).rstrip() + "\n")
+    return [name for name, result in results.items() if not is_right(result)]
