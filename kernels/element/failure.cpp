@@ -40,6 +40,8 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c,
                              : read_scalar(record, energy + points, points);
   }
   load.plastic_strain = read_scalar(record, chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain), points);
+  const int remains = chunks.find_scalar(c, HistoryScalar::remains);
+  if (remains >= 0) load.remains = read_scalar(record, remains, points);
   if (limits.johnson_cook.any()) {
     const int temperature = chunks.find_scalar(c, HistoryScalar::temperature);
     if (temperature >= 0) load.homologous = find_homologous(limits, read_scalar(record, temperature, points));

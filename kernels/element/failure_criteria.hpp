@@ -13,6 +13,7 @@ struct ElementLoad {
   Symmetric3<double> stress{};   // Cauchy; the frame does not matter; 0 where no limit asks for it
   Symmetric3<double> stretch{};  // V, likewise
   double plastic_strain = 0;     // equivalent, at n+1
+  double remains = 1;            // 0 where code of a user has deleted all points
   double homologous = 0;         // (T - T room) / (T melt - T room)
   double volume = 1;             // V / V(0); 1 where no limit asks for it
 };
@@ -90,8 +91,9 @@ KOKKOS_INLINE_FUNCTION bool fails(const FailureLimits& limits, const ElementLoad
       history.damage = strain > growth ? history.damage + growth / strain : 1;
     }
   }
-  bool failed = load.plastic_strain >= limits.plastic_strain || history.time_at_yield >= limits.yield_time ||
-                history.damage >= 1 || trace(load.stress) / 3 >= limits.tension || load.volume <= limits.least_volume ||
+  bool failed = load.remains <= 0 || load.plastic_strain >= limits.plastic_strain ||
+                history.time_at_yield >= limits.yield_time || history.damage >= 1 ||
+                trace(load.stress) / 3 >= limits.tension || load.volume <= limits.least_volume ||
                 load.volume >= limits.most_volume;
   if (limits.principal_stress < FailureLimits::none) failed = failed || reaches(load.stress, limits.principal_stress);
   if (limits.principal_strain < FailureLimits::none) {

@@ -12,6 +12,41 @@ namespace percuss {
 /// Which numbers a constant takes.
 enum class KeyRange { any, positive, not_negative, not_positive, above_one, share, poissons_ratio };
 
+/// Numbers that a deck gives to a law without a name each.
+struct MaterialNumbers {
+  static constexpr int most = 200;
+  int count = 0;
+  double value[most] = {};
+};
+
+/// A word, in capitals, filled up with blanks.
+struct MaterialText {
+  static constexpr int most = 80;
+  char text[most] = {};
+};
+
+/// The entry of the user's code, as Fortran compilers see `subroutine vumat`. Arrays are [component][point]; components
+/// of a symmetric tensor are xx, yy, zz, xy, yz, zx (shear strains as in the tensor), then yx, zy, xz of others.
+extern "C" {
+using VumatFunction = void (*)(const int* points, const int* direct, const int* shear, const int* states,
+                               const int* fields, const int* constants, const int* anneal, const double* step_time,
+                               const double* total_time, const double* dt, const char* name, const double* places,
+                               const double* length, const double* constant, const double* density,
+                               const double* strain, const double* spin, const double* temperature_old,
+                               const double* stretch_old, const double* gradient_old, const double* field_old,
+                               const double* stress_old, const double* state_old, const double* energy_old,
+                               const double* dissipated_old, const double* temperature_new, const double* stretch_new,
+                               const double* gradient_new, const double* field_new, double* stress_new,
+                               double* state_new, double* energy_new, double* dissipated_new, std::size_t name_length);
+}
+
+/// Code of a user, as src/deck/user_code.hpp loads it.
+struct UserCode {
+  VumatFunction vumat = nullptr;
+  double density = 0;                  // of the material at the start
+  int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
+};
+
 /// One constant of C, the struct of constants of a material.
 template <class C>
 struct MaterialKey {
@@ -26,6 +61,11 @@ struct MaterialKey {
   RateCurves C::*curves = nullptr;
   bool C::*choice = nullptr;
   const char* words[2] = {"", ""};  // of a choice
+  int C::*integer = nullptr;        // zero or positive
+  int most = 0;                     // of an integer
+  MaterialNumbers C::*list = nullptr;
+  MaterialText C::*word = nullptr;
+  UserCode C::*code = nullptr;
 };
 
 template <class C>
@@ -65,6 +105,32 @@ constexpr MaterialKey<C> may(const char* name, bool C::*choice, const char* firs
   key.choice = choice;
   key.words[0] = first;
   key.words[1] = second;
+  return key;
+}
+/// An integer from 0 to `most`, numbers, a word, and the file of a user's code.
+template <class C>
+constexpr MaterialKey<C> may(const char* name, int C::*integer, int most, const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::not_negative, false, "-", meaning};
+  key.integer = integer;
+  key.most = most;
+  return key;
+}
+template <class C>
+constexpr MaterialKey<C> may(const char* name, MaterialNumbers C::*list, const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  key.list = list;
+  return key;
+}
+template <class C>
+constexpr MaterialKey<C> may(const char* name, MaterialText C::*word, const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  key.word = word;
+  return key;
+}
+template <class C>
+constexpr MaterialKey<C> need(const char* name, UserCode C::*code, const char* meaning) {
+  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, true, "-", meaning};
+  key.code = code;
   return key;
 }
 /// Three numbers.

@@ -7,8 +7,9 @@
 namespace percuss {
 
 /// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
-enum class HistoryScalar { none, equivalent_plastic_strain, temperature, internal_energy };
-inline constexpr int history_scalars = 4;
+/// remains: 0 where code of a user has deleted the point.
+enum class HistoryScalar { none, equivalent_plastic_strain, temperature, internal_energy, remains };
+inline constexpr int history_scalars = 5;
 
 /// How J = V / V(0) changes over a step.
 template <class T>

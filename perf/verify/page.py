@@ -105,8 +105,9 @@ def write_groups(cases, results, folder):
     rows = []
     for group, title in GROUPS.items():
         members = [case for case in cases if case.group == group]
-        right = sum(case.name in results and is_right(results[case.name]) for case in members)
-        rows.append([f"[{title}]({folder}{group}.md)", f"{right} of {len(members)}"])
+        measured = [results[case.name] for case in members if case.name in results]
+        left = f", {len(members) - len(measured)} not run" if len(measured) < len(members) else ""
+        rows.append([f"[{title}]({folder}{group}.md)", f"{sum(map(is_right, measured))} of {len(measured)}{left}"])
     return "## Pages\n\n" + make_table(["cases", "within tolerance"], rows)
 
 
@@ -144,6 +145,8 @@ def write_page(options, cases, results):
     folder = below.name + "/"
     text = (here / "introduction.md").read_text() + "\n" + count_all(results)
     page.write_text(text + write_features(cases, results, folder) + "\n" + write_groups(cases, results, folder))
+    for old in below.glob("*.md"):
+        old.unlink()
     (below / "cases.md").write_text(write_all_cases(here, cases, results))
     for name in ("public_models.md", "open_points.md"):
         (below / name).write_text(move_links((here / name).read_text().rstrip() + "\n"))

@@ -208,6 +208,8 @@ struct LawDeck {
   std::map<std::string, double> numbers;
   std::map<std::string, std::vector<std::array<double, 2>>> tables;
   std::map<std::string, Vec3> vectors;
+  std::map<std::string, std::vector<double>> lists;
+  std::map<std::string, std::string> texts;  // files too
   Place place;
 };
 struct JohnsonCookDamageDeck {

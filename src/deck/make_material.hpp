@@ -1,11 +1,13 @@
 #pragma once
 // From the constants that a deck gives to the materials of the kernels.
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/deck.hpp"
+#include "src/deck/user_code.hpp"
 
 namespace percuss {
 
@@ -36,6 +38,23 @@ inline RateCurves make_curves(const LawDeck& law, const std::string& key) {
   return made;
 }
 
+/// Numbers and a word as kernels hold them.
+inline MaterialNumbers make_numbers(const std::vector<double>& values) {
+  MaterialNumbers made;
+  if (values.size() > MaterialNumbers::most) throw std::logic_error("a material has too many numbers");
+  std::copy(values.begin(), values.end(), made.value);
+  made.count = static_cast<int>(values.size());
+  return made;
+}
+inline MaterialText make_word(const std::string& word) {
+  MaterialText made;
+  std::fill(std::begin(made.text), std::end(made.text), ' ');
+  const std::size_t count = std::min(word.size(), std::size_t{MaterialText::most});
+  std::transform(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(count), made.text,
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return made;
+}
+
 /// Whether the table of keys of M has one with this kind of member.
 template <class M, class Member>
 constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
@@ -43,6 +62,20 @@ constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
     if (key.*member != nullptr) return true;
   }
   return false;
+}
+
+/// A constant of a law with code of a user, if it is one of the kinds that only such laws have.
+template <class C>
+void set_user_constant(const LawDeck& law, const MaterialKey<C>& key, C& constants) {
+  if (key.code != nullptr) {
+    constants.*key.code = load_user_code(law.texts.at(key.name));
+    (constants.*key.code).density = law.numbers.at("density");
+  }
+  if (key.list != nullptr && law.lists.count(key.name) == 1) constants.*key.list = make_numbers(law.lists.at(key.name));
+  if (key.word != nullptr)
+    constants.*key.word = make_word(law.texts.count(key.name) == 1 ? law.texts.at(key.name) : "");
+  if (key.integer != nullptr && law.numbers.count(key.name) == 1)
+    constants.*key.integer = static_cast<int>(law.numbers.at(key.name));
 }
 
 /// The constants of M.
@@ -62,6 +95,7 @@ typename M::Constants find_constants(const LawDeck& law) {
       if (key.choice != nullptr && law.numbers.count(key.name) == 1)
         constants.*key.choice = law.numbers.at(key.name) != 0;
     }
+    if constexpr (has_key<M>(&Key::code)) set_user_constant(law, key, constants);
     if constexpr (has_key<M>(&Key::vector)) {
       if (law.vectors.count(key.name) == 0) continue;
       for (std::size_t k = 0; k < 3; ++k) (constants.*key.vector)[k] = law.vectors.at(key.name)[k];

@@ -23,6 +23,7 @@ CalledMaterial make_called_material(const Law& law, double density) {
   called.law_history = Law::history_count;
   called.stores_energy = requires { requires Law::stores_energy; };
   if constexpr (requires { law.count_history(); }) called.law_history = law.count_history();
+  called.changes_at_rest = requires { requires Law::changes_at_rest; };
   return called;
 }
 

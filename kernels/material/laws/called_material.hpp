@@ -15,7 +15,7 @@ namespace percuss {
 /// takes in the next step, then that of the law, then that of the equation of state, then the element's own mass where
 /// its mass is scaled.
 struct CalledMaterial {
-  static constexpr int history_count = 32;  // room for the longest; a record has count_history()
+  static constexpr int history_count = 80;  // room for the longest; a record has count_history()
   static constexpr bool can_yield = true;
   static constexpr int law_place = 1;
 

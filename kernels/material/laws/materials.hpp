@@ -15,6 +15,7 @@
 #include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/soil_and_foam.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
+#include "kernels/material/laws/user_law.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
 #include "kernels/material/laws/yeoh.hpp"
@@ -24,6 +25,6 @@ namespace percuss {
 
 using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
                            RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
-                           ArrudaBoyce, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
+                           ArrudaBoyce, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid, UserLaw>;
 
 }  // namespace percuss

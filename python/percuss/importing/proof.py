@@ -24,13 +24,13 @@ class Verdict(NamedTuple):
     errors: str = ""
 
 
-def check_deck(deck: str) -> Verdict:
-    """Runs the check."""
+def check_deck(deck: str, library: str) -> Verdict:
+    """Runs the check. library: of user code, which the user of the import allows; empty: none."""
     try:
         program = find_program()
     except NotResults:
         return Verdict(None)
-    done = subprocess.run([program, "check", deck], capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run([program, "check", deck, *(["--allow-library", library] if library else [])], capture_output=True, text=True, errors="replace", check=False)
     return Verdict(done.returncode, done.stdout, done.stderr)
 
 

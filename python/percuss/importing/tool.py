@@ -45,6 +45,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     add("--allow", metavar="CARDS", action="append", default=[], help="cards or fields that may be left out or approximated")
     add("--fit-rates", action="store_true", help="fit Cowper and Symonds' law to tables of strain rates; the report tells its error")
     add("--case", metavar="N", default="", help="which *CASE of an LS-DYNA deck with several is imported")
+    add("--allow-library", metavar="FILE", default="", help="the compiled code of *USER MATERIAL; percuss check loads it")
     add("--force", action="store_true", help="overwrite the deck of an earlier import, with what was edited in it")
     add("--no-check", dest="check", action="store_false", help="do not run percuss check")
     add("--quiet", action="store_true", help="print no table; import_report.md has it")

@@ -35,6 +35,7 @@ def parse_arguments(words):
     add("-f", "--force", action="store_true", help="write over a file that percuss check has not written; never over results of a run")
     add("-s", "--set", metavar="KEY=VALUE", action="append", default=[], help="change a value of the deck; may be repeated")
     add("--allow-external", action="store_true", help="let HDF5 files (meshes) take data from other files")
+    add("--allow-library", metavar="FILE", action="append", default=[], help="load this library with a law of yours; may be repeated")
     add("--no-pictures", dest="pictures", action="store_false", help="leave the pictures out (they need VTK)")
     add("--no-view", dest="interactive", action="store_false", help="leave the interactive view out (it takes about 1 MB)")
     return parser.parse_args(words)
@@ -68,6 +69,7 @@ def main(words):
 
     options = [word for setting in arguments.set for word in ("--set", setting)]
     options += ["--allow-external"] * arguments.allow_external
+    options += [word for library in arguments.allow_library for word in ("--allow-library", library)]
     path = arguments.out or name_page(arguments.deck)
     try:
         check_target(path, "check", arguments.force)

@@ -41,8 +41,9 @@ class Study:
     """deck: its path. folder: where the runs go. settings: what --set gives all designs. jobs, threads: 0 for as many as cores and
     memory allow. retry: whether failed runs are run again. follow(result): called when a design has ended."""
 
-    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None):
+    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None, libraries=()):
         self.deck, self.folder, self.settings = os.fspath(deck), os.fspath(folder), list(settings)
+        self.libraries = list(libraries)  # with laws of the user, which may be loaded
         self.jobs, self.threads, self.retry, self.follow = jobs, threads, retry, follow
         self.program, self.cores = find_program(), count_cores()
         self.peak = 0  # bytes that the largest run so far has taken
@@ -132,7 +133,8 @@ class _Work:
         self.next = self._end_check
 
     def _settings(self):
-        return [word for setting in [*self.study.settings, *self.design.settings] for word in ("--set", setting)]
+        allowed = [word for library in self.study.libraries for word in ("--allow-library", library)]
+        return [*allowed, *(word for setting in [*self.study.settings, *self.design.settings] for word in ("--set", setting))]
 
     def _start(self, *words):
         """In a group of its own: a Ctrl-C at the terminal reaches this process alone, which passes it on."""

@@ -50,6 +50,7 @@ def parse_arguments(words):
     add("--seed", metavar="NUMBER", type=int, default=0, help="another sample of the same kind (default: 0)")
     add("--designs", metavar="FILE", help="designs of a CSV file, in place of --vary")
     add("-s", "--set", metavar="KEY=VALUE", action="append", default=[], help="a value for all designs; may be repeated")
+    add("--allow-library", metavar="FILE", action="append", default=[], help="load this library with a law of yours; may be repeated")
     add("--output", metavar="EXPRESSION", action="append", default=[], help="what the table tells of each run; may be repeated")
     add("--out", metavar="DIR", help="folder of runs, table and page (default: NAME_sweep in the current folder)")
     add("-j", "--jobs", metavar="N", type=parse_count, default=0, help="runs at once (default: as cores and memory allow)")
@@ -162,7 +163,7 @@ def sweep(arguments):
             fail(f"there is no design {arguments.only} (there are {len(designs)})")
         designs = [designs[arguments.only - 1]]
     teller = Teller(len(designs), outputs)
-    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow)
+    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow, arguments.allow_library)
     tell(f"sweep: {len(designs)} design{'s' * (len(designs) > 1)} of {arguments.deck} into {folder}", flush=True)
     results = study.run(designs)
     if all(result.state == "refused" for result in results):

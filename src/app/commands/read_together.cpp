@@ -1,13 +1,62 @@
 #include "src/app/commands/read_together.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "comm/agreement.hpp"
 #include "src/app/process/external_files.hpp"
 #include "src/app/process/memory_check.hpp"
+#include "src/deck/make_material.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/text/deck_text.hpp"
+#include "src/deck/user_code.hpp"
+#include "src/error.hpp"
 #include "src/fail_together.hpp"
 
 namespace percuss {
+namespace {
+
+/// Throws InputError if the code does not answer to a small strain as a solid does.
+void check_answer(const Deck& deck, const MaterialDeck& material, const std::string& library) {
+  const LameConstants c = find_moduli(material);
+  const bool is_solid = std::isfinite(c.lambda) && std::isfinite(c.mu) && c.mu > 0 && c.lambda + 2.0 / 3.0 * c.mu > 0;
+  if (is_solid && !has_written_outside(library)) return;
+  const std::string why = has_written_outside(library)
+                              ? "it writes outside its arrays"
+                              : fmt::format(
+                                    "to a strain of 1e-6 at time 0 it answers with a bulk modulus of {:.3g} and a "
+                                    "shear modulus of {:.3g}",
+                                    c.lambda + 2.0 / 3.0 * c.mu, c.mu);
+  throw InputError(
+      fmt::format("{}: error: material '{}' has the code of {}, which is no law of a solid ({}): correct the "
+                  "code, its constants or state_variables",
+                  deck.where(material.law.place), material.name, library, why));
+}
+
+/// Throws InputError with the place of the first library that the command line has not named; loads the others, of
+/// which one that is no law is told here, before the mesh is read.
+void load_user_laws(const Deck& deck, const Command& command) {
+  permit_user_code(command.allowed_libraries);
+  for (const MaterialDeck& material : deck.materials) {
+    const auto library = material.law.texts.find("library");
+    if (library == material.law.texts.end()) continue;
+    if (!is_user_code_permitted(library->second))
+      throw InputError(
+          fmt::format("{}: error: material '{}' has code of a user (library {} would run with your "
+                      "rights): add --allow-library {} if you trust it",
+                      deck.where(material.law.place), material.name, library->second, library->second));
+#ifdef PERCUSS_ON_DEVICE
+    throw InputError(
+        fmt::format("{}: error: material '{}' has code of a user (the back end is a device, which cannot call "
+                    "it): use a build for OpenMP or Serial",
+                    deck.where(material.law.place), material.name));
+#endif
+    check_answer(deck, material, library->second);
+  }
+}
+
+}  // namespace
 
 Deck read_deck_together(const Command& command, const Communicator& ranks) {
   // One rank reads, so that all have the same deck, also while it is edited or where each machine has its own.
@@ -20,6 +69,7 @@ Deck read_deck_together(const Command& command, const Communicator& ranks) {
   Deck deck;
   fail_together(ranks, [&] {
     deck = parse_deck(text, command.file, command.settings);
+    load_user_laws(deck, command);
     check_memory(deck, memory);
     if (ranks.rank() == 0 && !command.allow_external) refuse_external_meshes(deck);
   });

@@ -22,16 +22,17 @@ struct PlanFigures {
 struct Command {
   enum class Kind { run, check, plan, info, schema };
   Kind kind = Kind::run;
-  std::string file;                   // the deck; for info, any file or folder of results
-  std::vector<std::string> settings;  // --set path.to.key=value
-  std::string out_dir;                // run: empty for the default
-  bool json = false;                  // check: what was found as JSON
-  std::string restart = {};           // run: checkpoint to continue from
-  bool force = false;                 // run: earlier results may be overwritten
-  bool quiet = false;                 // run: no progress
-  bool allow_external = false;        // run, check, plan, info: HDF5 files may take data from other files
-  std::vector<int> rank_counts = {};  // plan: numbers of ranks, each at least 1
-  PlanFigures figures = {};           // plan
+  std::string file;                                 // the deck; for info, any file or folder of results
+  std::vector<std::string> settings;                // --set path.to.key=value
+  std::string out_dir;                              // run: empty for the default
+  bool json = false;                                // check: what was found as JSON
+  std::string restart = {};                         // run: checkpoint to continue from
+  bool force = false;                               // run: earlier results may be overwritten
+  bool quiet = false;                               // run: no progress
+  bool allow_external = false;                      // run, check, plan, info: HDF5 files may take data from other files
+  std::vector<std::string> allowed_libraries = {};  // run, check, plan: code of users that may be loaded
+  std::vector<int> rank_counts = {};                // plan: numbers of ranks, each at least 1
+  PlanFigures figures = {};                         // plan
 };
 
 /// Text to print instead of doing anything: help and version (stdout, done) or what is wrong (stderr, wrong_input).

@@ -95,6 +95,32 @@ struct RateCurvesValue {
   Form form() const { return list_form(curve.form(), 1); }
 };
 
+/// Numbers without a name each.
+struct MaterialNumbersValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<double>& out) const {
+    if (!ListValue<NumberValue>{{any_number}}.read(reader, name, node, out)) return false;
+    if (out.size() <= MaterialNumbers::most) return true;
+    reader.error(node.spot, fmt::format("{} has {} numbers{} (at most {}): leave out what the code does not read", name,
+                                        out.size(), reader.in(), MaterialNumbers::most));
+    return false;
+  }
+  std::string takes() const { return "a list of numbers"; }
+  Form form() const { return list_form(number_form(any_number), 1); }
+};
+
+/// An integer from 0 to `most`.
+struct CountValue {
+  int most = 0;
+  bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
+    int value = 0;
+    if (!IntegerValue{0, most}.read(reader, name, node, value)) return false;
+    out = value;
+    return true;
+  }
+  std::string takes() const { return fmt::format("an integer from 0 to {}", most); }
+  Form form() const { return IntegerValue{0, most}.form(); }
+};
+
 /// A row of the deck's table from one of a law's.
 template <class C>
 Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
@@ -103,6 +129,12 @@ Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
                        LawDeck& law) { return value.read(reader, full, node, (law.*map)[name]); };
   };
   const Range& range = find_range(key.range);
+  if (key.code != nullptr) return make_key<LawDeck>(key.name, key.required, FileValue{}, into(&LawDeck::texts));
+  if (key.word != nullptr) return make_key<LawDeck>(key.name, key.required, TextValue{}, into(&LawDeck::texts));
+  if (key.list != nullptr)
+    return make_key<LawDeck>(key.name, key.required, MaterialNumbersValue{}, into(&LawDeck::lists));
+  if (key.integer != nullptr)
+    return make_key<LawDeck>(key.name, key.required, CountValue{key.most}, into(&LawDeck::numbers));
   if (key.table != nullptr) return make_key<LawDeck>(key.name, key.required, TableValue{range}, into(&LawDeck::tables));
   if (key.curves != nullptr)
     return make_key<LawDeck>(key.name, key.required, RateCurvesValue{{{range}}},
@@ -291,6 +323,22 @@ bool check_rate(const Reader& reader, const Node& node, const LawDeck& law) {
   return false;
 }
 
+/// A law that deletes points erodes their elements, with the defaults of `failure` if the deck has none.
+bool check_deletion(const Reader& reader, const Node& node, MaterialDeck& out) {
+  const auto deletes = out.law.numbers.find("delete_variable");
+  if (deletes == out.law.numbers.end() || deletes->second == 0) return true;
+  const auto states = out.law.numbers.find("state_variables");
+  const double count = states == out.law.numbers.end() ? 0 : states->second;
+  if (deletes->second > count) {
+    reader.error(node.find(deletes->first)->key,
+                 fmt::format("delete_variable is {:g}{} (there are {:g} state_variables): raise state_variables",
+                             deletes->second, reader.in(), count));
+    return false;
+  }
+  if (!out.failure) out.failure.emplace();
+  return true;
+}
+
 }  // namespace
 
 bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
@@ -301,7 +349,9 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   for (const Key<LawDeck>& key : model->keys) keys.push_back(lift_key(key, &MaterialDeck::law));
   const OtherKeys others{{"model"},
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
-  const bool good = read_keys(reader, node, keys, out, others) && check_rate(reader, node, out.law);
+  const bool is_read = read_keys(reader, node, keys, out, others);
+  if (out.law.texts.count("library") == 1) out.law.numbers["density"] = out.density;  // which the code gets
+  const bool good = is_read && check_rate(reader, node, out.law) && check_deletion(reader, node, out);
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
 }
 

@@ -6,7 +6,7 @@ namespace percuss {
 namespace {
 
 template <class Law, class Material>
-std::array<int, history_scalars> find_named_history(const Material& material) {
+std::array<int, history_scalars> find_named_history(const Law& law, const Material& material) {
   std::array<int, history_scalars> places;
   places.fill(-1);
   int place = 0;
@@ -17,29 +17,33 @@ std::array<int, history_scalars> find_named_history(const Material& material) {
   if constexpr (requires { Law::history_names; }) {
     for (const HistoryScalar name : Law::history_names) places[static_cast<std::size_t>(name)] = place++;
   }
+  if constexpr (requires { law.find_deletion(); }) {
+    const int deletion = law.find_deletion();
+    if (deletion >= 0) places[static_cast<std::size_t>(HistoryScalar::remains)] = CalledMaterial::law_place + deletion;
+  }
   return places;
 }
 
 template <class Law, class Material>
-KernelMaterial name_history(const Material& material) {
-  return {material, find_named_history<Law>(material)};
+KernelMaterial name_history(const Law& law, const Material& material) {
+  return {material, find_named_history(law, material)};
 }
 
 }  // namespace
 
-KernelMaterial make_kernel_material(const MaterialDeck& deck) {
+KernelMaterial make_kernel_material(const MaterialDeck& material) {
   KernelMaterial made;
-  visit_law(deck, [&]<class Law>(const Law& law) {
-    if (deck.equation_of_state) {
+  visit_law(material, [&]<class Law>(const Law& law) {
+    if (material.equation_of_state) {
       if constexpr (takes_equation_of_state<Law>) {
-        visit_state(*deck.equation_of_state, [&](const auto& state) {
-          made = name_history<Law>(make_called_material(law, deck.density, state));
+        visit_state(*material.equation_of_state, [&](const auto& state) {
+          made = name_history(law, make_called_material(law, material.density, state));
         });
       }
     } else if constexpr (is_compiled_in<Law>) {
-      made = name_history<Law>(law);
+      made = name_history(law, law);
     } else {
-      made = name_history<Law>(make_called_material(law, deck.density));
+      made = name_history(law, make_called_material(law, material.density));
     }
   });
   return made;

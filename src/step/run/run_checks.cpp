@@ -9,6 +9,7 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/user_code.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -94,6 +95,23 @@ std::string describe_broken_chunk(const CheckedRun& run) {
   });
 }
 
+/// Element that an error of the elements is told of: of the whole mesh.
+std::int64_t find_wrong_element(const CheckedRun& run) {
+  const StepBound& bound = run.state.bound;
+  if (bound.failed_element >= 0) return bound.failed_element;
+  return run.chunked.numbering.first_element[static_cast<std::size_t>(bound.broken_chunk)];
+}
+
+/// "; its law is that of the library libs/rubber.so", with what is known of it: of an element of this rank.
+std::string describe_user_law(const CheckedRun& run, int element) {
+  const ElementBlock& block = run.chunked.mesh.block_of(static_cast<std::size_t>(element));
+  const MaterialDeck& material = run.deck.materials[static_cast<std::size_t>(block.material)];
+  const auto library = material.law.texts.find("library");
+  if (library == material.law.texts.end()) return "";
+  return fmt::format("; its law is that of the library {}{}", library->second,
+                     has_written_outside(library->second) ? ", which has written outside its arrays" : "");
+}
+
 /// Empty if no contact node lies deep. Collective.
 std::string describe_deepest_node(const CheckedRun& run) {
   const std::string node = name_deepest_node(run);
@@ -130,10 +148,12 @@ void check_elements(const CheckedRun& run) {
   const StepBound& bound = run.state.bound;
   if (bound.failed_element < 0 && bound.broken_chunk < 0) return;
   const std::string what = bound.failed_element >= 0 ? describe_failed_element(run) : describe_broken_chunk(run);
+  const std::string law =
+      describe_there(run, find_wrong_element(run), [&](int element) { return describe_user_law(run, element); });
   throw RunError(fmt::format(
-      "{}, {} (the mesh is crushed beyond what it can follow, or the run is unstable{}); try a finer mesh there, a "
+      "{}{}, {} (the mesh is crushed beyond what it can follow, or the run is unstable{}); try a finer mesh there, a "
       "stronger material, or a smaller time.step_scale (now {}){}",
-      what, describe_step(run.state), describe_deepest_node(run), run.deck.time.step_scale,
+      what, law, describe_step(run.state), describe_deepest_node(run), run.deck.time.step_scale,
       describe_fast_approach(run)));
 }
 

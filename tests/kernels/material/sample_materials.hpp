@@ -66,6 +66,32 @@ inline LowDensityFoam make_sample(Of<LowDensityFoam>) {
 }
 inline Fluid make_sample(Of<Fluid>) { return {}; }
 
+/// What a user would bring: St. Venant and Kirchhoff's law as a VUMAT, of the increments of strain. PROPS: lambda, mu;
+/// STATEV: strain along x, which only grows.
+inline void sample_vumat(const int* points, const int*, const int*, const int*, const int*, const int*, const int*,
+                         const double*, const double*, const double*, const char*, const double*, const double*,
+                         const double* constant, const double*, const double* strain, const double*, const double*,
+                         const double*, const double*, const double*, const double* stress_old, const double* state_old,
+                         const double*, const double*, const double*, const double*, const double*, const double*,
+                         double* stress_new, double* state_new, double*, double*, std::size_t) {
+  const int n = *points;
+  for (int i = 0; i < n; ++i) {
+    const double volume = strain[i] + strain[n + i] + strain[2 * n + i];
+    for (int k = 0; k < 6; ++k)
+      stress_new[k * n + i] =
+          stress_old[k * n + i] + (k < 3 ? constant[0] * volume : 0) + 2 * constant[1] * strain[k * n + i];
+    state_new[i] = state_old[i] + (strain[i] > 0 ? strain[i] : 0);
+  }
+}
+inline UserLaw make_sample(Of<UserLaw>) {
+  static int outside = 0;
+  UserLaw law;
+  law.code = {sample_vumat, sample_density, &outside};
+  law.constants = {2, {6e9, 4e9}};
+  law.states = 1;
+  return law;
+}
+
 inline LinearState make_sample(Of<LinearState>) { return {10e9}; }
 inline MieGrueneisenState make_sample(Of<MieGrueneisenState>) { return {3000, 1.5, 2, 1e8}; }
 inline PolynomialState make_sample(Of<PolynomialState>) { return {1e8, 10e9, 5e9, 20e9, 0.5, 0.3, 0.1, 1e9}; }

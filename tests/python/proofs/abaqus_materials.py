@@ -151,7 +151,7 @@ PROOFS = [
     Proof("TENSILE FAILURE", driven(ELASTIC + PLASTIC + "*TENSILE FAILURE\n300.,\n", 1e-3, 1e-3, 1e-3), [("eroded_elements", 0.53e-3, 0.0, 1e-9), ("eroded_elements", 0.62e-3, 1.0, 1e-9)],
           "3 K e = 300 MPa at e = 5.7e-4"),
     Proof("TENSILE FAILURE: ELEMENT_DELETION", stretched(ELASTIC + PLASTIC + "*TENSILE FAILURE, ELEMENT DELETION=NO\n875.,\n"), refused="ELEMENT DELETION"),
-    Proof("USER MATERIAL", stretched("*USER MATERIAL, CONSTANTS=1\n1.,\n*DEPVAR\n3,\n"), refused="user code"),
+    Proof("USER MATERIAL", stretched("*USER MATERIAL, CONSTANTS=1\n1.,\n*DEPVAR\n3,\n"), refused="user code (no library has it)"),
 ]  # fmt: skip
 
 NOT_PHYSICS = {

@@ -11,6 +11,7 @@ from .damage import take_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
+from .user_code import is_user_code, translate_user_code
 
 INSTEAD = "it is left out"
 NEVER = 1e15
@@ -51,8 +52,9 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     done = take_heat(deck, law, material.parts) | take_failure(deck, name, law, material.parts) | READ
     refuse_several(material)
     for block in material.parts:
-        if block.keyword in OF_OUTPUT and not find(material, "USER MATERIAL"):
-            deck.ledger.ignored(block.keyword, block.place, "variables of user code, of which there is none")
+        if block.keyword in OF_OUTPUT and not (block.keyword == "DEPVAR" and is_user_code(material)):
+            what = "names of output variables" if is_user_code(material) else "variables of user code, of which there is none"
+            deck.ledger.ignored(block.keyword, block.place, what)
         elif block.keyword not in done:
             deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", INSTEAD)
     deck.ledger.translated("MATERIAL", material.place, law["model"])
@@ -72,9 +74,9 @@ def refuse_several(material: MaterialBlocks) -> None:
 def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck | None:
     elastic, rubber = find(material, "ELASTIC"), find(material, "HYPERELASTIC")
     state = find(material, "EOS")
-    if find(material, "USER MATERIAL"):
-        deck.ledger.refuse("USER MATERIAL", material.place, f"material {clip(name)} is user code", "the parts made of it are left out")
-        return None
+    user = find(material, "USER MATERIAL")
+    if user:
+        return translate_user_code(deck, name, user, find(material, "DEPVAR"))
     if rubber:
         return translate_rubber(deck, rubber)
     if state and (elastic is None or elastic.option("TYPE") == "SHEAR"):
@@ -292,4 +294,4 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
     return {"model": "mooney_rivlin", "c10": values[0], "c01": c01}, 2 * (values[0] + c01), d1
 
 
-READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC", "USER MATERIAL", "DEPVAR"}

@@ -47,6 +47,7 @@ class Section:
     is_nodal: bool = False  # shells have the thicknesses of their nodes
     distribution: str = ""  # of thicknesses of shells, by its name
     controls: str = ""  # *SECTION CONTROLS, by its name
+    orientation: str = ""  # *ORIENTATION, by its name
     is_layered: bool = False  # of several materials
     area: float = 0.0  # of trusses
     shape: str = ""  # of beams, with dimensions and the direction n1

@@ -37,7 +37,7 @@ def read_layers(section: Section, block: Block, ledger: Ledger) -> None:
 def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
     """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION and *BEAM GENERAL SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
-    section.controls = block.option("CONTROLS")
+    section.controls, section.orientation = block.option("CONTROLS"), block.option("ORIENTATION")
     if "COMPOSITE" in block.options:
         read_layers(section, block, ledger)
     elif section.kind in ("SHELL", "MEMBRANE") and block.lines:
@@ -120,6 +120,8 @@ def build_parts(deck: AbaqusDeck) -> None:
             made[name] = (deck.model.names.take(name, "material"), law) if law else None
             if law:
                 deck.model.materials[made[name][0]] = law  # type: ignore[index]
+        if made[name] and made[name][1]["model"] == "user" and section.orientation:  # type: ignore[index]
+            deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
         if made[name]:
             build_part(deck, section, number, *made[name])  # type: ignore[misc]
         else:

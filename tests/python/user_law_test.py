@@ -1,0 +1,260 @@
+"""Laws of users (model: user), compiled from Fortran and C: user_law_test.py ROOT PERCUSS [MPIEXEC ...].
+
+Exit code 77 (skipped) without a compiler of either language or without NumPy.
+"""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import numpy as np
+except ImportError as error:
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
+    sys.exit(77)
+if not shutil.which("gfortran") or not shutil.which("cc"):
+    print("skipped: no gfortran or no cc; scripts/install_dependencies --ci installs them")
+    sys.exit(77)
+
+ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
+del sys.argv[1:]
+EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
+E, NU, DENSITY = 3e6, 0.45, 1100.0
+MU, LAMBDA = E / (2 * (1 + NU)), E * NU / ((1 + NU) * (1 - 2 * NU))
+USER = f"model: user, density: {DENSITY}, library: law.so, constants: [{E}, {NU}], state_variables: 1"
+OURS = f"model: neo_hookean, density: {DENSITY}, youngs_modulus: {E}, poissons_ratio: {NU}"
+
+# A law in C; BODY is what it does for each of the n points.
+C_LAW = """
+#include <math.h>
+void vumat_(const int* points, const int* ndir, const int* nshr, const int* states, const int* fields, const int* count,
+            const int* anneal, const double* step_time, const double* total_time, const double* dt, const char* name,
+            const double* places, const double* length, const double* props, const double* density, const double* strain,
+            const double* spin, const double* t0, const double* u0, const double* f0, const double* q0, const double* stress,
+            const double* state, const double* e0, const double* d0, const double* t1, const double* u1, const double* f1,
+            const double* q1, double* out, double* next, double* e1, double* d1) {
+  const int n = *points;
+  for (int i = 0; i < n; ++i) {
+    const double trace = strain[i] + strain[n + i] + strain[2 * n + i];
+    for (int k = 0; k < 6; ++k)
+      out[k * n + i] = stress[k * n + i] + (k < 3 ? props[0] * trace : 0) + 2 * props[1] * strain[k * n + i];
+    BODY
+  }
+}
+"""
+
+
+def write_cube(law, end, motion, cells=1, more=""):
+    """A cube of 1 x 1 x 1 m whose nodes follow `motion`, each a condition."""
+    conditions = "\n".join(f"  - {line}" for line in motion)
+    return (f"time: {{end: {end}}}\nparts: {{cube: {{box: {{size: [1, 1, 1], cells: [{cells}, {cells}, {cells}]}}, material: m}}}}\n"
+            f"materials: {{m: {{{law}}}}}\nelements: {{bulk_viscosity: {{linear: 0, quadratic: 0}}}}\nconditions:\n{conditions}\n"
+            "output: {history: {every: 0, elements: [{name: all, id: 1}]}}\n" + more)
+
+
+UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
+
+
+class UserLaws(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def compile_fortran(self):
+        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", EXAMPLE, "-o", "law.so", os.path.join(EXAMPLE, "neo_hookean.f")],
+                       cwd=self.folder, check=True)
+
+    def compile_c(self, body, text=C_LAW):
+        with open(os.path.join(self.folder, "law.c"), "w", encoding="utf-8") as file:
+            file.write(text.replace("BODY", body))
+        subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", "law.so", "law.c"], cwd=self.folder, check=True)
+
+    def call(self, deck, *options, command="run", allow=("--allow-library", "law.so"), launcher=()):
+        with open(os.path.join(self.folder, "deck.yaml"), "w", encoding="utf-8") as file:
+            file.write(deck)
+        return subprocess.run([*launcher, PERCUSS, command, "deck.yaml", *allow, *options], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+
+    def run_deck(self, deck, *options, out="out", **how):
+        done = self.call(deck, "--quiet", "--force", "--out", out, *options, **how)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as file:
+            names = [name.split(" ")[0] for name in file.readline().strip().split(",")]
+        table = np.loadtxt(os.path.join(self.folder, out, "history.csv"), delimiter=",", skiprows=1, ndmin=2)
+        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        return {name: table[:, i] for i, name in enumerate(names)}, summary
+
+    def test_rubber_in_fortran_has_its_closed_form(self):
+        self.compile_fortran()
+        rows, _ = self.run_deck(write_cube(USER, 2e-3, UNIAXIAL))
+        stretch = 1 + 100 * rows["time"]
+        for name, exact in (("all_stress_xx", (MU * (stretch**2 - 1) + LAMBDA * np.log(stretch)) / stretch),
+                            ("all_stress_yy", LAMBDA * np.log(stretch) / stretch)):
+            self.assertGreater(np.max(exact), 0.3e6)
+            np.testing.assert_allclose(rows[name], exact, rtol=0, atol=2e-3 * np.max(exact))
+
+    def test_shear_and_turn_are_those_of_our_own_law(self):
+        self.compile_fortran()
+        motion = ["{nodes: cube/z_min, fixed: [x, y, z]}", "{nodes: cube/z_max, velocity: {x: 20, z: 5, y: 0}}"]
+        same = ("--set", "time.max_step=1e-4")
+        user, book = self.run_deck(write_cube(USER, 2e-2, motion), *same, out="user")
+        ours, _ = self.run_deck(write_cube(OURS, 2e-2, motion), *same, out="ours")
+        largest = np.max(np.abs(ours["all_stress_zx"]))
+        self.assertGreater(largest, 1e5)
+        for name in ("all_stress_xx", "all_stress_zz", "all_stress_zx"):
+            np.testing.assert_allclose(user[name], ours[name], rtol=0, atol=1e-9 * largest, err_msg=name)
+        self.assertLess(abs(book["energy"]["error"]), 1e-3)
+
+    def test_first_step_is_that_of_the_law(self):
+        self.compile_c("")
+        user = f"model: user, density: 7850, library: law.so, constants: [{200e9 * 0.3 / (1.3 * 0.4)}, {200e9 / 2.6}]"
+        ours = "model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3"
+        steps = [self.run_deck(write_cube(law, 1e-4, ["{nodes: cube/x_min, fixed: [x]}"]), out=name)[0]["time"][1]
+                 for name, law in (("user", user), ("ours", ours))]
+        self.assertTrue(math.isclose(steps[0], steps[1], rel_tol=1e-5), steps)
+
+    def test_state_variables_are_kept_over_ranks_and_restarts(self):
+        # The law softens with its state, so that the forces depend on what is kept.
+        self.compile_c("next[i] = state[i] + fabs(trace); for (int k = 0; k < 6; ++k) out[k * n + i] *= 1 - 1e-3 * next[i];")
+        law = f"model: user, density: 1000, library: law.so, constants: [{LAMBDA}, {MU}], state_variables: 1"
+        deck = write_cube(law, 4e-2, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4,
+                          more="initial: [{nodes: cube/x_max, velocity: [-5, 1, 0]}]\n")
+        whole = self.run_deck(deck, out="whole")[1]["state_hash"]
+        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
+        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["state_hash"], whole)
+        if MPIEXEC:
+            ranks = self.run_deck(deck, out="ranks", launcher=[*MPIEXEC, "2"])[1]["state_hash"]
+            self.assertEqual(ranks, whole)
+
+    def test_code_that_is_no_solid_is_refused_with_its_place(self):
+        for body in ("for (int k = 0; k < 6; ++k) out[k * n + i] = 0;", "out[i] = NAN;", "out[i] = -out[i];", "next[n] = 1;"):
+            self.compile_c(body)
+            done = self.call(write_cube(USER, 1e-3, UNIAXIAL), command="check")
+            self.assertEqual((done.returncode, "deck.yaml:3" in done.stderr, "no law of a solid" in done.stderr), (2, True, True), done.stderr)
+
+    def test_code_may_divide_by_the_step_and_use_the_density(self):
+        # A pressure of the density, and a stress of the rate, which is 0 at no rate.
+        self.compile_c("const double p = 1e9 * (density[i] / props[2] - 1); const double shear = 2 * props[1];\n"
+                       "for (int k = 0; k < 6; ++k) out[k * n + i] = (k < 3 ? -p - shear / 3 * trace : 0) + shear * strain[k * n + i] / *dt * 1e-6"
+                       " + (k < 3 ? shear / 3 * trace - shear / 3 * trace / *dt * 1e-6 : 0);")
+        law = f"model: user, density: 2000, library: law.so, constants: [0, {MU}, 2000]"
+        rows, _ = self.run_deck(write_cube(law, 1e-4, UNIAXIAL), "--set", "time.max_step=1e-6")
+        stretch = 1 + 100 * rows["time"][-1]
+        mean = (rows["all_stress_xx"][-1] + 2 * rows["all_stress_yy"][-1]) / 3
+        self.assertLess(abs(mean / (-1e9 * (1 / stretch - 1)) - 1), 0.01)
+
+    def test_sweep_and_preview_take_the_library(self):
+        self.compile_fortran()
+        deck = write_cube(USER, 1e-4, UNIAXIAL)
+        done = self.call(deck, "--vary", "materials.m.constants.0=1e6,2e6", "--output", "max(all_stress_xx)", "--out", "study", command="sweep")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder, "study", "sweep.csv"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count("completed"), 2)
+        done = self.call(deck, "--report", "--no-pictures", "--no-view", "--out", "page.html", command="check")
+        self.assertEqual((done.returncode, os.path.exists(os.path.join(self.folder, "page.html"))), (0, True), done.stderr)
+
+    def test_a_state_variable_deletes_elements(self):
+        # The law deletes points whose strain along x has reached 0.1: at 1e-3, of the half that is stretched.
+        self.compile_c("next[i] = state[i] + strain[i]; if (next[i] > 0.1) next[n + i] = 0;")
+        law = f"model: user, density: 1000, library: law.so, constants: [{LAMBDA}, {MU}], state_variables: 2, delete_variable: 2"
+        motion = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
+        rows, _ = self.run_deck(write_cube(law, 2e-3, motion), "--set", "time.max_step=1e-5")
+        alive = rows["all_stress_xx"] != 0
+        last = rows["time"][np.max(np.nonzero(alive))]
+        self.assertTrue(math.isclose(last, (math.exp(0.1) - 1) / 100, abs_tol=3e-5), last)
+        wrong = self.call(write_cube(law.replace("delete_variable: 2", "delete_variable: 3"), 2e-3, motion))
+        self.assertEqual((wrong.returncode, "raise state_variables" in wrong.stderr), (2, True), wrong.stderr)
+
+    def test_no_deck_loads_a_library_by_itself(self):
+        self.compile_c("", C_LAW + '\n#include <stdio.h>\n__attribute__((constructor)) static void begin(void) { fclose(fopen("ran", "w")); }\n')
+        deck = write_cube(USER, 1e-3, UNIAXIAL)
+        for command in ("check", "run", "plan"):
+            done = self.call(deck, *(["--ranks", "2"] if command == "plan" else []), command=command, allow=())
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("add --allow-library", done.stderr)
+            self.assertIn("deck.yaml:3", done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "ran")))
+        self.run_deck(deck)
+        os.remove(os.path.join(self.folder, "ran"))  # that the library begins so is no accident
+        done = self.call(deck, "--restart", "out/checkpoint.h5", "--out", "again", allow=())
+        self.assertEqual((done.returncode, os.path.exists(os.path.join(self.folder, "ran"))), (2, False), done.stderr)
+
+    def test_libraries_that_are_no_law_are_refused(self):
+        deck = write_cube(USER, 1e-3, UNIAXIAL)
+        self.compile_c("", "int other(void) { return 1; }")
+        done = self.call(deck)
+        self.assertEqual((done.returncode, "no entry vumat_" in done.stderr), (2, True), done.stderr)
+        with open(os.path.join(self.folder, "law.so"), "w", encoding="utf-8") as file:
+            file.write("no library")
+        done = self.call(deck)
+        self.assertEqual((done.returncode, "law.so" in done.stderr), (2, True), done.stderr)
+
+    def test_a_law_that_gives_no_number_ends_the_run_with_its_name(self):
+        self.compile_c("if (*total_time > 1e-4) out[i] = NAN;")
+        done = self.call(write_cube(USER, 1e-3, UNIAXIAL), "--quiet", "--out", "out")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("its law is that of the library", done.stderr)
+
+    def test_a_law_that_writes_outside_its_arrays_ends_the_run_with_its_name(self):
+        for body in ("if (*total_time > 1e-4) out[6 * n] = 1;", "if (*total_time > 1e-4) next[n] = 1;"):
+            self.compile_c(body)
+            done = self.call(write_cube(USER, 1e-3, UNIAXIAL), "--quiet", "--force", "--out", "out")
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("has written outside its arrays", done.stderr)
+
+    def test_import_takes_user_material_with_a_library_alone(self):
+        self.compile_fortran()
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+        nodes = "".join(f"{i}, {x}., {y}., {z}.\n" for i, (x, y, z) in enumerate(corners, 1))
+        deck = (f"*NODE, NSET=all\n{nodes}*ELEMENT, TYPE=C3D8R, ELSET=cube\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"
+                f"*SOLID SECTION, ELSET=cube, MATERIAL=rubber\n*MATERIAL, NAME=rubber\n*DENSITY\n{DENSITY}\n"
+                f"*USER MATERIAL, CONSTANTS=2\n{E}, {NU}\n*DEPVAR\n1,\n*NSET, NSET=left\n1, 4, 5, 8\n*NSET, NSET=right\n2, 3, 6, 7\n"
+                "*BOUNDARY\nall, 2, 3\nleft, 1, 1\n*STEP\n*DYNAMIC, EXPLICIT\n, 2e-3\n*BOUNDARY, TYPE=VELOCITY\nright, 1, 1, 100.\n"
+                "*ELSET, ELSET=one\n1,\n*OUTPUT, HISTORY, TIME INTERVAL=1e-5\n*ELEMENT OUTPUT, ELSET=one\nS\n*END STEP\n")
+        with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
+            file.write(deck)
+
+        def take(*options):
+            return subprocess.run([PERCUSS, "import", "model.inp", "--out", "model", "--force", *options], cwd=self.folder,
+                                  capture_output=True, text=True, check=False)
+
+        oriented = deck.replace("MATERIAL=rubber\n", "MATERIAL=rubber, ORIENTATION=o\n").replace("*MATERIAL, NAME", "*ORIENTATION, NAME=o\n1., 0., 0., 0., 1., 0.\n*MATERIAL, NAME")
+        for wrong, word in ((oriented, "orientation of user code"), (deck.replace("CONSTANTS=2", "CONSTANTS=²"), "is not a number"),
+                            (deck.replace("*DEPVAR", "*DEPVAR, DELETE=2"), "is none of 1 state variables"),
+                            (deck.replace("CONSTANTS=2", "CONSTANTS=2, TYPE=THERMAL"), "of the type THERMAL")):
+            with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
+                file.write(wrong)
+            refused = take("--allow-library", "law.so")
+            self.assertEqual((refused.returncode, word in refused.stderr), (2, True), refused.stderr)
+        with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
+            file.write(deck)
+        refused = take()
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("add --allow-library", refused.stderr)
+        done = take("--allow-library", "law.so")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = subprocess.run([PERCUSS, "run", "model/deck.yaml", "--quiet", "--allow-library", "law.so", "--out", "out"], cwd=self.folder,
+                             capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(os.path.join(self.folder, "out", "history.csv"), encoding="utf-8") as file:
+            names = file.readline().strip().split(",")
+        table = np.loadtxt(os.path.join(self.folder, "out", "history.csv"), delimiter=",", skiprows=1)
+        stress = [i for i, name in enumerate(names) if name.split(" ")[0].endswith("_xx")]
+        self.assertEqual(len(stress), 1, names)
+        stretch = 1 + 100 * table[-1, 0]
+        exact = (MU * (stretch**2 - 1) + LAMBDA * math.log(stretch)) / stretch
+        self.assertLess(abs(table[-1, stress[0]] / exact - 1), 5e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
