@@ -134,8 +134,7 @@ class HeldDirectionFinder {
     if (condition.turn)
       throw InputError(
           fmt::format("{}: error: nodes of a rigid body are to turn (turn moves nodes that deform): leave them out, or "
-                      "give the body "
-                      "a velocity with rx, ry or rz",
+                      "give the body a velocity with rx, ry or rz",
                       deck_.where(condition.where.place)));
     throw InputError(fmt::format(
         "{}: error: the condition is of a rigid body and has from or until (sensors switch "
