@@ -81,7 +81,7 @@ def try_mutant(text: str, folder: str, ending: str) -> str:
     path = os.path.join(folder, "mutant" + ending)
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(text)
-    arguments = argparse.Namespace(model=path, out=os.path.join(folder, "out"), units="", allow=["all"], check=False, force=True, quiet=False, fit_rates=False, case="")
+    arguments = argparse.Namespace(model=path, out=os.path.join(folder, "out"), units="", allow=["all"], check=False, force=True, quiet=False, fit_rates=False, case="", allow_library="")
     signal.signal(signal.SIGPROF, stop)
     signal.setitimer(signal.ITIMER_PROF, LIMIT)  # of its own time: a busy machine is no hang
     output, errors = io.StringIO(), io.StringIO()
