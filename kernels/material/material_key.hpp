@@ -97,39 +97,47 @@ constexpr MaterialKey<C> need(const char* name, RateCurves C::*curves, KeyRange 
   key.curves = curves;
   return key;
 }
+/// A key of one of the kinds below, without its member.
+template <class C>
+constexpr MaterialKey<C> name_key(const char* name, bool required, const char* meaning) {
+  return {name, nullptr, nullptr, nullptr, KeyRange::any, required, "-", meaning};
+}
 /// One of two words; the member is true by the second, and false at first.
 template <class C>
 constexpr MaterialKey<C> may(const char* name, bool C::*choice, const char* first, const char* second,
                              const char* meaning) {
-  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  MaterialKey<C> key = name_key<C>(name, false, meaning);
   key.choice = choice;
   key.words[0] = first;
   key.words[1] = second;
   return key;
 }
-/// An integer from 0 to `most`, numbers, a word, and the file of a user's code.
+/// An integer from 0 to `most`.
 template <class C>
 constexpr MaterialKey<C> may(const char* name, int C::*integer, int most, const char* meaning) {
-  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::not_negative, false, "-", meaning};
+  MaterialKey<C> key = name_key<C>(name, false, meaning);
   key.integer = integer;
   key.most = most;
   return key;
 }
+/// Numbers without a name each.
 template <class C>
 constexpr MaterialKey<C> may(const char* name, MaterialNumbers C::*list, const char* meaning) {
-  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  MaterialKey<C> key = name_key<C>(name, false, meaning);
   key.list = list;
   return key;
 }
+/// A word.
 template <class C>
 constexpr MaterialKey<C> may(const char* name, MaterialText C::*word, const char* meaning) {
-  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, false, "-", meaning};
+  MaterialKey<C> key = name_key<C>(name, false, meaning);
   key.word = word;
   return key;
 }
+/// The file of a user's code.
 template <class C>
 constexpr MaterialKey<C> need(const char* name, UserCode C::*code, const char* meaning) {
-  MaterialKey<C> key{name, nullptr, nullptr, nullptr, KeyRange::any, true, "-", meaning};
+  MaterialKey<C> key = name_key<C>(name, true, meaning);
   key.code = code;
   return key;
 }

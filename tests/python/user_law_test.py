@@ -26,7 +26,7 @@ del sys.argv[1:]
 EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
 E, NU, DENSITY = 3e6, 0.45, 1100.0
 MU, LAMBDA = E / (2 * (1 + NU)), E * NU / ((1 + NU) * (1 - 2 * NU))
-USER = f"model: user, density: {DENSITY}, library: law.so, constants: [{E}, {NU}], state_variables: 1"
+USER = f"model: user, density: {DENSITY}, vumat: law.so, constants: [{E}, {NU}], state_variables: 1"
 OURS = f"model: neo_hookean, density: {DENSITY}, youngs_modulus: {E}, poissons_ratio: {NU}"
 
 # A law in C; BODY is what it does for each of the n points.
@@ -114,7 +114,7 @@ class UserLaws(unittest.TestCase):
 
     def test_first_step_is_that_of_the_law(self):
         self.compile_c("")
-        user = f"model: user, density: 7850, library: law.so, constants: [{200e9 * 0.3 / (1.3 * 0.4)}, {200e9 / 2.6}]"
+        user = f"model: user, density: 7850, vumat: law.so, constants: [{200e9 * 0.3 / (1.3 * 0.4)}, {200e9 / 2.6}]"
         ours = "model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3"
         steps = [self.run_deck(write_cube(law, 1e-4, ["{nodes: cube/x_min, fixed: [x]}"]), out=name)[0]["time"][1]
                  for name, law in (("user", user), ("ours", ours))]
@@ -123,7 +123,7 @@ class UserLaws(unittest.TestCase):
     def test_state_variables_are_kept_over_ranks_and_restarts(self):
         # The law softens with its state, so that the forces depend on what is kept.
         self.compile_c("next[i] = state[i] + fabs(trace); for (int k = 0; k < 6; ++k) out[k * n + i] *= 1 - 1e-3 * next[i];")
-        law = f"model: user, density: 1000, library: law.so, constants: [{LAMBDA}, {MU}], state_variables: 1"
+        law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], state_variables: 1"
         deck = write_cube(law, 4e-2, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4,
                           more="initial: [{nodes: cube/x_max, velocity: [-5, 1, 0]}]\n")
         whole = self.run_deck(deck, out="whole")[1]["state_hash"]
@@ -147,7 +147,7 @@ class UserLaws(unittest.TestCase):
         self.compile_c("const double p = 1e9 * (density[i] / props[2] - 1); const double shear = 2 * props[1];\n"
                        "for (int k = 0; k < 6; ++k) out[k * n + i] = (k < 3 ? -p - shear / 3 * trace : 0) + shear * strain[k * n + i] / *dt * 1e-6"
                        " + (k < 3 ? shear / 3 * trace - shear / 3 * trace / *dt * 1e-6 : 0);")
-        law = f"model: user, density: 2000, library: law.so, constants: [0, {MU}, 2000]"
+        law = f"model: user, density: 2000, vumat: law.so, constants: [0, {MU}, 2000]"
         rows, _ = self.run_deck(write_cube(law, 1e-4, UNIAXIAL), "--set", "time.max_step=1e-6")
         stretch = 1 + 100 * rows["time"][-1]
         mean = (rows["all_stress_xx"][-1] + 2 * rows["all_stress_yy"][-1]) / 3
@@ -166,7 +166,7 @@ class UserLaws(unittest.TestCase):
     def test_a_state_variable_deletes_elements(self):
         # The law deletes points whose strain along x has reached 0.1: at 1e-3, of the half that is stretched.
         self.compile_c("next[i] = state[i] + strain[i]; if (next[i] > 0.1) next[n + i] = 0;")
-        law = f"model: user, density: 1000, library: law.so, constants: [{LAMBDA}, {MU}], state_variables: 2, delete_variable: 2"
+        law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], state_variables: 2, delete_variable: 2"
         motion = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
         rows, _ = self.run_deck(write_cube(law, 2e-3, motion), "--set", "time.max_step=1e-5")
         alive = rows["all_stress_xx"] != 0

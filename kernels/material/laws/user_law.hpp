@@ -52,7 +52,7 @@ struct UserLaw {
   static constexpr auto keys() {
     using M = UserLaw;
     return std::array{
-        need("library", &M::code, "The shared library with the compiled VUMAT; --allow-library must name it too."),
+        need("vumat", &M::code, "The shared library with the compiled VUMAT; --allow-library must name it too."),
         may("constants", &M::constants, "PROPS of the VUMAT, in their order."),
         may("state_variables", &M::states, most_states, "NSTATEV of the VUMAT; they begin with 0."),
         may("delete_variable", &M::deletes, most_states,

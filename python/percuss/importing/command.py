@@ -45,7 +45,7 @@ def refuse_case(path: str, ledger: Ledger) -> Ledger:
 
 def make_ledger(patterns: list[str], fits_rates: bool, case: str = "", library: str = "") -> Ledger:
     words = [word.strip().lstrip("*").upper() if word.strip() != "*" else "ALL" for text in patterns for word in text.split(",")]
-    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates, case=case.strip(), library=os.path.abspath(library) if library else "")
+    return Ledger(allowed=[word for word in words if word], fits_rates=fits_rates, case=case.strip(), user_code=os.path.abspath(library) if library else "")
 
 
 def import_model(arguments: argparse.Namespace) -> int:
@@ -121,7 +121,7 @@ def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -
     folder = tempfile.mkdtemp(prefix=".import_", dir=place)
     try:
         names = write_files(arguments, model, folder)
-        verdict = proof.check_deck(os.path.join(folder, DECK), ledger.library) if arguments.check else proof.Verdict(0)
+        verdict = proof.check_deck(os.path.join(folder, DECK), ledger.user_code) if arguments.check else proof.Verdict(0)
         verdict = verdict._replace(output=verdict.output.replace(folder, place), errors=verdict.errors.replace(folder, place))
         if verdict.code == 2:
             proof.refuse_checked(model, ledger, arguments.model, os.path.join(folder, DECK), verdict)

@@ -66,7 +66,7 @@ class Ledger:
     allowed: list[str] = field(default_factory=list)
     fits_rates: bool = False  # whether tables of strain rates become a fitted law
     case: str = ""  # which *CASE is imported
-    library: str = ""  # with the user code of the deck, which may be loaded
+    user_code: str = ""  # library of the user's VUMAT, which may be loaded
     entries: dict[tuple[str, Status, str], Entry] = field(default_factory=dict)
     used_patterns: set[str] = field(default_factory=set)
     files: set[str] = field(default_factory=set)  # that the model is read from

@@ -39,7 +39,7 @@ void check_answer(const Deck& deck, const MaterialDeck& material, const std::str
 void load_user_laws(const Deck& deck, const Command& command) {
   permit_user_code(command.allowed_libraries);
   for (const MaterialDeck& material : deck.materials) {
-    const auto library = material.law.texts.find("library");
+    const auto library = material.law.texts.find("vumat");
     if (library == material.law.texts.end()) continue;
     if (!is_user_code_permitted(library->second))
       throw InputError(

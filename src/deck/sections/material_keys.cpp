@@ -350,7 +350,7 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   const OtherKeys others{{"model"},
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
   const bool is_read = read_keys(reader, node, keys, out, others);
-  if (out.law.texts.count("library") == 1) out.law.numbers["density"] = out.density;  // which the code gets
+  if (out.law.texts.count("vumat") == 1) out.law.numbers["density"] = out.density;  // which the code gets
   const bool good = is_read && check_rate(reader, node, out.law) && check_deletion(reader, node, out);
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
 }

@@ -106,7 +106,7 @@ std::int64_t find_wrong_element(const CheckedRun& run) {
 std::string describe_user_law(const CheckedRun& run, int element) {
   const ElementBlock& block = run.chunked.mesh.block_of(static_cast<std::size_t>(element));
   const MaterialDeck& material = run.deck.materials[static_cast<std::size_t>(block.material)];
-  const auto library = material.law.texts.find("library");
+  const auto library = material.law.texts.find("vumat");
   if (library == material.law.texts.end()) return "";
   return fmt::format("; its law is that of the library {}{}", library->second,
                      has_written_outside(library->second) ? ", which has written outside its arrays" : "");

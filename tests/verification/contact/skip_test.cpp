@@ -94,8 +94,9 @@ TEST(Skip, NothingRestsUnderGravity) {
   EXPECT_EQ(run.summary.skipped.chunk_updates, 0);
 }
 
-// Bricks that a ball pushes apart, sheets in a stack, a soft block crushed in a corner of stiff ones: faces beside
-// those that hold a node are not looked at, while all of it moves, turns, slides and comes apart.
+// Bricks that a ball pushes apart, a soft block crushed in a corner of stiff ones: faces beside those that hold a node
+// are not looked at, while all of it moves, turns, slides and comes apart. Scenes with shells look at all faces: in the
+// stack of sheets only what lies still is left out.
 TEST(Skip, FacesBesideThoseThatHoldANodeAreNotLookedAt) {
   const std::string materials = R"(
 materials:

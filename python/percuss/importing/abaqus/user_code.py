@@ -12,7 +12,7 @@ MOST_CONSTANTS, MOST_STATES = 200, 64
 def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block | None) -> Deck | None:
     """The law of a compiled VUMAT. states: *DEPVAR, if there is one."""
     ledger = deck.ledger
-    if not ledger.library:
+    if not ledger.user_code:
         text = f"material {clip(name)} is user code (no library has it): compile the VUMAT (docs/user_laws.md) and add --allow-library FILE"
         ledger.refuse("USER MATERIAL", user.place, text, "the parts made of it are left out")
         return None
@@ -33,14 +33,14 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
         text = f"material {clip(name)} has {len(constants)} constants and {count} state variables (at most {MOST_CONSTANTS} and {MOST_STATES})"
         ledger.refuse("USER MATERIAL", user.place, text, "the parts made of it are left out")
         return None
-    law: Deck = {"model": "user", "library": ledger.library, "vumat_name": name.upper()}
+    law: Deck = {"model": "user", "vumat": ledger.user_code, "vumat_name": name.upper()}
     if constants:
         law["constants"] = constants
     if count:
         law["state_variables"] = count
     if states is not None and states.option("DELETE"):
         law["delete_variable"] = read_deletion(states, count)
-    ledger.translated("USER MATERIAL", user.place, f"user, of the library {ledger.library}")
+    ledger.translated("USER MATERIAL", user.place, f"user, of the library {ledger.user_code}")
     if states is not None:
         ledger.translated("DEPVAR", states.place, "state_variables")
     return law
