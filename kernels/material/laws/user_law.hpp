@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "kernels/material/elastic.hpp"
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/stretch.hpp"
 
