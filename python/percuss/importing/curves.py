@@ -23,27 +23,28 @@ class Curve:
     relaxation: int = 0  # SIDR: 0 in the run, 1 in the dynamic relaxation before it, 2 in both
     is_of_time: bool = False  # something takes its value over time
     units: tuple[float, float, float] = (1.0, 1.0, 1.0)  # factors of mass, length and time of its file
+    rows: Points = field(default_factory=list)  # the points as they are given: a vertical step is two at one place
 
 
-def order_points(points: Points) -> Points:
-    """Ascending abscissae: a vertical step becomes one of a millionth of the way to the next point."""
+def order_points(points: Points, span: float = math.inf) -> Points:
+    """Ascending abscissae: a vertical step becomes one of a millionth of the way to the next point, or of the span that counts if that is less."""
     rows: Points = []
     for x, members in groupby(sorted(points, key=lambda point: point[0]), key=lambda point: point[0]):
         values = [y for _, y in members]
         rows.append((x, values[0]))
         if values[-1] != values[0]:
             rows.append((x, values[-1]))
-    return widen_steps(rows)
+    return widen_steps(rows, span)
 
 
-def widen_steps(rows: Points) -> Points:
+def widen_steps(rows: Points, span: float) -> Points:
     """Of two rows at one place, the second a little later."""
     widened = list(rows)
     for i in range(1, len(rows)):
         x = rows[i][0]
         if x == rows[i - 1][0]:
             ways = [abs(other - x) for other in (rows[i - 2][0] if i > 1 else x, rows[i + 1][0] if i + 1 < len(rows) else x) if other != x]
-            gap = max(STEP * min(ways, default=abs(x) or 1.0), 4 * math.ulp(x))
+            gap = max(STEP * min(span, min(ways, default=abs(x) or 1.0)), 4 * math.ulp(x))
             widened[i] = (x + gap, rows[i][1])
     return widened
 

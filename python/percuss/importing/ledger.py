@@ -112,6 +112,11 @@ class Ledger:
         self.entries[key, Status.REFUSED, text].follows = any(word in problem for word in FOLLOWS)
         return False
 
+    def refuses_in(self, first: Place, last: int) -> bool:
+        """Whether a refusal stands in these lines of a file."""
+        places = (entry.first for entry in self.entries.values() if entry.status is Status.REFUSED)
+        return any(place.file == first.file and first.line <= place.line <= last for place in places)
+
     def list_rows(self) -> list[Entry]:
         """All rows, by outcome, then by card."""
         order = list(Status)

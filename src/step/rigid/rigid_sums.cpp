@@ -1,5 +1,7 @@
 #include "src/step/rigid/rigid_sums.hpp"
 
+#include <cmath>
+
 #include "src/step/rigid/inertia.hpp"
 
 namespace percuss {
@@ -64,7 +66,10 @@ RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t ind
   sums.momentum = m * now.velocity;
   sums.angular = cross(r, sums.momentum) + now.spin_momentum;
   sums.momentum_size = norm(sums.momentum);
-  sums.angular_size = norm(r) * sums.momentum_size + norm(now.spin_momentum);
+  // As of its nodes, which lie about its radius of gyration from its centre: a body that falls from the scene's own
+  // mass centre has no moment to compare with otherwise.
+  const double reach = norm(r) + std::sqrt(0.5 * trace(body.inertia) / m);
+  sums.angular_size = reach * sums.momentum_size + norm(now.spin_momentum);
   return sums;
 }
 

@@ -61,6 +61,7 @@ SHEET_MASS, LINE_MASS = DENSITY * 36.0 * 0.5, 5e-9 * math.pi * LENGTH
 PROOFS = [
     Proof("CONTACT_AUTOMATIC_BEAMS_TO_SURFACE; CONTACT: SSID MSID SSTYP MSTYP", fall(PAIR), rests(0.5), "a round beam of diameter 1 lies on the cube: TS1 of CST 1"),
     Proof("SECTION_BEAM: CST TS1", fall(PAIR, "*SECTION_BEAM\n2,1,1.0,2,0\n1.2,1.2,3.0,3.0\n"), rests(0.6), "of a rectangle the diameter of contact is TS1"),
+    Proof("SECTION_BEAM: TS1", fall(PAIR, "*SECTION_BEAM\n2,9,1.0,2,1\n1e-308\n"), refused="too small for a number of its area"),
     Proof("SECTION_BEAM: A", fall(PAIR, "*SECTION_BEAM\n2,3\n4.0\n"), rests(1.0), "of a truss it is the root of the area"),
     Proof("SECTION_BEAM: A", fall(PAIR, "*SECTION_BEAM\n2,2\n1.44,1.0,1.0,1.0,1.0\n"), rests(0.6), "of resultants, too"),
     Proof("CONTACT: SST", fall("*CONTACT_AUTOMATIC_BEAMS_TO_SURFACE\n2,1,3,3\n\n0,0,1.4\n"), rests(0.7), "SST is the diameter of contact"),

@@ -99,6 +99,8 @@ PROOFS = [
           deck(cube(rigid()), "*DEFINE_VECTOR\n5,1.0,1.0,0.0,4.0,5.0,0.0\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,-4,0,7,50.0,5\n", CONSTANT, velocity(0.0, 0.0, 8.0)),
           [("momentum_x", LAST, 30.0 * CUBE_MASS, 1e-9), ("momentum_y", LAST, 40.0 * CUBE_MASS, 1e-9), ("momentum_z", LAST, 0.0, 1e-12)],
           "-4: along (3, 4, 0), held across it"),
+    Proof("DEFINE_VECTOR: VID", deck(cube(rigid()), "*DEFINE_VECTOR\n5,1.0,1.0,0.0,4.0,5.0,0.0\n6,0,0,0,0,0,2.0\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,4,0,7,50.0,6\n", CONSTANT),
+          [("momentum_z", LAST, 50.0 * CUBE_MASS, 1e-6)], "the second vector of the card"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID", deck(cube(rigid()), "*DEFINE_VECTOR\n5,1.0,1.0,0.0,4.0,5.0,0.0\n*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,4,0,7,50.0,5\n", CONSTANT),
           refused="no axis of space"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_RIGID", deck(cube(rigid()), "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,3,7,50.0\n", CONSTANT), refused="VAD 3"),

@@ -31,6 +31,8 @@ PROOFS = [
           falls(20.0), "of part 2, which alone moves"),
     Proof("DAMPING_PART_MASS: ID", deck(two_cubes(), "*INITIAL_VELOCITY_GENERATION\n2,2,0,100.0\n0\n*DAMPING_PART_MASS\n1,7,20.0\n", CONSTANT, end=1e-2),
           falls(0.0), "part 2 is not damped"),
+    Proof("DAMPING_GLOBAL: VALDMP; DAMPING_PART_MASS: ID", deck(two_cubes(), velocity(100.0), "*DAMPING_PART_MASS\n2,7,20.0\n*DAMPING_GLOBAL\n0,50.0\n", CONSTANT, "*DATABASE_MATSUM\n1e-4\n", end=1e-2),
+          [*falls(50.0, column="momentum_x:part_1"), *falls(20.0, column="momentum_x:part_2")], "a part has its own damping in place of that of all"),
     Proof("DAMPING_PART_MASS: FLAG STX STY STZ SRX SRY SRZ", deck(cube(), velocity(100.0), "*DAMPING_PART_MASS\n1,7,20.0,1\n2.0,2.0,2.0\n", CONSTANT, end=1e-2), falls(40.0), "twice"),
     Proof("DAMPING_PART_MASS: STRUC", deck(cube(), velocity(100.0), "*ELEMENT_MASS\n1,1,1e-6\n*DAMPING_PART_MASS\n1,7,20.0,0,1\n", CONSTANT), refused="STRUC"),
     Proof("DAMPING_PART_MASS_SET: ID LCID SF", deck(two_cubes(), velocity(100.0), "*SET_PART_LIST\n6\n1,2\n*DAMPING_PART_MASS_SET\n6,7,20.0\n", CONSTANT, end=1e-2),

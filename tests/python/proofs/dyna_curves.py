@@ -21,6 +21,8 @@ PROOFS = [
     impulse(curve(7, (0, 0.0), (0.25, 0.0), (0.25, 8.0), (9, 8.0), more=",0,1e-3,1.0,0.25"), 4 * 8.0 * 0.5e-3, "DEFINE_CURVE: SFA OFFA",
             "SFA (A + OFFA): 8 N from 0.5 ms on"),
     impulse(curve(7, (0, 0.0), (0.5e-3, 0.0), (0.5e-3, 8.0), (1e20, 8.0)), 4 * 8.0 * 0.5e-3, "DEFINE_CURVE: A", "a vertical step stays one, wherever the last row is"),
+    *(impulse(curve(7, *first, (0, 0.0), (0, 8.0), (1e10, 8.0)), 4 * 8.0 * 1e-3, "DEFINE_CURVE: A", "a step at time 0 acts from there on, wherever the last row is")
+      for first in ([], [(-1.0, 0.0)])),
     impulse(curve(7, (0, 8.0), (0.25e-3, 8.0)), 4 * 8.0 * 0.25e-3, "DEFINE_CURVE: A", "a load is 0 behind its last row"),
     impulse(curve(7, (0.25e-3, 8.0), (1, 8.0)), 4 * 8.0 * 0.75e-3, "DEFINE_CURVE: A", "a load is 0 before its first row"),
     impulse(curve(7, (0, 0.0), (1e-3, 8.0)), 4 * 4.0 * 1e-3, "DEFINE_CURVE: O", "a ramp has half the impulse"),

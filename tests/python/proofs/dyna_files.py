@@ -47,6 +47,7 @@ PROOFS = [
           at(10, 2, 0), "by 2 along y"),
     Proof("INCLUDE; INCLUDE_TRANSFORM: IDNOFF IDEOFF IDPOFF IDMOFF IDSOFF IDFOFF IDDOFF IDROFF", twice("100,100,100,100,0,0,0\n100"),
           [("momentum_x", ALL, 7.0 * CUBE_MASS, 1e-9)], "two cubes of one file; part 101 moves", files=CENTER),
+    Proof("INCLUDE_TRANSFORM: TRANID", moved("TRANSL,0,0,30\n").replace("part.k\n", "part.k\n\n"), refused="TRANID is in its fifth", files={"part.k": BLOCK}),
     *(Proof("INCLUDE_TRANSFORM: IDNOFF IDSOFF IDFOFF", twice("100,100,100,100,100,100,100\n100").replace(MOVING, ""), rights, why,
             files={"part.k": BLOCK.replace("*END", node_set(4, 5, 6, 7, 8) + curve(7, (0, 1.0), (1, 1.0)) + cards + "*END")})
       for cards, rights, why in (

@@ -496,6 +496,7 @@ CONSTANT_RATE = [
     Proof("EOS_TABULATED: EOSID GAMA E0 V0 " + " ".join(f"{name}{i}" for name in ("EV", "C", "T") for i in range(1, 11)),
           state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,1.0\n" + TABLES, 1 / UP),
           [(lambda h: h[PRESSURE][-1] / follow_adiabat(tabulated, 50.0), LAST, 1.0, 2e-3)], "C + GAMA T E at ln(V), between two rows"),
+    Proof("EOS_TABULATED: LCC", state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0,0,1.0,21\n", UP, curve(21, (0.0, 0.0))), refused="must have two values of C"),
     Proof("EOS_TABULATED: LCC LCT",
           state_cube(f"*MAT_NULL\n1,{DENSITY!r}\n*EOS_TABULATED\n1,0.5,50.0,1.0,21,22\n", 1 / UP,
                      curve(21, (-2 * STRAIN, 3000.0), (0.0, 0.0), (0.1, -2e4)) + curve(22, (-2 * STRAIN, 0.8), (0.0, 1.0))),

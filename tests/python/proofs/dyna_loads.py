@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, LAST, Proof, pieces
-from .pieces import CUBE_MASS, cube, curve, node_set, nodes, part, shell, square, two_cubes
+from .pieces import CUBE_MASS, cube, curve, node_set, nodes, part, rigid, shell, square, two_cubes
 
 END = 1e-3
 CONSTANT = curve(7, (0, 1.0), (1, 1.0))
@@ -66,6 +66,9 @@ BLASTS = [
 PROOFS = BLASTS + [
     Proof("LOAD_BODY_Z: LCID SF", deck(cube(), "*LOAD_BODY_Z\n7,9810.0\n", CONSTANT), momentum("z", -9810.0 * END * CUBE_MASS), "the base accelerates upward"),
     Proof("LOAD_BODY_X: LCID SF", deck(cube(), "*LOAD_BODY_X\n7,-500.0\n", CONSTANT), momentum("x", 500.0 * END * CUBE_MASS), "the opposite"),
+    Proof("LOAD_BODY_X: LCID SF; LOAD_BODY_Z: LCID SF", deck(cube(rigid()), "*LOAD_BODY_X\n7,-500.0\n*LOAD_BODY_Z\n7,9810.0\n", CONSTANT),
+          [("body_vx:part_1", LAST, 500.0 * END, 1e-2), ("body_vz:part_1", LAST, -9810.0 * END, 1e-2)], "a rigid body falls off the axes: its balance of moments is no round-off"),
+    Proof("LOAD_BODY_Z", deck(cube(), "*LOAD_BODY_Z\n7,1.0\n7,2.0\n", CONSTANT), refused="LOAD_BODY_Z.lines", messages=1),
     Proof("LOAD_BODY_Y: CID", deck(cube(), SYSTEM, "*LOAD_BODY_Y\n7,1000.0,0,0,0,0,5\n", CONSTANT),
           momentum("x", 800.0 * END * CUBE_MASS) + momentum("y", -600.0 * END * CUBE_MASS), "y of the system is (-0.8, 0.6)"),
     Proof("LOAD_BODY_Z: LCIDDR", deck(cube(), "*LOAD_BODY_Z\n7,9810.0,8\n", CONSTANT, curve(8, (0, 1.0), (1, 1.0)), RELAXED), refused="LCIDDR"),

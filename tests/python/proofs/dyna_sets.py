@@ -53,6 +53,7 @@ PROOFS = [
     moving("*SET_NODE_LIST_GENERATE_INCREMENT\n5\n1,8,3\n", 3, proves="SET_NODE_LIST_GENERATE_INCREMENT: SID BBEG BEND INCR"),
     moving("*SET_NODE_GENERAL\n5\nNODE,1,2,3\nDNODE,2\n", 2, proves="SET_NODE_GENERAL: SID"),
     moving("*SET_NODE_GENERAL\n5\nALL\nDNODE,2\n", 7, proves="SET_NODE_GENERAL: SID"),
+    moving(BOX.replace("\n3,", "\n2,50,60,50,60,50,60\n3,") + "*SET_NODE_GENERAL\n5\nBOX,3\n", 4, proves="DEFINE_BOX: BOXID"),
     moving(BOX + "*SET_NODE_GENERAL\n5\nBOX,3\n", 4, proves="SET_NODE_GENERAL: SID; DEFINE_BOX: BOXID XMN XMX YMN YMX ZMN ZMX"),
     moving(BOX + "*SET_NODE_GENERAL\n5\nPART,1\nDBOX,3\n", 4, proves="SET_NODE_GENERAL: SID"),
     moving(LOCAL_BOX + "*SET_NODE_GENERAL\n5\nBOX,3\n", 2,

@@ -92,7 +92,7 @@ def values_of(points: Points, place: Place, end: float) -> "float | Deck":
     """A value of the deck over the whole run."""
     held = [(min(points[0][0], 0.0), points[0][1])] if points[0][0] <= 0 else []
     rows = [*held, *(p for p in points if not held or p[0] > held[0][0])]
-    return make_time_value(Curve(place, order_points(rows)), 1.0, end)
+    return make_time_value(Curve(place, order_points(rows, end)), 1.0, end)
 
 
 def join_loads(windows: list[Window], end: float) -> Points:

@@ -180,6 +180,9 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
     section = translate_beam_section(deck, deck.sections[part.section])
     if section is None:
         return []
+    area = section_area(section)
+    if area <= 0:
+        raise BadInput(part.place, f"the section of part {part.id} is too small for a number of its area: correct it")
     per_length = deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD").number("NSM")
     if per_length > 0:
         deck.ledger.translated("SECTION_BEAM.NSM", part.place, "a higher density in a material of its own, rotary inertia too")
@@ -195,7 +198,7 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
         own_name = name if index == 0 else deck.model.names.take(f"{name}_d{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
         block = Block(id, part.id, own_name, part.place, beams=members, keys=keys)
-        block.more_density = max(per_length, 0.0) / section_area(section)
+        block.more_density = max(per_length, 0.0) / area
         blocks.append(block)
         if bolt >= 0:
             deck.bolt_of_block[id] = bolt

@@ -33,6 +33,7 @@ class Card:
     has_id: bool = False
     owner: int = 0  # the inner case whose alone it is
     lines: list[tuple[int, str]] = field(default_factory=list)
+    reached: int = 0  # lines that were read
 
     @property
     def change(self) -> FileChange:
@@ -91,6 +92,11 @@ class Card:
     def reader(self) -> "Lines":
         return Lines(self)
 
+    def find_surplus(self) -> int:
+        """The first line with something other than zeros behind those that were read; 0: none, or the card has not been read."""
+        rest = self.lines[self.reached :] if self.reached else []
+        return next((number for number, text in rest if text.replace(",", " ").strip("0. \t\r")), 0)
+
 
 class Lines:
     """Takes the lines of a card one after the other. A missing line is a line of blanks."""
@@ -107,6 +113,7 @@ class Lines:
             self._next += 1
             return last, ""
         self._next += 1
+        self.card.reached = max(self.card.reached, self._next)
         return self.card.lines[self._next - 1]
 
     def peek(self) -> str:

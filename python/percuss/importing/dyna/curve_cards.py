@@ -32,7 +32,7 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
         raise BadInput(row.place, f"there are two curves {id} (ids must be unique): renumber one")
     if row.integer("DATTYP") not in (0, 1, -100) or row.integer("DATTYP") == 1 and (offset_a or offset_o):
         deck.ledger.refuse("DEFINE_CURVE.DATTYP", row.place, f"DATTYP is {row.integer('DATTYP')}", "the rows are taken as they are")
-    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"), units=card.change.factors)
+    deck.curves[id] = Curve(row.place, order_points(points), relaxation=row.integer("SIDR"), units=card.change.factors, rows=points)
     row.finish(deck.ledger)
     deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
     if deck.waiting_table:

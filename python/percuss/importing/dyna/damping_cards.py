@@ -95,6 +95,8 @@ def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float
     check_sign(value, row.place)
     entry = {"nodes": name, "coefficient": value} if name else {"coefficient": value}
     entries = deck.model.deck.setdefault("damping", [])
+    if entries and not (name and all("nodes" in known for known in entries)):
+        deck.ledger.approximated(f"{row.card}.two", row.place, "nodes have one damping: that of their part in place of that of *DAMPING_GLOBAL")
     entries.insert(0 if not name else len(entries), entry)
 
 

@@ -1,12 +1,13 @@
 """A keyword deck in memory: what its cards define, by id, before it is applied."""
 
+import math
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ..curves import Curve, Points
+from ..curves import Curve, Points, order_points
 from ..fields import Row
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Model, Vector
@@ -275,13 +276,15 @@ class KeywordDeck:
         if id not in self.curves:
             raise BadInput(place, missing(f"curve {id}"))
         self.used.add(("curve", id))
-        found = self.curves[id]
+        found, span = self.curves[id], self.end_time if across == "time" else math.inf
         if found.units == SAME:
+            if found.rows and span < math.inf:
+                found.points = order_points(found.rows, span)
             return found
         key = (id, across, up)
         if key not in self.converted_curves:
             x, y = scale(across, found.units), scale(up, found.units)
-            self.converted_curves[key] = replace(found, points=[(a * x, b * y) for a, b in found.points], units=SAME)
+            self.converted_curves[key] = replace(found, points=order_points([(a * x, b * y) for a, b in found.rows], span), units=SAME)
         return self.converted_curves[key]
 
     def material_curve(self, id: int, place: Place, across: str, up: str) -> Points:

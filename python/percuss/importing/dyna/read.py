@@ -120,6 +120,7 @@ IGNORED = {
 # Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
 MODIFIERS_READ = ("MAT_ADD_EROSION",)
+READ_LATER = ("MAT_ADD_EROSION",)  # when more is known
 
 
 def find_handler(table: dict[str, Handler], keyword: str) -> str | None:
@@ -163,6 +164,9 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
         handler(deck, card)
     except ArithmeticError as error:
         raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+    surplus = card.find_surplus() if card.keyword not in READ_LATER else 0
+    if surplus and not deck.ledger.refuses_in(card.place, surplus):
+        deck.ledger.refuse(f"{card.keyword}.lines", card.at(surplus), "a line that the card does not have", "it is left out")
     deck.model.origins.note(deck.model, card.keyword, card.place)
 
 
@@ -178,7 +182,10 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
         raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}", follows=True)
     if deck.end_time <= 0:
         raise BadInput(path, f"there is no *CONTROL_TERMINATION with a time (the run would have no end): {find_misspelt(deck, 'CONTROL_TERMINATION') or 'add one'}")
-    build(deck)
+    try:
+        build(deck)
+    except ArithmeticError as error:
+        raise BadInput(path, f"the numbers of a part, its section or its material are out of range ({error})") from None
     ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams or found.others} <= {b.part for b in deck.model.blocks}
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
@@ -231,8 +238,12 @@ def check_corners(deck: KeywordDeck) -> None:
 
 def finish(deck: KeywordDeck) -> None:
     """What needs all cards."""
+    place = next(iter(deck.parts.values())).place
     for function, card in LAST:
-        function(deck)
+        try:
+            function(deck)
+        except ArithmeticError as error:
+            raise BadInput(place, f"the numbers of *{card} are out of range ({error})") from None
         deck.model.origins.note(deck.model, card, None)
 
 

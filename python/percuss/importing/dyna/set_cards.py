@@ -120,23 +120,30 @@ def resolve_segments(deck: KeywordDeck) -> None:
 def read_box(deck: KeywordDeck, card: Card) -> None:
     """*DEFINE_BOX, and _LOCAL with the axes and the origin of its limits."""
     reader = card.reader()
-    if card.has_title:
-        reader.take()
-    row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
-    limits, axes, origin = row.numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX"), SPACE, (0.0, 0.0, 0.0)
-    if card.keyword.endswith("LOCAL"):
-        local, center = reader.row("XX YX ZX XV YV ZV"), reader.row("CX CY CZ")
-        axes = make_axes(local, tuple(local.numbers("XX", "YX", "ZX")), tuple(local.numbers("XV", "YV", "ZV")))  # type: ignore[arg-type]
-        origin = tuple(center.numbers("CX", "CY", "CZ"))  # type: ignore[assignment]
-    deck.boxes[row.integer("BOXID")] = Box(limits, axes, origin)
-    deck.ledger.translated(card.keyword, card.place, "limits what uses it")
+    while reader.skip_blank():
+        if card.has_title:
+            reader.take()
+        row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
+        limits, axes, origin = row.numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX"), SPACE, (0.0, 0.0, 0.0)
+        if card.keyword.endswith("LOCAL"):
+            local, center = reader.row("XX YX ZX XV YV ZV"), reader.row("CX CY CZ")
+            axes = make_axes(local, tuple(local.numbers("XX", "YX", "ZX")), tuple(local.numbers("XV", "YV", "ZV")))  # type: ignore[arg-type]
+            origin = tuple(center.numbers("CX", "CY", "CZ"))  # type: ignore[assignment]
+        deck.boxes[row.integer("BOXID")] = Box(limits, axes, origin)
+        deck.ledger.translated(card.keyword, card.place, "limits what uses it")
 
 
 def read_system(deck: KeywordDeck, card: Card) -> None:
     """*DEFINE_COORDINATE_SYSTEM, _NODES and _VECTOR: three axes that stay as they are at the start."""
     reader = card.reader()
-    if card.has_title:
-        reader.take()
+    while reader.skip_blank():
+        if card.has_title:
+            reader.take()
+        read_axes(deck, card, reader)
+
+
+def read_axes(deck: KeywordDeck, card: Card, reader: Lines) -> None:
+    """One of them."""
     form = card.keyword.removeprefix("DEFINE_COORDINATE_")
     if form == "SYSTEM":
         row, more = reader.row("CID XO YO ZO XL YL ZL CIDL"), reader.row("XP YP ZP")
@@ -161,6 +168,8 @@ def read_system(deck: KeywordDeck, card: Card) -> None:
         x, xy = subtract(points[1], points[0]), subtract(points[2], points[0])  # type: ignore[arg-type]
     else:
         deck.ledger.ignored(card.keyword, card.place, "not read; a card that uses it is refused")
+        while reader:
+            reader.take()
         return
     deck.systems[row.integer("CID")] = make_axes(row, x, xy)
     deck.ledger.translated(card.keyword, card.place, "axes of what uses it")
@@ -176,12 +185,13 @@ def make_axes(row: Row, x: Vector, xy: Vector) -> tuple[Vector, Vector, Vector]:
 
 def read_vector(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
-    if card.has_title:
-        reader.take()
-    row = reader.row("VID XT YT ZT XH YH ZH CID")
-    tail, head = tuple(row.numbers("XT", "YT", "ZT")), tuple(row.numbers("XH", "YH", "ZH"))
-    if row.integer("CID"):
-        deck.ledger.ignored(card.keyword, card.place, "in a system; a card that uses it is refused")
-        return
-    deck.vectors[row.integer("VID")] = normalise(subtract(head, tail))  # type: ignore[arg-type]
-    deck.ledger.translated(card.keyword, card.place, "direction of what uses it")
+    while reader.skip_blank():
+        if card.has_title:
+            reader.take()
+        row = reader.row("VID XT YT ZT XH YH ZH CID")
+        tail, head = tuple(row.numbers("XT", "YT", "ZT")), tuple(row.numbers("XH", "YH", "ZH"))
+        if row.integer("CID"):
+            deck.ledger.ignored(card.keyword, card.place, "in a system; a card that uses it is refused")
+            continue
+        deck.vectors[row.integer("VID")] = normalise(subtract(head, tail))  # type: ignore[arg-type]
+        deck.ledger.translated(card.keyword, card.place, "direction of what uses it")

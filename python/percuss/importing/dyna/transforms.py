@@ -258,6 +258,8 @@ def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int
     units.finish(ledger, "temperatures stay as they are")
     last = reader.row("TRANID")
     id = last.integer("TRANID")
+    if surplus := card.find_surplus():
+        raise BadInput(card.at(surplus), "a line that *INCLUDE_TRANSFORM does not have (TRANID is in its fifth): blank lines count")
     if id and id not in known:
         last.fail("TRANID", "there is no such *DEFINE_TRANSFORMATION before it")
     if min(factors) <= 0:

@@ -82,6 +82,8 @@ def tabulated(deck: KeywordDeck, use: Use) -> Deck:
     for field, key in (("GAMA", "gamma"), ("E0", "start_energy")):
         if row.number(field):
             state[key] = row.number(field)
+    if len(state["cold"]) < 2:
+        row.fail("LCC", "must have two values of C or more")
     if any(y1 <= y2 for (_, y1), (_, y2) in zip(state["cold"], state["cold"][1:])):
         row.fail("LCC", "must give a pressure that falls over ln(V / V0), the natural logarithm of the relative volume")
     return state
