@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "src/index.hpp"
 #include "src/step/rigid/rigid_step.hpp"
@@ -46,6 +47,24 @@ Wrench sum_on_body(const std::vector<JointRow>& rows, const std::vector<double>&
   return sum;
 }
 
+/// Clears the diagonal of rows that the held directions of both bodies keep, up to round-off of the arms about their
+/// centres: as rows of their own these would lock what still turns.
+void drop_held_rows(const RigidModel& rigid, const std::vector<JointRow>& rows, std::vector<double>& mobilities) {
+  constexpr double round_off = 1e-18;  // square of an arm, over that of the radius of gyration
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    double free = 0;  // at least so much, if nothing held them
+    for (std::size_t e = 0; e < 2; ++e) {
+      if (rows[r].body[e] == Joint::ground) continue;
+      const RigidBody& body = rigid.bodies[at(rows[r].body[e])];
+      const Wrench& unit = rows[r].unit[e];
+      free += dot(unit.impulse, unit.impulse) / body.mass;
+      if (trace(body.inertia) > 0) free += 2 * dot(unit.moment, unit.moment) / trace(body.inertia);
+    }
+    double& diagonal = mobilities[r * rows.size() + r];
+    if (diagonal <= round_off * free) diagonal = 0;
+  }
+}
+
 }  // namespace
 
 JointSolver::JointSolver(const Model& model) : model_(model) {
@@ -79,7 +98,9 @@ void JointSolver::begin_step(const State& state) {
   for (Chain& chain : chains_) {
     chain.rows.clear();
     for (const int j : chain.joints) add_joint_rows(rigid.joints[at(j)], frames_[at(j)], state.bodies, chain.rows);
-    chain.solver.factorise(find_mobilities(chain.rows, responses_), static_cast<int>(chain.rows.size()));
+    std::vector<double> mobilities = find_mobilities(chain.rows, responses_);
+    drop_held_rows(rigid, chain.rows, mobilities);
+    chain.solver.factorise(std::move(mobilities), static_cast<int>(chain.rows.size()));
   }
 }
 

@@ -31,6 +31,13 @@ def joint(kind, ids, *more):
 
 
 
+def held_screw(off: float) -> str:
+    """A screw of PARM 2 in a nut that is held, with a mass centre off its axis; 3 N push it along."""
+    corners = nodes(*((id, 5.0 + off + side, 5.0, z) for id, side, z in ((90, 0, 10.5), (91, 0, 10.5), (92, 0, 12.5), (93, 0, 12.5), (94, 3, 10.5), (95, 3, 10.5))))
+    return deck(cube(rigid(1, 1, 7, 7)), hexahedron(2, 11, (0.0, 0.0, 11.0), of=2), part(2, 1, 2), rigid(2, 1, 4, 4), corners, node_set(7, 90, 92, 94), node_set(8, 91, 93, 95),
+                "*CONSTRAINED_EXTRA_NODES_SET\n1,7\n2,8\n*CONSTRAINED_JOINT_SCREW\n90,91,92,93,94,95\n2.0\n", PUSH.format(id=2, dof=3), end=END)
+
+
 def spins(axis: str, inertia: float) -> list:
     """Of a moment of 2 about an axis."""
     return [(f"body_w{axis}:part_1", LAST, 2.0 * END / inertia, 2e-3)]
@@ -183,6 +190,10 @@ PROOFS = [
           [("body_vz:part_1", LAST, THREAD * END / CUBE_MASS, 2e-3), ("body_wz:part_1", LAST, -2.0 * THREAD * END / SPIN, 2e-3)], "nodes that lie apart on the axis are the same screw"),
     Proof("CONSTRAINED_JOINT_CYLINDRICAL: N2 N4", joint("CYLINDRICAL", "90,96,92,97", APART, TWIST.format(dof=6)),
           [("body_wy:part_1", LAST, 2.0 * END / (2 * (SPIN + CUBE_MASS * 5.5**2)), 2e-3)], "and the same cylindrical joint: a moment across it turns both as one"),
+    *(Proof("CONSTRAINED_JOINT_SCREW: N1 N2 N3 PARM", held_screw(off),
+            [("body_vz:part_2", LAST, 3.0 * END / (CUBE_MASS + SPIN / 4), 2e-3), ("body_wz:part_2", LAST, 1.5 * END / (CUBE_MASS + SPIN / 4), 2e-3)],
+            "what is held across the axis turns about its mass centre, which lies on the axis") for off in (0.0, 0.16)),
+    Proof("CONSTRAINED_JOINT_SCREW: N1 N3", held_screw(2.0), refused="off the mass centre of 'part_2'", messages=1),
     Proof("CONSTRAINED_JOINT_SCREW: N2", joint("SCREW", "90,95,92,97,94,95\n2.0", APART), refused="not on its axis"),
     Proof("CONSTRAINED_JOINT_SCREW: PARM", joint("SCREW", "90,91,92,93,94,95\n"), refused="PARM"),
     Proof("CONSTRAINED_JOINT_SCREW: LCID", joint("SCREW", "90,91,92,93,94,95\n2.0,7"), refused="LCID"),

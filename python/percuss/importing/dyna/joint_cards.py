@@ -8,6 +8,7 @@ from ..ledger import BadInput, missing
 from ..model import Deck, Vector
 from .cards import Card, Lines
 from .deck import JointCard, KeywordDeck, NodalBody
+from .joint_centers import center_bodies
 from .materials.rigid import DIRECTIONS, read_local_limits
 from .rigid_cards import read_inertia_lines, start_body
 
@@ -128,11 +129,14 @@ def find_extent(deck: KeywordDeck) -> float:
 def add_joints(deck: KeywordDeck) -> None:
     if not deck.joints:
         return
-    bodies, near = deck.bodies_of_nodes, COINCIDENT * find_extent(deck)
+    bodies, extent = deck.bodies_of_nodes, find_extent(deck)
     for joint in deck.joints:
         pairs = [make_pair(deck, joint, joint.nodes[k : k + 2], bodies) for k in range(0, len(joint.nodes), 2)]
-        entry = make_entry(deck, joint, pairs, near)
-        if entry:
+        entry = make_entry(deck, joint, pairs, COINCIDENT * extent)
+        why = center_bodies(deck, joint, entry, extent) if entry else ""
+        if why:
+            deck.ledger.refuse(joint.card, joint.place, why, LEFT_OUT)
+        elif entry:
             name = deck.model.names.take(joint.title or f"joint_{joint.id or joint.nodes[0]}", "joint")
             deck.model.deck.setdefault("joints", {})[name] = entry
             deck.ledger.translated(joint.card, joint.place, "joints")
