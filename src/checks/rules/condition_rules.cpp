@@ -89,6 +89,31 @@ void warn_of_fast_walls(const Deck& deck, std::vector<Warning>& warnings) {
   }
 }
 
+/// Speed of a node on the side of the box of a condition's nodes that is farthest from the axis about which they turn.
+double find_turning_speed(const CheckedScene& scene, std::size_t condition) {
+  const TurnDeck& turn = *scene.deck.conditions[condition].turn;
+  const ConditionMeasures& nodes = scene.measures->selections.conditions[condition];
+  double reach = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (k != turn.axis)
+      reach = std::max({reach, std::abs(nodes.low[k] - turn.through[k]), std::abs(nodes.high[k] - turn.through[k])});
+  return reach * find_largest(turn.angular_velocity, scene.deck.time.end, false);
+}
+
+void warn_of_fast_turns(const CheckedScene& scene, std::vector<Warning>& warnings) {
+  for (std::size_t c = 0; c < scene.deck.conditions.size(); ++c) {
+    if (!scene.deck.conditions[c].turn) continue;
+    const double wave = find_fastest_wave(scene.deck, scene.deck.conditions[c].where);
+    const double speed = find_turning_speed(scene, c);
+    if (speed <= wave) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "prescribed_speed", join_path("conditions", c) + ".turn.angular_velocity",
+                fmt::format("these nodes turn at up to {:.4g} (faster than the wave speed {:.4g} of their "
+                            "material, which cannot follow): check that it is in radians, and its unit",
+                            speed, wave)));
+  }
+}
+
 }  // namespace
 
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
@@ -158,6 +183,7 @@ std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
                               speed, direction_names[k], wave)));
     }
   }
+  warn_of_fast_turns(scene, warnings);
   warn_of_fast_walls(scene.deck, warnings);
   return warnings;
 }

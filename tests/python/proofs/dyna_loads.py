@@ -64,6 +64,9 @@ BLASTS = [
 ]  # fmt: skip
 
 PROOFS = BLASTS + [
+    *(Proof(f"LOAD_SHELL_{form}: ID LCID SF; MAT_NULL", deck(cube(), f"*ELEMENT_SHELL\n1,2,{corners}\n", part(2, 2, 2), pieces.shell_section(2, 0.1), "*MAT_NULL\n2,1e-12\n", load, CONSTANT),
+            momentum("z", sign * 200.0 * END), "a pressure on a skin presses on the solid under it, against the normal of the nodes")
+      for form, load in (("ELEMENT", "*LOAD_SHELL_ELEMENT\n1,7,2.0\n"), ("SET", "*SET_SHELL_LIST\n6\n1\n*LOAD_SHELL_SET\n6,7,2.0\n")) for corners, sign in (("5,6,7,8", -1), ("8,7,6,5", 1))),
     Proof("LOAD_BODY_Z: LCID SF", deck(cube(), "*LOAD_BODY_Z\n7,9810.0\n", CONSTANT), momentum("z", -9810.0 * END * CUBE_MASS), "the base accelerates upward"),
     Proof("LOAD_BODY_X: LCID SF", deck(cube(), "*LOAD_BODY_X\n7,-500.0\n", CONSTANT), momentum("x", 500.0 * END * CUBE_MASS), "the opposite"),
     Proof("LOAD_BODY_X: LCID SF; LOAD_BODY_Z: LCID SF", deck(cube(rigid()), "*LOAD_BODY_X\n7,-500.0\n*LOAD_BODY_Z\n7,9810.0\n", CONSTANT),

@@ -169,7 +169,7 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "this form of pressure", "it is left out")
         return
     groups: dict[tuple[int, float, float], list[Face]] = {}
-    shells = {id: corners for block in deck.model.blocks for id, corners in block.shells} if "SHELL" in card.keyword else {}
+    shells = list_shells(deck) if "SHELL" in card.keyword else {}
     reader = card.reader()
     while reader.skip_blank():
         if card.has_id:
@@ -188,6 +188,12 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
         key = (row.integer("LCID"), row.number("SF") or 1.0, row.number("AT"))
         groups.setdefault(key, []).extend(faces)
     apply_pressures(deck, card, groups)
+
+
+def list_shells(deck: KeywordDeck) -> dict[int, Face]:
+    """Those of the mesh, and skins of *MAT_NULL, under which are faces of solids."""
+    skins = {shell.id: shell.corners for part in deck.skins for shell in deck.elements[part].shells}
+    return skins | {id: corners for block in deck.model.blocks for id, corners in block.shells}
 
 
 def list_faces(deck: KeywordDeck, card: Card, row: Row, shells: dict[int, Face]) -> list[Face]:
