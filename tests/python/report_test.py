@@ -26,9 +26,10 @@ except ImportError as error:
 from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium, read_surface  # noqa: E402
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
+from percuss.results.converted import OF_SUMMARY, convert_run  # noqa: E402
 from percuss.results.deck import Deck  # noqa: E402
 from percuss.results.history import History  # noqa: E402
-from percuss.results.units import Units  # noqa: E402
+from percuss.results.units import BadUnits, Units  # noqa: E402
 from percuss.report.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
                                suggest_forces, tell_events, tell_force, tell_relaxation)
 from percuss.report.comparison import compare_numbers, find_history_differences  # noqa: E402
@@ -37,7 +38,7 @@ from percuss.report.forces import find_balances, find_force, find_impulse, find_
 from percuss.report.markup import show_deck  # noqa: E402
 from percuss.report.motion import find_motions  # noqa: E402
 from percuss.report.pictures import Worst, differ  # noqa: E402
-from percuss.report.scene import make_relaxation_table  # noqa: E402
+from percuss.report.scene import flatten, make_relaxation_table  # noqa: E402
 from percuss.report.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
 from percuss.view.reduce import pack_view
 from percuss.view.surface import read_library  # noqa: E402
@@ -134,6 +135,44 @@ class Report(OfARun):
         self.assertNotIn("<wall>", text)
         if read_library():
             self.expect(text, "OrbitControls", "id=surface-data")
+
+    def test_converts_to_the_units_that_are_asked_for(self):
+        """The deck is in m, kg, s: 50 m/s are 50000 mm/s, 0.0628 kg are 6.28e-5 t, and a joule is 1000 mJ."""
+        text = self.make(self.out, "--no-pictures", "--units", "mm, t, s", "--plot", "last(kinetic)")
+        self.check(text)
+        self.expect(text, "Units: mm, t, s.", "those of the deck: m, kg, s", "20 x 20 x 20 mm", "6.28e-05 t", "mean velocity from 5e+04 to", "mm/s",
+                    "kinetic energy went from 78.5 J", "youngs_modulus 2e+11")
+        run = percuss.read(self.out)
+        converted = convert_run(run, "mm, t, s")
+        for frame in range(len(run.fields.times)):
+            np.testing.assert_allclose(converted.fields.positions(frame), 1e3 * run.fields.positions(frame), rtol=1e-15)
+            np.testing.assert_allclose(converted.fields.values("von_mises", frame), 1e-6 * run.fields.values("von_mises", frame), rtol=1e-12)
+        self.assertEqual([converted.fields.unit_of(name) for name in ("von_mises", "velocity", "equivalent_plastic_strain")], ["MPa", "mm/s", ""])
+        self.assertEqual(converted.fields.walls_at(0)[0][0].tolist(), [0, 0, -2])
+        self.assertAlmostEqual(converted.summary["energy"]["kinetic"], 1e3 * run.summary["energy"]["kinetic"])
+        self.assertAlmostEqual(converted.summary["momentum"]["linear"][2], run.summary["momentum"]["linear"][2])
+        self.assertEqual(converted.summary["energy"]["error"], run.summary["energy"]["error"])
+        self.assertEqual(converted.summary["time"], run.summary["time"])
+        fast = convert_run(run, "mm, kg, ms")
+        self.assertAlmostEqual(fast.fields.times[-1], 1e3 * run.fields.times[-1])
+        self.assertAlmostEqual(fast.warnings[0]["time"], 1e3 * run.warnings[0]["time"])
+        self.assertIs(convert_run(run, "m, kg, s"), run)
+
+    def test_summaries_have_no_key_with_a_dimension_that_is_not_converted(self):
+        run = percuss.read(self.out)
+        known = set(OF_SUMMARY)
+        here = {key for key, value in flatten(run.summary) if isinstance(value, float) or isinstance(value, list) and value and isinstance(value[0], float)}
+        without = {"grind_ns", "setup_s", "loop_s", "mass.share", "dt.gain", "relaxation.kinetic_ratio", "relaxation.preload_error", "energy.error",
+                   "momentum.linear_error", "momentum.angular_error", "peak_bytes"}
+        others = {key for key in here if not key.startswith(("phases_s.", "skipped.", "balance.", "messages.", "decomposition.", "deck."))}
+        self.assertEqual(others - without - known, set())
+        self.assertEqual(known - here, set())
+
+    def test_refuses_units_that_it_cannot_convert_to(self):
+        done = self.report(self.out, "--units", "mm")
+        self.assertEqual((done.returncode, "is no system of units" in done.stderr), (2, True), done.stderr)
+        with self.assertRaisesRegex(BadUnits, "the deck names no units"):
+            convert_run(SimpleNamespace(folder="out", units=None), "mm, kg, ms")
 
     def test_shows_pictures_of_start_worst_and_end(self):
         if not (HAS_VTK and HAS_DISPLAY):

@@ -123,6 +123,30 @@ class Page(OfARun):
         self.assertIn("--force", self.make("--out", os.path.join(self.out, "mine.html"), code=2))
 
 
+class Walls(OfARun):
+    """A floor of the scene, a plane that rises with 20 m/s from below it, and a sphere."""
+
+    options = ["walls=[{point: [0, 0, -0.002], normal: z}, {point: [0, 0, -0.02], normal: z, speed: 20}, {sphere: {radius: 0.01}, point: [0.02, 0, -0.05]}]"]
+
+    def test_stand_where_the_deck_has_them_and_move_with_their_speed(self):
+        self.make()
+        _, about, _ = self.read()
+        floor, rising, ball = about["walls"]
+        size = np.linalg.norm(np.array(about["scale"]) * 65535)
+        for wall, height in ((floor, -0.002), (rising, -0.02)):
+            self.assertEqual(wall["normal"], [0, 0, 1])
+            plate = np.reshape(wall["plates"], (4, 3))
+            np.testing.assert_allclose(plate[:, 2], height, atol=1e-3 * size)
+            self.assertTrue((plate.min(axis=0)[:2] < about["low"][:2]).all())
+            self.assertTrue((plate.max(axis=0)[:2] > (np.array(about["low"]) + 65535 * np.array(about["scale"]))[:2]).all())
+        self.assertEqual((floor["moves"], ball["moves"]), ([], []))
+        self.assertEqual(len(rising["moves"]), about["frames"])
+        np.testing.assert_allclose(rising["moves"], [[0, 0, 20 * time] for time in self.run_.fields.times], atol=1e-9)
+        self.assertNotIn("normal", ball)
+        radius = np.linalg.norm(np.reshape(ball["plates"], (-1, 3)) - [0.02, 0, -0.05], axis=1)
+        np.testing.assert_allclose(radius, 0.01, rtol=0.01)
+
+
 class Large(OfARun):
     """A surface that does not fit."""
 
@@ -210,6 +234,7 @@ def picture_tests(make_browser):
 
         def setUp(self):
             self.browser.show(os.path.join(self.out, "view.html"))
+            self.do("press('w');")  # without rigid walls
 
         def do(self, script):
             return self.browser.run("const box = document.getElementById('view'), find = name => box.querySelector(name), viewer = box.viewer;"
@@ -276,6 +301,23 @@ def picture_tests(make_browser):
             outer = np.flatnonzero((half.min(axis=2) < 250).any(axis=0))
             self.assertAlmostEqual(outer[0], half.shape[1] - 1 - outer[-1], delta=2)
             self.assertGreater(np.ptp(outer), 0.5 * half.shape[1])
+
+        def test_rigid_walls_are_drawn_and_seen_through_from_behind(self):
+            """At a place of the floor beside the bodies, which cover no pixel there."""
+            at = ("const plate = viewer.about.walls[0].plates, corner = [0, 1, 2].map(i => 0.97 * plate[i] + 0.03 * plate[6 + i]);"
+                     "const spot = project(viewer, viewer.surface.show(corner, corner, 1)); const scale = viewer.canvas.width / viewer.canvas.clientWidth;"
+                     "return [Math.round(scale * spot.y), Math.round(scale * spot.x)];")
+            pixel = ("const project = (viewer, point) => { viewer.camera.updateMatrixWorld(); const s = point.clone().project(viewer.camera);"
+                     "return {x: (s.x + 1) / 2 * viewer.canvas.clientWidth, y: (1 - s.y) / 2 * viewer.canvas.clientHeight}; };" + at)
+            for elevation, least, most in ((40, 90, 212), (-40, 213, 252)):
+                without = self.look(f"viewer.look(-50, {elevation});")
+                shown = self.look("press('w');")
+                row, column = self.do(pixel)
+                self.assertTrue(0 <= row < shown.shape[0] and 0 <= column < shown.shape[1])
+                self.assertEqual(without[row, column].min(), 255)
+                self.assertTrue(least <= shown[row, column].mean() <= most, shown[row, column])
+                self.assertGreater((shown.min(axis=2) < 250).mean(), (without.min(axis=2) < 250).mean() + 0.05)
+                self.do("press('w');")
 
         def test_a_part_that_is_hidden_is_not_drawn(self):
             both = self.look("press('p'); press('e');")
@@ -386,6 +428,7 @@ class InFirefox(webgl_tests(Firefox) if FIREFOX and XVFB else object):
         with Chromium(tempfile.mkdtemp(dir=self.folder.name)) as other:
             other.show(os.path.join(self.out, "view.html"))
             self.browser, mine = other, self.browser
+            self.do("press('w');")
             there = [self.look(script) for script in scripts]
             self.browser = mine
         for one, two in zip(here, there):
@@ -408,6 +451,7 @@ class WithoutWebGL(picture_tests(make_plain) if FIREFOX or CHROMIUM else object)
         with Chromium(tempfile.mkdtemp(dir=self.folder.name)) as other:
             other.show(os.path.join(self.out, "view.html"))
             self.browser, mine = other, self.browser
+            self.do("press('w');")
             there = self.look("viewer.renderer.setSize(800, 450, false); viewer.camera.aspect = 16 / 9; viewer.camera.updateProjectionMatrix(); press('d');")
             self.browser = mine
         ink = [picture.min(axis=2) < 250 for picture in (here, there)]

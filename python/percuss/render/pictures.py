@@ -9,6 +9,7 @@ import numpy as np
 from PIL import Image, PngImagePlugin
 
 from percuss.files import check_target, make_mark, write_file
+from percuss.results.converted import convert_fields
 from percuss.results.fields import Fields
 from percuss.results.run import Run
 from percuss.results.units import format_time
@@ -64,11 +65,11 @@ def prepare(arguments):
     """(frames, shots): one shot of the run, or two beside each other with one range of colours."""
     if arguments.video:
         check_ffmpeg()
-    fields = Fields(arguments.dir, arguments.fields)
+    fields = convert_fields(Fields(arguments.dir, arguments.fields), arguments.units)
     frames = choose_frames(fields, arguments.frame)
     if not arguments.beside:
         return frames, [Shot(fields, arguments, frames)]
-    other = Fields(arguments.beside, arguments.fields)
+    other = convert_fields(Fields(arguments.beside, arguments.fields), arguments.units)
     pairs = [(fields, frames, {frame: frame for frame in frames})]
     nearest = {frame: int(np.argmin(np.abs(other.times - fields.times[frame]))) for frame in frames}
     pairs.append((other, sorted(set(nearest.values())), nearest))

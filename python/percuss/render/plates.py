@@ -58,16 +58,16 @@ def span_wall(point, normal, edges, points):
                      ((a[0], b[0]), (a[1], b[0]), (a[1], b[1]), (a[0], b[1]))])
 
 
-def span_round_wall(point, axis, radius, length, points):
+def span_round_wall(point, axis, radius, length, points, around=AROUND):
     """Plates [k][4][3] around a cylinder, which are as long as it is or as the bodies beside it, or on a sphere (axis: None)."""
     size = find_size(points)
     pole = np.array([0.0, 0.0, 1.0]) if axis is None else axis
     first, second = find_axes(pole)
-    turns = np.linspace(0, 2 * np.pi, AROUND + 1)
+    turns = np.linspace(0, 2 * np.pi, around + 1)
     circle = np.cos(turns)[:, np.newaxis] * first + np.sin(turns)[:, np.newaxis] * second
     drawn = max(radius - GAP * size, 0.5 * radius)
     if axis is None:
-        angles = np.linspace(0, np.pi, AROUND // 2 + 1)
+        angles = np.linspace(0, np.pi, around // 2 + 1)
         rings = [point + drawn * (np.sin(angle) * circle + np.cos(angle) * pole) for angle in angles]
     else:
         along = (points - point) @ axis

@@ -44,6 +44,8 @@ def parse_arguments(words):
     add("--field", metavar="NAME", help="what the colours show: a vector by its magnitude, a stress by von Mises' value; "
         "'part', 'body', 'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")
     add("--part-colors", action="store_true", help="one colour a part; the same as --field part")
+    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck); lengths and values of "
+        "other options are in it, too")
     add("--range", metavar="LOW:HIGH", type=parse_pair, help="ends of the colour bar in the unit of the file (default: round "
         "numbers around those of all that is drawn, the same in all frames)")
     add("--map", default="heat", metavar="NAME", help="colour map: heat, viridis, inferno, cool-warm, grey (default: heat); "
@@ -185,11 +187,12 @@ def main(words):
     from percuss.errors import NotResults
     from percuss.render.pictures import render
     from percuss.render.selection import BadChoice
+    from percuss.results.units import BadUnits
 
     try:
         with open_display():
             render(arguments)
-    except (NoDisplay, NotResults, BadChoice) as error:
+    except (NoDisplay, NotResults, BadChoice, BadUnits) as error:
         fail(error)
     except OSError as error:
         fail(f"cannot write pictures ({error})")

@@ -7,6 +7,7 @@ import re
 import numpy as np
 
 from percuss.files import read_text
+from percuss.results.converted import OF_SUMMARY
 from percuss.results.extremes import find_size, find_top
 
 from .markup import Markup, escape, fold, format_number, make_table
@@ -94,7 +95,7 @@ def make_summary_table(runs, labels):
         if all(value == values[0] for value in values):
             equal += 1
             continue
-        row = [key, format_number(values[0])]
+        row = [key + _name_unit(runs, key), format_number(values[0])]
         for value, difference in zip(values[1:], compare_numbers(values, key == "dt.element")):
             row += [format_number(value), difference]
         (machine if key.split(".")[0] in MACHINE else rows).append(row)
@@ -103,6 +104,12 @@ def make_summary_table(runs, labels):
     shown = make_table(heading, rows, numbers) if rows else "<p>All results in summary.json are equal.</p>"
     return (shown + f"<p class=soft>{equal} more keys are equal.</p>" +
             (fold("What depends on the machine: time, memory, messages", make_table(heading, machine, numbers)) if machine else ""))
+
+
+def _name_unit(runs, key):
+    """' [J]' of a key of summary.json with a dimension, where all runs have one system of units."""
+    quantity, units = OF_SUMMARY.get(key) or OF_SUMMARY.get(key.rpartition(".")[0]), {run.units and run.units.text for run in runs}
+    return f" [{runs[0].units.name_of(quantity)}]" if quantity and len(units) == 1 and runs[0].units else ""
 
 
 def _split_lists(rows):

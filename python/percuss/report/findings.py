@@ -84,7 +84,7 @@ def _judge_energies(summary):
     largest = max(abs(energy[name]) for name in ("initial", "kinetic", "internal", "external"))
     level = GOOD if abs(error) < ENERGY_ERROR else LOOK if abs(error) < 10 * ENERGY_ERROR else BAD
     found = [Finding(level, f"Energy is balanced to {abs(error):.2g} of the largest energy (limit {ENERGY_ERROR:g}).",
-                     "find the time at which energy_error of the history grows; lower time.step_scale")]
+                     "find the time at which energy_error of the history grows, and lower time.step_scale")]
     if largest > 0 and energy["internal"] > 1e-6 * largest:
         share = energy["hourglass"] / energy["internal"]
         is_small = share < HOURGLASS_SHARE or energy["hourglass"] < SMALL_ENERGY * largest

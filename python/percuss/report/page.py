@@ -36,7 +36,7 @@ def note(text):
 
 
 def make_page(runs, options):
-    """The text of the page. options: field, view, pictures, interactive, plot, x."""
+    """The text of the page. options: field, view, pictures, interactive, plot, x, units."""
     labels = [run.name if [r.name for r in runs].count(run.name) == 1 else run.folder for run in runs]
     title = runs[0].title if len(runs) == 1 else "Comparison: " + ", ".join(labels)
     parts = [f"<h1>{escape(title)}</h1>", _make_subtitle(runs)]
@@ -74,6 +74,9 @@ def wrap_page(title, body, tool="report"):
 def _make_subtitle(runs):
     folders = ", ".join(os.path.abspath(run.folder) for run in runs)
     units = f" Units of the deck: {runs[0].units.text}." if runs[0].units else " The deck names no units."
+    others = list(dict.fromkeys(run.original.units.text for run in runs if hasattr(run, "original")))
+    if others:
+        units = (f" Units: {runs[0].units.text}. Deck, materials and texts of warnings have those of the deck: {'; '.join(others)}.")
     return f"<p class=soft>{escape(folders)}. Written {time.strftime('%Y-%m-%d %H:%M UTC', time.gmtime())}.{escape(units)}</p>"
 
 
@@ -119,9 +122,9 @@ def _show_pictures(fields, name, worst, frames, options, shared):
         return sentence
     alone = {}
     try:
-        pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared})
+        pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared, "units": options.units})
         if worst is not None and worst.part:
-            alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "part": worst.part})
+            alone = draw_pictures(fields, name, [worst.frame], {"view": options.view, "range": shared, "units": options.units, "part": worst.part})
     except RuntimeError as error:
         note(f"no pictures: {error}")
         return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"

@@ -56,8 +56,8 @@ def find_range(runs_fields, name, frames_of):
 
 
 def draw_pictures(fields, name, frames, options):
-    """{frame: JPEG as text of base 64}, all with one range of colours. options: view, range
-    and part, each None or a text. RuntimeError with the reason if there are none."""
+    """{frame: JPEG as text of base 64}, all with one range of colours. options: view, range,
+    units and part, each None or a text. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         command = [*start_tool("render"), fields.path, "--out", folder, "--size", SIZE, "--field", name,
                    "--frame", ",".join(map(str, sorted(set(frames))))]

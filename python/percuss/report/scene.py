@@ -104,7 +104,7 @@ def make_relaxation_table(run):
     preloads = run.deck.get_map("start.preload")
     for name, preload in preloads.items():
         if isinstance(preload, dict):
-            rows.append((f"preload {name} of {preload.get('part', '')}", with_unit(preload.get("force", ""), unit_of(run, "force"))))
+            rows.append((f"preload {name} of {preload.get('part', '')}", with_unit(preload.get("force", ""), unit_of(getattr(run, "original", run), "force"))))
     if preloads:
         rows.append(("largest error of a preload", f"{relaxation['preload_error']:.2g} of its force"))
     return "<h3>Relaxation before time 0</h3>" + make_table(None, rows)

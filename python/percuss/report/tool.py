@@ -19,6 +19,7 @@ examples:
   percuss report ball --field velocity                      colours show the speed
   percuss report ball ball_fine --out finer.html            a comparison
   percuss report box --plot 'crush = resultant("crush")' --plot 'mean force = mean(resultant("crush"))' --x 'change(-sled_z)'
+  percuss report ball --units 'mm, kg, ms'                  numbers, plots, pictures and view in kN, GPa and J
   percuss report out/* --no-pictures --no-view              numbers and curves only: no VTK needed
 
 The deck is what was run, with what --set changed: the run keeps it in summary.json and in its checkpoint.
@@ -40,6 +41,7 @@ def parse_arguments(words):
     add("--from", dest="fields", metavar="NAME", help="pictures and view of this entry of output.field_outputs (default: of output.fields)")
     add("--field", metavar="NAME", help="field shown by the colours (default: von_mises, stress, equivalent_plastic_strain or velocity, the first that is there)")
     add("--view", metavar="AZIMUTH:ELEVATION", help="where the camera of the pictures stands, as in percuss render")
+    add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck)")
     add("--plot", metavar="WHAT", action="append", default=[],
         help="a curve or a number for the top of the page: a column, a panel or an expression, as in percuss plot; may be repeated")
     add("--x", metavar="COLUMN", default="time", help="the abscissa of these curves: a column or an expression (default: time)")
@@ -68,12 +70,14 @@ def main(words):
     from percuss.files import check_target, write_file
     from percuss.plot.panels import BadChoice
     from percuss.report.page import make_page
+    from percuss.results.converted import convert_run
     from percuss.terminal import tell
 
     try:
         runs = [percuss.Run(folder, arguments.fields) for folder in arguments.dirs]
         for run in runs if arguments.fields else ():
             _ = run.fields  # refuses a name that is not there
+        runs = [convert_run(run, arguments.units) for run in runs]
         name = "report.html" if len(runs) == 1 else "comparison.html"
         path = arguments.out or os.path.join(runs[0].folder, name)
         check_target(path, "report", arguments.force)

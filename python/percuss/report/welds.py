@@ -44,8 +44,8 @@ def find_use(failure, normal, shear):
 
 def list_welds(run):
     """The lives of all welds that have columns."""
-    history, found = run.history, []
-    time = np.asarray(history["time"])
+    history, found = getattr(run, "original", run).history, []  # forces in the units of the deck, as its strengths
+    time = np.asarray(run.history["time"])
     for name in (column[len("weld_normal:") :] for column in history if column.startswith("weld_normal:")):
         normal, shear = (np.nan_to_num(history[f"weld_{kind}:{name}"]) for kind in ("normal", "shear"))
         entry, failure = find_entry(run.deck, name)

@@ -25,6 +25,16 @@ def read(*folders: str | os.PathLike[str]) -> Any:
     return runs[0] if len(runs) == 1 else runs
 
 
+def describe_limit(status: str, summary: dict[str, Any]) -> str:
+    """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor; empty where the run came to its end or did not complete."""
+    time, end = summary.get("time") or 0, summary.get("end_time") or 0  # older summaries have no end
+    if status != "completed" or not time < end * (1 - 1e-9):
+        return ""
+    if sensor := summary.get("ended_by"):
+        return f"ended by sensor '{sensor}' at t = {time:.6g}, {100 * time / end:.2g} % of time.end"
+    return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
+
+
 class Run:
     """Attributes: folder, name, and, each read when it is first asked for: summary, warnings, status, deck, units, history,
     fields, field_outputs. reload() forgets what has been read, so that a run that goes on can be followed."""
@@ -77,14 +87,7 @@ class Run:
 
     @property
     def step_limit(self) -> str:
-        """'stopped by time.max_steps at 2.9 % of time.end', or by a sensor; empty where the run came to its end or did not
-        complete."""
-        time, end = self.summary.get("time") or 0, self.summary.get("end_time") or 0  # older summaries have no end
-        if self.status != "completed" or not time < end * (1 - 1e-9):
-            return ""
-        if sensor := self.summary.get("ended_by"):
-            return f"ended by sensor '{sensor}' at t = {time:.6g}, {100 * time / end:.2g} % of time.end"
-        return f"stopped by time.max_steps at {100 * time / end:.2g} % of time.end"
+        return describe_limit(self.status, self.summary)
 
     @cached_property
     def deck(self) -> Deck:

@@ -63,15 +63,19 @@ def name_quantity(quantity: str) -> str:
     return next((name for name, known in DIMENSIONS.items() if known == powers), quantity)
 
 
+class BadUnits(ValueError):
+    """A system of units that is not known, or no units to convert from."""
+
+
 class Units:
     """A system of units: that of 'mm, kg, ms'. Attributes: text, and length, mass and time, each a name and its size in SI."""
 
     def __init__(self, text: str) -> None:
-        """ValueError if the text names no length, mass and time that are known."""
+        """BadUnits if the text names no length, mass and time that are known."""
         words = [_make_plain(word) for word in ("m, kg, s" if text == "SI" else text).split(",")]
         tables = (LENGTHS, MASSES, TIMES)
         if len(words) not in (3, 4) or any(word not in table for word, table in zip(words, tables)):
-            raise ValueError(f"'{text}' is no system of units (a length, a mass and a time, such as 'mm, kg, ms')")
+            raise BadUnits(f"'{text}' is no system of units (a length, a mass and a time, such as 'mm, kg, ms')")
         self.text = ", ".join(words)
         self.length, self.mass, self.time = ((SHOWN.get(word, word), table[word]) for word, table in zip(words, tables))
         self.temperature = words[3] if len(words) == 4 else ""

@@ -38,6 +38,7 @@ _VIEW = """<div id=view><div class=stage><canvas tabindex=0 aria-label='The surf
 <input type=number step=any class=bar-high aria-label='High end of the bar'></label>
 <label><input type=checkbox class=bar-frame>Of this frame</label>
 <label>Deformation <input type=range class=swell min=0 max=20 step=0.5 value=1> x <span class=factor>1</span></label>
+<label><input type=checkbox class=walls checked>Rigid walls</label>
 <label><input type=checkbox class=outline>Start as outline</label><label><input type=checkbox class=mark checked>Largest value</label>
 <label>Mirror <select class=mirror></select></label>
 <label>Arrows <select class=arrows><option value=''>none</option></select></label>

@@ -12,7 +12,8 @@ class Painter {
   }
 
   // edges, beams: whether they are drawn. copies: places of mirrored halves, as matrices. plane: faces whose middle is below it are left out.
-  paint(camera, {edges, copies, plane}) {
+  // walls: plates of rigid walls (walls.js).
+  paint(camera, {edges, copies, plane, walls}) {
     const {surface, pen, canvas} = this, {data, about} = surface;
     camera.updateMatrixWorld();
     const back = new THREE.Vector3(0, 0, 1).applyQuaternion(camera.quaternion), faces = [];
@@ -33,11 +34,36 @@ class Painter {
         faces.push({f, nodes, screen, world, depth: nodes.reduce((sum, n) => sum + depth[n], 0) / 4});
       }
     });
+    const project = point => {
+      const {x, y} = point.clone().applyMatrix4(projection);
+      return [(x + 1) / 2 * canvas.width, (1 - y) / 2 * canvas.height];
+    };
+    const plates = walls.map(wall => ({...wall, outline: wall.corners.map(project),
+      depth: wall.corners.reduce((sum, corner) => sum + corner.clone().sub(camera.position).dot(back), 0) / 4}));
+    faces.push(...plates.filter(plate => !plate.isPlane));
     faces.sort((p, q) => p.depth - q.depth);
     pen.fillStyle = '#ffffff';
     pen.fillRect(0, 0, canvas.width, canvas.height);
     this.lights = LIGHTS.map(([x, y, z, strength]) => ({along: new THREE.Vector3(x, y, z).normalize().applyQuaternion(camera.quaternion), strength}));
-    for (const face of faces) this.paintFace(face, back, edges);
+    for (const plate of plates) if (plate.isPlane && !plate.behind) this.paintPlate(plate);
+    for (const face of faces) {
+      if (face.outline) this.paintPlate(face);
+      else this.paintFace(face, back, edges);
+    }
+    for (const plate of plates) if (plate.behind) this.paintPlate(plate);
+  }
+
+  paintPlate({outline, behind, isPlane}) {
+    const {pen} = this, colors = [WALL, WALL_EDGE].map(color => new THREE.Color(color).getStyle());
+    pen.globalAlpha = behind ? WALL_BEHIND : 1;
+    pen.beginPath();
+    outline.forEach(([x, y], k) => (k ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+    pen.closePath();
+    pen.fillStyle = colors[0];
+    pen.strokeStyle = colors[isPlane ? 1 : 0];
+    pen.fill();
+    pen.stroke();
+    pen.globalAlpha = 1;
   }
 
   paintFace({f, nodes, screen, world}, back, edges) {

@@ -14,10 +14,11 @@ from percuss.results.units import format_time
 from .arrows import MOST_ARROWS, describe_arrows
 from .coarse import merge_nodes
 from .shades import describe_field
+from .walls import describe_walls
 
 THREE = os.environ.get("PERCUSS_THREE", "/usr/share/javascript/three")  # Debian's libjs-three
 LIBRARY = ("three.min.js", "examples/js/controls/OrbitControls.js")
-VIEWER = ("unpack.js", "surface.js", "section.js", "painter.js", "tools.js", "viewer.js")
+VIEWER = ("unpack.js", "surface.js", "section.js", "walls.js", "painter.js", "tools.js", "viewer.js")
 STEPS = 65535  # of a coordinate over the box of the run
 MOST_VOLUMES = 250_000  # hexahedra whose sections a browser finds while the plane is dragged
 
@@ -119,7 +120,7 @@ def pack(fields, content):
         "low": low.tolist(), "scale": (scale / STEPS).tolist(), "erodes": shape.erodes, "parts": fields.part_names,
         "partColors": [colors.PART_COLORS[i % len(colors.PART_COLORS)] for i in range(len(fields.part_names))],
         "times": [format_time(fields.times[f], fields.times[-1], fields.time_unit) for f in frames], "numbers": [int(f) for f in frames],
-        "fields": [], "arrows": [],
+        "fields": [], "arrows": [], "walls": describe_walls(fields, frames, low, scale),
     }
     pieces = [_difference(shape.corners, np.uint32), _difference(shape.owners, np.uint32), fields.part[shape.elements].astype(np.uint16),
               _difference(fields.element_ids[shape.elements], np.uint32), _difference(fields.node_ids[shape.nodes], np.uint32),

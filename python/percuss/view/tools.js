@@ -12,7 +12,8 @@ function addTools(viewer) {
   addBar(viewer);
   addDeformation(viewer);
   addMirrors(viewer);
-  const cut = new Cut(viewer), list = [cut];
+  viewer.walls = new Walls(viewer);
+  const cut = new Cut(viewer), list = [cut, viewer.walls];
   if (!plain) list.push(new Mark(viewer), new Arrows(viewer));
   viewer.watchers.push(...list);
   if (!plain) addOutline(viewer);
@@ -391,7 +392,7 @@ function tellValue(field, shade) {
 
 const KEYS = [['\u2190 \u2192', 'frame'], ['Home End', 'first, last frame'], ['space', 'play'], ['f', 'next field'], ['r', 'bar of this frame, or of the run'], ['x y z d', 'look along an axis, default view'],
   ['+ \u2212', 'zoom'], ['c', 'cut: x, y, z, across the view, none'], ['[ ]', 'move the cut'], ['i', 'turn the cut around'], ['e', 'edges'], ['p', 'colours by part'],
-  ['o', 'outline of the start'], ['m', 'mirror'], ['a', 'arrows'], ['l', 'largest value'], ['h', 'this list']];
+  ['o', 'outline of the start'], ['m', 'mirror'], ['w', 'rigid walls'], ['a', 'arrows'], ['l', 'largest value'], ['h', 'this list']];
 
 function addKeys(viewer, cut) {
   const next = name => {
@@ -409,7 +410,7 @@ function addKeys(viewer, cut) {
     ' ': () => viewer.play(), f: () => next('.fields'), r: () => viewer.find('.bar-frame').click(), d: () => look(0), x: () => look(1), y: () => look(2), z: () => look(3),
     '+': () => zoom(1 / 1.15), '=': () => zoom(1 / 1.15), '-': () => zoom(1.15), c: () => next('.cut'), '[': () => cut.place(cut.share - 0.02),
     ']': () => cut.place(cut.share + 0.02), i: () => viewer.find('.flip').click(), e: () => viewer.find('.edges').click(),
-    p: () => viewer.find('.by-part').click(), o: () => viewer.find('.outline').click(), m: () => next('.mirror'), a: () => next('.arrows'),
+    p: () => viewer.find('.by-part').click(), o: () => viewer.find('.outline').click(), m: () => next('.mirror'), w: () => viewer.find('.walls').click(), a: () => next('.arrows'),
     l: () => viewer.find('.mark').click(), h: () => { list.hidden = !list.hidden; }};
   list.replaceChildren(...KEYS.map(([key, words]) => {
     const row = document.createElement('span'), shown = document.createElement('b');

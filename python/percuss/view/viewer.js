@@ -102,7 +102,8 @@ class Viewer {
     this.due = false;
     for (const watcher of this.watchers) watcher.drawn();
     if (this.renderer) this.renderer.render(this.scene, this.camera);
-    else this.painter.paint(this.camera, {edges: this.materials.edges.visible, copies: this.copies.map(copy => copy.matrixWorld), plane: this.plane});
+    else this.painter.paint(this.camera, {edges: this.materials.edges.visible, copies: this.copies.map(copy => copy.matrixWorld), plane: this.plane,
+      walls: this.walls ? this.walls.list() : []});
   }
 
   // Some nodes of the frame, and the middle of their box, but for one in two hundred at each side: few bits that fly far do
