@@ -8,7 +8,7 @@ from .terminal import fail
 from .tools import TOOLS, count_missing, load_tool
 
 USAGE = f"""\
-usage: python3 -m percuss TOOL ...    (python3 -m percuss TOOL --help tells more)
+usage: python3 -m percuss TOOL ...    (python3 -m percuss TOOL --help says more)
 tools: {', '.join(TOOLS)}"""
 
 

@@ -129,7 +129,7 @@ void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& 
   const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);
   throw InputError(fault(deck, selector,
                          selector.inside
-                             ? fmt::format("{} has no {} inside the box; check its corners and units", name, what)
+                             ? fmt::format("{} has no {} inside the box: check its corners and units", name, what)
                              : fmt::format("{} has no {}", name, what)));
 }
 

@@ -1046,7 +1046,7 @@ class Abaqus(InFolder):
         self.assertEqual(wall["cylinder"]["length"], 3)
         for found, exact in zip((*wall["cylinder"]["axis"], *wall["point"]), (-1, 0, 0, 1.5, 0, 2)):
             self.assertAlmostEqual(found, exact, 12)
-        self.assertEqual((wall["friction"], wall["thickness"], wall["direction"]), (0.25, "seen", "z"))
+        self.assertEqual((wall["friction"], wall["thickness"], wall["direction"]), (0.25, "included", "z"))
         self.assertEqual([round(x, 9) for x in wall["speed"]["table"][-1]], [1e-4, -4])
         self.accept(decks.ABAQUS_ROLLER, "deck.inp")
         ball = "START, 0., 2.\n CIRCL, 0.5, 1.5, 0., 1.5\n CIRCL, 0., 1., 0., 1.5\n"

@@ -122,7 +122,7 @@ class Place(Scenes):
 
     def test_the_thickness_of_shells_counts_where_the_wall_sees_it(self):
         plate = "parts: {plate: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.02, at: [0, 0, 3], material: steel}}\n"
-        for seen, height in (("seen", 0.11), ("ignored", 0.1)):
+        for seen, height in (("included", 0.11), ("ignored", 0.1)):
             wall = f"walls: [{{name: floor, normal: z, thickness: {seen}}}]\n"
             deck = plate + STEEL + SHORT + wall + "place: [{parts: [plate], direction: -z, rest_on: {wall: floor, clearance: 0.1}}]\n"
             place, = self.start(deck + follow(a=1), "a")

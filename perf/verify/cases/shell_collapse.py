@@ -232,7 +232,7 @@ def shell_crushed_tubes(bench):
     tube. The law has no rate effects, so no dynamic factor. The flow stress s0 is 300.6 MPa, the mean of the yield stress,
     250 MPa, and the strength, 351 MPa. The tolerance of 15 % is what the formula itself leaves open: which flow stress
     stands for a law that hardens, what share of a fold is crushed (0.73 is in the formula), and the first fold. The second
-    formula is for thick walls and is only told. Steps stay above 0.3 of the first. A round tube, 60 mm across, 180 mm long
+    formula is for thick walls and is only shown. Steps stay above 0.3 of the first. A round tube, 60 mm across, 180 mm long
     and 1.5 mm thick, perfectly plastic at s0 = 300 MPa, is compared with the fit of Guillow, Lu and Grzebieta (2001) to their
     tests, 72.3 (D/t)^0.32, within 15 % for the same reasons."""
     if bench.quick:

@@ -27,7 +27,7 @@ examples:
   percuss export ball --format gltf --field equivalent_plastic_strain --out pictures
 
 Exit codes: 0 done; 2 a folder, a frame, a field or an option is wrong, or a library is missing; 4 a file cannot be written.
-Needs Python 3 with NumPy and h5py, exodus SciPy too: scripts/install_dependencies --report installs them. docs/export.md tells more.
+Needs Python 3 with NumPy and h5py, exodus SciPy too: scripts/install_dependencies --report installs them. See docs/export.md.
 """
 
 

@@ -12,7 +12,7 @@ analysis. DIR gets:
   deck.yaml          what percuss runs, readable, to be edited
   mesh.k             nodes, elements and sets with the ids of the deck
   import_report.md   what became of every card; import_report.json is the same for programs
-`percuss check` checks the deck before it is in its place, unless --no-check is given. What it refuses is told of the card that made it.
+`percuss check` checks the deck before it is in its place, unless --no-check is given. What it refuses is reported for the card that made it.
 
 Nothing is dropped silently. A card, an option or a field that changes physics and has no counterpart is refused with its
 place, all of them together, and no deck is written. The message says what --allow would do instead, card by card:

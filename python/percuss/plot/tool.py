@@ -36,7 +36,7 @@ examples:
 
 Exit codes: 0 done; 2 a folder, a column or an option is wrong, or a library is missing.
 Needs Python 3 with NumPy and Matplotlib, and h5py for units and parts: scripts/install_dependencies --report installs them.
-docs/results.md tells more; docs/output.md describes the columns.
+See docs/results.md; docs/output.md describes the columns.
 """
 
 

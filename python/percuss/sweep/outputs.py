@@ -1,4 +1,4 @@
-"""What is told of a run in the table of a sweep: columns of its history and expressions of them."""
+"""Outputs of a run in the table of a sweep: columns of its history and expressions of them."""
 
 from ..results.expressions import BadExpression, compute, split_label, split_unit
 from ..results.extremes import find_size, find_top

@@ -1,4 +1,4 @@
-"""Runs designs of a deck and tells how results depend on them. percuss sweep --help says how."""
+"""Runs designs of a deck and shows how results depend on them. percuss sweep --help says how."""
 
 import argparse
 import os
@@ -35,7 +35,7 @@ examples:
 
 Exit codes: 0 the table is written; 2 an option, the deck or an expression is wrong, or a library is missing; 3 no design has completed;
 130 interrupted. Needs Python 3 with NumPy, h5py and Matplotlib, --sample SciPy too: scripts/install_dependencies --report installs them.
-docs/sweep.md tells more.
+See docs/sweep.md.
 """
 
 
@@ -51,7 +51,7 @@ def parse_arguments(words):
     add("--designs", metavar="FILE", help="designs of a CSV file, in place of --vary")
     add("-s", "--set", metavar="KEY=VALUE", action="append", default=[], help="a value for all designs; may be repeated")
     add("--allow-library", metavar="FILE", action="append", default=[], help="load this library with a law of yours; may be repeated")
-    add("--output", metavar="EXPRESSION", action="append", default=[], help="what the table tells of each run; may be repeated")
+    add("--output", metavar="EXPRESSION", action="append", default=[], help="a column of the table: a column of the history, or an expression; may be repeated")
     add("--out", metavar="DIR", help="folder of runs, table and page (default: NAME_sweep in the current folder)")
     add("-j", "--jobs", metavar="N", type=parse_count, default=0, help="runs at once (default: as cores and memory allow)")
     add("--threads", metavar="N", type=parse_count, default=0, help="threads of each run (default: the share of its cores)")

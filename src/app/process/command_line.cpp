@@ -64,7 +64,7 @@ struct Parser {
     info = add("info", "Describe a results file or a mesh", help_texts::info);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
-    add_tool("sweep", "Run designs of a deck, and tell how results depend on them", "Commands");
+    add_tool("sweep", "Run designs of a deck, and show how results depend on them", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
@@ -156,6 +156,13 @@ struct Parser {
   void add_info_options() {
     info->add_flag("--energies", page, "Print energies of the history: first, last and extreme values");
     info->add_flag("--forces", page, "Print forces of the history: peak with its time, impulse, mean");
+    info->add_option_function<std::string>(
+            "--units",
+            [](const std::string&) {
+              throw CLI::ValidationError("--units", "has no effect without --energies or --forces");
+            },
+            "With these two: convert to a system of units, such as 'mm, kg, ms'")
+        ->type_name("SYSTEM");
   }
 
   void add_deck(CLI::App* sub) {

@@ -295,7 +295,7 @@ std::vector<Warning> check_wall_thickness(const CheckedScene& scene) {
       if (fault.empty()) continue;
       warnings.push_back(warn_at(deck, "wall_thickness", path,
                                  fmt::format("this wall stops the shells of part '{}' at their middle ({}): set "
-                                             "{}: seen, or ignored if that is meant",
+                                             "{}: included, or ignored if that is meant",
                                              deck.parts[p].name, fault, path)));
       break;
     }

@@ -109,7 +109,7 @@ void Enforcer::list_pushed(const ContactMotion& motion) {
   }
 }
 
-void Enforcer::show_seen(const ContactMotion& motion) {
+void Enforcer::set_contact_velocities(const ContactMotion& motion) {
   list_pushed(motion);
   if (num_pushed_ == 0) return;
   reserve(predicted_, num_pushed_);
@@ -118,7 +118,8 @@ void Enforcer::show_seen(const ContactMotion& motion) {
   const Rows3<const double> v_before = motion.v_before, impulse = motion.impulse;
   run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
     Kokkos::parallel_for(
-        "contact::show_seen", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_), KOKKOS_LAMBDA(int i) {
+        "contact::set_contact_velocities", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
+        KOKKOS_LAMBDA(int i) {
           const int n = pushed(i);
           store_row(predicted, i, load_row(v, n));
           if (was_pushed(impulse, n)) store_row(v, n, load_row(v_before, n));
@@ -127,14 +128,14 @@ void Enforcer::show_seen(const ContactMotion& motion) {
   });
 }
 
-void Enforcer::show_predicted(const ContactMotion& motion) {
+void Enforcer::restore_predicted_velocities(const ContactMotion& motion) {
   if (num_pushed_ == 0) return;
   const Array<const int> pushed = pushed_;
   const Rows3<double> v = motion.v;
   const Rows3<const double> predicted = predicted_;
   run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
     Kokkos::parallel_for(
-        "contact::show_predicted", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
+        "contact::restore_predicted_velocities", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
         KOKKOS_LAMBDA(int i) { store_row(v, pushed(i), load_row(predicted, i)); });
     space.fence();
   });

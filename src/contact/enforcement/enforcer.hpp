@@ -24,11 +24,11 @@ class Enforcer {
   Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
            const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces);
 
-  /// Search and check see the nodes that contact pushed in the last step going on with the velocity of n-1/2: what
-  /// their own forces alone would do is no place that they ever reach. Until show_predicted(), motion.v holds that.
-  void show_seen(const ContactMotion& motion);
+  /// Puts the velocity of n-1/2 into motion.v of nodes that contact pushed in the last step, for search and check:
+  /// their internal forces alone do not predict their motion. It stays until restore_predicted_velocities().
+  void set_contact_velocities(const ContactMotion& motion);
   /// Puts the velocities predicted without contact back.
-  void show_predicted(const ContactMotion& motion);
+  void restore_predicted_velocities(const ContactMotion& motion);
 
   /// Begins a step of contact: who has rows, given the touches of this rank's contact nodes, its ties last. is_same:
   /// whether this rank found what it did in the last step.
@@ -108,8 +108,8 @@ class Enforcer {
   ContactForces& forces_;
   Array<const double> spring_;       // [mesh nodes] of owned contact nodes; empty without penalty
   std::vector<PairWork> pair_work_;  // empty: not asked for
-  // Mesh nodes that the last step may have pushed, copies of others' among them, from show_seen() on, and their
-  // predicted velocities until show_predicted().
+  // Mesh nodes that the last step may have pushed, copies of others' among them, from set_contact_velocities() on, and
+  // their predicted velocities until restore_predicted_velocities().
   int num_pushed_ = 0;
   Array<int> pushed_ = Array<int>("contact::pushed_nodes", 0);
   Rows3<double> predicted_ = Rows3<double>("contact::predicted_velocity", 0);

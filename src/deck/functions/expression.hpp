@@ -17,7 +17,7 @@ void define_functions(mu::Parser& parser);
 /// std::invalid_argument with the reason.
 void check_expression(std::string_view text);
 
-/// The parser's own message, without its habit of ending lines.
+/// The parser's own message, without ends of lines.
 std::invalid_argument make_parser_error(const mu::Parser::exception_type& error);
 
 }  // namespace percuss

@@ -149,9 +149,9 @@ void check_points(const FieldsDeck& fields, const Node& root, int most, Reading&
     const std::vector<Node>& items = find_entry(fields, root).find("write")->items;
     const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
     const std::string text = most == 0
-                                 ? "no part has shells"
-                                 : fmt::format("shells have at most {} points; set parts.NAME.points for more", most);
-    reading.errors.add(item->spot, fmt::format("{}.write has {} ({})", fields.key(), field, text));
+                                 ? "(no part has shells)"
+                                 : fmt::format("(shells have at most {} points): set parts.NAME.points for more", most);
+    reading.errors.add(item->spot, fmt::format("{}.write has {} {}", fields.key(), field, text));
   }
 }
 

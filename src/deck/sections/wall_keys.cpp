@@ -59,7 +59,7 @@ const Keys<WallDeck>& wall_keys() {
       may("start_speed", &WallDeck::start_speed, NumberValue{}),
       may("friction", &WallDeck::friction, NumberValue{not_negative}),
       may("nodes", &WallDeck::nodes, SelectorsValue{}),
-      may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"seen", true}}}),
+      may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"included", true}}}),
   });
   return keys;
 }
@@ -103,7 +103,7 @@ bool check_wall_shape(const Reader& reader, const Node& node, const WallDeck& wa
   const bool has_direction = node.find("direction") != nullptr;
   if (wall.speed && !has_direction) {
     reader.error(node.find("speed")->key,
-                 fmt::format("{} has no direction (give the key direction as well)", reader.name_of("speed")));
+                 fmt::format("{} has no direction: give the key direction as well", reader.name_of("speed")));
     return false;
   }
   return wall.speed || !refuse("direction", "the wall has no speed");

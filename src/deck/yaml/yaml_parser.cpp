@@ -175,8 +175,8 @@ std::string explain(const std::string& reason, const TreeBuilder& builder) {
   if (reason == "end of map flow not found") return unclosed("{") + " or a comma is missing";
   if (reason == "illegal flow end") return "this bracket closes nothing, or one opened before it is still open";
   if (reason == "illegal EOF in scalar") return "a quote is not closed";
-  if (reason == "unknown token") return "a value cannot begin with this character; put it in quotes";
-  if (reason == "illegal map value") return "a ':' does not belong here; check the line above it and its indentation";
+  if (reason == "unknown token") return "a value cannot begin with this character: put it in quotes";
+  if (reason == "illegal map value") return "a ':' does not belong here: check the line above it and its indentation";
   if (reason.starts_with("the referenced anchor is not defined"))  // yaml-cpp 0.8 adds the name
     return "aliases are not supported; to begin a text with '*', put it in quotes";
   return reason;

@@ -9,9 +9,9 @@
 #include <set>
 #include <vector>
 
-#include "src/mesh/files/passed_over.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/files/unread_words.hpp"
 #include "src/mesh/formats/abaqus_lines.hpp"
 
 namespace percuss {
@@ -62,7 +62,7 @@ class AbaqusReader {
 
   std::unique_ptr<MeshFile> read() {
     while (lines_.next_keyword()) read_keyword(lines_.keyword());
-    if (!passed_over_.empty()) builder_.add_note(describe_passed_over(passed_over_, "*"));
+    if (!unread_.empty()) builder_.add_note(describe_unread(unread_, "*"));
     return std::make_unique<TextMesh>(builder_.finish(list_abaqus_kinds()));
   }
 
@@ -84,7 +84,7 @@ class AbaqusReader {
       lines_.refuse("the file has several parts (one part with one instance is read): export the mesh as a flat one");
     for (const char* word : {"HEADING", "PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "END INSTANCE", "PREPRINT"})
       if (keyword == word) return;
-    passed_over_.insert(keyword);
+    unread_.insert(keyword);
   }
 
   /// One with its part where the part stands.
@@ -92,7 +92,7 @@ class AbaqusReader {
     if (++instances_ > 1)
       lines_.refuse(
           "the file has several instances (one part with one instance is read): export the mesh as a flat one");
-    while (lines_.next_data()) lines_.refuse("the instance is moved (move the part with `at` of the deck)");
+    while (lines_.next_data()) lines_.refuse("the instance is moved: move the part with `at` of the deck");
   }
 
   /// Names do not tell capitals from small letters, nor where a set is that one instance has.
@@ -109,7 +109,7 @@ class AbaqusReader {
   void read_nodes() {
     refuse_file();
     const std::string system = to_upper(lines_.parameter("SYSTEM"));
-    if (!system.empty() && system != "R") lines_.refuse("*NODE with SYSTEM is not read (give global coordinates)");
+    if (!system.empty() && system != "R") lines_.refuse("*NODE with SYSTEM is not read: give global coordinates");
     const std::string set = lines_.parameter("NSET");
     while (lines_.next_data()) {
       const std::int64_t id = lines_.integer(0);
@@ -197,7 +197,7 @@ class AbaqusReader {
     const std::string given = lines_.parameter("NAME"), type = to_upper(lines_.parameter("TYPE"));
     if (given.empty()) lines_.refuse("*SURFACE has no NAME");
     if (!type.empty() && type != "ELEMENT" && type != "NODE") {
-      passed_over_.insert("SURFACE, TYPE=" + type);
+      unread_.insert("SURFACE, TYPE=" + type);
       return;
     }
     const std::string name = find_name(given);
@@ -233,7 +233,7 @@ class AbaqusReader {
   TextBuilder builder_;
   AbaqusLines lines_;
   std::map<std::string, std::string> names_;  // as they stand first, by the same in capitals
-  std::set<std::string> passed_over_;
+  std::set<std::string> unread_;
   std::int64_t blocks_ = 0;
   int parts_ = 0, instances_ = 0;
 };

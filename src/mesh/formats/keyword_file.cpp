@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "src/mesh/files/passed_over.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/files/unread_words.hpp"
 #include "src/mesh/formats/keyword_cards.hpp"
 #include "src/mesh/topology/collapsed_hexahedron.hpp"
 
@@ -52,7 +52,7 @@ class KeywordReader {
   std::unique_ptr<MeshFile> read() {
     while (cards_.next_keyword()) read_keyword(cards_.keyword());
     for (const auto& [id, title] : titles_) builder_.rename_blocks(id, title);
-    if (!passed_over_.empty()) builder_.add_note(describe_passed_over(passed_over_, "*"));
+    if (!unread_.empty()) builder_.add_note(describe_unread(unread_, "*"));
     return std::make_unique<TextMesh>(
         builder_.finish("hexahedra, wedges, pyramids and tetrahedra of four or ten nodes, shells of three and four "
                         "nodes, beams of two nodes"));
@@ -70,7 +70,7 @@ class KeywordReader {
     if (keyword.starts_with("SET_")) return read_set(keyword);
     refuse_changes(keyword);
     if (keyword.starts_with("ELEMENT_")) return read_other_elements(keyword);
-    if (keyword != "KEYWORD" && keyword != "TITLE") passed_over_.insert(keyword);
+    if (keyword != "KEYWORD" && keyword != "TITLE") unread_.insert(keyword);
   }
 
   /// What would change the mesh that is read.
@@ -87,7 +87,7 @@ class KeywordReader {
       if (strip_blanks(cards_.line()).empty()) continue;
       cards_.cut(node_widths);
       builder_.add_node(cards_.integer(0), {cards_.real(1), cards_.real(2), cards_.real(3)}, cards_.place());
-      if (cards_.integer(4) != 0 || cards_.integer(5) != 0) passed_over_.insert("NODE (constraints TC, RC)");
+      if (cards_.integer(4) != 0 || cards_.integer(5) != 0) unread_.insert("NODE (constraints TC, RC)");
     }
   }
 
@@ -192,7 +192,7 @@ class KeywordReader {
       cards_.cut(element_widths);
       const std::int64_t id = cards_.integer(0), part = cards_.integer(1);
       const std::array<std::int64_t, 2> nodes{cards_.integer(2), cards_.integer(3)};
-      if (cards_.integer(4) != 0) passed_over_.insert("ELEMENT_BEAM (third node)");
+      if (cards_.integer(4) != 0) unread_.insert("ELEMENT_BEAM (third node)");
       const TextKind kind{"ELEMENT_BEAM", TopologyKind::line2, 2, IdSpace::beams};
       builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, cards_.place());
     }
@@ -245,10 +245,10 @@ class KeywordReader {
     take_suffix(keyword, "_LIST");
     if (keyword != "SET_NODE" && keyword != "SET_PART" && keyword != "SET_SHELL" && keyword != "SET_SOLID" &&
         keyword != "SET_SEGMENT") {
-      passed_over_.insert(cards_.keyword());
+      unread_.insert(cards_.keyword());
       return;
     }
-    if (is_collected) cards_.refuse(fmt::format("*{} is not read (write its members in one list)", cards_.keyword()));
+    if (is_collected) cards_.refuse(fmt::format("*{} is not read: write its members in one list", cards_.keyword()));
     std::string title;
     if (has_title && cards_.next_line()) title = strip_blanks(cards_.line());
     if (!cards_.next_line()) return;
@@ -306,7 +306,7 @@ class KeywordReader {
   KeywordCards cards_;
   std::map<std::int64_t, std::string> titles_;  // of parts
   std::map<std::pair<std::string, std::int64_t>, std::string> other_kinds_;
-  std::set<std::string> passed_over_;
+  std::set<std::string> unread_;
 };
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& 
     return fmt::format("is a beam (beams take no {} from files)", row.stress != nullptr           ? "stress"
                                                                   : row.plastic_strain != nullptr ? "plastic strain"
                                                                                                   : "temperature");
-  if (dimension == 3 && layer > 0) return "is no shell and has no layers (leave out the column layer)";
+  if (dimension == 3 && layer > 0) return "is no shell and has no layers: leave out the column layer";
   if (layer > points) return fmt::format("has no layer {} (it has {})", layer, points);
   return "";
 }

@@ -15,6 +15,7 @@
 #include "src/output/files/first_rank.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/step/initial/start_fields.hpp"
+#include "src/step/inverted_corners.hpp"
 #include "src/step/mass/mass_scaling.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/phases.hpp"
@@ -24,7 +25,6 @@
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/run_totals.hpp"
 #include "src/step/run/stop_request.hpp"
-#include "src/step/turned_corners.hpp"
 
 namespace percuss {
 namespace {
@@ -328,8 +328,8 @@ void Run::observe() {
 }
 
 void Run::look_at_corners() {
-  const std::vector<std::int64_t> counts = count_turned_corners(chunked_, model_, state_);
-  warnings_.renew(describe_turned_corners(counts, chunked_.mesh.parts, state_.time));
+  const std::vector<std::int64_t> counts = count_inverted_corners(chunked_, model_, state_);
+  warnings_.renew(describe_inverted_corners(counts, chunked_.mesh.parts, state_.time));
 }
 
 /// Whoever interrupts a run may end it by force a second later: what is needed to go on comes first, then what tells

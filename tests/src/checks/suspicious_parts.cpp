@@ -318,7 +318,7 @@ std::vector<SuspiciousDeck> contact_decks() {
        "wall_thickness",
        "{point: [0, 0, -0.005]",
        {{"[0, 0, -0.01], normal: z", "[0, 0, -0.005], normal: z"}},
-       {{"[0, 0, -0.01], normal: z", "[0, 0, -0.005], normal: z, thickness: seen"}}},
+       {{"[0, 0, -0.01], normal: z", "[0, 0, -0.005], normal: z, thickness: included"}}},
       {"SheetWithItsMiddleOnTheWall",
        "wall_thickness",
        "{point: [0, 0, -0.005]",

@@ -104,7 +104,7 @@ imperfections:
   - {{nodes: block, noise: {{amplitude: 1e-5}}, direction: [1, 1, 1]}}
 added_mass: [{{nodes: sheet, mass: 0.1, spread: evenly}}, {{nodes: block/z_max, mass: 2}}]
 initial: [{{velocity: [0, 1, -20]}}]
-walls: [{{normal: z, thickness: seen}}]
+walls: [{{normal: z, thickness: included}}]
 )yaml"));
   step_and_compare(scenes, 60);
   EXPECT_EQ(scenes.together.state.total_mass, scenes.alone.state.total_mass);

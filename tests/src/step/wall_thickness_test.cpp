@@ -39,7 +39,7 @@ double find_lowest(const std::string& deck, int steps) {
 }  // namespace
 
 TEST(WallThickness, SeenKeepsNodesHalfAThicknessAway) {
-  EXPECT_NEAR(find_lowest(write_plate(0.00205, ", thickness: seen"), 40), 0.002, 1e-8);
+  EXPECT_NEAR(find_lowest(write_plate(0.00205, ", thickness: included"), 40), 0.002, 1e-8);
 }
 
 TEST(WallThickness, IgnoredLetsThemComeToTheMesh) {
@@ -53,7 +53,7 @@ TEST(WallThickness, ActsFromTheSideOfTheBodies) {
 time: {{end: 1}}
 parts: {{plate: {{shell_plate: {{size: [0.1, 0.1], cells: [4, 4]}}, thickness: 0.004, at: [0, 0, -0.00205], material: steel}}}}
 initial: [{{velocity: [0, 0, 10]}}]
-walls: [{{normal: -z, thickness: seen}}]
+walls: [{{normal: -z, thickness: included}}]
 )yaml") + steel_text;
   Scene scene(deck);
   scene.run(40);
@@ -67,7 +67,7 @@ parts:
   plate: {shell_plate: {size: [0.1, 0.1], cells: [4, 4]}, thickness: 0.004, at: [0, 0, 0.00205], material: steel}
   block: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [0, 0.2, 0.00005], material: steel}
 initial: [{velocity: [0, 0, -10]}]
-walls: [{normal: z, thickness: seen}]
+walls: [{normal: z, thickness: included}]
 )yaml" + steel_text;
   Scene scene(deck);
   scene.run(0);
@@ -84,7 +84,7 @@ walls: [{normal: z, thickness: seen}]
 }
 
 TEST(WallThickness, OverlapAtTheStartIsTold) {
-  Scene scene(write_plate(0.0005, ", thickness: seen"));
+  Scene scene(write_plate(0.0005, ", thickness: included"));
   EXPECT_THAT(scene.contact.prepare(scene.state.x, scene.state.v),
               testing::AllOf(testing::HasSubstr("25 contact nodes overlap a wall at the start, deepest 0.0015"),
                              testing::HasSubstr("accepted as the reference")));

@@ -218,7 +218,7 @@ walls: [{{sphere: {{radius: 0.2}}{}}}]
     }
     return lowest;
   };
-  EXPECT_NEAR(find_lowest(", thickness: seen"), 0.202, 1e-8);
+  EXPECT_NEAR(find_lowest(", thickness: included"), 0.202, 1e-8);
   EXPECT_LT(find_lowest(""), 0.2019);
 }
 

@@ -103,7 +103,7 @@ TEST(WallSleep, WallsThatSeeTheThicknessOfShells) {
 time: {end: 1}
 parts: {plate: {shell_plate: {size: [0.1, 0.1], cells: [10, 10]}, thickness: 4e-3, material: steel, at: [0, 0, 2.05e-3]}}
 initial: [{velocity: [0, 0, -20]}]
-walls: [{normal: z, thickness: seen}, {sphere: {radius: 0.05}, point: [0.02, 0.03, 0.0545], thickness: seen}]
+walls: [{normal: z, thickness: included}, {sphere: {radius: 0.05}, point: [0.02, 0.03, 0.0545], thickness: included}]
 )yaml" + steel,
                                      "", 100);
   EXPECT_GT(sums.interactions, 100);

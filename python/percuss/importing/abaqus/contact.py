@@ -34,7 +34,7 @@ def read_tie(deck: AbaqusDeck, block: Block) -> None:
             entry["rotations"] = True
         if deck.ledger.allows("TIE.empty"):  # found by the run, which knows the reach
             entry["empty"] = "ignore"
-            deck.ledger.approximated("TIE.empty", place, "a tie in reach of nothing is told by the run, and ignored")
+            deck.ledger.approximated("TIE.empty", place, "a tie in reach of nothing is reported by the run, and ignored")
         deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
         deck.ledger.approximated("TIE", place, "contact.ties: gaps stay as they are")
 

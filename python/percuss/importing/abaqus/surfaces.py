@@ -145,7 +145,7 @@ def finish_wall(deck: AbaqusDeck, group: RigidGroup) -> None:
     if shape is None or not moves_as_wall(group, shape, moved):
         add_shells(deck, group, profile, friction)
         return
-    wall |= {**shape.keys, "thickness": "seen"}
+    wall |= {**shape.keys, "thickness": "included"}
     if friction:
         wall["friction"] = friction
     for direction, motion in moved:

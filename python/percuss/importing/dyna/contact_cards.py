@@ -472,7 +472,7 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         entry["sticks"] = "on_contact"
     if deck.ledger.allows("CONTACT_TIED.empty"):  # found by the run, which knows the reach
         entry["empty"] = "ignore"
-        deck.ledger.approximated("CONTACT_TIED.empty", contact.place, "a tie in reach of nothing is told by the run, and ignored")
+        deck.ledger.approximated("CONTACT_TIED.empty", contact.place, "a tie in reach of nothing is reported by the run, and ignored")
     deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
     deck.ledger.approximated(
         contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is 0.6 of both thicknesses, or percuss' if that is larger"

@@ -184,7 +184,7 @@ def check_shells(deck: KeywordDeck, card: Card) -> None:
     while reader.skip_blank():
         row = reader.row("PSID~output IFAUTO CONVEX~output ADPT~adaptive ARATIO~output ANGLE~output SMIN~output")
         row.finish(deck.ledger, "bad elements stay as they are")
-    deck.ledger.ignored(card.keyword, card.place, "percuss check tells of bad elements")
+    deck.ledger.ignored(card.keyword, card.place, "percuss check reports bad elements")
 
 
 def apply_relaxation(deck: KeywordDeck, card: Card) -> None:

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "src/mesh/files/passed_over.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/files/unread_words.hpp"
 #include "src/mesh/formats/nastran/nastran_cards.hpp"
 #include "src/mesh/formats/nastran/nastran_names.hpp"
 #include "src/mesh/formats/nastran/nastran_sets.hpp"
@@ -75,7 +75,7 @@ class NastranReader {
     set_thicknesses();
     for (const auto& [id, name] : named_.list_properties()) builder_.rename_blocks(id, name);
     give_sets();
-    if (!passed_over_.empty()) builder_.add_note(describe_passed_over(passed_over_, ""));
+    if (!unread_.empty()) builder_.add_note(describe_unread(unread_, ""));
     return std::make_unique<TextMesh>(builder_.finish(list_nastran_kinds()));
   }
 
@@ -123,17 +123,17 @@ class NastranReader {
     if (name == "SET" || name == "SET1" || name == "SET3") return read_set();
     if (is_among(name, refused)) cards_.refuse(fmt::format("{} is not read (it changes the mesh)", name));
     if ((name == "BAROR" || name == "BEAMOR") && !cards_.is_blank(1))
-      cards_.refuse(fmt::format("{} with a property is not read (give each bar its own)", name));
+      cards_.refuse(fmt::format("{} with a property is not read: give each bar its own", name));
     if (is_among(name, other_elements)) return add_other(name, cards_.place());
     if (name.starts_with('C') || name.starts_with("RBE") || name == "PLOTEL") {
       if (const auto id = parse_integer(cards_.field(0))) ids_.others.push_back(*id);
     }
-    if (name != "PSOLID") passed_over_.insert(name);
+    if (name != "PSOLID") unread_.insert(name);
   }
 
   void read_set() {
     const std::string left = sets_.read_card(cards_);
-    if (!left.empty()) passed_over_.insert(left);
+    if (!left.empty()) unread_.insert(left);
   }
 
   /// A constraint, a superelement or another system for displacements do not move the point.
@@ -143,14 +143,14 @@ class NastranReader {
     if (!cards_.is_blank(1)) grid.system = cards_.integer(1);
     grid.x = {cards_.real(2), cards_.real(3), cards_.real(4)};
     grid.place = cards_.place();
-    if (cards_.integer(5) != 0) passed_over_.insert("GRID (CD)");
-    if (cards_.integer(6) != 0) passed_over_.insert("GRID (PS)");
+    if (cards_.integer(5) != 0) unread_.insert("GRID (CD)");
+    if (cards_.integer(6) != 0) unread_.insert("GRID (PS)");
     if (cards_.integer(7) != 0) cards_.refuse("a grid point is of a superelement (these are not read)");
   }
 
   void read_grid_defaults() {
     default_system_ = cards_.integer(1);
-    if (cards_.integer(6) != 0) passed_over_.insert("GRDSET (PS)");
+    if (cards_.integer(6) != 0) unread_.insert("GRDSET (PS)");
   }
 
   void add_grids() {
@@ -224,7 +224,7 @@ class NastranReader {
   void read_shell_fields(int block, std::size_t corners) {
     constexpr std::size_t flag = 9, first = 10;
     if (cards_.real(corners + 3) != 0)
-      passed_over_.insert(cards_.name() + " (ZOFFS, which `reference` of the part may stand for)");
+      unread_.insert(cards_.name() + " (ZOFFS, which `reference` of the part may stand for)");
     CornerThicknesses of{block,
                          counts_[static_cast<std::size_t>(block)] - 1,
                          corners,
@@ -240,11 +240,11 @@ class NastranReader {
   void note_bar_fields() {
     if (cards_.name() != "CBAR" && cards_.name() != "CBEAM") return;
     for (std::size_t i = 4; i < 7; ++i)
-      if (!cards_.is_blank(i)) passed_over_.insert(cards_.name() + " (orientation)");
+      if (!cards_.is_blank(i)) unread_.insert(cards_.name() + " (orientation)");
     for (std::size_t i = 8; i < 10; ++i)
-      if (!cards_.is_blank(i)) passed_over_.insert(cards_.name() + " (pin flags)");
+      if (!cards_.is_blank(i)) unread_.insert(cards_.name() + " (pin flags)");
     for (std::size_t i = 10; i < 16; ++i)
-      if (cards_.real(i) != 0) passed_over_.insert(cards_.name() + " (offsets)");
+      if (cards_.real(i) != 0) unread_.insert(cards_.name() + " (offsets)");
   }
 
   /// Elements that cannot be run, by the line of their first.
@@ -294,7 +294,7 @@ class NastranReader {
       std::sort(ids->begin(), ids->end());
       ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
     }
-    sets_.give(ids_, named_, builder_, passed_over_);
+    sets_.give(ids_, named_, builder_, unread_);
   }
 
   TextBuilder builder_;
@@ -310,7 +310,7 @@ class NastranReader {
   std::map<std::int64_t, double> thicknesses_;  // of PSHELL by id; 0: none
   std::vector<CornerThicknesses> corner_thicknesses_;
   std::map<std::pair<std::string, std::int64_t>, std::string> other_kinds_;
-  std::set<std::string> passed_over_;
+  std::set<std::string> unread_;
 };
 
 }  // namespace

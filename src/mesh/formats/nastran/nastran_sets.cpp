@@ -138,8 +138,8 @@ bool NastranSets::holds(const Set& set, const std::vector<std::int64_t>& ids,
 }
 
 void NastranSets::give(const NastranIds& ids, const NastranNames& named, TextBuilder& to,
-                       std::set<std::string>& passed_over) const {
-  if (has_other_sets_) passed_over.insert("SET (of no ids)");
+                       std::set<std::string>& unread) const {
+  if (has_other_sets_) unread.insert("SET (of no ids)");
   for (const auto& [id, set] : sets_) {
     const NastranSetKind kind = set.kind == NastranSetKind::unknown ? named.find_kind(id) : set.kind;
     const bool is_open = kind == NastranSetKind::unknown;
@@ -164,7 +164,7 @@ void NastranSets::give(const NastranIds& ids, const NastranNames& named, TextBui
       for (const auto& [property, place] : list(set, ids.properties)) to.add_set_block(name, property, place);
     }
     if (!of_nodes && !of_elements && kind != NastranSetKind::properties)
-      passed_over.insert("SET (of other ids than those of nodes or elements)");
+      unread.insert("SET (of other ids than those of nodes or elements)");
   }
 }
 

@@ -32,9 +32,8 @@ class NastranSets {
   /// An entry SET, SET1 or SET3. Returns what it has that is not read; empty: all is. Throws InputError.
   std::string read_card(const NastranCards& card);
 
-  /// Adds them to the mesh; what is not read goes to passed_over.
-  void give(const NastranIds& ids, const NastranNames& named, TextBuilder& to,
-            std::set<std::string>& passed_over) const;
+  /// Adds them to the mesh; what is not read goes to unread.
+  void give(const NastranIds& ids, const NastranNames& named, TextBuilder& to, std::set<std::string>& unread) const;
 
  private:
   struct Member {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "src/mesh/files/passed_over.hpp"
+#include "src/mesh/files/unread_words.hpp"
 
 namespace percuss {
 namespace {
@@ -227,7 +227,7 @@ void VtkGridMesh::note_arrays(std::size_t skipped) {
     for (const VtkArray& array : *arrays)
       if (!known_.contains(array.name)) others.insert(array.name);
   if (skipped > 0) to_.notes.push_back(fmt::format("{} cells that are points are left out", skipped));
-  if (!others.empty()) to_.notes.push_back(describe_passed_over(others, ""));
+  if (!others.empty()) to_.notes.push_back(describe_unread(others, ""));
 }
 
 }  // namespace percuss

@@ -1,6 +1,6 @@
 // Elements whose corners are inside out, counted over ranks.
 
-#include "src/step/turned_corners.hpp"
+#include "src/step/inverted_corners.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct MovedNodes {
     }
     Kokkos::deep_copy(scene.state.x, x);
   }
-  std::vector<std::int64_t> count() const { return count_turned_corners(scene.chunked, scene.model, scene.state); }
+  std::vector<std::int64_t> count() const { return count_inverted_corners(scene.chunked, scene.model, scene.state); }
 
   Scene scene;
 };
@@ -77,8 +77,8 @@ TEST(TurnedCorners, OfDeadElementsDoNotCount) {
 
 TEST(TurnedCorners, AreToldByPartWithTheirNumber) {
   const std::vector<MeshPart> parts = {{"block"}, {"cube"}, {"plate"}};
-  EXPECT_THAT(describe_turned_corners({0, 0, 0}, parts, 0.25), IsEmpty());
-  const std::vector<Warning> warnings = describe_turned_corners({3, 1, 0}, parts, 0.5);
+  EXPECT_THAT(describe_inverted_corners({0, 0, 0}, parts, 0.25), IsEmpty());
+  const std::vector<Warning> warnings = describe_inverted_corners({3, 1, 0}, parts, 0.5);
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_THAT(format_warning(warnings[0]), StartsWith("part 'block': warning: 3 elements have an inverted corner ("));
   EXPECT_THAT(format_warning(warnings[1]), StartsWith("part 'cube': warning: 1 element has an inverted corner ("));

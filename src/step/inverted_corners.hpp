@@ -15,10 +15,10 @@ namespace percuss {
 
 /// Living hexahedra of all ranks at whose worst corner the Jacobian is negative (by more than 1e-10 of the product of
 /// the edges there), [parts]. Collective.
-std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const Model& model, const State& state);
+std::vector<std::int64_t> count_inverted_corners(const ChunkedMesh& chunked, const Model& model, const State& state);
 
-/// A warning for each part that has any. counts: of count_turned_corners(); parts: their names; time: of the state.
-std::vector<Warning> describe_turned_corners(const std::vector<std::int64_t>& counts,
-                                             const std::vector<MeshPart>& parts, double time);
+/// A warning for each part that has any. counts: of count_inverted_corners(); parts: their names; time: of the state.
+std::vector<Warning> describe_inverted_corners(const std::vector<std::int64_t>& counts,
+                                               const std::vector<MeshPart>& parts, double time);
 
 }  // namespace percuss

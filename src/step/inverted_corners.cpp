@@ -1,4 +1,4 @@
-#include "src/step/turned_corners.hpp"
+#include "src/step/inverted_corners.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 /// Of the product of the edges at a corner: what the checks of a mesh call zero.
 constexpr double zero_jacobian = 1e-10;
 
-bool has_turned_corner(const Topology& topology, const HexCorners& x) {
+bool has_inverted_corner(const Topology& topology, const HexCorners& x) {
   for (int corner = 0; corner < topology.corner_count; ++corner) {
     const CornerJacobian jacobian = find_corner_jacobian(topology, x, corner);
     if (jacobian.value < -zero_jacobian * jacobian.edge_product) return true;
@@ -24,7 +24,7 @@ bool has_turned_corner(const Topology& topology, const HexCorners& x) {
 
 }  // namespace
 
-std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const Model& model, const State& state) {
+std::vector<std::int64_t> count_inverted_corners(const ChunkedMesh& chunked, const Model& model, const State& state) {
   const Mesh& mesh = chunked.mesh;
   const auto places = to_host(state.x);
   std::vector<std::int64_t> counts(mesh.parts.size(), 0);
@@ -36,14 +36,14 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
       const auto n = static_cast<std::size_t>(node);
       return Vec3{places(n, 0), places(n, 1), places(n, 2)};
     });
-    if (has_turned_corner(topology, x)) ++counts[static_cast<std::size_t>(mesh.part_of(e))];
+    if (has_inverted_corner(topology, x)) ++counts[static_cast<std::size_t>(mesh.part_of(e))];
   }
   all_reduce(model.ranks, Reduce::sum, counts);
   return counts;
 }
 
-std::vector<Warning> describe_turned_corners(const std::vector<std::int64_t>& counts,
-                                             const std::vector<MeshPart>& parts, double time) {
+std::vector<Warning> describe_inverted_corners(const std::vector<std::int64_t>& counts,
+                                               const std::vector<MeshPart>& parts, double time) {
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < counts.size(); ++p) {
     if (counts[p] == 0) continue;

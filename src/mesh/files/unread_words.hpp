@@ -8,6 +8,6 @@
 namespace percuss {
 
 /// "*MATERIAL, *STEP and 3 more of the file are not read (the mesh alone is)"; mark: what stands before each word.
-std::string describe_passed_over(const std::set<std::string>& words, std::string_view mark);
+std::string describe_unread(const std::set<std::string>& words, std::string_view mark);
 
 }  // namespace percuss

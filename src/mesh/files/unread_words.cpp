@@ -1,4 +1,4 @@
-#include "src/mesh/files/passed_over.hpp"
+#include "src/mesh/files/unread_words.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 namespace percuss {
 
-std::string describe_passed_over(const std::set<std::string>& words, std::string_view mark) {
+std::string describe_unread(const std::set<std::string>& words, std::string_view mark) {
   constexpr std::size_t most = 12;
   std::string text;
   std::size_t count = 0;
