@@ -353,7 +353,7 @@ class Findings(OfARun):
         findings = self.find(spoil)
         self.assertRegex(judge_trust(run, findings), r"^With care: .* \d points? below")
         self.assertIn("Check it (friction, deck.yaml:3:4).", list_changes(findings))
-        self.assertIn("Find the time at which energy_error of the history grows; lower time.step_scale.", list_changes(findings))
+        self.assertIn("Find the time at which energy_error of the history grows, and lower time.step_scale.", list_changes(findings))
         self.assertRegex(judge_trust(run, self.find(lambda summary: summary.update(status="failed", error="it burst."))), "^No: The run failed: it burst.")
         calm = [finding for finding in findings if finding.level == GOOD]
         self.assertRegex(judge_trust(run, calm), "^As far as balances tell, yes")

@@ -96,14 +96,14 @@ std::vector<WrongDeck> missing_keys() {
        "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"
        "output: {fields: {every: 1, write: [stress_point_3, equivalent_plastic_strain_point_4]}}\n",
        "4:53",
-       "output.fields.write has equivalent_plastic_strain_point_4 (shells have at most 3 points; set "
+       "output.fields.write has equivalent_plastic_strain_point_4 (shells have at most 3 points): set "
        "parts.NAME.points"},
       {"PointFieldOfAnElasticShell",
        "time: {end: 1.0}\n"
        "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}}\n"
        "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"
        "output: {fields: {every: 1, write: [stress_point_4]}}\n",
-       "4:37", "output.fields.write has stress_point_4 (shells have at most 3 points; set parts.NAME.points for more"},
+       "4:37", "output.fields.write has stress_point_4 (shells have at most 3 points): set parts.NAME.points for more"},
       {"GlobalStepOfShells",
        "time: {end: 1.0, step_estimate: global}\n"
        "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}}\n"

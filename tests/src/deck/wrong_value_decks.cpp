@@ -71,7 +71,7 @@ std::vector<WrongDeck> wrong_numbers() {
       {"SpringThatPushesAndPulls", append("springs: {s: {between: [rod, rod], stiffness: 1, acts: pull}}"), "6:56",
        "acts is 'pull' in spring 's' (must be both | tension | compression"},
       {"WallThicknessInNumbers", append("walls: [{normal: z, thickness: 0.1}]"), "6:32",
-       "walls.0.thickness is 0.1 (must be ignored | seen)"},
+       "walls.0.thickness is 0.1 (must be ignored | included)"},
       {"UnknownEstimate", change("step_scale: 0.9", "step_estimate: mesh"), "1:33",
        "time.step_estimate is 'mesh' (must be element | global)"},
       {"DecimalCommaPlain", change("{end: 1.0, step_scale: 0.9}", "\n  end: 1,5"), "2:8", "decimals take a point: 1.5"},
