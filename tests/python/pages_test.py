@@ -40,6 +40,11 @@ class Pages(unittest.TestCase):
         self.assertEqual(faults, [])
         self.assertGreater(count, 100)
 
+    def test_units_of_info_without_a_table_are_refused(self):
+        done = subprocess.run([PERCUSS, "info", str(ROOT), "--units", "mm, kg, ms"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--units: has no effect without --energies or --forces", done.stderr)
+
     def test_finds_an_option_that_is_not_there(self):
         calls = list(list_calls("    percuss plot rubber --x a \\\n      --y plate_z   # --z\n"))
         self.assertEqual(calls, [("plot", "--x"), ("plot", "--y")])
