@@ -67,6 +67,8 @@ PROOFS = [
           [("kinetic", LAST, 0.0, 1e-12)], "1 holds the rotation about x"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: ID DOF VAD LCID SF", deck(cube(), EVERYTHING, MOVE.format(dof=2, vad=0, sf=40.0, more=""), CONSTANT),
           [("momentum_y", ALL, 40.0 * CUBE_MASS, 1e-9)], "a velocity"),
+    *(Proof("BOUNDARY_PRESCRIBED_MOTION_SET: LCID; DEFINE_CURVE: SIDR", deck(cube(), EVERYTHING, MOVE.format(dof=dof, vad=0, sf=1.0, more=""), "\n" * (dof > 9), curve(7, (0, 1.0), (1, 1.0), more=",1")),
+            refused="of dynamic relaxation alone", messages=1) for dof in (2, 10)),
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: VAD", deck(cube(), EVERYTHING, MOVE.format(dof=3, vad=2, sf=2.0, more=""), curve(7, (0, 0.0), (1e-5, 0.02))),
           [("momentum_z", LAST, 4000.0 * CUBE_MASS, 1e-6)], "a displacement of 0.04 in 1e-5 s"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: VAD", deck(cube(), EVERYTHING, MOVE.format(dof=1, vad=1, sf=1.0, more=""), curve(7, (0, 1e8), (5e-6, 1e8)), velocity(200.0)),

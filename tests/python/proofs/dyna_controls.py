@@ -128,6 +128,9 @@ SECTIONS = [
           [(largest_moment, LAST, YOUNG * 7.0 * 2 * TURN / 10.0, 1e-2)], "about z, which is s"),
     Proof("SECTION_BEAM: J", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0\n", TWISTED, end=END),
           [(magnitude("element_1_torque"), LAST, SHEAR * 13.0 * 2 * TURN / 10.0, 1e-2)], "G J times the twist"),
+    *(Proof(word, beam("*SECTION_BEAM\n1,2\n2.0,3.0,3.0\n", FLYING).replace("*ELEMENT_BEAM\n1,1,1,2,3\n", f"*{word}\n1,1,1,2,3\n7,8\n{line}"),
+            [("momentum_x", FIRST, 100.0 * 2.0 * 10.0 * DENSITY, 1e-6)], "PID1 and PID2 say what a spot weld holds")
+      for word, line in (("ELEMENT_BEAM_PID", ""), ("ELEMENT_BEAM_PID_ORIENTATION", "0,0,1.0\n"))),
     Proof("ELEMENT_BEAM_ORIENTATION: VX VY VZ",
           beam("*SECTION_BEAM\n1,1,1.0,2,0\n2.0,2.0,3.0,3.0\n", FLYING).replace("*ELEMENT_BEAM\n1,1,1,2,3\n", "*ELEMENT_BEAM_ORIENTATION\n1,1,1,2\n0,0,1.0\n"),
           [("momentum_x", FIRST, 100.0 * DENSITY * 60.0, 1e-9)], "the vector in place of N3"),
@@ -199,6 +202,10 @@ CONTROLS = [
     Proof("CONTROL_RIGID: GJADSTF GJADVSC TJADSTF TJADVSC", deck(cube(), "*CONTROL_RIGID\n\n0,1.0\n"), refused="GJADSTF"),
     Proof("CONTROL_FORMING_AUTOPOSITION_PARAMETER", deck(cube(), "*CONTROL_FORMING_AUTOPOSITION_PARAMETER\n1\n"), refused="parts stay where the deck has them"),
     Proof("CONTROL_STAGED_CONSTRUCTION", deck(cube(), "*CONTROL_STAGED_CONSTRUCTION\n1\n"), refused="all parts act"),
+    Proof("CONTROL_ADAPTIVE", deck(cube(), velocity(30.0), "*CONTROL_ADAPTIVE\n1e-6,0.2,2,3\n"), [("momentum_x", ALL, 30.0 * CUBE_MASS, 1e-9)], "no part is adaptive"),
+    Proof("CONTROL_ADAPTIVE; PART: ADPOPT", deck(cube().replace("part_1\n1,1,1", "part_1\n1,1,1,0,0,0,1"), "*CONTROL_ADAPTIVE\n1e-6,0.2,2,3\n"), refused="CONTROL_ADAPTIVE", messages=1),
+    Proof("INITIAL_STRAIN_SOLID", deck(cube(), velocity(30.0), "*INITIAL_STRAIN_SOLID\n1\n0.1,0,0,0,0,0\n"), [("internal", ALL, 0.0, 1e-15), ("momentum_x", ALL, 30.0 * CUBE_MASS, 1e-9)], "strains of an earlier stage give no stress"),
+    Proof("RIGIDWALL_FORCE_TRANSDUCER; DEFINE_FILTER", deck(cube(), velocity(30.0), "*RIGIDWALL_FORCE_TRANSDUCER\n1,2\n3\n*DEFINE_FILTER\n1,cfc\n180.0\n"), [("momentum_x", ALL, 30.0 * CUBE_MASS, 1e-9)], "output"),
     Proof("CONTROL_MAT", deck(cube(), "*CONTROL_MAT\n1\n"), refused="the failure of all materials acts"),
     Proof("CONTROL_START", deck(cube(), "*CONTROL_START\n1.0\n"), refused="time 0"),
 ]  # fmt: skip

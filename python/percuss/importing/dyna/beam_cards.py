@@ -14,7 +14,8 @@ MOST_DIRECTIONS = 64  # parts that one *PART may become by how its sections are 
 
 def read_beams(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1 N2 N3 RT1 RR1 RT2 RR2 LOCAL."""
-    if card.keyword not in ("ELEMENT_BEAM", "ELEMENT_BEAM_ORIENTATION"):
+    options = card.keyword.split("_")[2:]
+    if set(options) - {"ORIENTATION", "PID"}:
         deck.ledger.refuse(card.keyword, card.place, "this form of beam elements", "these elements are left out")
         return
     reader = card.reader()
@@ -28,14 +29,16 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
             raise BadInput(card.at(line[0]), f"beam {id} has the same node at both ends: correct it")
         if any(text not in ("", "0") for text in texts[5:9]):
             deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "the ends stay connected")
-        elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, read_toward(card, reader)))
+        if "PID" in options:
+            reader.take()
+            deck.ledger.approximated(card.keyword, card.place, "spot welds hold the nearest of the parts that their contact names, and not PID1 and PID2")
+        toward = read_toward(reader) if "ORIENTATION" in options else None
+        elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, toward))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
 
-def read_toward(card: Card, reader: Lines) -> Vector | None:
-    """The line VX VY VZ of _ORIENTATION; None without it, and where all are 0."""
-    if card.keyword == "ELEMENT_BEAM":
-        return None
+def read_toward(reader: Lines) -> Vector | None:
+    """The line VX VY VZ of _ORIENTATION; None where all are 0."""
     vector = tuple(reader.row("VX VY VZ").numbers("VX", "VY", "VZ"))
     return vector if any(vector) else None  # type: ignore[return-value]
 

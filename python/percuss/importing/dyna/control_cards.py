@@ -279,6 +279,8 @@ def read_other_control(deck: KeywordDeck, card: Card) -> None:
     """Controls without a counterpart."""
     words = card.keyword.removeprefix("CONTROL_")
     text = "decomposition" if words.startswith("MPP_") else HARMLESS.get(words)
+    if words == "ADAPTIVE" and not any(part.is_adaptive for part in deck.parts.values()):
+        text = "no part has ADPOPT"
     if text:
         deck.ledger.ignored(card.keyword, card.place, text)
         return

@@ -48,6 +48,7 @@ class PartCard:
     hourglass: int
     friction: float | None = None
     contact_thickness: float = 0.0  # OPTT
+    is_adaptive: bool = False  # ADPOPT
     inertia: dict | None = None  # of *PART_INERTIA: mass, center, inertia
     motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
 

@@ -10,7 +10,7 @@ from .condition_cards import AXES, hold_bodies, refuse_lost
 from .deck import KeywordDeck
 from .starting import find_body_start, find_node_start
 from .turn_cards import apply_turn
-from .windows import Window, add_motion, switch
+from .windows import Window, acts_in_run, add_motion, switch
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION"
 VELOCITY, ACCELERATION, DISPLACEMENT = 0, 1, 2
@@ -38,14 +38,6 @@ def list_values(deck: KeywordDeck, row: Row, curve: Curve, start: float | None) 
     return [(time, start + value) for time, value in order_points(integrate(points))]
 
 
-def scale_curve(curve: Curve, scale: float, end: float) -> Curve:
-    """The values of a curve in the run: 0 of one of dynamic relaxation alone."""
-    curve.is_of_time = True
-    if curve.relaxation == 1:
-        return Curve(curve.place, [(0.0, 0.0), (end, 0.0)])
-    return Curve(curve.place, [(x, scale * y) for x, y in curve.points], curve.expression and f"{scale!r} * ({curve.expression})")
-
-
 def name_dimension(kind: int, turns: bool) -> str:
     """Of a curve of VAD kind."""
     names = {VELOCITY: ("speed", "rate"), ACCELERATION: ("acceleration", "angular_acceleration")}
@@ -56,7 +48,11 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float, start:
     """A condition of percuss without what it acts on. start: velocity at time 0 in the direction; None: not known."""
     kind, birth = row.integer("VAD"), max(row.number("BIRTH"), 0.0)
     turns = direction.startswith("r")
-    curve = scale_curve(deck.curve(row.integer("LCID"), row.place, "time", name_dimension(kind, turns)), (row.number("SF") or 1.0) * sign, deck.end_time)
+    found = deck.curve(row.integer("LCID"), row.place, "time", name_dimension(kind, turns))
+    if not acts_in_run(deck, found, row.place):
+        return None
+    scale = (row.number("SF") or 1.0) * sign
+    curve = Curve(found.place, [(x, scale * y) for x, y in found.points], found.expression and f"{scale!r} * ({found.expression})")
     if kind not in (VELOCITY, ACCELERATION, DISPLACEMENT) or (curve.expression and (kind == ACCELERATION or (turns and kind == DISPLACEMENT) or birth)):
         deck.ledger.refuse(f"{CARD}.VAD", row.place, f"VAD {kind} in direction {direction}, of this curve", "the motion is left out")
         return None

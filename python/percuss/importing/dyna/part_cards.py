@@ -44,6 +44,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
             raise BadInput(row.place, f"there are two parts {id} (ids must be unique): renumber one")
         part = PartCard(id, title, row.place, row.integer("SECID"), row.integer("MID"), row.integer("EOSID"), row.integer("HGID"))
         row.finish(deck.ledger)
+        part.is_adaptive = row.number("ADPOPT") != 0
         deck.parts[id] = part
         read_part_options(deck, card, reader, part, options)
         deck.ledger.translated(card.keyword, row.place, "a part for each thickness, its blocks share nodes with others")

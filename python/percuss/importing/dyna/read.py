@@ -115,7 +115,10 @@ IGNORED = {
     "INTERFACE_SPRINGBACK_LSDYNA": "output at the end of the run", "INTERFACE_SPRINGBACK_NASTRAN": "output at the end of the run",
     "INTERFACE_SPRINGBACK_NIKE3D": "output at the end of the run", "INTERFACE_SPRINGBACK_EXCLUDE": "output at the end of the run",
     "DEFINE_PLANE": LISTENED, "DEFINE_REGION": LISTENED, "DEFINE_SD_ORIENTATION": LISTENED, "DEFINE_FRICTION": LISTENED,
-    "DEFINE_STOCHASTIC_VARIATION": LISTENED,
+    "DEFINE_STOCHASTIC_VARIATION": LISTENED, "DEFINE_FILTER": LISTENED, "DEFINE_CONNECTION_PROPERTIES": LISTENED, "DEFINE_SPOTWELD_FAILURE": LISTENED,
+    "DEFINE_SPOTWELD_RUPTURE_STRESS": LISTENED, "DEFINE_CONTACT_VOLUME": LISTENED, "DEFINE_GROUND_MOTION": LISTENED,
+    "RIGIDWALL_FORCE_TRANSDUCER": "output; percuss writes the force of each wall",
+    **{f"INITIAL_STRAIN_{kind}": "strains of an earlier stage, which are written and change no stress" for kind in ("SHELL", "SHELL_SET", "SOLID", "SOLID_SET", "TSHELL")},
 }  # fmt: skip
 # Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")

@@ -6,7 +6,7 @@ from ..model import Deck
 from .bodies import name_nodes, sort_nodes
 from .condition_cards import AXES, refuse_lost
 from .deck import KeywordDeck
-from .windows import Window, switch
+from .windows import Window, acts_in_run, switch
 
 CARD = "BOUNDARY_PRESCRIBED_MOTION"
 FIRST_TURN = 9  # DOF of a turn about x
@@ -16,6 +16,8 @@ def find_rate(deck: KeywordDeck, row: Row, birth: float) -> "float | Deck | None
     """The angular velocity over time; None: refused."""
     kind = row.integer("VAD")
     curve, scale = deck.curve(row.integer("LCID"), row.place, "time", "none" if kind else "rate"), row.number("SF") or 1.0
+    if not acts_in_run(deck, curve, row.place):
+        return None
     points = [(x, scale * y) for x, y in order_points(curve.points)]
     if curve.expression or kind not in (0, 2) or len(points) < 2:
         deck.ledger.refuse(f"{CARD}.VAD", row.place, f"DOF {row.integer('DOF')} with VAD {kind}, or of this curve", "the motion is left out")
@@ -26,8 +28,7 @@ def find_rate(deck: KeywordDeck, row: Row, birth: float) -> "float | Deck | None
     if kind == 2:
         deck.ledger.approximated(f"{CARD}.VAD", row.place, "the slope of the angle as an angular velocity; the angle stays where its curve ends")
         points = differentiate(points)
-    curve.is_of_time = True
-    return make_time_value(Curve(curve.place, points, relaxation=curve.relaxation), 1.0, deck.end_time, birth)
+    return make_time_value(Curve(curve.place, points), 1.0, deck.end_time, birth)
 
 
 def apply_turn(deck: KeywordDeck, row: Row, more: Row, card: str, nodes: list[int], is_set: bool) -> None:

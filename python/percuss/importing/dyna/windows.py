@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from ..curves import Points, differentiate, interpolate, order_points
+from ..curves import Curve, Points, differentiate, interpolate, order_points
+from ..ledger import Place
 from ..model import Deck
 from .deck import KeywordDeck
 
@@ -24,6 +25,15 @@ def name_sensor(deck: KeywordDeck, time: float) -> str:
     name = deck.model.names.take(f"time_{len(sensors) + 1}", "time")
     sensors[name] = {"time": time}
     return name
+
+
+def acts_in_run(deck: KeywordDeck, curve: Curve, place: Place) -> bool:
+    """Whether a motion is one of the run: with SIDR 1 its curve acts in a dynamic relaxation before it alone."""
+    if curve.relaxation == 1:
+        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.LCID", place, "a motion by a curve with SIDR = 1, of dynamic relaxation alone", "the motion is left out")
+        return False
+    curve.is_of_time = True
+    return True
 
 
 def switch(deck: KeywordDeck, window: Window) -> Deck:
