@@ -356,7 +356,7 @@ class Findings(OfARun):
         self.assertIn("Find the time at which energy_error of the history grows, and lower time.step_scale.", list_changes(findings))
         self.assertRegex(judge_trust(run, self.find(lambda summary: summary.update(status="failed", error="it burst."))), "^No: The run failed: it burst.")
         calm = [finding for finding in findings if finding.level == GOOD]
-        self.assertRegex(judge_trust(run, calm), "^As far as balances tell, yes")
+        self.assertRegex(judge_trust(run, calm), "^As far as balances show, yes")
         self.assertEqual(list_changes(calm), [])
 
     def test_tell_where_the_energy_went_and_which_forces_to_ask_for(self):

@@ -161,7 +161,7 @@ def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     unknown = sorted(set(sections) - set(ORDER))
     if unknown:
         raise RuntimeError(f"the importer has no place in the deck for the section {', '.join(unknown)}")
-    texts = [f"# From {clean(source)} by percuss import; import_report.md tells what became of each card.\n"]
+    texts = [f"# From {clean(source)} by percuss import; import_report.md says what became of each card.\n"]
     if model.title:
         texts.append(dump({"title": model.title[:200]}, LONGEST))
     if units:

@@ -43,7 +43,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     add("--out", metavar="DIR", required=True, help="folder for the deck of percuss; made if need be")
     add("--units", metavar="SYSTEM", default="", help="units of the deck, such as 'mm, t, s'; never guessed, nothing is converted")
     add("--allow", metavar="CARDS", action="append", default=[], help="cards or fields that may be left out or approximated")
-    add("--fit-rates", action="store_true", help="fit Cowper and Symonds' law to tables of strain rates; the report tells its error")
+    add("--fit-rates", action="store_true", help="fit Cowper and Symonds' law to tables of strain rates; the report gives its error")
     add("--case", metavar="N", default="", help="which *CASE of an LS-DYNA deck with several is imported")
     add("--allow-library", metavar="FILE", default="", help="the compiled code of *USER MATERIAL; percuss check loads it")
     add("--force", action="store_true", help="overwrite the deck of an earlier import, with what was edited in it")

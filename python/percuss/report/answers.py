@@ -214,7 +214,7 @@ def judge_trust(run, findings):
     if count["look"]:
         points = "1 point" if count["look"] == 1 else f"{count['look']} points"
         return f"With care: {sums}, but {points} below need{'s' if count['look'] == 1 else ''} a look first."
-    return (f"As far as balances tell, yes: {sums}, and no limit is exceeded. Balances do not show errors of the mesh or of material data: "
+    return (f"As far as balances show, yes: {sums}, and no limit is exceeded. Balances do not show errors of the mesh or of material data: "
             "compare with a finer mesh or a test.")
 
 

@@ -23,7 +23,7 @@ class Row:
         if self.state != "completed":
             return
         if not run.has_history:
-            raise NotResults(f"{result.folder}: there is no history.csv to tell outputs from (output.history of the deck)")
+            raise NotResults(f"{result.folder}: there is no history.csv to compute outputs from (output.history of the deck)")
         self.outputs = read_outputs(run, outputs)
 
 
