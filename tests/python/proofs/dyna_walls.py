@@ -24,6 +24,7 @@ PROOFS = [
     Proof("RIGIDWALL_PLANAR: XT YT ZT XH YH ZH", deck(*FALLING, floor(), end=END), STOPPED, "a plane at z = -1"),
     Proof("RIGIDWALL_PLANAR: ZT", deck(*FALLING, floor().replace("0,0,-1.0", "0,0,-3.0"), end=END), PASSED, "a plane farther away than it comes"),
     Proof("RIGIDWALL_PLANAR: NSID; RIGIDWALL_PLANAR: NSIDEX", deck(*FALLING, node_set(4, 1, 2, 3, 4), floor(exempt=4), end=END), PASSED, "its lower nodes are exempted"),
+    Proof("RIGIDWALL_PLANAR: NSID OFFSET", deck(*FALLING, node_set(4, 5, 9999), "*RIGIDWALL_PLANAR\n4,0,0,5.0\n0,0,-1.0,0,0,1.0\n", end=END), refused="there is no node 9999"),
     Proof("RIGIDWALL_PLANAR: NSID", deck(*FALLING, node_set(4, 5, 6, 7, 8), floor(set=4), end=END), PASSED, "the upper nodes alone"),
     Proof("RIGIDWALL_PLANAR: BOXID; DEFINE_BOX", deck(*FALLING, "*DEFINE_BOX\n3,-1.0,11.0,-1.0,11.0,9.0,11.0\n", floor(box=3), end=END), PASSED, "the upper nodes alone"),
     Proof("RIGIDWALL_PLANAR: OFFSET", deck(*FALLING, floor(offset=0.5), end=END), PASSED, "no node is so near"),

@@ -2,6 +2,7 @@
 
 from ..curves import Curve, differentiate, make_time_value, order_points
 from ..fields import Row
+from ..ledger import BadInput, missing
 from ..model import Deck
 from ..shapes import dot, normalise, subtract
 from .cards import Card, Lines
@@ -192,7 +193,7 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     row.finish(deck.ledger)
     if not (id or exempt or box or offset):
         return True
-    if not id and not exempt and not box and is_everything_near(deck, wall, offset):
+    if not id and not exempt and not box and is_everything_near(deck, wall, offset, row):
         return True
     members = deck.list_members("NODE", id, row.place) if id else sorted(deck.used_nodes())
     if exempt:
@@ -202,7 +203,7 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
         inside = set(deck.nodes_of_box(box, row.place))
         members = [node for node in members if node in inside]
     if offset > 0:
-        members = [node for node in members if node_height(deck, wall, node) <= offset]
+        members = [node for node in members if node_height(deck, wall, node, row) <= offset]
     name = deck.make_node_set(f"{wall['name']}_nodes", members, row.place)
     wall["nodes"] = name
     if not name:
@@ -210,9 +211,11 @@ def choose_nodes(deck: KeywordDeck, row: Row, wall: Deck, offset: float) -> bool
     return bool(name)
 
 
-def node_height(deck: KeywordDeck, wall: Deck, node: int) -> float:
+def node_height(deck: KeywordDeck, wall: Deck, node: int, row: Row) -> float:
+    if node not in deck.nodes:
+        raise BadInput(row.place, missing(f"node {node}"))
     return dot(subtract(deck.nodes[node], tuple(wall["point"])), tuple(wall["normal"]))  # type: ignore[arg-type]
 
 
-def is_everything_near(deck: KeywordDeck, wall: Deck, offset: float) -> bool:
-    return offset <= 0 or all(node_height(deck, wall, node) <= offset for node in deck.used_nodes())
+def is_everything_near(deck: KeywordDeck, wall: Deck, offset: float, row: Row) -> bool:
+    return offset <= 0 or all(node_height(deck, wall, node, row) <= offset for node in deck.used_nodes())
