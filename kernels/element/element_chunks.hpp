@@ -30,6 +30,7 @@ struct ElementChunks {
   Array<int> record_size;             // [count] scalars an element's record holds
   Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
   Array<int> points;                  // [count] points of an element with stress and history of their own
+  Array<int> rule;                    // [count] of shells: row of the table of rules across the thickness
   Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
   Array<ElementFamily> family;        // [count] empty: all are hexahedra
   Array<Real> fold_threshold;         // [count] r0 of fold_resistance.hpp, 0: none; empty: no element resists folding

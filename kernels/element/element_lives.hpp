@@ -44,6 +44,7 @@ struct FailureLimits {
   double layers = 1;            // of a shell: share of the thickness that has to fail; of a beam, of the section
   double least_volume = 0;      // V / V(0)
   double most_volume = none;
+  double fibre_damage = none;  // of a ply of a shell
 
   KOKKOS_INLINE_FUNCTION bool reads_stress() const {
     return tension < none || principal_stress < none || johnson_cook.any();

@@ -148,6 +148,12 @@ constexpr MaterialKey<C> need(const char* name, double (C::*vector)[3], KeyRange
   return {name, nullptr, nullptr, vector, range, true, unit, meaning};
 }
 
+template <class C>
+constexpr MaterialKey<C> may(const char* name, double (C::*vector)[3], KeyRange range, const char* unit,
+                             const char* meaning) {
+  return {name, nullptr, nullptr, vector, range, false, unit, meaning};
+}
+
 /// The keys of a material that is elastic and isotropic at first, and then `more`.
 template <class C, class... More>
 constexpr std::array<MaterialKey<C>, 2 + sizeof...(More)> with_elastic_keys(const More&... more) {

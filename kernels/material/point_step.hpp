@@ -7,9 +7,17 @@
 namespace percuss {
 
 /// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
-/// remains: 0 where code of a user has deleted the point.
-enum class HistoryScalar { none, equivalent_plastic_strain, temperature, internal_energy, remains };
-inline constexpr int history_scalars = 5;
+/// remains: 0 where code of a user has deleted the point; damage of plies: 0 to 1.
+enum class HistoryScalar {
+  none,
+  equivalent_plastic_strain,
+  temperature,
+  internal_energy,
+  remains,
+  fibre_damage,
+  matrix_damage
+};
+inline constexpr int history_scalars = 7;
 
 /// How J = V / V(0) changes over a step.
 template <class T>

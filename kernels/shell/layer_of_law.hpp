@@ -1,8 +1,8 @@
 #pragma once
-// The layer of shells that a law becomes, where it has one.
+// The layer of shells, and the ply of a laminate, that a law becomes, where it has one.
 
 #include "kernels/material/laws/j2_plasticity.hpp"
-#include "kernels/shell/hardening_layer.hpp"
+#include "kernels/shell/laminate.hpp"
 
 namespace percuss {
 
@@ -21,10 +21,38 @@ HardeningLayer make_layer(const Law& law, double density) {
   return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
 }
 
+/// As a ply of a laminate.
+inline PlyMaterial make_ply(const Orthotropic& law, double /*density*/) {
+  PlyMaterial ply;
+  ply.orthotropic = OrthotropicPly::make(law.constants);
+  return ply;
+}
+
+inline PlyMaterial make_ply(const Elastic& law, double /*density*/) {
+  PlyMaterial ply;
+  ply.orthotropic = OrthotropicPly::make(find_layer_elasticity(law.moduli()));
+  return ply;
+}
+
+inline PlyMaterial make_ply(const J2Plasticity& law, double density) {
+  PlyMaterial ply;
+  ply.kind = PlyMaterial::Kind::linear_hardening;
+  ply.linear_hardening = make_layer(law, density);
+  return ply;
+}
+
+template <FlowLaw Law>
+PlyMaterial make_ply(const Law& law, double density) {
+  PlyMaterial ply;
+  ply.kind = PlyMaterial::Kind::hardening;
+  ply.hardening = make_layer(law, density);
+  return ply;
+}
+
 /// Whether shells know the law.
 template <class Law>
 concept LayerLaw = requires(const Law& law) {
-  make_layer(law, 1.0);
+  make_ply(law, 1.0);
 };
 
 }  // namespace percuss

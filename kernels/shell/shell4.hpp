@@ -6,6 +6,7 @@
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.
 
+#include "kernels/shell/laminate.hpp"
 #include "kernels/shell/shell_forces.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 #include "kernels/shell/shell_step.hpp"
@@ -45,14 +46,29 @@ struct LayerSums {
   SectionLeft<T> left;
 };
 
+/// Whether the points across the thickness differ by more than their place.
+template <class Material>
+inline constexpr bool has_plies = requires {
+  requires Material::has_plies;
+};
+
+/// The step of an element.
+template <class T>
+struct ElementStep {
+  const ShellRates<T>& rate;
+  T dt, half_thickness;
+  const ShellGeometry<T>& middle;  // at n+1/2
+};
+
 /// Advances the layers' stresses. layer: where the records of the points begin; they lie `width` scalars apart where
 /// the record is one of packs, which T stands for.
 template <class T, class Material, class Lives>
-PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ShellRates<T>& rate,
-                                                 const T& dt, const T& half_thickness, T* layer,
-                                                 [[maybe_unused]] const Lives& lives) {
+PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ElementStep<T>& step,
+                                                 T* layer, [[maybe_unused]] const Lives& lives) {
+  const auto& [rate, dt, half_thickness, middle] = step;
   LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {}, {T(1), T(1), T(1), T(1)}};
   const T half = T(0.5);
+  [[maybe_unused]] PlyFlow<T> plies;
   for (int p = 0; p < par.points.count; ++p, layer += 3 + par.material.count_history()) {
     const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
     T de[3], stress[3];
@@ -60,9 +76,17 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
       de[k] = dt * (rate.membrane[k] + half_thickness * place * rate.curvature[k]);
       stress[k] = layer[k];
     }
-    const LayerResponse<T> response = par.material.update(stress, layer + 3, de, dt);
+    LayerResponse<T> response;
+    if constexpr (has_plies<Material>) {
+      const PlyStep<T> of_ply{dt, {middle.b1[0], middle.b1[1]}, {middle.b2[0], middle.b2[1]}};
+      const PlyResponse<T> ply = par.material.update(p, stress, layer + 3, de, of_ply);
+      plies.add(par.points, p, ply, sums.flow);
+      response = ply.layer;
+    } else {
+      response = par.material.update(stress, layer + 3, de, dt);
+    }
     sums.across = sums.across + weight * response.across;
-    if constexpr (Material::can_yield) sums.flow.add(par.points, p, response);
+    if constexpr (Material::can_yield && !has_plies<Material>) sums.flow.add(par.points, p, response);
     T acting = weight, working = weight;
     if constexpr (Lives::can_fail) {
       acting = weight * lives.force_share(p);
@@ -76,6 +100,7 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
       sums.moment[k] = sums.moment[k] + acting * place * stress[k];
     }
   }
+  if constexpr (has_plies<Material>) plies.finish(sums.flow);
   if constexpr (Lives::can_fail) lives.add_strain(rate, dt, half_thickness);
   return sums;
 }
@@ -137,6 +162,48 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
   return on;
 }
 
+/// Advances the stress in transverse shear. share: of the stiffness that the shape leaves. Returns the work of the step
+/// per volume, with that of the layers.
+template <class T, class Material, class Lives>
+PERCUSS_FORCE_INLINE T advance_shear(const Material& material, const ElementStep<T>& step, const LayerSums<T>& layers,
+                                     [[maybe_unused]] const T* layer, const T& share, T (&shear)[2]) {
+  const auto& [rate, dt, half_thickness, middle] = step;
+  const T half = T(0.5);
+  T work = layers.work;
+  if constexpr (has_plies<Material>) {
+    // Damage of plies takes its share, as of other forces that belong to no layer.
+    T change[2];
+    material.find_shear(material.find_reference(layer + 3), rate.shear, change);
+    for (int k = 0; k < 2; ++k) {
+      const T moved = shear[k] + layers.flow.shear_secant * share * dt * change[k];
+      const T after = layers.flow.shear * moved;
+      T added = half * (shear[k] + after) * dt * rate.shear[k];
+      if constexpr (Lives::can_fail) added = layers.left.mean_membrane * added;
+      work = work + added;
+      shear[k] = after;
+    }
+  } else {
+    const T modulus = share * T(shell_shear_correction * material.elasticity.shear_modulus);
+    for (int k = 0; k < 2; ++k) {
+      const T change = modulus * dt * rate.shear[k];
+      T added = (shear[k] + half * change) * dt * rate.shear[k];
+      if constexpr (Lives::can_fail) added = layers.left.mean_membrane * added;
+      work = work + added;
+      shear[k] = shear[k] + change;
+    }
+  }
+  return work;
+}
+
+/// What bounds the stable step.
+template <class Material>
+PERCUSS_FORCE_INLINE const PlaneElasticity& find_bound(const Material& material) {
+  if constexpr (has_plies<Material>)
+    return material.bound;
+  else
+    return material.elasticity;
+}
+
 /// The motion of an element's corners in a step, in space axes.
 template <class T>
 struct CornerMotion {
@@ -176,18 +243,12 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned, shapes);  // (1.3) strain rate
   if (par.offset != 0) move_to_middle(T(par.offset), rate);
 
-  const LayerSums<T> layers =
-      advance_layers(par, rate, dt, half * state.thickness, stored.layer, lives);  // (1.4) stress
-  T work = layers.work, modulus = T(shell_shear_correction * elastic.shear_modulus);
-  if constexpr (Shapes::has_triangles) modulus = find_shear_share(middle, state.thickness, shapes) * modulus;
-  for (int k = 0; k < 2; ++k) {
-    const T change = modulus * dt * rate.shear[k];
-    T added = (state.shear[k] + half * change) * dt * rate.shear[k];
-    if constexpr (Lives::can_fail) added = layers.left.mean_membrane * added;
-    work = work + added;
-    state.shear[k] = state.shear[k] + change;
-  }
-  const StoredForces<Material::can_yield, Lives::can_fail, T> forces{layers.flow, layers.left};
+  const ElementStep<T> of_layers{rate, dt, half * state.thickness, middle};
+  const LayerSums<T> layers = advance_layers(par, of_layers, stored.layer, lives);  // (1.4) stress
+  T share = T(1);
+  if constexpr (Shapes::has_triangles) share = find_shear_share(middle, state.thickness, shapes);
+  const T work = advance_shear<T, Material, Lives>(par.material, of_layers, layers, stored.layer, share, state.shear);
+  const StoredForces<Material::can_yield, Lives::can_fail, has_plies<Material>, T> forces{layers.flow, layers.left};
   const ShellStep<T> step{middle, rate, dt, T(par.stabilization) * dt};
   const T hourglass_work = advance_hourglass(elastic, step, forces, shapes, state);
   const T old_thickness = state.thickness;
@@ -200,7 +261,7 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   const ShellSection<T> section{state.thickness, state.mass, state.gyration_square, par.offset};
   find_shell_forces(end, on, out.force, out.moment, shapes);  // (1.5) internal forces
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
-          find_shell_step(end, section, elastic, shapes),
+          find_shell_step(end, section, find_bound(par.material), shapes),
           end.area,
           end.least_cosine};
 }

@@ -13,8 +13,8 @@ constexpr int width = pack_size<double>;
 struct FailingShell {
   ElementRecord record;
   double* lives;
-  int layer_size;                   // scalars of a layer in the record
-  int plastic_strain, temperature;  // their places in a layer, or negative
+  int layer_size;                                 // scalars of a layer in the record
+  int plastic_strain, temperature, fibre_damage;  // their places in a layer, or negative
 
   KOKKOS_INLINE_FUNCTION double* life(int p) const { return find_layer_life(lives, p); }
   KOKKOS_INLINE_FUNCTION double read(int p, int scalar) const {
@@ -68,6 +68,7 @@ KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double
   life[LayerLives::plastic_strain * width] = history.plastic_strain;
   life[LayerLives::damage * width] = history.damage;
   life[LayerLives::time_at_yield * width] = history.time_at_yield;
+  if (shell.fibre_damage >= 0 && shell.read(p, shell.fibre_damage) >= limits.fibre_damage) return true;
   if (limits.thinning < FailureLimits::none && read_thinning(shell, p, place, limits) >= limits.thinning) return true;
   return failed ||
          (limits.principal_strain < FailureLimits::none && reaches(read_strain(shell, place), limits.principal_strain));
@@ -97,7 +98,7 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
   const ThicknessPoints& rule = by.rule;
   const FailureLimits& limits = by.limits;
   constexpr double round_off = 1e-12;
-  bool fresh[most_thickness_points];
+  bool fresh[most_layers];
   double failed = 0;
   int count = 0;
   for (int p = 0; p < rule.count; ++p) {
@@ -157,9 +158,12 @@ struct JudgeShells {
   ChunkResults results;
 
   KOKKOS_INLINE_FUNCTION FailingShell find(const FailingRecords& of, int c, int i) const {
-    return {of.find(i), find_layer_lives(lives, failing, c, chunks.points(c), i), find_layer_size(chunks, c),
+    return {of.find(i),
+            find_layer_lives(lives, failing, c, chunks.points(c), i),
+            find_layer_size(chunks, c),
             chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain) - ShellRecord::layers,
-            chunks.find_scalar(c, HistoryScalar::temperature) - ShellRecord::layers};
+            chunks.find_scalar(c, HistoryScalar::temperature) - ShellRecord::layers,
+            chunks.find_scalar(c, HistoryScalar::fibre_damage) - ShellRecord::layers};
   }
 
   /// Whether an element or a layer has begun to fail and is not dead yet.
@@ -179,7 +183,7 @@ struct JudgeShells {
     const FailingRecords of = find_records(chunks, failing, elements, c);
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     if (results.is_settled(c) != 0 && !is_ending(of, c, count)) return;  // as it was judged last
-    const ThicknessPoints& rule = rules(chunks.points(c));
+    const ThicknessPoints& rule = rules(chunks.rule(c));
     FailureCounts here;
     bool changed = false;
     for (int i = 0; i < count; ++i) {

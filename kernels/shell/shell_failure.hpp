@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// The rules across the thickness, by number of points.
+/// The rules across the thickness, by ElementChunks::rule.
 using ThicknessRules = Kokkos::View<ThicknessPoints*, MemSpace>;
 
 /// As find_failures(), for the chunks of shells.

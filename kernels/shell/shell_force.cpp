@@ -56,8 +56,12 @@ struct AdvanceShellChunk {
 
   /// Returns whether a bit of the records has changed, if watched.
   KOKKOS_FUNCTION bool advance_packs(int c, const ShellScratch& scratch, bool watched) const {
-    const ShellParameters<Layer> parameters = block.parameters(chunks.parameters(c));
-    constexpr int largest_record = find_shell_record_size(most_thickness_points, Layer::most_history) * width;
+    // A copy, which nothing else writes to, is faster; that of a laminate is too large.
+    using Parameters =
+        std::conditional_t<has_plies<Layer>, const ShellParameters<Layer>&, const ShellParameters<Layer>>;
+    Parameters parameters = block.parameters(chunks.parameters(c));
+    constexpr int most_points = has_plies<Layer> ? most_layers : most_thickness_points;
+    constexpr int largest_record = find_shell_record_size(most_points, Layer::most_history) * width;
     const int record_size = chunks.record_size(c) * width;
     const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
     auto* record = reinterpret_cast<double*>(&state(chunks.first_state(c)));

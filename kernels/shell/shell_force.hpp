@@ -8,6 +8,7 @@
 
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/shell/hardening_layer.hpp"
+#include "kernels/shell/laminate.hpp"
 #include "kernels/shell/shell4.hpp"
 
 namespace percuss {
@@ -39,7 +40,8 @@ struct ShellBlock {
 };
 
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
-using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>>;
+using ShellBlocks =
+    std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>, ShellBlock<LaminateLayer>>;
 
 /// The motion that shells see: positions at n+1, velocities and angular velocities at n+1/2, the step between.
 struct ShellMotion {

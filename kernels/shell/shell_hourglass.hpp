@@ -5,6 +5,7 @@
 
 #include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/plane_stress.hpp"
+#include "kernels/shell/ply.hpp"
 #include "kernels/shell/shell_rates.hpp"
 #include "kernels/shell/shell_state.hpp"
 
@@ -34,6 +35,7 @@ template <class T>
 struct FlowShares {
   T membrane = T(0), bending = T(0);
   T membrane_secant = T(1), bending_secant = T(1);  // to the last bit where no layer has flowed
+  T shear = T(1), shear_secant = T(1);              // of plies alone: of what is across the layers
 
   PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const LayerResponse<T>& response) {
     const T weight = T(points.weight[p]), of_bending = T(points.bending[p]), lost = T(1) - response.secant;
@@ -44,8 +46,31 @@ struct FlowShares {
   }
 };
 
+/// The same for plies: stored forces keep the share that damage leaves of their stiffness, so that their energy does
+/// not grow by it.
+template <class T>
+struct PlyFlow {
+  T membrane = T(0), bending = T(0), left = T(0);  // by damage: at n, at n, at n+1
+
+  PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const PlyResponse<T>& ply, FlowShares<T>& flow) {
+    membrane = membrane + T(points.weight[p]) * ply.left_before;
+    bending = bending + T(points.bending[p]) * ply.left_before;
+    left = left + T(points.weight[p]) * ply.left;
+    LayerResponse<T> weighted = ply.layer;
+    weighted.share = ply.left_before * ply.layer.share;
+    flow.add(points, p, weighted);
+  }
+  PERCUSS_FORCE_INLINE void finish(FlowShares<T>& flow) const {
+    flow.membrane = flow.membrane / larger(membrane, T(1e-300));
+    flow.bending = flow.bending / larger(bending, T(1e-300));
+    flow.shear = left / larger(membrane, T(1e-300));
+    flow.shear_secant = left;
+  }
+};
+
 /// Advances stored forces by what their rates add, and sums their work.
-template <bool CanYield, bool CanFail, class T>
+/// HasPlies: those in shear follow the layers too.
+template <bool CanYield, bool CanFail, bool HasPlies, class T>
 struct StoredForces {
   const FlowShares<T>& flow;
   const SectionLeft<T>& left;
@@ -59,7 +84,8 @@ struct StoredForces {
     }
   }
 
-  PERCUSS_FORCE_INLINE void advance_elastic(T& force, const T& change, const T& along) {
+  PERCUSS_FORCE_INLINE void advance_in_shear(T& force, const T& change, const T& along) {
+    if constexpr (HasPlies) return advance_flowing(force, change, along, flow.shear, left.mean_membrane);
     add_work((force + T(0.5) * change) * along, left.mean_membrane);
     force = force + change;
   }
@@ -150,9 +176,9 @@ struct ShellStep {
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), and that against drilling, with what the
 /// flow of its layers leaves of both (deformation theory of plasticity: its secant modulus). Returns their work.
-template <bool CanYield, bool CanFail, class T, class Shapes>
+template <bool CanYield, bool CanFail, bool HasPlies, class T, class Shapes>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellStep<T>& step,
-                                         StoredForces<CanYield, CanFail, T> stored, const Shapes& shapes,
+                                         StoredForces<CanYield, CanFail, HasPlies, T> stored, const Shapes& shapes,
                                          ShellState<T>& state) {
   const ShellGeometry<T>& g = step.middle;
   const ShellRates<T>& rate = step.rate;
@@ -170,8 +196,8 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellSt
   }
   const T shear = T(shell_shear_correction * e.shear_modulus / 3) * volume_dt;
   const T(&s)[2] = rate.shear_hourglass;
-  stored.advance_elastic(state.shear_hourglass[0], shear * find_shear_hourglass(g, t, shapes) * s[0], s[0]);
-  stored.advance_elastic(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
+  stored.advance_in_shear(state.shear_hourglass[0], shear * find_shear_hourglass(g, t, shapes) * s[0], s[0]);
+  stored.advance_in_shear(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
   const T drilling = T(shell_drilling * e.shear_modulus) * volume_dt;
   stored.advance_in_plane(state.drilling, drilling * rate.drilling, rate.drilling);
   return step.dt * stored.work;

@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// Most points that a shell can have.
-inline constexpr int most_thickness_points = 16;
+/// Most points that a shell of one material can have, and most that the plies of a laminate have together.
+inline constexpr int most_thickness_points = 16, most_layers = 48;
 
 /// Points unless the deck says: enough for the moment of a section that yields (0.94 of the fully plastic one), or for
 /// more than linear stress.
@@ -19,9 +19,9 @@ inline constexpr int points_of_plastic_shells = 5, points_of_elastic_shells = 3;
 /// bending stiffness, which do so too.
 struct ThicknessPoints {
   int count = 0;
-  double place[most_thickness_points] = {};
-  double weight[most_thickness_points] = {};
-  double bending[most_thickness_points] = {};
+  double place[most_layers] = {};
+  double weight[most_layers] = {};
+  double bending[most_layers] = {};
 };
 
 /// The Gauss-Legendre rule of 1 to most_thickness_points points, exact for polynomials of degree 2 count - 1 (roots by

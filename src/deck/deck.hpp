@@ -171,6 +171,13 @@ struct RigidSetDeck {
   Place place;
 };
 
+/// A ply of the shells of a part.
+struct PlyDeck {
+  std::string material;  // empty: that of the part
+  double thickness = 0;
+  double angle = 0;  // [degrees] of axis 1 of its material from the laminate's, about the normal
+};
+
 struct PartDeck {
   /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra, two wedges or six pyramids each.
   enum class Elements { hexahedra, tetrahedra, wedges, pyramids };
@@ -187,6 +194,7 @@ struct PartDeck {
   std::optional<PlaceFunction> thickness_by_place;  // of each at the mean of its corners, instead
   bool thickness_of_file = false;                   // of those that the file gives one, instead
   std::optional<int> points;                        // across the thickness of its shells; default: by the material
+  std::vector<PlyDeck> plies;                       // of its shells, bottom first; then points are of each ply
   double offset = 0;                       // of the middle of its shells from the mesh, along their normal [length]
   std::optional<BeamSectionDeck> section;  // of its beams; they need one
   std::optional<Vec3> toward;  // to which y of the section of its beams points as far as it can, a unit vector
@@ -231,6 +239,7 @@ struct FailureDeck {
   std::optional<double> pressure;          // below minus this
   std::optional<JohnsonCookDamageDeck> johnson_cook;
   std::optional<double> yield_time;           // at yield, in all
+  std::optional<double> fibre_damage;         // of plies of shells: damage of the fibres
   std::optional<double> volume_below;         // of solids: V / V(0) falls below this
   std::optional<double> volume_above;         // of solids: V / V(0) rises above this
   std::optional<BeamFailureDeck> resultants;  // of beams
@@ -247,6 +256,14 @@ struct ErosionDeck {
   FreeNodes free_nodes = FreeNodes::keep;
 };
 
+/// A ply of a laminate.
+struct LaminatePly {
+  std::string material;
+  LawDeck law;
+  double density = 0;
+  double share = 1;  // of the thickness
+  double angle = 0;  // as PlyDeck::angle
+};
 struct MaterialDeck {
   std::string name;
   double density = 0;
@@ -254,6 +271,7 @@ struct MaterialDeck {
   std::optional<LawDeck> equation_of_state;
   Place place;
   std::optional<FailureDeck> failure;
+  std::vector<LaminatePly> plies;  // of a laminate (src/deck/laminates.hpp); density: their mean
 };
 
 // --- where a condition acts

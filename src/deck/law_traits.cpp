@@ -64,7 +64,7 @@ std::string name_laws(bool LawTraits::*trait) {
 }
 
 bool grows_in_increments(const MaterialDeck& material) {
-  return find_traits(material).grows_in_increments && !material.equation_of_state;
+  return find_traits(material).grows_in_increments && !material.equation_of_state && material.plies.empty();
 }
 
 }  // namespace percuss

@@ -26,7 +26,11 @@ struct HistoryPoint {
 
 /// Fields of one point across the thickness of shells are called by one of these and its number, from 1, the lowest.
 inline constexpr std::string_view stress_points = "stress_point_",
-                                  plastic_strain_points = "equivalent_plastic_strain_point_";
+                                  plastic_strain_points = "equivalent_plastic_strain_point_",
+                                  fibre_damage_points = "fibre_damage_point_",
+                                  matrix_damage_points = "matrix_damage_point_";
+inline constexpr std::string_view point_quantities[] = {stress_points, plastic_strain_points, fibre_damage_points,
+                                                        matrix_damage_points};
 
 /// The number of such a point; empty: the field is another.
 std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity);

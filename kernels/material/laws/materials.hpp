@@ -11,6 +11,7 @@
 #include "kernels/material/laws/low_density_foam.hpp"
 #include "kernels/material/laws/mooney_rivlin.hpp"
 #include "kernels/material/laws/neo_hookean.hpp"
+#include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/material/laws/power_law_plasticity.hpp"
 #include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/soil_and_foam.hpp"
@@ -23,8 +24,9 @@
 
 namespace percuss {
 
-using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
-                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
-                           ArrudaBoyce, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid, UserLaw>;
+using Materials =
+    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity,
+             CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Viscoelastic, SoilAndFoam,
+             Honeycomb, Orthotropic, LowDensityFoam, Fluid, UserLaw>;
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/deck/laminates.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/deck/yaml/deck_json.hpp"
@@ -68,6 +69,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   deck.places = KeyPlaces(root);
   deck.selectors = std::move(reading.used_selectors);
   deck.warnings = reading.errors.warnings();
+  lay_up_plies(deck);
   return deck;
 }
 

@@ -58,6 +58,7 @@ const Keys<FailureDeck>& failure_keys() {
       may("pressure", &FailureDeck::pressure, NumberValue{positive}),
       may("johnson_cook", &FailureDeck::johnson_cook, MapValue<JohnsonCookDamageDeck>{damage_keys, check_damage}),
       may("yield_time", &FailureDeck::yield_time, NumberValue{positive}),
+      may("fibre_damage", &FailureDeck::fibre_damage, NumberValue{{"above 0, at most 1", 0, 1, true}}),
       may("volume_below", &FailureDeck::volume_below,
           NumberValue{{"between 0 and 1, both excluded", 0, 1, true, true}}),
       may("volume_above", &FailureDeck::volume_above,
@@ -83,14 +84,15 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
                              reader.name_of("size")));
     return false;
   }
-  if (has_strain || failure.principal_stress || failure.pressure || failure.yield_time || failure.volume_below ||
-      failure.volume_above || failure.resultants || failure.time || failure.step || failure.inverted)
+  if (has_strain || failure.principal_stress || failure.pressure || failure.yield_time || failure.fibre_damage ||
+      failure.volume_below || failure.volume_above || failure.resultants || failure.time || failure.step ||
+      failure.inverted)
     return true;
   reader.error(
       node.spot,
       fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
-                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, volume_below, "
-                  "volume_above, resultants, time, step or inverted: true",
+                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, fibre_damage, "
+                  "volume_below, volume_above, resultants, time, step or inverted: true",
                   reader.self()));
   return false;
 }

@@ -1,5 +1,7 @@
-#include "kernels/material/elastic.hpp"  // first: its names would hide those of keys/values.hpp
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/laws/orthotropic.hpp"  // first: its names would hide those of keys/values.hpp
 
+#include "src/deck/laminates.hpp"
 #include "src/deck/sections/field_keys.hpp"
 
 #include <algorithm>
@@ -116,19 +118,24 @@ bool check_region(const Reader& reader, const Node& node, FieldsDeck& fields) {
   return false;
 }
 
-/// Points of the shells of a part that does not say: what is not elastic yields, where shells know it.
-int find_usual_points(const Deck& deck, const PartDeck& part) {
+/// Points of the shells of a part; of one that does not say: what is not elastic yields, where shells know it.
+int find_points(const Deck& deck, const PartDeck& part) {
   const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                      [&](const MaterialDeck& of) { return of.name == part.material; });
-  const bool is_elastic = material != deck.materials.end() && material->law.model == Elastic::name;
-  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
+  if (!part.plies.empty()) {
+    const auto plies = static_cast<int>(part.plies.size());
+    return plies * count_points_of_ply(part.plies.size(), part.points.value_or(0));
+  }
+  const bool is_elastic = material != deck.materials.end() &&
+                          (material->law.model == Elastic::name || material->law.model == Orthotropic::name);
+  return part.points.value_or(is_elastic ? points_of_elastic_shells : points_of_plastic_shells);
 }
 
 /// Most points that a shell of a part can have.
 int find_most_points(const Deck& deck) {
   int most = 0;
   for (const PartDeck& part : deck.parts) {
-    if (part.has_thickness()) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
+    if (part.has_thickness()) most = std::max(most, find_points(deck, part));
     if (is_shell_shape(part.shape) && !part.has_thickness()) return most_thickness_points;  // which is told already
   }
   return most;
@@ -143,8 +150,9 @@ const Node& find_entry(const FieldsDeck& fields, const Node& root) {
 /// A point of shells that no part can have.
 void check_points(const FieldsDeck& fields, const Node& root, int most, Reading& reading) {
   for (const std::string& field : fields.write) {
-    const int point = std::max(find_thickness_point(field, stress_points).value_or(0),
-                               find_thickness_point(field, plastic_strain_points).value_or(0));
+    int point = 0;
+    for (const std::string_view quantity : point_quantities)
+      point = std::max(point, find_thickness_point(field, quantity).value_or(0));
     if (point <= most) continue;
     const std::vector<Node>& items = find_entry(fields, root).find("write")->items;
     const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
@@ -195,11 +203,12 @@ const std::vector<std::string>& field_names() {
                                     "mass",          "contact_rank",  // of nodes
                                     "stress",        "pressure",        "von_mises",      "equivalent_plastic_strain",
                                     "temperature",   "internal_energy", "alive",          "damage",  // of elements
-                                    "stress_bottom", "stress_top",      "thickness",                 // of shells
-                                    "axial_force",   "section_force",   "section_moment",            // of beams
+                                    "stress_bottom", "stress_top",      "thickness",      "fibre_damage",
+                                    "matrix_damage",                                       // of shells
+                                    "axial_force",   "section_force",   "section_moment",  // of beams
                                     "body",          "chunk",           "fe_rank"};
-    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
-      for (int point = 1; point <= most_thickness_points; ++point) all.push_back(fmt::format("{}{}", quantity, point));
+    for (const std::string_view quantity : point_quantities) {
+      for (int point = 1; point <= most_layers; ++point) all.push_back(fmt::format("{}{}", quantity, point));
     }
     return all;
   }();

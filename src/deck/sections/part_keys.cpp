@@ -72,6 +72,15 @@ struct ThicknessPointsValue {
   Form form() const { return IntegerValue{1, most}.form(); }
 };
 
+const Keys<PlyDeck>& ply_keys() {
+  static const Keys<PlyDeck> keys = {
+      need("thickness", &PlyDeck::thickness, NumberValue{positive}),
+      may("angle", &PlyDeck::angle, NumberValue{}),
+      may("material", &PlyDeck::material, MaterialNameValue{}),
+  };
+  return keys;
+}
+
 /// A number, or where the thickness of each shell comes from.
 struct ThicknessValue {
   static const Keys<PartDeck>& keys() {
@@ -162,6 +171,7 @@ const Keys<PartDeck>& part_keys() {
                                                        {"pyramids", PartDeck::Elements::pyramids}}}));
     all.push_back(group<PartDeck>("thickness", ThicknessValue{}));
     all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
+    all.push_back(may("plies", &PartDeck::plies, ListValue<MapValue<PlyDeck>>{{ply_keys}}));
     all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
     all.push_back(may("section", &PartDeck::section, BeamSectionValue{}));
     all.push_back(may("toward", &PartDeck::toward, DirectionValue{}));
@@ -203,6 +213,26 @@ bool check_reference(const Reader& reader, const Node& node, const PartDeck& par
   return false;
 }
 
+/// Plies have the thickness of the part, and there is room for so many layers.
+bool check_plies(const Reader& reader, const Node& node, PartDeck& part) {
+  const Node* const plies = node.find("plies");
+  if (plies == nullptr || part.plies.empty()) return true;
+  if (const Node* thickness = node.find("thickness")) {
+    reader.error(thickness->key, fmt::format("{} is given beside plies{} (which have their own): leave it out",
+                                             reader.name_of("thickness"), reader.in()));
+    return false;
+  }
+  double sum = 0;
+  for (const PlyDeck& ply : part.plies) sum += ply.thickness;
+  part.thickness = sum;
+  const int each = part.points.value_or(1), count = each * static_cast<int>(part.plies.size());
+  if (count <= most_layers) return true;
+  reader.error(plies->key, fmt::format("{} has {} plies of {} points{} (at most {} points in all): join plies that are "
+                                       "alike",
+                                       reader.name_of("plies"), part.plies.size(), each, reader.in(), most_layers));
+  return false;
+}
+
 /// Shells need a thickness; of solids it has no effect. What a file holds is seen when it is read.
 bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
   if (!check_reference(reader, node, part)) return false;
@@ -219,7 +249,7 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
     reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
     return false;
   }
-  for (const char* key : {"thickness", "points", "reference"}) {
+  for (const char* key : {"thickness", "points", "plies", "reference"}) {
     if (is_shell || node.find(key) == nullptr) continue;
     reader.error(node.find(key)->key,
                  fmt::format("{} has no effect{} (only shells have a thickness)", reader.name_of(key), reader.in()));
@@ -255,6 +285,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
     reader.reading().shapeless.insert(out.name);
     return false;
   }
+  if (!check_plies(reader, node, out)) return false;
   if (!check_thickness(reader, node, out) || !check_beam_section(reader, node, out)) return false;
   if (!check_elements(reader, node, out) || !good) return false;
   set_offset(node, out);

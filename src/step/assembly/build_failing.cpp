@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "kernels/shell/layer_lives.hpp"
+#include "src/deck/laminates.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -32,6 +34,7 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   }
   limits.tension = deck.pressure.value_or(none);
   limits.yield_time = deck.yield_time.value_or(none);
+  limits.fibre_damage = deck.fibre_damage.value_or(none);
   limits.least_volume = deck.volume_below.value_or(0);
   limits.most_volume = deck.volume_above.value_or(none);
   if (const auto& d = deck.johnson_cook) {
@@ -62,6 +65,15 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
                   failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
 }
 
+/// Whether some ply of it can fail.
+bool has_fibres(const MaterialDeck& material) {
+  if (!is_laminate(material)) return false;
+  const std::vector<LaminatePly> plies = list_plies(material);
+  return std::any_of(plies.begin(), plies.end(), [](const LaminatePly& ply) {
+    return ply.law.model == Orthotropic::name && find_constants<Orthotropic>(ply.law).has_strength();
+  });
+}
+
 /// Criteria of shells or of beams, for elements of another kind.
 void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
@@ -70,6 +82,8 @@ void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
   const char* criterion = nullptr;
   if (!topology.is_surface() && (failure.thinning || failure.mean_thinning))
     criterion = failure.thinning ? "thinning (of shells)" : "mean_thinning (of shells)";
+  if (failure.fibre_damage && !(topology.is_surface() && has_fibres(material)))
+    criterion = "fibre_damage (of shells whose plies have strengths)";
   if (!topology.is_solid() && (failure.volume_below || failure.volume_above))
     criterion = failure.volume_below ? "volume_below (of solids)" : "volume_above (of solids)";
   if (!topology.is_line() && (failure.resultants || failure.time))

@@ -54,7 +54,7 @@ struct BlockBuilder {
   const Deck& deck;
   const ChunkedMesh& chunked;
   std::vector<KernelMaterial> materials;  // of the deck
-  std::vector<int> record_size, history, points, parameters, scalars;
+  std::vector<int> record_size, history, points, rule, parameters, scalars;
   std::vector<std::size_t> first_start;  // by chunk, into start_values
   std::vector<int> start_count;
   std::vector<double> start_values;

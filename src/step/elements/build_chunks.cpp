@@ -1,12 +1,17 @@
 #include "src/step/elements/build_chunks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
+#include "src/deck/laminates.hpp"
+#include "src/deck/make_material.hpp"
 #include "src/deck/rigid_bodies.hpp"
+#include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/elements/block_builder.hpp"
 #include "src/step/elements/build_beams.hpp"
@@ -102,6 +107,27 @@ std::vector<ElementFamily> list_families(const ChunkedMesh& chunked) {
   return families;
 }
 
+/// What only shells have. On all ranks alike: they know all blocks.
+void refuse_plies(const Deck& deck, const Mesh& mesh) {
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
+    if (find_topology(block.topology).is_surface() || !is_laminate(material)) continue;
+    const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
+    const char* what = nullptr;
+    if (!part.plies.empty()) what = "plies";
+    if (material.law.model == Orthotropic::name) {
+      const OrthotropicConstants constants = find_constants<Orthotropic>(material.law);
+      if (constants.follows_elements) what = "a material with axes: elements";
+      if (constants.has_strength()) what = "a material with strengths of plies";
+    }
+    if (what == nullptr || part.rigid) continue;
+    throw InputError(
+        fmt::format("{}: error: part '{}' has {} elements and {} (only shells can): make them shells, or "
+                    "give them another material",
+                    deck.where(part.place), part.name, find_topology(block.topology).name, what));
+  }
+}
+
 void take_tables(const ChunkedMesh& chunked, const ChunkTables& tables, ElementChunks& chunks) {
   chunks.count = static_cast<int>(chunked.chunks.size());
   chunks.family = to_view("percuss::family_of_chunk", list_families(chunked));
@@ -113,17 +139,23 @@ void take_tables(const ChunkedMesh& chunked, const ChunkTables& tables, ElementC
   chunks.corner_slots = to_view("percuss::corner_slots", tables.corner_slots);
 }
 
+std::vector<KernelMaterial> make_materials(const Deck& deck) {
+  std::vector<KernelMaterial> materials;
+  for (const MaterialDeck& material : deck.materials) materials.push_back(make_kernel_material(material));
+  return materials;
+}
+
 }  // namespace
 
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  refuse_plies(deck, chunked.mesh);
   const ChunkTables tables = make_chunk_tables(chunked);
   const std::size_t count = chunked.chunks.size();
   const std::vector<int> empty(count);
-  std::vector<KernelMaterial> materials;
-  for (const MaterialDeck& material : deck.materials) materials.push_back(make_kernel_material(material));
   BlockBuilder builder{deck,
                        chunked,
-                       std::move(materials),
+                       make_materials(deck),
+                       empty,
                        empty,
                        empty,
                        empty,
@@ -136,8 +168,8 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.tetrahedra);
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.one_point);
   build_shell_blocks(deck, chunked,
-                     {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
-                      builder.first_start, builder.start_count, builder.start_values},
+                     {builder.record_size, builder.history, builder.points, builder.rule, builder.parameters,
+                      builder.scalars, builder.first_start, builder.start_count, builder.start_values},
                      model);
   build_beam_block(deck, chunked,
                    {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars}, model);
@@ -151,6 +183,7 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.record_size = to_view("percuss::record_size", builder.record_size);
   chunks.history = to_view("percuss::history", builder.history);
   chunks.points = to_view("percuss::points", builder.points);
+  chunks.rule = to_view("percuss::rule_of_chunk", builder.rule);
   model.start_history = {to_view("percuss::first_start", builder.first_start),
                          to_view("percuss::start_count", builder.start_count),
                          to_view("percuss::start_history", builder.start_values)};

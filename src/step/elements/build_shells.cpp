@@ -3,33 +3,86 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <type_traits>
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/layer_of_law.hpp"
+#include "src/deck/laminates.hpp"
 #include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
+#include "src/fail_together.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/elements/build_laminates.hpp"
 
 namespace percuss {
 
 namespace {
 
-/// Calls use(law, layer) with the layer of a material. Returns false if shells do not know it.
+/// The layers of the shells of a material.
+template <class Layer>
+struct BuiltSection {
+  Layer layer;
+  ThicknessPoints rule;
+  std::array<int, history_scalars> scalars;  // place of each in the history of a layer, -1: none
+};
+
+template <class Law>
+std::array<int, history_scalars> list_history() {
+  std::array<int, history_scalars> places;
+  places.fill(-1);
+  int place = 0;
+  if constexpr (requires { Law::history_names; }) {
+    for (const HistoryScalar name : Law::history_names) places[static_cast<std::size_t>(name)] = place++;
+  }
+  return places;
+}
+
+std::array<int, history_scalars> list_history(const Laminate& laminate) {
+  std::array<int, history_scalars> places;
+  places.fill(-1);
+  if (laminate.can_yield) places[static_cast<std::size_t>(HistoryScalar::equivalent_plastic_strain)] = 0;
+  if (laminate.can_fail) {
+    places[static_cast<std::size_t>(HistoryScalar::fibre_damage)] = PlyHistory::fibre_damage;
+    places[static_cast<std::size_t>(HistoryScalar::matrix_damage)] = PlyHistory::matrix_damage;
+  }
+  return places;
+}
+
+/// Calls use(section) with the layers of a block, which check_materials() has let through.
 template <class Use>
-bool visit_layer(const MaterialDeck& material, const Use& use) {
-  if (material.equation_of_state) return false;
-  bool known = false;
-  visit_law(material, [&](const auto& law) {
-    if constexpr (LayerLaw<std::decay_t<decltype(law)>>) {
-      use(law, make_layer(law, material.density));
-      known = true;
+void visit_section(const MaterialDeck& material, const ElementBlock& block, const Use& use) {
+  if (is_laminate(material)) {
+    const Laminate laminate = make_laminate(material, block.section.points);
+    use(BuiltSection<LaminateLayer>{laminate.layer, laminate.rule, list_history(laminate)});
+    return;
+  }
+  visit_law(material, [&]<class Law>(const Law& law) {
+    if constexpr (requires { make_layer(law, 1.0); }) {
+      const auto layer = make_layer(law, material.density);
+      using Layer = std::decay_t<decltype(layer)>;
+      constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
+      const int points = block.section.points > 0 ? block.section.points : usual;
+      use(BuiltSection<Layer>{layer, find_thickness_points(points), list_history<Law>()});
     }
   });
-  return known;
+}
+
+/// Why shells cannot have a material; empty: they can.
+std::string find_fault(const MaterialDeck& material) {
+  const std::string known = name_laws(&LawTraits::is_of_shells);
+  if (material.equation_of_state || !find_traits(material).is_of_shells)
+    return fmt::format("shells support {}, without an equation of state", known);
+  return is_laminate(material) ? find_laminate_fault(material) : "";
+}
+
+/// Places of the corners of a shell.
+void find_shell_corners(const Mesh& mesh, std::size_t element, Vector3<double> (&corners)[4]) {
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
 }
 
 /// On all ranks alike: they know all blocks.
@@ -38,11 +91,10 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
     if (!find_topology(block.topology).is_surface()) continue;
     const auto p = static_cast<std::size_t>(block.part);
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-    if (visit_layer(material, [](const auto&, const auto&) {})) continue;
-    throw InputError(fmt::format(
-        "{}: error: part '{}' has shells of material '{}' (shells support {}, without an equation of "
-        "state): give it one of these, or solids",
-        deck.where(deck.parts[p].place), mesh.parts[p].name, material.name, name_laws(&LawTraits::is_of_shells)));
+    const std::string fault = find_fault(material);
+    if (fault.empty()) continue;
+    throw InputError(fmt::format("{}: error: part '{}' has shells of material '{}' ({}): give it another, or solids",
+                                 deck.where(deck.parts[p].place), mesh.parts[p].name, material.name, fault));
   }
 }
 
@@ -53,19 +105,15 @@ bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
 }
 
 /// What the launchers and readers need to know of the records of chunk c.
-template <class Law, class Layer>
-void describe_records(const Law&, const Layer& layer, int points, std::size_t c, const ChunkRecords& records) {
-  const int history = ShellRecord::layers + ShellRecord::stress_count;
-  records.record_size[c] = find_shell_record_size(points, layer.count_history());
+template <class Layer>
+void describe_records(const BuiltSection<Layer>& section, std::size_t c, const ChunkRecords& records) {
+  const int history = ShellRecord::layers + ShellRecord::stress_count, points = section.rule.count;
+  records.record_size[c] = find_shell_record_size(points, section.layer.count_history());
   records.points[c] = points;
-  records.history[c] = layer.count_history() > 0 ? history : -1;
-  int place = history;
+  records.history[c] = section.layer.count_history() > 0 ? history : -1;
   const std::size_t first = c * history_scalars;
-  for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[first + k] = -1;
-  if constexpr (requires { Law::history_names; }) {
-    for (const HistoryScalar name : Law::history_names)
-      records.scalars[first + static_cast<std::size_t>(name)] = place++;
-  }
+  for (std::size_t k = 0; k < history_scalars; ++k)
+    records.scalars[first + k] = section.scalars[k] < 0 ? -1 : history + section.scalars[k];
 }
 
 /// The history of the layers of a chunk at the start, the same of all.
@@ -83,38 +131,85 @@ void add_start_history(const Layer& layer, int elements, std::size_t c, const Ch
   }
 }
 
+/// Of laminates: where their reference axis points.
+void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_t c, const ChunkRecords& records) {
+  const Chunk& chunk = chunked.chunks[c];
+  const Mesh& mesh = chunked.mesh;
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(find_block(chunked, chunk).material)];
+  records.first_start[c] = records.start_values.size();
+  records.start_count[c] = PlyHistory::count;
+  for (int i = 0; i < chunk.element_count; ++i) {
+    const auto e = static_cast<std::size_t>(chunk.first_element + i);
+    Vector3<double> corners[4];
+    find_shell_corners(mesh, e, corners);
+    const PlaneDirection<double> axis =
+        find_reference_axis(material, corners, find_shell_geometry(find_differences(corners)).frame);
+    if (axis.cosine == 0 && axis.sine == 0)
+      throw InputError(fmt::format(
+          "{}: error: part '{}' has a shell whose normal is first_axis of its material '{}' (which then has no "
+          "direction in it): choose another first_axis, or axes: elements",
+          deck.where(deck.parts[static_cast<std::size_t>(chunk.part)].place),
+          deck.parts[static_cast<std::size_t>(chunk.part)].name, material.name));
+    std::array<double, PlyHistory::count> row{};
+    row[PlyHistory::cosine] = axis.cosine;
+    row[PlyHistory::sine] = axis.sine;
+    records.start_values.insert(records.start_values.end(), row.begin(), row.end());
+  }
+}
+
+/// The rows of a block while they are listed. rules: of the model, in and out.
 template <class Layer>
-void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, ShellBlock<Layer>& block) {
+struct ListedShells {
   std::vector<int> chunks;
   std::vector<ShellParameters<Layer>> rows;
+  std::vector<int> rule_of_row;
   std::map<int, int> row_of_part;
+};
+
+template <class Layer>
+void list_chunk(const Deck& deck, const ChunkedMesh& chunked, const BuiltSection<Layer>& section, std::size_t c,
+                ListedShells<Layer>& listed, std::vector<ThicknessPoints>& rules) {
+  const int part_index = chunked.chunks[c].part;
+  const auto part = static_cast<std::size_t>(part_index);
+  const auto [row, is_new] = listed.row_of_part.emplace(part_index, static_cast<int>(listed.rows.size()));
+  if (!is_new) return;
+  listed.rows.push_back(
+      {section.layer, section.rule, deck.parts[part].offset, deck.find_elements(part).shell_hourglass});
+  listed.rule_of_row.push_back(section.rule.count);
+  if constexpr (has_plies<Layer>) {
+    listed.rule_of_row.back() = static_cast<int>(rules.size());
+    rules.push_back(section.rule);
+  }
+}
+
+template <class Layer>
+void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records,
+                 std::vector<ThicknessPoints>& rules, ShellBlock<Layer>& block) {
+  ListedShells<Layer> listed;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    if (!is_shell_chunk(chunked, chunked.chunks[c])) continue;
-    const int part_index = chunked.chunks[c].part;
-    const ElementBlock& of_chunk = find_block(chunked, chunked.chunks[c]);
-    visit_layer(deck.materials[static_cast<std::size_t>(of_chunk.material)], [&](const auto& law, const auto& layer) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(layer)>, Layer>) {
-        constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
-        const int points = of_chunk.section.points > 0 ? of_chunk.section.points : usual;
-        const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
-        const auto part = static_cast<std::size_t>(part_index);
-        if (is_new) {
-          rows.push_back({layer, find_thickness_points(points), deck.parts[part].offset,
-                          deck.find_elements(part).shell_hourglass});
-        }
-        block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
-        if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
-        records.parameters[c] = row->second;
-        describe_records(law, layer, points, c, records);
-        add_start_history(layer, chunked.chunks[c].element_count, c, records);
+    const Chunk& chunk = chunked.chunks[c];
+    if (!is_shell_chunk(chunked, chunk)) continue;
+    const ElementBlock& of_chunk = find_block(chunked, chunk);
+    visit_section(deck.materials[static_cast<std::size_t>(of_chunk.material)], of_chunk, [&](const auto& section) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(section.layer)>, Layer>) {
+        list_chunk(deck, chunked, section, c, listed, rules);
+        block.has_triangles = block.has_triangles || holds_triangle(chunked, chunk);
+        if (!is_rigid_chunk(deck, chunk)) listed.chunks.push_back(static_cast<int>(c));
+        records.parameters[c] = listed.row_of_part.at(chunk.part);
+        records.rule[c] = listed.rule_of_row[static_cast<std::size_t>(records.parameters[c])];
+        describe_records(section, c, records);
+        if constexpr (has_plies<Layer>)
+          add_reference_axes(deck, chunked, c, records);
+        else
+          add_start_history(section.layer, chunk.element_count, c, records);
       }
     });
   }
-  block.chunks = to_view("percuss::chunks_of_shell_block", chunks);
-  block.parameters = to_view("percuss::shell_parameters", rows);
+  block.chunks = to_view("percuss::chunks_of_shell_block", listed.chunks);
+  block.parameters = to_view("percuss::shell_parameters", listed.rows);
 }
 
-/// The rules of all numbers of points, by number.
+/// The rules of all numbers of points, by number; those of laminates follow.
 std::vector<ThicknessPoints> list_thickness_rules() {
   std::vector<ThicknessPoints> rules(1);
   for (int count = 1; count <= most_thickness_points; ++count) rules.push_back(find_thickness_points(count));
@@ -130,11 +225,14 @@ bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
   if (!model.has_rotations) return;
   check_materials(deck, chunked.mesh);
-  std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.others.shells);
+  std::vector<ThicknessPoints> rules = list_thickness_rules();
+  fail_together(model.ranks, [&] {
+    std::apply([&](auto&... block) { (build_block(deck, chunked, records, rules, block), ...); }, model.others.shells);
+  });
   std::vector<double> thickness;
   for (std::size_t e = 0; e < chunked.mesh.elements.size(); ++e) thickness.push_back(chunked.mesh.thickness_of(e));
   model.start_thickness = to_view("percuss::start_thickness", thickness);
-  model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
+  model.thickness_rules = to_view("percuss::thickness_rules", rules);
 }
 
 std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
@@ -150,20 +248,24 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
 
 std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass) {
   const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
+  std::vector<PlaneElasticity> of_blocks(mesh.elements.blocks.size());
+  for (std::size_t b = 0; b < of_blocks.size(); ++b) {
+    const ElementBlock& block = mesh.elements.blocks[b];
+    if (!find_topology(block.topology).is_surface()) continue;
+    visit_section(deck.materials[static_cast<std::size_t>(block.material)], block,
+                  [&](const auto& section) { of_blocks[b] = find_bound(section.layer); });
+  }
   std::vector<double> bounds(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
-    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     Vector3<double> corners[4];
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
+    find_shell_corners(mesh, e, corners);
     const MixedShapes<bool> shapes{mesh.topology_of(e).corner_count == 3};
     const ElementBlock& block = mesh.block_of(e);
     const ShellSection<double> section{mesh.thickness_of(e), element_mass[e], gyration_square[e],
                                        deck.parts[static_cast<std::size_t>(block.part)].offset};
-    visit_layer(deck.materials[static_cast<std::size_t>(block.material)], [&](const auto&, const auto& layer) {
-      const auto geometry = find_shell_geometry(find_differences(corners), shapes);
-      bounds[e] = find_shell_step(geometry, section, layer.elasticity, shapes);
-    });
+    const auto b = static_cast<std::size_t>(mesh.elements.block_index(e));
+    bounds[e] = find_shell_step(find_shell_geometry(find_differences(corners), shapes), section, of_blocks[b], shapes);
   }
   return bounds;
 }

@@ -19,7 +19,7 @@ inline bool is_rigid_chunk(const Deck& deck, const Chunk& chunk) {
 
 /// What the launchers need to know of each chunk, by chunk; filled by who builds its block.
 struct ChunkRecords {
-  std::vector<int>&record_size, &history, &points, &parameters, &scalars;
+  std::vector<int>&record_size, &history, &points, &rule, &parameters, &scalars;
   std::vector<std::size_t>& first_start;  // as in StartHistory
   std::vector<int>& start_count;
   std::vector<double>& start_values;

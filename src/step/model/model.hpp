@@ -120,7 +120,7 @@ struct Model {
   bool has_rotations = false;
   bool ties_rotations = false;
   Array<double> start_thickness;                             // [elements] of shells [length]
-  Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
+  Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by ElementChunks::rule
   Array<double> gyration_square;  // [elements] rotary inertia over mass, of beams across [length^2]
   Array<double> inertia;          // [nodes] rotary, about any axis; 0 without such an element
   SpinTensors spin_tensors;       // what nodes of beams have besides; at time 0

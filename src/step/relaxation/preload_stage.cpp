@@ -169,7 +169,7 @@ struct ShortenLayer {
     if (!is_shell(all, c)) return volume(j) * shorten_solid(record, all.points(c), by);
     const double n[2] = {axes(2 * j), axes(2 * j + 1)};
     return places.find_area(c, elements(j)) * record.get(ShellRecord::thickness) *
-           shorten_shell(record, rules(all.points(c)), find_layer_size(all, c), n, by);
+           shorten_shell(record, rules(all.rule(c)), find_layer_size(all, c), n, by);
   }
 };
 

@@ -61,6 +61,15 @@ inline Honeycomb make_sample(Of<Honeycomb>) {
           {2, {0, 0.7}, {2.2e6, 0.4e6}},
           {2, {0, 0.7}, {0.3e6, 2.4e6}}};
 }
+inline OrthotropicConstants make_sample(Of<Orthotropic>) {
+  OrthotropicConstants law{{30e9, 12e9, 15e9}, {0.25, 0.3, 0.2}, {4e9, 5e9, 6e9}};
+  const double first[3] = {1, 0.5, 0.2}, second[3] = {-0.3, 1, 0};
+  for (int k = 0; k < 3; ++k) {
+    law.first_axis[k] = first[k];
+    law.second_axis[k] = second[k];
+  }
+  return law;
+}
 inline LowDensityFoam make_sample(Of<LowDensityFoam>) {
   return {5e6, 0.2, 2, {4, {0, 0.05, 0.6, 0.8}, {0, 0.2e6, 0.3e6, 2e6}}};
 }

@@ -105,7 +105,7 @@ struct ReadScalar {
   KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int e, const ElementRecord& record,
                                          double* row) const {
     if (is_shell(chunks, c)) {
-      const auto& rule = shells.rules(chunks.points(c));
+      const auto& rule = shells.rules(chunks.rule(c));
       const int place = chunks.find_scalar(c, name);
       const auto whole = [](int) { return 1.0; };
       const bool has = place >= 0 && point < rule.count;
@@ -284,8 +284,9 @@ std::vector<double> find_point_plastic_strains(const Model& model, const State& 
   return read_chosen(model, state, of, read_plastic_strain(model, state, point));
 }
 
-std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name, const ElementChoice& of) {
-  return read_chosen(model, state, of, ReadScalar{{model, state}, name});
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name, const ElementChoice& of,
+                                 int point) {
+  return read_chosen(model, state, of, ReadScalar{{model, state}, name, point});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {
@@ -321,9 +322,7 @@ int count_points(const Model& model, int element) {
   const auto first_element = to_host(chunks.first_element);
   int chunk = 0;
   while (first_element(static_cast<std::size_t>(chunk) + 1) <= element) ++chunk;
-  const int points = to_host(chunks.points)(static_cast<std::size_t>(chunk));
-  const bool has_rule = to_host(chunks.family)(static_cast<std::size_t>(chunk)) == ElementFamily::shells;
-  return has_rule ? to_host(model.thickness_rules)(static_cast<std::size_t>(points)).count : points;
+  return to_host(chunks.points)(static_cast<std::size_t>(chunk));
 }
 
 }  // namespace percuss

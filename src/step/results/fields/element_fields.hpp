@@ -55,9 +55,10 @@ std::vector<double> find_plastic_strains(const Model& model, const State& state,
 std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point,
                                                const ElementChoice& of = {});
 
-/// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.
+/// A named scalar of the materials' history an element, at several points their mean, or of shells that at one point; 0
+/// where the material has none.
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
-                                 const ElementChoice& of = {});
+                                 const ElementChoice& of = {}, int point = ShellPoint::mean);
 
 /// 1 for elements that have any force, 0 for dead ones.
 std::vector<double> find_alive(const Model& model, const State& state, const ElementChoice& of = {});

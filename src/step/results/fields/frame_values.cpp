@@ -77,6 +77,14 @@ constexpr FrameField frame_fields[] = {
      [](const FrameSource& of) { return find_point_stresses(of.model, of.state, ShellPoint::highest, of.elements()); }},
     {"thickness", FieldPlace::element, 1,
      [](const FrameSource& of) { return find_thicknesses(of.model, of.state, of.elements()); }},
+    {"fibre_damage", FieldPlace::element, 1,
+     [](const FrameSource& of) {
+       return find_history(of.model, of.state, HistoryScalar::fibre_damage, of.elements());
+     }},
+    {"matrix_damage", FieldPlace::element, 1,
+     [](const FrameSource& of) {
+       return find_history(of.model, of.state, HistoryScalar::matrix_damage, of.elements());
+     }},
     {"axial_force", FieldPlace::element, 1,
      [](const FrameSource& of) { return find_axial_forces(of.model, of.state, of.elements()); }},
     {"section_force", FieldPlace::element, 3,
@@ -117,6 +125,11 @@ std::vector<double> find_field(const std::string& name, const FrameSource& of, F
   field.components = 1;
   if (const auto strain = find_thickness_point(name, plastic_strain_points))
     return find_point_plastic_strains(of.model, of.state, *strain - 1, of.elements());
+  for (const auto& [quantity, scalar] : {std::pair(fibre_damage_points, HistoryScalar::fibre_damage),
+                                         std::pair(matrix_damage_points, HistoryScalar::matrix_damage)}) {
+    if (const auto point = find_thickness_point(name, quantity))
+      return find_history(of.model, of.state, scalar, of.elements(), *point - 1);
+  }
   throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
 }
 

@@ -68,7 +68,7 @@ KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const R
   const ElementChunks& chunks = shell.chunks;
   const int c = shell.c, i = shell.e - chunks.first_element(c);
   const ElementRecord& record = shell.record;
-  const ThicknessPoints& rule = tables.rules(chunks.points(c));
+  const ThicknessPoints& rule = tables.rules(chunks.rule(c));
   if (point >= rule.count) {
     for (int k = 0; k < 6; ++k) row[k] = 0;
     return;

@@ -1,0 +1,205 @@
+#pragma once
+// Orthotropic elasticity: three planes of symmetry, as of plies with fibres, wood and rolled sheets.
+
+#include <cmath>
+
+#include "kernels/material/elastic.hpp"
+
+namespace percuss {
+
+/// Constants of an orthotropic material by its axes 1, 2, 3, and strengths that plies of shells have
+/// (kernels/shell/ply.hpp).
+struct OrthotropicConstants {
+  double moduli[3] = {0, 0, 0}, poissons_ratios[3] = {0, 0, 0}, shear_moduli[3] = {0, 0, 0};
+  double first_axis[3] = {1, 0, 0}, second_axis[3] = {0, 0, 0};  // of the second zeros: find_second_axis()
+  bool follows_elements = false;
+  // 0: never fails so
+  double fibre_tension = 0, fibre_compression = 0, matrix_tension = 0, matrix_compression = 0, shear = 0;
+  double transverse_shear = 0, shear_in_fibre_tension = 0;
+  double fibre_tension_energy = 0, fibre_compression_energy = 0, matrix_tension_energy = 0,
+         matrix_compression_energy = 0;
+
+  bool has_strength() const {
+    return fibre_tension > 0 || fibre_compression > 0 || matrix_tension > 0 || matrix_compression > 0 || shear > 0;
+  }
+
+  static bool are_parallel(const double (&a)[3], const double (&b)[3]) {
+    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+    const double product = (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+    return !(x * x + y * y + z * z > 1e-12 * product);
+  }
+
+  /// Where the deck gives none: y, or z if axis 1 is along y.
+  void find_second_axis(double (&axis)[3]) const {
+    const double y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
+    const bool is_given = second_axis[0] != 0 || second_axis[1] != 0 || second_axis[2] != 0;
+    const double(&from)[3] = is_given ? second_axis : (are_parallel(first_axis, y) ? z : y);
+    for (int k = 0; k < 3; ++k) axis[k] = from[k];
+  }
+
+  /// Strain along b by a stress along a is -nu_ab / E_a; [12], [23], [13].
+  const char* find_fault() const {
+    const auto [e1, e2, e3] = moduli;
+    const auto [n12, n23, n13] = poissons_ratios;
+    const double n21 = n12 * e2 / e1, n32 = n23 * e3 / e2, n31 = n13 * e3 / e1;
+    if (!(n12 * n21 < 1 && n23 * n32 < 1 && n13 * n31 < 1 &&
+          1 - n12 * n21 - n23 * n32 - n13 * n31 - 2 * n21 * n32 * n13 > 0))
+      return "poissons_ratios that no stable material has (nu_ab^2 < E_a / E_b of each pair, and all together)";
+    double second[3];
+    find_second_axis(second);
+    if (are_parallel(first_axis, second)) return "first_axis and second_axis that are zero or parallel";
+    if (matrix_compression > 0 && !(shear > 0)) return "matrix_compression without shear, the strength in shear";
+    if (matrix_tension > 0 && !(shear > 0)) return "matrix_tension without shear, the strength in shear";
+    return "";
+  }
+};
+
+/// sigma = C e in the material's axes, by increments; the rate is that of J sigma as in elastic.hpp. The axes are given
+/// in space at the start and turn with the element. C is the inverse of the compliance (Jones, Mechanics of Composite
+/// Materials, 2nd edition, section 2.2).
+struct Orthotropic {
+  static constexpr const char* name = "orthotropic";
+  using Constants = OrthotropicConstants;
+  Constants constants;
+  double stiffness[6][6] = {};  // of xx, yy, zz, xy, yz, zx in space axes; strains as in the tensor
+  double largest = 0;           // bound of its eigenvalues
+
+  static constexpr auto keys() {
+    using C = OrthotropicConstants;
+    return std::array{
+        need("moduli", &C::moduli, KeyRange::positive, "pressure",
+             "Young's moduli along the axes 1 (fibres), 2 and 3."),
+        need("poissons_ratios", &C::poissons_ratios, KeyRange::any, "-",
+             "nu12, nu23, nu13: strain along the second axis by a stress along the first."),
+        need("shear_moduli", &C::shear_moduli, KeyRange::positive, "pressure", "G12, G23, G13."),
+        may("first_axis", &C::first_axis, KeyRange::any, "-",
+            "Direction of axis 1 in space at the start; shells take what of it lies in their plane."),
+        may("second_axis", &C::second_axis, KeyRange::any, "-",
+            "Of solids: a direction in the plane of the axes 1 and 2, on the side of axis 2."),
+        may("axes", &C::follows_elements, "space", "elements",
+            "elements: axis 1 of each shell points from its first corner to its second instead."),
+        may("fibre_tension", &C::fibre_tension, KeyRange::not_negative, "pressure",
+            "Strength along axis 1 of plies of shells; 0: never fails so."),
+        may("fibre_compression", &C::fibre_compression, KeyRange::not_negative, "pressure", "Likewise in compression."),
+        may("matrix_tension", &C::matrix_tension, KeyRange::not_negative, "pressure", "Strength along axis 2."),
+        may("matrix_compression", &C::matrix_compression, KeyRange::not_negative, "pressure",
+            "Likewise in compression."),
+        may("shear", &C::shear, KeyRange::not_negative, "pressure", "Strength in shear 12."),
+        may("transverse_shear", &C::transverse_shear, KeyRange::not_negative, "pressure",
+            "Strength in shear 23 (Hashin); 0: as `shear` (Chang and Chang)."),
+        may("shear_in_fibre_tension", &C::shear_in_fibre_tension, KeyRange::share, "-",
+            "Share of the shear in the criterion of fibres in tension."),
+        may("fibre_tension_energy", &C::fibre_tension_energy, KeyRange::not_negative, "energy / area",
+            "Energy of a crack of this kind; 0: brittle."),
+        may("fibre_compression_energy", &C::fibre_compression_energy, KeyRange::not_negative, "energy / area",
+            "Likewise."),
+        may("matrix_tension_energy", &C::matrix_tension_energy, KeyRange::not_negative, "energy / area", "Likewise."),
+        may("matrix_compression_energy", &C::matrix_compression_energy, KeyRange::not_negative, "energy / area",
+            "Likewise.")};
+  }
+
+  static Orthotropic make(const Constants& c) {
+    Orthotropic law;
+    law.constants = c;
+    double own[6][6] = {};
+    set_normal_stiffness(c, own);
+    for (int k = 0; k < 3; ++k) own[3 + k][3 + k] = 2 * c.shear_moduli[k];
+    double axes[3][3];
+    set_axes(c, axes);
+    law.turn_stiffness(own, axes);
+    law.largest = find_largest(own);
+    return law;
+  }
+
+  static constexpr int history_count = 0;
+
+  /// Isotropic ones that are nowhere softer: they bound the stiffness of every strain.
+  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return {0, 0.5 * largest}; }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
+    const Symmetric3<T> de = step.motion.de;
+    const T strain[6] = {de.xx, de.yy, de.zz, T(2) * de.xy, T(2) * de.yz, T(2) * de.zx};
+    T added[6];
+    for (int i = 0; i < 6; ++i) {
+      added[i] = T(stiffness[i][0]) * strain[0];
+      for (int j = 1; j < 6; ++j) added[i] = added[i] + T(stiffness[i][j]) * strain[j];
+    }
+    const Symmetric3<T> increment{added[0], added[1], added[2], added[3], added[4], added[5]};
+    const VolumeChange<T>& change = step.motion.change;
+    step.stress = step.stress + change.inverse * (increment + (T(0) - change.growth) * step.stress);
+    const Moduli<T> now = find_elastic_moduli<T>(moduli(), bound_pressure(step.stress), change.inverse);
+    step.lambda = now.lambda;
+    step.mu = now.mu;
+  }
+
+ private:
+  /// The inverse of the compliance of normal strains.
+  static void set_normal_stiffness(const Constants& c, double (&own)[6][6]) {
+    const auto [e1, e2, e3] = c.moduli;
+    const auto [n12, n23, n13] = c.poissons_ratios;
+    const double n21 = n12 * e2 / e1, n32 = n23 * e3 / e2, n31 = n13 * e3 / e1;
+    const double over = 1 / (1 - n12 * n21 - n23 * n32 - n13 * n31 - 2 * n21 * n32 * n13);
+    own[0][0] = e1 * (1 - n23 * n32) * over;
+    own[1][1] = e2 * (1 - n13 * n31) * over;
+    own[2][2] = e3 * (1 - n12 * n21) * over;
+    own[0][1] = own[1][0] = e1 * (n21 + n31 * n23) * over;
+    own[0][2] = own[2][0] = e1 * (n31 + n21 * n32) * over;
+    own[1][2] = own[2][1] = e2 * (n32 + n12 * n31) * over;
+  }
+
+  /// Rows: the axes 1, 2, 3.
+  static void set_axes(const Constants& c, double (&axes)[3][3]) {
+    const auto cross_of = [](const double(&a)[3], const double(&b)[3], double(&to)[3]) {
+      for (int k = 0; k < 3; ++k) to[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    };
+    const auto normalize = [](double(&a)[3]) {
+      const double over = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+      for (double& x : a) x *= over;
+    };
+    for (int k = 0; k < 3; ++k) axes[0][k] = c.first_axis[k];
+    normalize(axes[0]);
+    double second[3];
+    c.find_second_axis(second);
+    cross_of(c.first_axis, second, axes[2]);
+    normalize(axes[2]);
+    cross_of(axes[2], axes[0], axes[1]);
+  }
+
+  /// Into space axes. own: of strains as in the tensor (shear twice the modulus); stiffness: of 2 xy and so on.
+  void turn_stiffness(const double (&own)[6][6], const double (&axes)[3][3]) {
+    constexpr int first[6] = {0, 1, 2, 0, 1, 2}, second[6] = {0, 1, 2, 1, 2, 0};
+    for (int j = 0; j < 6; ++j) {
+      double local[6], stress[6];  // of the unit strain j (of half of it where it is of shear)
+      for (int k = 0; k < 6; ++k) {
+        const int a = first[k], b = second[k];
+        local[k] = 0.5 * (axes[a][first[j]] * axes[b][second[j]] + axes[a][second[j]] * axes[b][first[j]]);
+      }
+      for (int k = 0; k < 6; ++k) {
+        stress[k] = 0;
+        for (int m = 0; m < 6; ++m) stress[k] += own[k][m] * local[m];
+      }
+      for (int i = 0; i < 6; ++i) {
+        stiffness[i][j] = 0;
+        for (int k = 0; k < 6; ++k) {
+          const double here = axes[first[k]][first[i]] * axes[second[k]][second[i]];
+          const double there = axes[second[k]][first[i]] * axes[first[k]][second[i]];
+          stiffness[i][j] += stress[k] * (k < 3 ? here : here + there);
+        }
+      }
+    }
+  }
+
+  /// Bound of the eigenvalues of a stiffness of tensors: the largest of the sums of its rows.
+  static double find_largest(const double (&own)[6][6]) {
+    double largest = 0;
+    for (const auto& row : own) {
+      double sum = 0;
+      for (const double value : row) sum += std::abs(value);
+      largest = larger(largest, sum);
+    }
+    return largest;
+  }
+};
+
+}  // namespace percuss
