@@ -136,7 +136,7 @@ def make_parts(model: Model, mesh_file: str) -> Deck:
     parts: Deck = {}
     for block in model.blocks:
         entry: Deck = {"mesh": {"file": mesh_file, "blocks": [block.name]}}
-        if block.thickness is not None:
+        if block.thickness is not None and "plies" not in block.keys:
             entry["thickness"] = {"file": True} if block.thicknesses else block.thickness
         parts[block.name] = {**entry, **block.keys}
     return parts

@@ -50,6 +50,7 @@ REASONS = {
     "solids": "numerics of solids: percuss has its own",
     "joints": "how joints and rigid bodies are solved: joints of percuss are exact",
     "isotropic": "directions, which isotropic materials do not see",
+    "fading": "in how many steps a stress falls to zero: percuss takes some 50",
     "absent": "of elements or bodies that percuss does not have",
     "storage": "how data are stored",
     "attribute": "of members of a set, which only cards use that are refused",

@@ -39,7 +39,7 @@ def grows_in_increments(law: Deck) -> bool:
 def takes_stiffness_damping(block: Block, law: Deck) -> bool:
     """Whether percuss knows it for these elements and this material."""
     is_known = all(len(set(corners)) == 8 for _, corners in block.solids)
-    return is_known and grows_in_increments(law)
+    return is_known and grows_in_increments(law) and not block.layers
 
 
 def takes_beams(law: Deck) -> bool:
@@ -48,8 +48,8 @@ def takes_beams(law: Deck) -> bool:
 
 
 def find_law(model: Model, block: Block) -> Deck:
-    """Of the elements of a part; empty where they are rigid or have none."""
-    return {} if block.keys.get("rigid") else model.materials.get(block.keys.get("material", ""), {})
+    """Of the elements of a part; empty where they are rigid, have none or several."""
+    return {} if block.keys.get("rigid") or "plies" in block.keys else model.materials.get(block.keys.get("material", ""), {})
 
 
 def takes_stress(model: Model, block: Block) -> bool:

@@ -14,6 +14,15 @@ RESERVED = {"all", "top", "bottom"}
 
 
 @dataclass
+class Layer:
+    """A ply of shells, before its material is translated."""
+
+    material: int | str
+    share: float  # of the thickness
+    angle: float = 0.0  # degrees
+
+
+@dataclass
 class Block:
     """Elements of one part: a part of the deck.
 
@@ -29,6 +38,9 @@ class Block:
     beams: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     thickness: float | None = None
     thicknesses: dict[int, float] = field(default_factory=dict)  # of shells, by id, where they differ
+    layers: list[Layer] = field(default_factory=list)  # of shells, from the bottom
+    angles: set[float] = field(default_factory=set)  # of axes of materials, that shells have themselves; 0: none
+    has_systems: bool = False  # some have a system of axes of their own
     keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
     density: float = 0.0
     more_density: float = 0.0  # mass that is not of the material, over the volume

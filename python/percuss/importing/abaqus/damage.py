@@ -12,6 +12,7 @@ from ..model import Deck
 from ..shapes import shell_area, solid_volume
 from .deck import AbaqusDeck
 from .lines import Block
+from .plies import add_hashin
 
 KEYWORDS = ("DAMAGE INITIATION", "DAMAGE EVOLUTION", "SHEAR FAILURE", "TENSILE FAILURE")
 CLOSE = 0.1  # error of a fitted curve of failure strains that is an approximation
@@ -24,7 +25,7 @@ def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) ->
     found = {keyword: [block for block in blocks if block.keyword == keyword] for keyword in KEYWORDS}
     failure: Deck = {}
     if found["DAMAGE INITIATION"]:
-        add_damage(deck, failure, found["DAMAGE INITIATION"], found["DAMAGE EVOLUTION"])
+        add_damage(deck, law, failure, found["DAMAGE INITIATION"], found["DAMAGE EVOLUTION"])
     for block in found["SHEAR FAILURE"]:
         is_johnson = block.option("TYPE") == "JOHNSON COOK"
         failure |= read_johnson(block) if is_johnson else read_strains(deck, block, -1.0)
@@ -49,7 +50,7 @@ def need_line(block: Block) -> tuple[int, list[str]]:
     return lines[0]
 
 
-def add_damage(deck: AbaqusDeck, failure: Deck, starts: list[Block], ends: list[Block]) -> None:
+def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, starts: list[Block], ends: list[Block]) -> None:
     """An element fails where its damage is complete: after its start by the displacement of *DAMAGE EVOLUTION."""
     start = starts[0]
     if not ends:
@@ -57,6 +58,9 @@ def add_damage(deck: AbaqusDeck, failure: Deck, starts: list[Block], ends: list[
         return
     kinds = {"DUCTILE": lambda: read_strains(deck, start, 1.0), "JOHNSON COOK": lambda: read_johnson(start)}
     kind = start.option("CRITERION")
+    if kind == "HASHIN" and len(starts) == 1:
+        failure |= {"fibre_damage": 1.0} if add_hashin(deck, law, start, ends) else {}
+        return
     if kind not in kinds or len(starts) > 1:
         what = f"damage by the criterion {clip(kind)}" if len(starts) == 1 else "several criteria of damage in a material"
         deck.ledger.refuse("DAMAGE INITIATION", start.place, what, NEVER_FAILS)

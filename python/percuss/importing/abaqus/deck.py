@@ -70,6 +70,7 @@ class AbaqusDeck:
         self.whole_assembly: Instance | None = None  # as an instance without name
         self.assembly_elements: list[int] = []  # ids of its elements, which are read when the instances are in their places
         self.materials: dict[str, MaterialBlocks] = {}
+        self.names_of_laws: dict[str, list[str]] = {}  # in the deck of percuss: one for each way in which sections use a material
         self.amplitudes: dict[str, Amplitude] = {}
         self.steps: list[StepTime] = []
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)

@@ -53,15 +53,22 @@ def scale_density(deck: AbaqusDeck, block: Block, parts: list[Part], factor: flo
     materials = deck.model.materials
     copies: dict[str, str] = {}
     for part in parts:
-        name = part.keys["material"]
-        if name not in copies:
-            copies[name] = deck.model.names.take(f"{name}_scaled", "material")
-            materials[copies[name]] = add_weight(materials[name], factor)
-        part.keys["material"], part.density = copies[name], part.density * factor
-    used = {part.keys["material"] for part in deck.model.blocks}
+        for keys in list_users(part):
+            name = keys["material"]
+            if name not in copies:
+                copies[name] = deck.model.names.take(f"{name}_scaled", "material")
+                materials[copies[name]] = add_weight(materials[name], factor)
+            keys["material"] = copies[name]
+        part.density *= factor
+    used = {keys["material"] for part in deck.model.blocks for keys in list_users(part)}
     for name in [name for name in materials if name not in used]:
         del materials[name]
     deck.ledger.approximated(f"{block.keyword}.FACTOR", block.place, "FACTOR: the density of the parts times the factor, which counts in gravity too")
+
+
+def list_users(part: Part) -> list[Deck]:
+    """The part, and those of its plies that name a material."""
+    return [part.keys, *(ply for ply in part.keys.get("plies", []) if "material" in ply)]
 
 
 def add_weight(law: Deck, factor: float) -> Deck:

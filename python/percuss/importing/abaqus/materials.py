@@ -11,6 +11,7 @@ from .damage import take_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
+from .plies import COUNTS, read_constants
 from .user_code import is_user_code, translate_user_code
 
 INSTEAD = "it is left out"
@@ -81,6 +82,10 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
         return translate_rubber(deck, rubber)
     if state and (elastic is None or elastic.option("TYPE") == "SHEAR"):
         return translate_fluid(deck, material, state, elastic)
+    if elastic and elastic.option("TYPE") in COUNTS:
+        for block in [block for block in material.parts if block.keyword in ("PLASTIC", "VISCOELASTIC", "EOS", "RATE DEPENDENT")]:
+            deck.ledger.refuse(f"{block.keyword}.orthotropic", block.place, f"*{block.keyword} with orthotropic elasticity", INSTEAD)
+        return read_constants(deck, elastic)
     if elastic is None or elastic.option("TYPE") not in ("", "ISOTROPIC"):
         place = elastic.place if elastic else material.place
         what = f"elasticity of the type {clip(elastic.option('TYPE'))}" if elastic else "no *ELASTIC, *HYPERELASTIC or *EOS that is read"

@@ -34,6 +34,28 @@ Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
 
 @dataclass
+class Orientation:
+    """*ORIENTATION: three axes, and a rotation about one of them."""
+
+    place: Place
+    axes: tuple[Vector, Vector, Vector]
+    about: int = 0  # 1 to 3; 0: its line is not given
+    angle: float = 0.0
+    reason: str = ""  # why it is not read
+
+
+@dataclass
+class SectionLayer:
+    """A line of *SHELL SECTION, COMPOSITE; with an orientation in place of its angle."""
+
+    thickness: float
+    points: int
+    material: str
+    angle: float = 0.0
+    orientation: str = ""
+
+
+@dataclass
 class Section:
     """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION or *BEAM GENERAL SECTION."""
 
@@ -48,7 +70,7 @@ class Section:
     distribution: str = ""  # of thicknesses of shells, by its name
     controls: str = ""  # *SECTION CONTROLS, by its name
     orientation: str = ""  # *ORIENTATION, by its name
-    is_layered: bool = False  # of several materials
+    layers: list[SectionLayer] = field(default_factory=list)
     area: float = 0.0  # of trusses
     shape: str = ""  # of beams, with dimensions and the direction n1
     sizes: list[float] = field(default_factory=list)
@@ -116,6 +138,7 @@ class Scope:
     bodies: list[BodyCard] = field(default_factory=list)
     profiles: dict[str, Profile] = field(default_factory=dict)
     thicknesses: list[tuple[str, float, Place]] = field(default_factory=list)  # of a node or a set of nodes
+    orientations: dict[str, Orientation] = field(default_factory=dict)
     distributions: dict[str, dict[int, float]] = field(default_factory=dict)  # values of elements; 0: of the others
     inertias: list[tuple[str, list[float], Place]] = field(default_factory=list)  # *ROTARY INERTIA
     transforms: list[tuple[str, Place]] = field(default_factory=list)  # sets of nodes with axes of their own
@@ -264,9 +287,12 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for name, names in part.node_surfaces.items():
         into.node_surfaces[qualify(name, instance)] = [qualify(where, instance) for where in names]
     into.sections += [
-        replace(section, elements=qualify(section.elements, instance), distribution=qualify(section.distribution, instance))
+        replace(section, elements=qualify(section.elements, instance), distribution=qualify(section.distribution, instance),
+                orientation=name_orientation(section.orientation, part, instance),
+                layers=[replace(layer, orientation=name_orientation(layer.orientation, part, instance)) for layer in section.layers])
         for section in part.sections
-    ]
+    ]  # fmt: skip
+    into.orientations |= {qualify(name, instance): replace(found, axes=turn_axes(found.axes, instance)) for name, found in part.orientations.items()}
     into.springs += [replace(spring, elements=qualify(spring.elements, instance)) for spring in part.springs]
     for name, profile in part.profiles.items():
         into.profiles[qualify(name, instance)] = turn_profile(profile, instance)
@@ -290,6 +316,17 @@ def turn_profile(profile: Profile, instance: Instance) -> Profile:
     origin = instance.put(profile.origin)
     axis, first = (tuple(e - o for e, o in zip(instance.put(end), origin)) for end in ends)  # type: ignore[arg-type]
     return replace(profile, origin=origin, axis=axis, first=first)
+
+
+def turn_axes(axes: tuple[Vector, Vector, Vector], instance: Instance) -> tuple[Vector, Vector, Vector]:
+    """Directions of a part in its place."""
+    start = instance.put((0.0, 0.0, 0.0))
+    return tuple(tuple(p - q for p, q in zip(instance.put(axis), start)) for axis in axes)  # type: ignore[return-value]
+
+
+def name_orientation(name: str, part: Scope, instance: Instance) -> str:
+    """One of the part, or of the whole deck."""
+    return qualify(name, instance) if name in part.orientations else name
 
 
 def qualify(where: str, instance: Instance) -> str:

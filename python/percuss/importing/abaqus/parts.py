@@ -1,8 +1,10 @@
 """Sections become parts; instances stand in one mesh."""
 
 from collections import Counter
+from dataclasses import replace
 
-from ..fields import MOST_ID, clip
+from ..fields import MOST_ID, clip, parse_real
+from ..laminates import MOST_POINTS, add_plies, find_difference, reduce_points
 from ..laws import NOT_DAMPED, takes_stiffness_damping
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Block as Part
@@ -13,25 +15,32 @@ from .bodies import add_reference_masses
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import find, translate_material
-from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, join
+from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, SectionLayer, join
+from .orientations import orient, read_angles
+from .plies import refuse_solids
 from .rigid_shells import build_rigid_parts
 
 MOST_NODES = 20_000_000
 
 
-def read_layers(section: Section, block: Block, ledger: Ledger) -> None:
-    """Thickness, points, material and angle of each layer. Of one material, which is isotropic, they are one layer."""
-    lines = [line for line in block.lines if any(line[1])]
-    names = {block.text(line, 2).strip('"').upper() for line in lines}
-    if not lines:
+def read_layers(section: Section, block: Block) -> None:
+    """Thickness, points, material and angle, or the name of an orientation, of each layer from the bottom."""
+    for line in [line for line in block.lines if any(line[1])]:
+        turn = block.text(line, 3)
+        is_angle = parse_real(turn or "0") is not None
+        layer = SectionLayer(block.number(line, 0), block.integer(line, 1, 3), block.text(line, 2).strip('"').upper())
+        layer = replace(layer, angle=block.number(line, 3)) if is_angle else replace(layer, orientation=turn.strip('"').upper())
+        if layer.thickness <= 0:
+            raise BadInput(block.at(line[0]), "the thickness of a layer is not positive: correct it")
+        section.layers.append(layer)
+    if not section.layers:
         raise BadInput(block.place, f"*{block.keyword}, COMPOSITE has no layers: add them")
-    section.is_layered = len(names) != 1
-    times = 2 if "SYMMETRIC" in block.options else 1
-    section.material = section.material if section.is_layered else names.pop()
-    section.thickness = times * sum(block.number(line, 0) for line in lines)
-    section.points = times * sum(block.integer(line, 1, 3) for line in lines)
-    if not section.is_layered:
-        ledger.translated(f"{block.keyword}.COMPOSITE", block.place, "layers of one material are one layer")
+    if "SYMMETRIC" in block.options:
+        section.layers += section.layers[::-1]
+    section.thickness = sum(layer.thickness for layer in section.layers)
+    section.points = sum(layer.points for layer in section.layers)
+    names = {layer.material for layer in section.layers}
+    section.material = section.layers[0].material if len(names) == 1 else ""
 
 
 def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
@@ -39,7 +48,7 @@ def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     section.controls, section.orientation = block.option("CONTROLS"), block.option("ORIENTATION")
     if "COMPOSITE" in block.options:
-        read_layers(section, block, ledger)
+        read_layers(section, block)
     elif section.kind in ("SHELL", "MEMBRANE") and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
     if section.kind in ("SHELL", "MEMBRANE") and block.lines:
@@ -61,12 +70,12 @@ def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
 def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
     """*DISTRIBUTION of a value of elements; a line without element is that of all others."""
     if block.option("LOCATION") not in ("", "ELEMENT"):
-        ledger.ignored("DISTRIBUTION", block.place, "axes of materials: the laws that are read are isotropic")
+        ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
         return
     values = scope.distributions.setdefault(block.option("NAME"), {})
     for line in block.lines:
         if len([word for word in line[1] if word]) > 2:
-            ledger.ignored("DISTRIBUTION", block.place, "axes of materials: the laws that are read are isotropic")
+            ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
             return
         values[block.id(line, 0) if block.text(line, 0) else 0] = block.number(line, 1)
     ledger.translated("DISTRIBUTION", block.place, "thickness of shells, where a section asks for it")
@@ -108,22 +117,18 @@ def place_one(deck: AbaqusDeck, instance: Instance, largest: int) -> None:
 
 def build_parts(deck: AbaqusDeck) -> None:
     """A part for each section."""
-    made: dict[str, tuple[str, Deck] | None] = {}
+    made: dict[str, Deck | None] = {}
     for number, section in enumerate(deck.mesh.sections, 1):
-        name = section.material
-        if section.is_layered:
-            deck.ledger.refuse(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of several materials", "its elements are left out")
-            deck.left_elements |= set(deck.elements_of(section.elements, section.place))
-            continue
-        if name not in made:
-            law = read_general_law(section) if section.general else translate_material(deck, name, section.place)
-            made[name] = (deck.model.names.take(name, "material"), law) if law else None
-            if law:
-                deck.model.materials[made[name][0]] = law  # type: ignore[index]
-        if made[name] and made[name][1]["model"] == "user" and section.orientation:  # type: ignore[index]
-            deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
-        if made[name]:
-            build_part(deck, section, number, *made[name])  # type: ignore[misc]
+        found = find_laws(deck, section, made)
+        main = found.get(section.material) if found else None
+        if found and section.layers and not one_layer(deck, section, found):
+            if section.kind == "SHELL":
+                build_part(deck, section, number, "", found[section.layers[0].material][1], found)
+                continue
+            deck.ledger.refuse(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of several materials or angles", "its elements are left out")
+            main = None
+        if main:
+            build_part(deck, section, number, *main, {})
         else:
             deck.left_elements |= set(deck.elements_of(section.elements, section.place))
     build_rigid_parts(deck)
@@ -139,7 +144,58 @@ def build_parts(deck: AbaqusDeck) -> None:
         )
 
 
-def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck) -> None:
+def find_laws(deck: AbaqusDeck, section: Section, made: dict[str, Deck | None]) -> "dict[str, tuple[str, Deck]] | None":
+    """Names and laws of the materials of a section, by their names there; None where one is refused. made: those of sections before."""
+    found: dict[str, tuple[str, Deck]] = {}
+    for material in dict.fromkeys([layer.material for layer in section.layers] or [section.material]):
+        if material not in made:
+            made[material] = read_general_law(section) if section.general else translate_material(deck, material, section.place)
+        law = made[material]
+        if law is None or not may_be_used(deck, section, material, law):
+            return None
+        if law["model"] == "orthotropic":
+            law = orient(deck, section, law)
+        found[material] = (name_law(deck, material, law), law)
+    return found
+
+
+def name_law(deck: AbaqusDeck, material: str, law: Deck) -> str:
+    """Its name in the deck; a name of its own for each of its axes."""
+    for name in deck.names_of_laws.setdefault(material, []):
+        if deck.model.materials[name] == law:
+            return name
+    name = deck.model.names.take(material, "material")
+    deck.names_of_laws[material].append(name)
+    deck.model.materials[name] = law
+    return name
+
+
+def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) -> bool:
+    """Axes of user code, and solids of plies, are refused."""
+    if law["model"] == "user" and section.orientation:
+        deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
+    if law["model"] != "orthotropic" or section.kind in ("SHELL", "MEMBRANE"):
+        return True
+    if section.kind != "SOLID":
+        deck.ledger.refuse(f"{section.kind} SECTION.MATERIAL", section.place, "beams of an orthotropic material", "they are left out")
+        return False
+    return not refuse_solids(deck, section, material, law)
+
+
+def one_layer(deck: AbaqusDeck, section: Section, found: "dict[str, tuple[str, Deck]]") -> bool:
+    """Whether all layers are the same: of one material, and without angles where it has axes."""
+    if len(found) > 1:
+        return False
+    _, law = next(iter(found.values()))
+    if law["model"] == "orthotropic" and any(layer.angle or layer.orientation for layer in section.layers):
+        return False
+    section.layers = []
+    deck.ledger.translated(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of one material are one layer")
+    return True
+
+
+def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck, plies: "dict[str, tuple[str, Deck]]") -> None:
+    """plies: laws of its layers, where these differ."""
     wish = section.elements.rpartition(".")[0] or section.elements
     part = Part(
         number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"], keys={"material": material}
@@ -156,6 +212,8 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
                 raise BadInput(section.place, missing(f"node {corner}, of element {id}"))
     if part.shells:
         add_shell_keys(deck, section, part)
+    if part.shells and plies:
+        lay_up(deck, section, part, plies)
     if sum(1 for elements in (part.solids, part.shells, part.beams) if elements) > 1:
         raise BadInput(section.place, "this section has solids, shells or beams together (a part has one kind): divide its element set")
     if part.beams and not add_beam_keys(deck, section, part, law):
@@ -196,6 +254,11 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
 
 def add_damping(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> None:
     """ALPHA and BETA of *DAMPING of the material."""
+    if part.layers:
+        for name in {layer.material for layer in section.layers}:
+            if damping := find(deck.materials[name], "DAMPING"):
+                deck.ledger.refuse("DAMPING.layers", damping.place, "damping of a layer", "its part has none")
+        return
     block = None if section.general else find(deck.materials[section.material.upper()], "DAMPING")
     if block is None:
         return
@@ -293,6 +356,29 @@ def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if section.offset:
         part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
     deck.ledger.approximated("SHELL SECTION", section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
+
+
+def lay_up(deck: AbaqusDeck, section: Section, part: Part, found: "dict[str, tuple[str, Deck]]") -> None:
+    """Plies of a part, and the material from whose axes their angles count."""
+    if part.thicknesses:
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of shells that differ in thickness", "all have the sum of their layers")
+        part.thicknesses = {}
+    part.thickness = section.thickness
+    part.layers = reduce_points(deck.ledger, "SHELL SECTION.COMPOSITE", section.place, read_angles(deck, section))
+    laws = dict(found)
+    if find_difference(part.layers, laws) == "failure":  # type: ignore[arg-type]
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers whose materials fail in different ways", "the failure of one of them counts for all")
+    name, law = add_plies(part, part.layers, laws, {})  # type: ignore[arg-type]
+    del part.keys["points"]
+    part.keys = {"material": name, **{key: value for key, value in part.keys.items() if key != "material"}}
+    if any(has_points(one) for _, one in found.values()):
+        part.keys["points"] = max(1, min(max(layer.points for layer in section.layers), MOST_POINTS // len(part.layers)))
+    deck.ledger.approximated("SHELL SECTION.COMPOSITE", section.place, "plies with Gauss points, two where they do not yield: they bend as laminate theory says")
+
+
+def has_points(law: Deck) -> bool:
+    """Whether more points through a ply give more of it: it yields."""
+    return law["model"] not in ("orthotropic", "elastic")
 
 
 def choose_integration(deck: AbaqusDeck) -> None:

@@ -14,6 +14,7 @@ from .lines import Block, BlockReader
 from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
 from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze, tell_lost
+from .orientations import read_orientation
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section
 from .springs import add_springs, read_spring
 from .timeline import StepTime
@@ -31,7 +32,7 @@ IGNORED = {
     "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
     "CONTACT FORMULATION": "contact works both ways", "CONTACT INITIALIZATION ASSIGNMENT": "overlaps at the start stay without force",
     "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
-    "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
+    "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
     "PHYSICAL CONSTANTS": "constants of radiation and of gases: the laws that are read have none",
 }  # fmt: skip
 
@@ -155,6 +156,10 @@ class Reader:
 
     def distribution(self, block: Block) -> None:
         read_distribution(self.scope, block, self.deck.ledger)
+
+    def orientation(self, block: Block) -> None:
+        read_orientation(self.scope, block)
+        self.deck.ledger.translated("ORIENTATION", block.place, "axes of orthotropic materials; isotropic ones have none")
 
     def nodal_thickness(self, block: Block) -> None:
         for line in block.lines:
@@ -284,7 +289,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section, "BEAM GENERAL SECTION": Reader.section,
     "BEAM ADDED INERTIA": Reader.added_inertia,
     "MEMBRANE SECTION": Reader.section,
-    "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness,
+    "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness, "ORIENTATION": Reader.orientation,
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
     "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,

@@ -10,7 +10,7 @@ from typing import Any
 from ..curves import Curve, Points, order_points
 from ..fields import Row
 from ..ledger import BadInput, Ledger, Place, missing
-from ..model import Model, Vector
+from ..model import Layer, Model, Vector
 from ..shapes import FaceOwners, dot, subtract
 from ..solids import FACES
 from .cards import Card
@@ -51,6 +51,16 @@ class PartCard:
     is_adaptive: bool = False  # ADPOPT
     inertia: dict | None = None  # of *PART_INERTIA: mass, center, inertia
     motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
+    layup: "Layup | None" = None  # of *PART_COMPOSITE
+
+
+@dataclass
+class Layup:
+    """What *PART_COMPOSITE says in place of a section: its first row, and the plies from the bottom."""
+
+    row: Row
+    thickness: float
+    layers: list[Layer]
 
 
 @dataclass
@@ -60,6 +70,8 @@ class Element:
     id: int
     corners: tuple[int, ...]
     thickness: float | None = None
+    angle: float = 0.0  # of axes of the material; 0: none
+    system: int = 0  # of axes; 0: none
 
 
 @dataclass
@@ -194,6 +206,7 @@ class KeywordDeck:
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
         self.material_titles: dict[int, str] = {}
+        self.turns: dict[tuple[int, int], float] = {}  # degrees from the axes of a law to those of its material, by material and block
         self.names_of_laws: dict[int, list[str]] = {}  # in the deck of percuss: one for each way in which parts use it
         self.logarithmic_materials: set[int] = set()  # with the option _LOG_INTERPOLATION
         self.states: dict[int, Card] = {}

@@ -16,6 +16,7 @@ POWERS = {
 }  # fmt: skip
 METAL = "density: RO; stress: E SIGY ETAN"
 BODY = "length: XC YC ZC XL YL ZL XLIP YLIP ZLIP; mass: TM; inertia: IXX IXY IXZ IYY IYZ IZZ; speed: VTX VTY VTZ; rate: VRX VRY VRZ"
+PLY = "density: RO; stress: EA EB EC GAB GBC GCA"
 SPEEDS = "speed: VX VY VZ VXE VYE VZE; rate: VXR VYR VZR VXRE VYRE VZRE"
 WALL = "length: OFFSET XT YT ZT XH YH ZH XHEV YHEV ZHEV LENL LENM RADCYL LENCYL RADSPH; time: BIRTH DEATH; mass: MASS; speed: V0 WVEL"
 # Fields with a dimension. A card counts for those whose names go on with '_', but laws; a field that it does not name has no dimension.
@@ -31,6 +32,7 @@ FIELDS: dict[str, str] = {
     "ELEMENT_MASS": "mass: MASS ADDMASS FINMASS",
     "ELEMENT_DISCRETE": "length: OFFSET",
     "ELEMENT_SEATBELT_ACCELEROMETER": "mass: MASS",
+    "PART_COMPOSITE": "length: THICK1 THICK2 OPTT; per_area: MAREA; stress: VC",
     "PART": BODY, "CONSTRAINED_NODAL_RIGID_BODY": BODY,
     "SECTION_SHELL": "length: T1 T2 T3 T4; per_area: MAREA",
     "INTEGRATION_BEAM": "length: D1 D2 D3 D4 D5 D6",
@@ -69,6 +71,7 @@ FIELDS: dict[str, str] = {
     "MAT_SIMPLIFIED_JOHNSON_COOK": "density: RO; stress: E A B SIGMAX SIGSAT; rate: EPSO",
     "MAT_SPOTWELD": METAL + " EH; time: DT TFAIL; force: NRR NRS NRT; moment: MRR MSS MTT",
     "MAT_HIGH_EXPLOSIVE_BURN": "density: RO; speed: D; stress: PCJ K G SIGY",
+    "MAT_ORTHOTROPIC_ELASTIC": PLY + " G SIGF", "MAT_COMPOSITE_DAMAGE": PLY + " SC XT YT YC SN SYZ SZX", "MAT_ENHANCED_COMPOSITE_DAMAGE": PLY + " XC XT YC YT SC; time: TFAIL",
     "MAT_SPRING_ELASTIC": "stiffness: K", "MAT_DAMPER_VISCOUS": "damping: DC",
     "MAT_ADD_EROSION": "stress: MXPRES MNPRES SIGP1 SIGVM SIGTH; time: FAILTM",
     "EOS_LINEAR_POLYNOMIAL": "stress: C0 C1 C2 C3 E0", "EOS_GRUNEISEN": "speed: C; stress: E0", "EOS_IDEAL_GAS": "heat: CV CP", "EOS_JWL": "stress: A B E0",

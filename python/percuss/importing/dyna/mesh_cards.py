@@ -157,7 +157,7 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         texts = card.split(line, EIGHTS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         nodes = [to_id(card, line[0], text, "node", True) for text in texts[2:10]]
-        thickness = read_shell_options(deck, card, reader, options, any(nodes[4:]))
+        thickness, turn = read_shell_options(deck, card, reader, options, any(nodes[4:]))
         if any(nodes[4:]):
             deck.ledger.refuse(
                 "ELEMENT_SHELL.mid_nodes", card.at(line[0]), "quadratic shells", "the corners alone are used"
@@ -165,17 +165,17 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         corners = nodes[:3] if nodes[3] in (0, nodes[2]) else nodes[:4]
         if 0 in corners or len(set(corners)) < len(corners):
             raise BadInput(card.at(line[0]), f"shell {id} has fewer than three different corners: correct or remove it")
-        elements_of(deck, part, card.at(line[0])).shells.append(Element(id, tuple(corners), thickness))
+        elements_of(deck, part, card.at(line[0])).shells.append(Element(id, tuple(corners), thickness, *((0.0, int(turn)) if "MCID" in options else (turn, 0))))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
 
 
-def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: set[str], has_mid_nodes: bool) -> float | None:
-    """Thickness of a shell from its further lines: the mean of its corners."""
-    thickness = None
+def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: set[str], has_mid_nodes: bool) -> tuple[float | None, float]:
+    """Thickness of a shell from its further lines: the mean of its corners. And the angle of its axes, or the system of MCID."""
+    thickness, turn = None, 0.0
     if options & {"THICKNESS", "BETA", "MCID"}:
         row = reader.row("T1 T2 T3 T4 BETA", SIXTEENS)
         values = [value for value in row.numbers("T1", "T2", "T3", "T4") if value]
-        row.skip("BETA")  # of laws that percuss refuses
+        turn = row.number("BETA")
         if values:
             thickness = sum(values) / len(values) if len(set(values)) > 1 else values[0]
         if len(set(values)) > 1:
@@ -184,7 +184,7 @@ def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: se
             reader.take()
     if "OFFSET" in options and reader.row("OFFSET", (16,)).number("OFFSET") != 0:
         deck.ledger.refuse("ELEMENT_SHELL.OFFSET", card.place, "shells with offsets of their own", "the mesh is the middle surface")
-    return thickness
+    return thickness, turn
 
 
 def read_other_elements(deck: KeywordDeck, card: Card) -> None:

@@ -1,15 +1,19 @@
 """*PART, *SECTION_..., *HOURGLASS: what the parts of the deck are made of."""
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..fields import Row
+from ..laminates import MOST_POINTS as MOST_POINTS_OF_PLIES
+from ..laminates import gauss_shares, reduce_points
 from ..ledger import BadInput, missing
-from ..model import Block, Deck
+from ..model import Block, Deck, Layer
 from .beam_cards import divide_beams
 from .cards import Card, Lines
 from .contact_cards import tell_decay
-from .deck import Element, Elements, KeywordDeck, PartCard
+from .deck import Element, Elements, KeywordDeck, Layup, PartCard
+from .materials.names import name_law
+from .materials.orthotropic import ORTHOTROPIC
 from .materials.shared import COROTATIONAL
 from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
@@ -117,6 +121,7 @@ class ShellSection:
     points: int
     reference: float  # height of the mesh over the middle, in half thicknesses
     per_area: float = 0.0  # mass beside that of the material
+    layers: list[Layer] = field(default_factory=list)
 
     def thickness_of(self, shell: Element) -> float:
         """The mean of the corners, where the shell does not say it itself."""
@@ -126,23 +131,70 @@ class ShellSection:
         return sum(self.corners[:count]) / count
 
 
-def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | None:
+def takes_form(deck: KeywordDeck, row: Row, card: str) -> bool:
+    """Whether shells of an ELFORM become that of percuss."""
+    form = row.integer("ELFORM") or deck.shell_form
+    return form in SHELL_FORMS or deck.ledger.refuse(
+        f"{card}.ELFORM", row.place, f"formulation {form} (percuss has no membranes, plane or axisymmetric elements)", "the shell of percuss is used"
+    )
+
+
+def translate_layup(deck: KeywordDeck, part: PartCard, layup: Layup, shells: list[Element]) -> ShellSection | None:
+    """*PART_COMPOSITE as a section."""
+    row = layup.row
+    if not takes_form(deck, row, "PART_COMPOSITE"):
+        return None
+    if any(shell.thickness and shell.thickness != layup.thickness for shell in shells):
+        deck.ledger.refuse("ELEMENT_SHELL_THICKNESS", part.place, "shells of *PART_COMPOSITE with another thickness than its plies", "that of the plies counts")
+    for shell in shells:
+        shell.thickness = None
+    row.skip("PID", "SHRF")
+    per_area = max(row.number("MAREA"), 0.0)
+    section = ShellSection([layup.thickness] * 4, 2, row.number("NLOC"), per_area, reduce_points(deck.ledger, "PART_COMPOSITE", part.place, layup.layers))
+    refuse_offset_contact(deck, section.reference, row)
+    row.finish(deck.ledger)
+    text = "plies with two Gauss points each, so that they bend as laminate theory says; transverse shear by the energy of its stresses, in place of SHRF"
+    deck.ledger.approximated("PART_COMPOSITE", part.place, text)
+    return section
+
+
+def refuse_offset_contact(deck: KeywordDeck, reference: float, row: Row) -> None:
+    if reference and deck.contact_at_offset:
+        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, "CNTCO: contact at the surfaces of shells with an offset", "they touch at half their thickness from the mesh")
+
+
+def read_angles(deck: KeywordDeck, part: PartCard, row: Row, reader: Lines) -> list[Layer]:
+    """ICOMP: the angle at each integration point, as plies whose thicknesses are its weights. Isotropic laws have no angles."""
+    count = abs(row.integer("NIP")) or 2
+    material = deck.materials.get(part.material)
+    if not row.integer("ICOMP") or material is None or name_law(material.keyword) not in ORTHOTROPIC:
+        return []
+    if count > MOST_POINTS_OF_PLIES:
+        row.fail("NIP", f"at most {MOST_POINTS_OF_PLIES} angles are read")
+    angles: list[float] = []
+    while len(angles) < count:
+        angles += reader.row("B1 B2 B3 B4 B5 B6 B7 B8").numbers(*(f"B{i}" for i in range(1, 9)))
+    ends = 0.5 / (count - 1) if count > 1 else 1.0
+    shares = [ends if i in (0, count - 1) else 2 * ends for i in range(count)] if row.integer("QR") == 1 else gauss_shares(count)
+    text = "plies as thick as the weights of the points of integration, with Gauss points of their own"
+    deck.ledger.approximated("SECTION_SHELL.ICOMP", row.place, text)
+    return [Layer(part.material, share, angle) for share, angle in zip(shares, angles)]
+
+
+def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> ShellSection | None:
     """None where the section is refused."""
     reader = card.reader()
-    # The laws of percuss' shells are isotropic, so that angles of layers (ICOMP) turn nothing.
     row = reader.row(SHELL_LINE)
     more = reader.row("T1 T2 T3 T4 NLOC MAREA IDOF~absent EDGSET~absent")
-    form = row.integer("ELFORM") or deck.shell_form
-    if form not in SHELL_FORMS and not deck.ledger.refuse(
-        "SECTION_SHELL.ELFORM", row.place, f"formulation {form} (percuss has no membranes, plane or axisymmetric elements)",
-        "the shell of percuss is used"):  # fmt: skip
+    layers = read_angles(deck, part, row, reader)
+    if not takes_form(deck, row, "SECTION_SHELL"):
         return None
     first = more.number("T1")
     corners = [value if value > 0 else first for value in more.numbers("T1", "T2", "T3", "T4")]
     if len(set(corners)) > 1:
         deck.ledger.approximated("SECTION_SHELL.T2", more.place, "thickness that differs between the corners: each shell has the mean of its corners")
     points = abs(row.integer("NIP")) or 2
-    if points > MOST_POINTS:
+    if points > MOST_POINTS and not layers:
         deck.ledger.approximated("SECTION_SHELL.NIP", row.place, f"{MOST_POINTS} points through the thickness in place of {points}")
     if row.integer("QR") < 0:
         deck.ledger.refuse("SECTION_SHELL.QR", row.place, "a rule of integration of the user's", "Gauss points are used")
@@ -151,8 +203,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     row.skip("SECID", "SHRF", "ICOMP")
     row.finish(deck.ledger)
     reference = more.number("NLOC")
-    if reference and deck.contact_at_offset:
-        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, "CNTCO: contact at the surfaces of shells with an offset", "they touch at half their thickness from the mesh")
+    refuse_offset_contact(deck, reference, row)
     per_area = max(more.number("MAREA"), 0.0)
     if per_area:
         deck.ledger.translated("SECTION_SHELL.MAREA", more.place, "a higher density in a material of its own")
@@ -163,7 +214,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
         "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
         "shear factor 5/6, Gauss points, thickness that follows the strain",
     )
-    return ShellSection(corners, min(points, MOST_POINTS), reference, per_area)
+    return ShellSection(corners, min(points, MOST_POINTS), reference, per_area, layers)
 
 
 def build_blocks(deck: KeywordDeck) -> None:
@@ -220,10 +271,15 @@ def separate_beams(deck: KeywordDeck) -> None:
 
 def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:
     """The blocks of a part, without its material."""
+    name = deck.model.names.take(part.title or f"part_{part.id}", "part")
+    if part.layup:
+        if elements.solids or elements.beams:
+            raise BadInput(part.place, f"part {part.id} of *PART_COMPOSITE has elements other than shells: correct its id, or divide the part")
+        found = translate_layup(deck, part, part.layup, elements.shells)
+        return divide_shells(deck, part, elements.shells, found, name, next_id) if found else []
     section = deck.sections.get(part.section)
     if section is None:
         raise BadInput(part.place, missing(f"section {part.section}, of part {part.id}"))
-    name = deck.model.names.take(part.title or f"part_{part.id}", "part")
     is_beam = section.keyword.startswith("SECTION_BEAM")
     if elements.beams:
         if elements.solids or elements.shells or not is_beam:
@@ -233,7 +289,7 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
         return [Block(part.id, part.id, name, part.place, solids=elements.solids)]
     if elements.solids or not section.keyword.startswith("SECTION_SHELL"):
         raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids: correct its SECID, or divide the part")
-    found = translate_shell_section(deck, section)
+    found = translate_shell_section(deck, part, section)
     if found is None:
         return []
     return divide_shells(deck, part, elements.shells, found, name, next_id)
@@ -248,13 +304,13 @@ def divide_shells(
         groups.setdefault(section.thickness_of(shell), []).append((shell.id, shell.corners))
     if min(groups) <= 0:
         raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
-    if len(groups) > 1 and not section.reference and not section.per_area:
-        return [make_block_of_thicknesses(deck, part, groups, section, name)]
+    if len(groups) > 1 and not section.reference and not section.per_area and not section.layers:
+        return [mark_axes(make_block_of_thicknesses(deck, part, groups, section, name), shells)]
     if len(groups) > MOST_THICKNESSES:
         groups = round_thicknesses(deck, part, groups)
     blocks = []
     for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
-        keys: Deck = {"points": section.points}
+        keys: Deck = {} if section.layers else {"points": section.points}
         if section.reference:
             named = {1.0: "top", -1.0: "bottom"}.get(section.reference)
             keys["reference"] = named or 0.5 * section.reference * thickness
@@ -262,10 +318,17 @@ def divide_shells(
         id = part.id if index == 0 else next_id + index - 1
         block = Block(id, part.id, own_name, part.place, shells=members, thickness=thickness, keys=keys)
         block.more_density = section.per_area / thickness
-        blocks.append(block)
+        block.layers = list(section.layers)
+        blocks.append(mark_axes(block, shells))
     if len(blocks) > 1:
         deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place, "a part for each thickness")
     return blocks
+
+
+def mark_axes(block: Block, shells: list[Element]) -> Block:
+    """Notes which axes of materials the shells of a part have themselves."""
+    block.angles, block.has_systems = {shell.angle for shell in shells}, any(shell.system for shell in shells)
+    return block
 
 
 def make_block_of_thicknesses(
@@ -373,11 +436,13 @@ def translate_shell_hourglass(deck: KeywordDeck, general: Row | None) -> None:
         if not block.shells or block.part in deck.rigid:
             continue
         row = deck.hourglass.get(deck.parts[block.part].hourglass, general)
-        section = deck.sections.get(deck.parts[block.part].section)
-        if not row or not section:
+        part = deck.parts[block.part]
+        section = deck.sections.get(part.section)
+        line = part.layup.row if part.layup else section.reader().row("SECID ELFORM=2") if section else None
+        if not row or not line:
             continue
         name = "QM" if row.card == "HOURGLASS" else "QH"
-        form = section.reader().row("SECID ELFORM=2").integer("ELFORM") or deck.shell_form
+        form = line.integer("ELFORM") or deck.shell_form
         if form in FULL_SHELLS or row.integer("IHQ") == 8:
             text = "shells without hourglass modes, or with all of their stiffness: so have those of percuss"
             deck.ledger.ignored(f"{row.card}.{name}", row.place, text)

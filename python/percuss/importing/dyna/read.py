@@ -13,6 +13,7 @@ from . import start_cards as start
 from .beam_cards import read_beams, read_rules
 from .body_holds import apply_body_holds
 from .cards import Card, CardReader
+from .composite_cards import read_composite
 from .constraint_cards import add_node_sets, read_node_sets
 from .contact_cards import finish_contacts, read_contact, read_defaults
 from .control_cards import (  # fmt: skip
@@ -82,7 +83,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 # Read at once. forms.py has what may follow a name.
 DEFINITIONS: dict[str, Handler] = {
     "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
-    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "INTEGRATION_BEAM": read_rules, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
+    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "INTEGRATION_BEAM": read_rules, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "PART_COMPOSITE": read_composite, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination, "CONTROL_CONTACT": read_defaults,

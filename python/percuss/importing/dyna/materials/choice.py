@@ -1,10 +1,12 @@
 """*MAT_...: which law of percuss a material becomes, for the parts that use it."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from ... import laws
+from ...laminates import add_plies, find_difference
 from ...ledger import BadInput, missing
-from ...model import Block, Deck
+from ...model import Block, Deck, Layer
 from ...text_files import suggest
 from ..cards import Card
 from ..deck import KeywordDeck, PartCard
@@ -13,14 +15,15 @@ from .elastic import ELASTIC
 from .erosion import add_erosion
 from .metals import METALS
 from .names import SPRINGS, name_law
+from .orthotropic import ORTHOTROPIC
 from .rigid import translate_rigid
 from .shared import COROTATIONAL, Use
 from .skins import cover
 
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
-LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
-LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
+LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **ORTHOTROPIC}
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:
@@ -90,12 +93,14 @@ def build_materials(deck: KeywordDeck) -> None:
     for block in deck.model.blocks:
         part = deck.parts[block.part]
         key = (part.material, part.state, block.part, block.more_density, block.keys.get("points", 1))
-        if key not in made:
-            made[key] = make_material(deck, part, block)
+        if block.layers or key not in made:
+            made[key] = lay_up(deck, part, block) if block.layers else make_material(deck, part, block)
         if made[key]:
             name, law = made[key]  # type: ignore[misc]
             block.keys = {"material": name, **block.keys}
-            block.density = law["density"]
+            if not block.layers:
+                block.density = law["density"]
+                turn_axes(deck, part, block, name, law)
             kept.append(block)
         else:
             deck.names_of_parts[block.part].remove(block.name)
@@ -109,15 +114,43 @@ def build_materials(deck: KeywordDeck) -> None:
             deck.ledger.ignored(card.keyword, card.place, "no part has this equation of state")
 
 
+def lay_up(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str, Deck] | None":
+    """The material of a part with plies, which get theirs."""
+    made = {layer.material: make_material(deck, replace(part, material=int(layer.material)), block) for layer in block.layers}
+    laws = {id: found for id, found in made.items() if found}
+    if len(laws) < len(made):
+        return None
+    difference = find_difference(block.layers, laws)
+    if difference:
+        text = f"plies whose materials differ in their {difference}" + (" (AOPT)" if difference == "axes" else "")
+        deck.ledger.refuse("PART_COMPOSITE.MID1", part.place, text, f"the {difference} of one of them counts for all")
+    turns = {id: deck.turns.get((int(id), block.id), 0.0) for id in laws}
+    return add_plies(block, block.layers, laws, turns)
+
+
+def turn_axes(deck: KeywordDeck, part: PartCard, block: Block, name: str, law: Deck) -> None:
+    """An angle of the axes of an orthotropic part without layers makes it one ply."""
+    turn = deck.turns.get((part.material, block.id), 0.0)
+    if not turn:
+        return
+    if block.thicknesses:
+        text = "an angle of axes (BETA, or AOPT = 3) in a part whose shells differ in thickness"
+        deck.ledger.refuse(f"{deck.materials[part.material].keyword}.BETA", part.place, text, "it turns nothing")
+        return
+    block.layers = [Layer(part.material, 1.0)]
+    add_plies(block, block.layers, {part.material: (name, law)}, {part.material: turn})
+
+
 def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str, Deck] | None":
     """Name and keys of a material for a part; None where it is left out or refused."""
     card = deck.materials.get(part.material)
     if card is None:
         raise BadInput(part.place, missing(f"material {part.material}, of part {part.id}"))
     deck.used.add(("material", part.material))
-    use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1), bool(block.beams))
+    use = Use(bool(block.shells), find_state(deck, part), part.place, len(block.layers) or block.keys.get("points", 1), bool(block.beams))
     use.is_corotational = bool(block.solids) and read_form(deck, part) in (0, *COROTATIONAL)
     use.density = card.row(card.lines[0], "MID RO").number("RO")
+    use.shells, use.solids, use.angles, use.has_systems = block.shells, block.solids, block.angles, block.has_systems
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
         law = translate_rigid(deck, card)
@@ -132,6 +165,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         return None
     if use.state and not use.has_used_state and "equation_of_state" not in law:
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
+    deck.turns[part.material, block.id] = use.turn
     add_erosion(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
     if use.is_beam and "failure" in law:
@@ -143,6 +177,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         return same, law
     name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
     deck.model.materials[name] = law
+    deck.model.origins.cards["materials", name] = (card.keyword, card.place)
     deck.names_of_laws.setdefault(part.material, []).append(name)
     return name, law
 

@@ -50,7 +50,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
         deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain of a law without it", "it is left out")
         del limits["plastic_strain"]
     add_volume(deck, limits, limit(row, "VOLEPS"), row, use)
-    own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook"} & law.get("failure", {}).keys() else None
+    own = law.get("failure", {}).get("layers", 1.0) if {"plastic_strain", "principal_strain", "johnson_cook", "fibre_damage"} & law.get("failure", {}).keys() else None
     set_failure(law, **limits)
     if use.is_shell and any(value > 0 for value in limits.values()):
         set_layers(deck, law, row, use, own)

@@ -1,7 +1,7 @@
 """Names of laws by their numbers."""
 
 NUMBERS = {
-    1: "ELASTIC", 3: "PLASTIC_KINEMATIC", 5: "SOIL_AND_FOAM", 6: "VISCOELASTIC", 7: "BLATZ-KO_RUBBER", 8: "HIGH_EXPLOSIVE_BURN",
+    1: "ELASTIC", 2: "ORTHOTROPIC_ELASTIC", 22: "COMPOSITE_DAMAGE", 54: "ENHANCED_COMPOSITE_DAMAGE", 55: "ENHANCED_COMPOSITE_DAMAGE", 58: "LAMINATED_COMPOSITE_FABRIC", 3: "PLASTIC_KINEMATIC", 5: "SOIL_AND_FOAM", 6: "VISCOELASTIC", 7: "BLATZ-KO_RUBBER", 8: "HIGH_EXPLOSIVE_BURN",
     9: "NULL", 10: "ELASTIC_PLASTIC_HYDRO", 12: "ISOTROPIC_ELASTIC_PLASTIC", 13: "ISOTROPIC_ELASTIC_FAILURE",
     14: "SOIL_AND_FOAM_FAILURE", 15: "JOHNSON_COOK", 18: "POWER_LAW_PLASTICITY", 20: "RIGID", 24: "PIECEWISE_LINEAR_PLASTICITY",
     26: "HONEYCOMB", 27: "MOONEY-RIVLIN_RUBBER", 57: "LOW_DENSITY_FOAM", 63: "CRUSHABLE_FOAM", 127: "ARRUDA_BOYCE",
@@ -13,6 +13,7 @@ SPRINGS = {"S01": "SPRING_ELASTIC", "S02": "DAMPER_VISCOUS", "S04": "SPRING_NONL
 def name_law(keyword: str) -> str:
     """ELASTIC of MAT_ELASTIC, MAT_001 and MAT_1."""
     name = keyword.removeprefix("MAT_")
+    name = name.replace("054-055", "054").replace("54-55", "54")
     number = name.split("_")[0]
     if number.isdigit() and number.isascii() and int(number[:4]) in NUMBERS:
         return NUMBERS[int(number[:4])] + name[len(number) :]

@@ -1,6 +1,6 @@
 """What the translations of materials share."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...curves import Points, order_points, thin_rows
 from ...fields import Row
@@ -13,6 +13,7 @@ from ..dimensions import scale
 FAR = 1.0  # plastic strain by which a table goes on with its last slope
 COROTATIONAL = {9}  # ELFORM of solids of *MAT_MODIFIED_HONEYCOMB, beside 0
 NEVER = 1e15  # a specific heat, a melting point, a failure strain that nothing reaches
+Elements = list[tuple[int, tuple[int, ...]]]
 
 
 @dataclass
@@ -27,6 +28,11 @@ class Use:
     has_used_state: bool = False
     density: float = 0.0
     is_corotational: bool = False  # ELFORM 0 and 9 of solids of *MAT_MODIFIED_HONEYCOMB
+    shells: Elements = field(default_factory=list)
+    solids: Elements = field(default_factory=list)
+    angles: set[float] = field(default_factory=set)  # of axes, that shells have themselves
+    has_systems: bool = False  # likewise: systems of axes
+    turn: float = 0.0  # degrees from the axes of the law to those of the material
 
 
 def tangent_to_hardening(row: Row, youngs: float, tangent: float) -> float:
