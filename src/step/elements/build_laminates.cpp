@@ -225,11 +225,16 @@ std::string find_laminate_fault(const MaterialDeck& material) {
 
 PlaneDirection<double> find_reference_axis(const MaterialDeck& material, const Vector3<double> (&corners)[4],
                                            const Matrix3<double>& frame) {
-  Vector3<double> axis{1, 0, 0};
-  visit_law(material, [&]<class Law>(const Law& law) {
+  Vector3<double> axis = corners[1] - corners[0];
+  const std::vector<LaminatePly> list = list_plies(material);
+  MaterialDeck own;  // that of the part; of metal: that of the first ply with fibres; without any, no direction matters
+  const auto first =
+      std::find_if(list.begin(), list.end(), [](const LaminatePly& ply) { return ply.law.model == Orthotropic::name; });
+  own.law = material.law.model == Orthotropic::name || first == list.end() ? material.law : first->law;
+  visit_law(own, [&]<class Law>(const Law& law) {
     if constexpr (std::is_same_v<Law, Orthotropic>) {
       const auto& [x, y, z] = law.constants.first_axis;
-      axis = law.constants.follows_elements ? corners[1] - corners[0] : Vector3<double>{x, y, z};
+      if (!law.constants.follows_elements) axis = {x, y, z};
     }
   });
   const Vector3<double> local = frame * axis;

@@ -36,8 +36,8 @@ class Point {
     time += dt;
     log_volume += trace(de);
     const double now = std::exp(log_volume);
-    PointStep<double> step{{de, dt, now, 1, viscosity, time, {now - volume, 1 / now}}, stress, history};
-    volume = now;
+    PointStep<double> step{{de, dt, now, 1, viscosity, time, {now - last_volume, 1 / now}}, stress, history};
+    last_volume = now;
     material.update(step);
     stress = step.stress;
     plastic = step.plastic;
@@ -52,7 +52,7 @@ class Point {
   Symmetric3<double> stress{};
   double history[CalledMaterial::history_count] = {};
   double viscosity = 0;  // mean viscous pressure of the next step
-  double time = 0, log_volume = 0, volume = 1, modulus = 0;
+  double time = 0, log_volume = 0, last_volume = 1, modulus = 0;
   PlasticReturn<double> plastic{};
   double p() const { return history[1]; }
 };
