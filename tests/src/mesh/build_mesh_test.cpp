@@ -85,7 +85,7 @@ TEST(BuildMesh, KeepsElementsIdsAndSetsTogether) {
 
 TEST(BuildMesh, NamesTheMaterialOfEachPart) {
   Deck deck = make_deck({make_part_deck("a", SphereShape{1, 3}), make_part_deck("b", SphereShape{1, 3})});
-  deck.materials.push_back({"brick", 2000, {}, {}, {}, {}});
+  deck.materials.push_back({"brick", 2000, {}, {}, {}, {}, {}});
   deck.parts[0].material = "brick";
   const Mesh mesh = build_mesh(deck);
   EXPECT_EQ(mesh.parts[0].name, "a");

@@ -31,7 +31,7 @@ inline Deck make_deck(std::vector<PartDeck> parts) {
   Deck deck;
   deck.file = "deck.yaml";
   deck.parts = std::move(parts);
-  deck.materials.push_back({"steel", 7850, {}, {}, {}, {}});
+  deck.materials.push_back({"steel", 7850, {}, {}, {}, {}, {}});
   return deck;
 }
 

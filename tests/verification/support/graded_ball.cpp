@@ -26,7 +26,7 @@ testing_mesh::WrittenMesh make_graded_quarter_ball(double radius, int across, do
   part.shape = SphereShape{1.0, across};
   part.material = "any";
   deck.parts.push_back(part);
-  deck.materials.push_back({"any", 1, {}, {}, {}, {}});
+  deck.materials.push_back({"any", 1, {}, {}, {}, {}, {}});
   const Mesh ball = build_mesh(deck);
 
   testing_mesh::WrittenMesh quarter;
