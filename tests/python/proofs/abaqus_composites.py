@@ -175,6 +175,7 @@ FAILURE = [
     Proof("DAMAGE INITIATION: CRITERION", driven(ENGINEERING + hashin(), 1e-4), refused="Hashin's criteria of solids"),
     Proof("DAMAGE INITIATION: CRITERION", strained("*SHELL SECTION, ELSET=sheet, MATERIAL=core\n1.\n", CORE + hashin()), refused="need an *ELASTIC with fibres"),
     Proof("SECTION CONTROLS: ELEMENT_DELETION", broken(hashin(), xx=1e-3, section="*SECTION CONTROLS, NAME=c, ELEMENT DELETION=NO\n" + PLAIN.format(", CONTROLS=c")), refused="failed elements that stay"),
+    Proof("SECTION CONTROLS: MAX_DEGRADATION", broken(hashin(), xx=1e-3, section="*SECTION CONTROLS, NAME=c, MAX DEGRADATION=0.5\n" + PLAIN.format(", CONTROLS=c")), refused="keep a part of their stiffness"),
 ]  # fmt: skip
 PROOFS = [*LAYERS, *ORIENTATIONS, *SOLIDS, *FAILURE]
 NOT_PHYSICS = {"SHELL SECTION.LAYUP": "a name", "SOLID SECTION.LAYUP": "a name", "ORIENTATION.LOCAL DIRECTIONS": "of layers of solids, which are refused"}

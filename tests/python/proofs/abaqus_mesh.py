@@ -168,7 +168,7 @@ NOT_PHYSICS = {
     "SURFACE.INTERNAL": "hides it in a user interface", 
     "BEAM GENERAL SECTION.POISSON": "how the section shrinks under tension: that of percuss keeps its area", "MEMBRANE SECTION.CONTROLS": "hourglass control of shells is that of percuss", "BEAM SECTION.CONTROLS": "beams have no hourglass modes",
     "SOLID SECTION.STACK DIRECTION": "of layers of solids, which are one material", "SHELL SECTION.TEMPERATURE": OF_TEMPERATURES, "BEAM SECTION.TEMPERATURE": OF_TEMPERATURES,
-    "SHELL SECTION.SECTION INTEGRATION": "the report says that percuss has Gauss points", "SECTION CONTROLS.MAX DEGRADATION": "elements keep their stress until they fail, as the report says",
+    "SHELL SECTION.SECTION INTEGRATION": "the report says that percuss has Gauss points",
     "SECTION CONTROLS.DISTORTION CONTROL": NUMERICS, "SECTION CONTROLS.LENGTH RATIO": NUMERICS, "SECTION CONTROLS.KINEMATIC SPLIT": NUMERICS,
     "SECTION CONTROLS.SECOND ORDER ACCURACY": NUMERICS, "VARIABLE MASS SCALING.NUMBER INTERVAL": "how often mass is looked at",
 }  # fmt: skip

@@ -10,7 +10,7 @@ from ..ledger import BadInput, Place
 from .lines import Block
 
 PER_PERIOD, MOST_POINTS = 128, 20_000  # straight lines miss a sine by 3e-4 of its height
-PER_STEP, PER_DECAY = 16, 32
+PER_STEP, PER_DECAY = 128, 32
 KINDS = ("TABULAR", "SMOOTH STEP", "EQUALLY SPACED", "PERIODIC", "DECAY", "MODULATED")
 
 
@@ -63,7 +63,7 @@ def check_order(points: Points, place: Place) -> None:
 
 
 def read_smooth(found: Amplitude, block: Block, values: list[float], end: float) -> None:
-    """Each step by 16 rows of 10 s^3 - 15 s^4 + 6 s^5."""
+    """Each step by 128 rows of 10 s^3 - 15 s^4 + 6 s^5."""
     read_tabular(found, block, values, end)
     rows = found.points[:1]
     for (t0, a0), (t1, a1) in zip(found.points, found.points[1:]):

@@ -21,6 +21,7 @@ from .plies import refuse_solids
 from .rigid_shells import build_rigid_parts
 
 MOST_NODES = 20_000_000
+LEAST_DEGRADATION = 0.9  # above it what stays of the stiffness does not count
 
 
 def read_layers(section: Section, block: Block) -> None:
@@ -241,6 +242,9 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     line = block.lines[0] if block.lines else (block.place.line, [])
     if block.option("ELEMENT DELETION") == "NO" and "failure" in deck.model.materials[part.keys["material"]]:
         deck.ledger.refuse("SECTION CONTROLS.ELEMENT DELETION", block.place, "failed elements that stay", "they are removed")
+    most = block.option("MAX DEGRADATION")
+    if most and block.number((block.place.line, [most]), 0) < LEAST_DEGRADATION and "failure" in deck.model.materials[part.keys["material"]]:
+        deck.ledger.refuse("SECTION CONTROLS.MAX DEGRADATION", block.place, "failed elements that keep a part of their stiffness", "they keep none")
     if kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
         part.keys["hourglass"] = ours[kind]
         deck.ledger.approximated("SECTION CONTROLS", block.place, "hourglass control of its kind, with the coefficient of percuss")
