@@ -48,7 +48,7 @@ void set_law(const LaminatePly& from, PlacedPly& ply) {
       ply.elastic = ply.material.orthotropic;
       ply.g13 = law.constants.shear_moduli[2];
       ply.g23 = law.constants.shear_moduli[1];
-    } else {
+    } else if constexpr (LayerLaw<Law>) {
       ply.elastic = OrthotropicPly::make(find_layer_elasticity(law.moduli()));
       ply.g13 = ply.g23 = law.moduli().mu;
     }
