@@ -139,7 +139,7 @@ void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_
   records.first_start[c] = records.start_values.size();
   records.start_count[c] = PlyHistory::count;
   for (int i = 0; i < chunk.element_count; ++i) {
-    const auto e = static_cast<std::size_t>(chunk.first_element + i);
+    const auto e = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(i);
     Vector3<double> corners[4];
     find_shell_corners(mesh, e, corners);
     const PlaneDirection<double> axis =
