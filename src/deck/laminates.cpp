@@ -22,6 +22,7 @@ MaterialDeck make_laminate(const Deck& deck, const PartDeck& part) {
   laminate.density = 0;
   for (const PlyDeck& ply : part.plies) {
     const MaterialDeck& material = find_by_name(deck, ply.material.empty() ? part.material : ply.material);
+    if (material.equation_of_state) laminate.equation_of_state = material.equation_of_state;  // which shells refuse
     const double share = ply.thickness / *part.thickness;
     laminate.plies.push_back({material.name, material.law, material.density, share, ply.angle});
     laminate.density += share * material.density;

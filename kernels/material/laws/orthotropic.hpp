@@ -61,7 +61,7 @@ struct Orthotropic {
   static constexpr const char* name = "orthotropic";
   using Constants = OrthotropicConstants;
   Constants constants;
-  double stiffness[6][6] = {};  // of xx, yy, zz, xy, yz, zx in space axes; strains as in the tensor
+  double stiffness[6][6] = {};  // of the strains xx, yy, zz, 2 xy, 2 yz, 2 zx in space axes [stress]
   double largest = 0;           // bound of its eigenvalues
 
   static constexpr auto keys() {

@@ -40,6 +40,24 @@ void check_materials(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+/// Of a laminate the criteria of failure of the part's material act, in all plies; those of others are lost.
+void check_plies(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* const parts = root.find("parts");
+  for (const PartDeck& part : deck.parts) {
+    const Node* const own = parts == nullptr ? nullptr : parts->find(part.name);  // none of an image of a part
+    for (std::size_t i = 0; own != nullptr && i < part.plies.size(); ++i) {
+      const std::string& name = part.plies[i].material;
+      const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                         [&](const MaterialDeck& of) { return of.name == name; });
+      if (material == deck.materials.end() || name == part.material || !material->failure) continue;
+      reading.errors.warn(own->find("plies")->items[i].spot, "key_without_effect",
+                          fmt::format("failure of material {} does nothing in plies.{} of part {} (that of the part's "
+                                      "material acts in all plies)",
+                                      quote(name), i, quote(part.name)));
+    }
+  }
+}
+
 void check_selector(const NameUse& use, const std::map<std::string, const PartDeck*>& parts, Reading& reading) {
   const auto slash = use.name.find('/');
   const std::string part_name = use.name.substr(0, slash);
@@ -249,6 +267,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
     reading.errors.add(node->key, fmt::format("{} is empty (there must be at least one)", section));
   }
   check_materials(deck, root, reading);
+  check_plies(deck, root, reading);
   check_selectors(deck, reading);
   check_size(deck, root, reading);
   check_rotations(deck, root, reading);

@@ -223,21 +223,19 @@ std::string find_laminate_fault(const MaterialDeck& material) {
   return {};
 }
 
-PlaneDirection<double> find_reference_axis(const MaterialDeck& material, const Vector3<double> (&corners)[4],
-                                           const Matrix3<double>& frame) {
-  Vector3<double> axis = corners[1] - corners[0];
+std::optional<Vector3<double>> find_given_axis(const MaterialDeck& material) {
   const std::vector<LaminatePly> list = list_plies(material);
-  MaterialDeck own;  // that of the part; of metal: that of the first ply with fibres; without any, no direction matters
-  const auto first =
-      std::find_if(list.begin(), list.end(), [](const LaminatePly& ply) { return ply.law.model == Orthotropic::name; });
-  own.law = material.law.model == Orthotropic::name || first == list.end() ? material.law : first->law;
-  visit_law(own, [&]<class Law>(const Law& law) {
-    if constexpr (std::is_same_v<Law, Orthotropic>) {
-      const auto& [x, y, z] = law.constants.first_axis;
-      if (!law.constants.follows_elements) axis = {x, y, z};
-    }
-  });
-  const Vector3<double> local = frame * axis;
+  const auto has_axes = [](const LawDeck& law) { return law.model == Orthotropic::name; };
+  const auto first = std::find_if(list.begin(), list.end(), [&](const LaminatePly& ply) { return has_axes(ply.law); });
+  if (first == list.end()) return std::nullopt;  // no direction matters
+  const OrthotropicConstants of = find_constants<Orthotropic>(has_axes(material.law) ? material.law : first->law);
+  if (of.follows_elements) return std::nullopt;
+  return Vector3<double>{of.first_axis[0], of.first_axis[1], of.first_axis[2]};
+}
+
+PlaneDirection<double> find_reference_axis(const std::optional<Vector3<double>>& given,
+                                           const Vector3<double> (&corners)[4], const Matrix3<double>& frame) {
+  const Vector3<double> axis = given.value_or(corners[1] - corners[0]), local = frame * axis;
   const double length = std::hypot(local.x, local.y);
   constexpr double least = 1e-3;  // of the axis; below it its direction in the plane is round-off
   if (!(length > least * norm(axis))) return {0, 0};

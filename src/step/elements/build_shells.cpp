@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -136,6 +137,7 @@ void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_
   const Chunk& chunk = chunked.chunks[c];
   const Mesh& mesh = chunked.mesh;
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(find_block(chunked, chunk).material)];
+  const std::optional<Vector3<double>> given = find_given_axis(material);
   records.first_start[c] = records.start_values.size();
   records.start_count[c] = PlyHistory::count;
   for (int i = 0; i < chunk.element_count; ++i) {
@@ -143,7 +145,7 @@ void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_
     Vector3<double> corners[4];
     find_shell_corners(mesh, e, corners);
     const PlaneDirection<double> axis =
-        find_reference_axis(material, corners, find_shell_geometry(find_differences(corners)).frame);
+        find_reference_axis(given, corners, find_shell_geometry(find_differences(corners)).frame);
     if (axis.cosine == 0 && axis.sine == 0)
       throw InputError(fmt::format(
           "{}: error: part '{}' has a shell whose normal is first_axis of its material '{}' (which then has no "
@@ -190,6 +192,7 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
     const Chunk& chunk = chunked.chunks[c];
     if (!is_shell_chunk(chunked, chunk)) continue;
     const ElementBlock& of_chunk = find_block(chunked, chunk);
+    if (is_laminate(deck.materials[static_cast<std::size_t>(of_chunk.material)]) != has_plies<Layer>) continue;
     visit_section(deck.materials[static_cast<std::size_t>(of_chunk.material)], of_chunk, [&](const auto& section) {
       if constexpr (std::is_same_v<std::decay_t<decltype(section.layer)>, Layer>) {
         list_chunk(deck, chunked, section, c, listed, rules);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -225,6 +226,18 @@ TEST(Laminate, WhatCannotBeIsRefused) {
   expect_refused("title: t\ntime: {end: 1e-6}\nmaterials: {ply: {" + carbon +
                      ", fibre_tension: 2000}}\nparts: {s: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: ply}}",
                  "strengths of plies");
+}
+
+TEST(Laminate, FailureOfAPlyThatDoesNothingIsTold) {
+  const Outcome run =
+      run_deck("title: t\ntime: {end: 1e-6}\nmaterials: {ply: {" + carbon +
+               "}, weak: {model: elastic, density: 1e-9, youngs_modulus: 70e3, poissons_ratio: 0.3, "
+               "failure: {principal_stress: 10}}}\nparts: {s: {shell_plate: {size: [10, 10], cells: [2, "
+               "2]}, material: ply, plies: [{thickness: 1, material: weak}]}}");
+  const auto& all = run.summary.warnings;
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Warning& warning) {
+    return warning.rule == "key_without_effect" && warning.text.find("plies.0") != std::string::npos;
+  }));
 }
 
 TEST(Laminate, ACrackTakesTheSameEnergyOnAnyMesh) {
