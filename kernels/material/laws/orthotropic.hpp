@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "kernels/core/tensor.hpp"
 #include "kernels/material/elastic.hpp"
 
 namespace percuss {
@@ -23,18 +24,16 @@ struct OrthotropicConstants {
     return fibre_tension > 0 || fibre_compression > 0 || matrix_tension > 0 || matrix_compression > 0 || shear > 0;
   }
 
-  static bool are_parallel(const double (&a)[3], const double (&b)[3]) {
-    const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-    const double product = (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
-    return !(x * x + y * y + z * z > 1e-12 * product);
+  static Vector3<double> make_vector(const double (&a)[3]) { return {a[0], a[1], a[2]}; }
+  static bool are_parallel(const Vector3<double>& a, const Vector3<double>& b) {
+    return !(norm(cross(a, b)) > 1e-6 * norm(a) * norm(b));
   }
 
   /// Where the deck gives none: y, or z if axis 1 is along y.
-  void find_second_axis(double (&axis)[3]) const {
-    const double y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
-    const bool is_given = second_axis[0] != 0 || second_axis[1] != 0 || second_axis[2] != 0;
-    const double(&from)[3] = is_given ? second_axis : (are_parallel(first_axis, y) ? z : y);
-    for (int k = 0; k < 3; ++k) axis[k] = from[k];
+  Vector3<double> find_second_axis() const {
+    const Vector3<double> given = make_vector(second_axis), y{0, 1, 0}, z{0, 0, 1};
+    if (norm(given) > 0) return given;
+    return are_parallel(make_vector(first_axis), y) ? z : y;
   }
 
   /// Strain along b by a stress along a is -nu_ab / E_a; [12], [23], [13].
@@ -45,9 +44,8 @@ struct OrthotropicConstants {
     if (!(n12 * n21 < 1 && n23 * n32 < 1 && n13 * n31 < 1 &&
           1 - n12 * n21 - n23 * n32 - n13 * n31 - 2 * n21 * n32 * n13 > 0))
       return "poissons_ratios that no stable material has (nu_ab^2 < E_a / E_b of each pair, and all together)";
-    double second[3];
-    find_second_axis(second);
-    if (are_parallel(first_axis, second)) return "first_axis and second_axis that are zero or parallel";
+    if (are_parallel(make_vector(first_axis), find_second_axis()))
+      return "first_axis and second_axis that are zero or parallel";
     if (matrix_compression > 0 && !(shear > 0)) return "matrix_compression without shear, the strength in shear";
     if (matrix_tension > 0 && !(shear > 0)) return "matrix_tension without shear, the strength in shear";
     return "";
@@ -104,9 +102,7 @@ struct Orthotropic {
     double own[6][6] = {};
     set_normal_stiffness(c, own);
     for (int k = 0; k < 3; ++k) own[3 + k][3 + k] = 2 * c.shear_moduli[k];
-    double axes[3][3];
-    set_axes(c, axes);
-    law.turn_stiffness(own, axes);
+    law.turn_stiffness(own, find_axes(c));
     law.largest = find_largest(own);
     return law;
   }
@@ -149,44 +145,27 @@ struct Orthotropic {
   }
 
   /// Rows: the axes 1, 2, 3.
-  static void set_axes(const Constants& c, double (&axes)[3][3]) {
-    const auto cross_of = [](const double(&a)[3], const double(&b)[3], double(&to)[3]) {
-      for (int k = 0; k < 3; ++k) to[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    };
-    const auto normalize = [](double(&a)[3]) {
-      const double over = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-      for (double& x : a) x *= over;
-    };
-    for (int k = 0; k < 3; ++k) axes[0][k] = c.first_axis[k];
-    normalize(axes[0]);
-    double second[3];
-    c.find_second_axis(second);
-    cross_of(c.first_axis, second, axes[2]);
-    normalize(axes[2]);
-    cross_of(axes[2], axes[0], axes[1]);
+  static Matrix3<double> find_axes(const Constants& c) {
+    const Vector3<double> first = Constants::make_vector(c.first_axis), normal = cross(first, c.find_second_axis());
+    const Vector3<double> one = (1 / norm(first)) * first, three = (1 / norm(normal)) * normal;
+    return {{one, cross(three, one), three}};
   }
 
-  /// Into space axes. own: of strains as in the tensor (shear twice the modulus); stiffness: of 2 xy and so on.
-  void turn_stiffness(const double (&own)[6][6], const double (&axes)[3][3]) {
-    constexpr int first[6] = {0, 1, 2, 0, 1, 2}, second[6] = {0, 1, 2, 1, 2, 0};
+  /// Sets the stiffness of strains in space axes. own: that of strains as tensors by the axes, [xx, yy, zz, xy, yz,
+  /// zx].
+  void turn_stiffness(const double (&own)[6][6], const Matrix3<double>& axes) {
     for (int j = 0; j < 6; ++j) {
-      double local[6], stress[6];  // of the unit strain j (of half of it where it is of shear)
-      for (int k = 0; k < 6; ++k) {
-        const int a = first[k], b = second[k];
-        local[k] = 0.5 * (axes[a][first[j]] * axes[b][second[j]] + axes[a][second[j]] * axes[b][first[j]]);
-      }
-      for (int k = 0; k < 6; ++k) {
-        stress[k] = 0;
-        for (int m = 0; m < 6; ++m) stress[k] += own[k][m] * local[m];
-      }
-      for (int i = 0; i < 6; ++i) {
-        stiffness[i][j] = 0;
-        for (int k = 0; k < 6; ++k) {
-          const double here = axes[first[k]][first[i]] * axes[second[k]][second[i]];
-          const double there = axes[second[k]][first[i]] * axes[first[k]][second[i]];
-          stiffness[i][j] += stress[k] * (k < 3 ? here : here + there);
-        }
-      }
+      const auto unit = [&](int k) { return k != j ? 0.0 : (k < 3 ? 1.0 : 0.5); };  // as a tensor
+      const Symmetric3<double> e =
+          push_forward(axes, Symmetric3<double>{unit(0), unit(1), unit(2), unit(3), unit(4), unit(5)});
+      const double strain[6] = {e.xx, e.yy, e.zz, e.xy, e.yz, e.zx};
+      double stress[6] = {};
+      for (int k = 0; k < 6; ++k)
+        for (int m = 0; m < 6; ++m) stress[k] += own[k][m] * strain[m];
+      const Symmetric3<double> s =
+          pull_back(axes, Symmetric3<double>{stress[0], stress[1], stress[2], stress[3], stress[4], stress[5]});
+      const double column[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
+      for (int i = 0; i < 6; ++i) stiffness[i][j] = column[i];
     }
   }
 
