@@ -2,6 +2,7 @@
 // Layers of shells that differ: plies of orthotropic or isotropic materials, each with a thickness and an angle.
 
 #include "kernels/shell/hardening_layer.hpp"
+#include "kernels/shell/metal_ply.hpp"
 #include "kernels/shell/ply.hpp"
 #include "kernels/shell/thickness_points.hpp"
 
@@ -12,18 +13,21 @@ struct ShearStiffness {
   double xx = 0, yy = 0, xy = 0;
 };
 
-/// A material of plies: exactly one of the three.
+/// A material of plies: exactly one of the four.
 struct PlyMaterial {
-  enum class Kind { orthotropic, linear_hardening, hardening };
+  enum class Kind { orthotropic, linear_hardening, hardening, anisotropic_metal };
   Kind kind = Kind::orthotropic;
   OrthotropicPly orthotropic;
   J2Layer linear_hardening;
   HardeningLayer hardening;
+  MetalPly anisotropic_metal;
 
   template <class T>
   PERCUSS_NO_INLINE PlyResponse<T> update(const PlaneDirection<T>& axes, T (&stress)[3], T* history, const T (&de)[3],
                                           const PlyStep<T>& step) const {
     if (kind == Kind::orthotropic) return orthotropic.update(axes, stress, history, de, step);
+    if (kind == Kind::anisotropic_metal)
+      return {anisotropic_metal.update(axes, stress, history, de, step.dt), T(1), T(1)};
     const LayerResponse<T> metal = kind == Kind::linear_hardening
                                        ? linear_hardening.update(stress, history, de, step.dt)
                                        : hardening.update(stress, history, de, step.dt);

@@ -41,6 +41,13 @@ inline PlyMaterial make_ply(const J2Plasticity& law, double density) {
   return ply;
 }
 
+inline PlyMaterial make_ply(const AnisotropicPlasticity& law, double /*density*/) {
+  PlyMaterial ply;
+  ply.kind = PlyMaterial::Kind::anisotropic_metal;
+  ply.anisotropic_metal = MetalPly::make(law, find_layer_elasticity(law.moduli()));
+  return ply;
+}
+
 template <FlowLaw Law>
 PlyMaterial make_ply(const Law& law, double density) {
   PlyMaterial ply;

@@ -16,6 +16,7 @@ FEATURES = [
     ("shells: plastic flow", "deflection of a cap, 3072 elements a quarter", "shell_cap", "deflection of the middle at 0.25 ms"),
     ("shells: crushing", "mean force of a tube of 60 x 60 x 1.5 mm, elements of 5 mm", "shell_crushed_tubes", "mean force, 1.5 mm, with a trigger"),
     ("laminates", "deflection under a force in the plane, 0, 30, -45, 90", "laminate_theory", "0, 30, -45, 90: deflection of a corner"),
+    ("rolled sheets", "r-value at 45 degrees, exponent 8, one shell", "rolled_sheet", "Barlat and Lian, 45 degrees: r-value"),
     ("beams", "frequency of a shaft in torsion, 10 elements", "shaft_torsion", "round, 10 elements: frequency"),
     ("rigid bodies", "precession of a top", "rigid_shapes", "rate of precession of the top"),
     ("contact: impact of bars", "stress, equal bars of 200 elements", "two_bars", "kinematic, equal: stress"),

@@ -60,6 +60,7 @@ std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
 std::vector<Warning> check_cowper_symonds(const CheckedScene& scene);
 std::vector<Warning> check_damage_sign(const CheckedScene& scene);
 std::vector<Warning> check_poissons_ratio(const CheckedScene& scene);
+std::vector<Warning> check_strain_ratios(const CheckedScene& scene);
 std::vector<Warning> check_hardening_strain(const CheckedScene& scene);
 std::vector<Warning> check_specific_heat(const CheckedScene& scene);
 std::vector<Warning> check_start_temperature(const CheckedScene& scene);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/shell/thickness_points.hpp"
+#include "src/deck/law_traits.hpp"
 
 namespace percuss {
 namespace {
@@ -41,14 +41,12 @@ void lay_up_plies(Deck& deck) {
   }
 }
 
-bool is_laminate(const MaterialDeck& material) {
-  return !material.plies.empty() || material.law.model == Orthotropic::name;
-}
+bool is_laminate(const MaterialDeck& material) { return !material.plies.empty() || find_traits(material).has_axes; }
 
-int count_points_of_ply(std::size_t plies, int asked) {
+int count_points_of_ply(std::size_t plies, int asked, bool yields) {
   constexpr int usual = 2;  // exact for a linear law in bending
   if (asked > 0) return asked;
-  if (plies == 1) return points_of_elastic_shells;
+  if (plies == 1) return yields ? points_of_plastic_shells : points_of_elastic_shells;
   return plies * usual <= most_layers ? usual : 1;
 }
 

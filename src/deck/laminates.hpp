@@ -14,7 +14,8 @@ bool is_laminate(const MaterialDeck& material);
 /// The plies of a laminate: those that the deck lists, or the one of a material that is a ply itself.
 std::vector<LaminatePly> list_plies(const MaterialDeck& material);
 
-/// Points of each ply, of which a laminate has so many; asked: as the deck gives it, 0: not at all.
-int count_points_of_ply(std::size_t plies, int asked);
+/// Points of each ply, of which a laminate has so many; asked: as the deck gives it, 0: not at all. yields: of a shell
+/// of one metal.
+int count_points_of_ply(std::size_t plies, int asked, bool yields = false);
 
 }  // namespace percuss

@@ -30,6 +30,7 @@ LawTraits find_traits_of() {
   traits.is_compiled_in = requires { requires Law::is_compiled_in; };
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
   traits.has_temperature = remembers<Law>(HistoryScalar::temperature);
+  traits.has_axes = requires { &Law::Constants::follows_elements; };
   return traits;
 }
 
@@ -45,13 +46,14 @@ const std::vector<LawTraits>& list_law_traits() {
   return traits;
 }
 
-const LawTraits& find_traits(const MaterialDeck& material) {
+const LawTraits& find_traits(const std::string& model) {
   const auto& all = list_law_traits();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const LawTraits& law) { return law.name == material.law.model; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const LawTraits& law) { return law.name == model; });
   static const LawTraits none;
   return found == all.end() ? none : *found;
 }
+
+const LawTraits& find_traits(const MaterialDeck& material) { return find_traits(material.law.model); }
 
 std::string name_laws(bool LawTraits::*trait) {
   std::vector<std::string> names;

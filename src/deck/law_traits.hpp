@@ -19,12 +19,14 @@ struct LawTraits {
   bool is_compiled_in = false;      // elements call it without a branch
   bool has_plastic_strain = false;  // its history has the equivalent plastic strain
   bool has_temperature = false;
+  bool has_axes = false;  // directions of its own, by which a shell of it is a laminate
 };
 
 /// Of all laws, in their order.
 const std::vector<LawTraits>& list_law_traits();
 
 /// Of a name that is no law, which the deck reader refuses: of one that can do nothing.
+const LawTraits& find_traits(const std::string& model);
 const LawTraits& find_traits(const MaterialDeck& material);
 
 /// "elastic, j2_plasticity and johnson_cook": those with a trait.

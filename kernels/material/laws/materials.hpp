@@ -2,6 +2,7 @@
 // The list of materials. A new material is its own header and one entry here; CONTRIBUTING.md shows one.
 
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/laws/anisotropic_plasticity.hpp"
 #include "kernels/material/laws/arruda_boyce.hpp"
 #include "kernels/material/laws/combined_hardening.hpp"
 #include "kernels/material/laws/fluid.hpp"
@@ -27,6 +28,6 @@ namespace percuss {
 using Materials =
     TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity,
              CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Viscoelastic, SoilAndFoam,
-             Honeycomb, Orthotropic, LowDensityFoam, Fluid, UserLaw>;
+             Honeycomb, Orthotropic, AnisotropicPlasticity, LowDensityFoam, Fluid, UserLaw>;
 
 }  // namespace percuss

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "kernels/core/tensor.hpp"
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/material_axes.hpp"
 
 namespace percuss {
 
@@ -12,7 +12,7 @@ namespace percuss {
 /// (kernels/shell/ply.hpp).
 struct OrthotropicConstants {
   double moduli[3] = {0, 0, 0}, poissons_ratios[3] = {0, 0, 0}, shear_moduli[3] = {0, 0, 0};
-  double first_axis[3] = {1, 0, 0}, second_axis[3] = {0, 0, 0};  // of the second zeros: find_second_axis()
+  double first_axis[3] = {1, 0, 0}, second_axis[3] = {0, 0, 0};  // of the second zeros: find_second_direction()
   bool follows_elements = false;
   // 0: never fails so
   double fibre_tension = 0, fibre_compression = 0, matrix_tension = 0, matrix_compression = 0, shear = 0;
@@ -24,18 +24,6 @@ struct OrthotropicConstants {
     return fibre_tension > 0 || fibre_compression > 0 || matrix_tension > 0 || matrix_compression > 0 || shear > 0;
   }
 
-  static Vector3<double> make_vector(const double (&a)[3]) { return {a[0], a[1], a[2]}; }
-  static bool are_parallel(const Vector3<double>& a, const Vector3<double>& b) {
-    return !(norm(cross(a, b)) > 1e-6 * norm(a) * norm(b));
-  }
-
-  /// Where the deck gives none: y, or z if axis 1 is along y.
-  Vector3<double> find_second_axis() const {
-    const Vector3<double> given = make_vector(second_axis), y{0, 1, 0}, z{0, 0, 1};
-    if (norm(given) > 0) return given;
-    return are_parallel(make_vector(first_axis), y) ? z : y;
-  }
-
   /// Strain along b by a stress along a is -nu_ab / E_a; [12], [23], [13].
   const char* find_fault() const {
     const auto [e1, e2, e3] = moduli;
@@ -44,8 +32,7 @@ struct OrthotropicConstants {
     if (!(n12 * n21 < 1 && n23 * n32 < 1 && n13 * n31 < 1 &&
           1 - n12 * n21 - n23 * n32 - n13 * n31 - 2 * n21 * n32 * n13 > 0))
       return "poissons_ratios that no stable material has (nu_ab^2 < E_a / E_b of each pair, and all together)";
-    if (are_parallel(make_vector(first_axis), find_second_axis()))
-      return "first_axis and second_axis that are zero or parallel";
+    if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     if (matrix_compression > 0 && !(shear > 0)) return "matrix_compression without shear, the strength in shear";
     if (matrix_tension > 0 && !(shear > 0)) return "matrix_tension without shear, the strength in shear";
     return "";
@@ -102,7 +89,7 @@ struct Orthotropic {
     double own[6][6] = {};
     set_normal_stiffness(c, own);
     for (int k = 0; k < 3; ++k) own[3 + k][3 + k] = 2 * c.shear_moduli[k];
-    law.turn_stiffness(own, find_axes(c));
+    law.turn_stiffness(own, find_material_axes(c.first_axis, c.second_axis));
     law.largest = find_largest(own);
     return law;
   }
@@ -142,13 +129,6 @@ struct Orthotropic {
     own[0][1] = own[1][0] = e1 * (n21 + n31 * n23) * over;
     own[0][2] = own[2][0] = e1 * (n31 + n21 * n32) * over;
     own[1][2] = own[2][1] = e2 * (n32 + n12 * n31) * over;
-  }
-
-  /// Rows: the axes 1, 2, 3.
-  static Matrix3<double> find_axes(const Constants& c) {
-    const Vector3<double> first = Constants::make_vector(c.first_axis), normal = cross(first, c.find_second_axis());
-    const Vector3<double> one = (1 / norm(first)) * first, three = (1 / norm(normal)) * normal;
-    return {{one, cross(three, one), three}};
   }
 
   /// Sets the stiffness of strains in space axes. own: that of strains as tensors by the axes, [xx, yy, zz, xy, yz,

@@ -157,6 +157,25 @@ std::vector<Warning> check_poissons_ratio(const CheckedScene& scene) {
   return warnings;
 }
 
+// Deep-drawing steel has up to 3, aluminium from 0.4 on, titanium up to 6.
+std::vector<Warning> check_strain_ratios(const CheckedScene& scene) {
+  constexpr double least = 0.1, most = 8;
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const auto found = material.law.vectors.find("r_values");
+    if (found == material.law.vectors.end()) continue;
+    const auto& r = found->second;
+    const auto wrong = std::find_if(r.begin(), r.end(), [&](double value) { return value < least || value > most; });
+    if (wrong == r.end()) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "strain_ratios", find_key_path(material, found->first),
+        fmt::format("material '{}' has an r-value of {:g} (plastic strain of the width over that of the thickness; "
+                    "metals have 0.3 to 6): give ratios, not percentages or stresses; yield stresses are yield_ratios",
+                    material.name, *wrong)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_hardening_strain(const CheckedScene& scene) {
   constexpr double most = 10;  // 20 is meant as 20 %
   std::vector<Warning> warnings;

@@ -141,7 +141,8 @@ Json write_laws() {
                       {"is_of_shells", law.is_of_shells},
                       {"is_of_beams", law.is_of_beams},
                       {"has_plastic_strain", law.has_plastic_strain},
-                      {"has_temperature", law.has_temperature}};
+                      {"has_temperature", law.has_temperature},
+                      {"has_axes", law.has_axes}};
   }
   return json;
 }

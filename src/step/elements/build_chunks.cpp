@@ -115,11 +115,17 @@ void refuse_plies(const Deck& deck, const Mesh& mesh) {
     const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
     const char* what = nullptr;
     if (!part.plies.empty()) what = "plies";
-    if (material.law.model == Orthotropic::name) {
-      const OrthotropicConstants constants = find_constants<Orthotropic>(material.law);
-      if (constants.follows_elements) what = "a material with axes: elements";
-      if (constants.has_strength()) what = "a material with strengths of plies";
-    }
+    visit_law(material, [&]<class Law>(const Law& law) {
+      if constexpr (requires { law.constants.follows_elements; }) {
+        if (law.constants.follows_elements) what = "a material with axes: elements";
+      }
+      if constexpr (requires { law.constants.has_strength(); }) {
+        if (law.constants.has_strength()) what = "a material with strengths of plies";
+      }
+      if constexpr (requires { law.constants.is_quadratic(); }) {
+        if (!law.constants.is_quadratic()) what = "a material whose exponent is not 2";
+      }
+    });
     if (what == nullptr || part.rigid) continue;
     throw InputError(
         fmt::format("{}: error: part '{}' has {} elements and {} (only shells can): make them shells, or "

@@ -9,6 +9,7 @@
 #include "kernels/shell/layer_of_law.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 #include "src/deck/laminates.hpp"
+#include "src/deck/law_traits.hpp"
 #include "src/deck/make_material.hpp"
 
 namespace percuss {
@@ -186,7 +187,8 @@ bool starts_at_zero(const PlyMaterial& ply) {
 Laminate make_laminate(const MaterialDeck& material, int points) {
   const std::vector<LaminatePly> list = list_plies(material);
   const std::vector<PlacedPly> plies = place_plies(list);
-  const int each = count_points_of_ply(plies.size(), points);
+  const bool is_metal = plies.front().material.kind == PlyMaterial::Kind::anisotropic_metal;
+  const int each = count_points_of_ply(plies.size(), points, is_metal && material.plies.empty());
   Laminate laminate;
   laminate.rule = find_rule(plies, each);
   std::vector<std::size_t> first;
@@ -200,7 +202,8 @@ Laminate make_laminate(const MaterialDeck& material, int points) {
   }
   laminate.layer.elasticity = find_mean_elasticity(plies);
   laminate.layer.shear = find_shear(plies);
-  laminate.layer.bound = find_bound_elasticity(plies, laminate.layer.shear);
+  laminate.layer.bound = is_metal && first.size() == 1 ? plies.front().material.anisotropic_metal.elasticity
+                                                       : find_bound_elasticity(plies, laminate.layer.shear);
   return laminate;
 }
 
@@ -225,12 +228,18 @@ std::string find_laminate_fault(const MaterialDeck& material) {
 
 std::optional<Vector3<double>> find_given_axis(const MaterialDeck& material) {
   const std::vector<LaminatePly> list = list_plies(material);
-  const auto has_axes = [](const LawDeck& law) { return law.model == Orthotropic::name; };
+  const auto has_axes = [](const LawDeck& law) { return find_traits(law.model).has_axes; };
   const auto first = std::find_if(list.begin(), list.end(), [&](const LaminatePly& ply) { return has_axes(ply.law); });
   if (first == list.end()) return std::nullopt;  // no direction matters
-  const OrthotropicConstants of = find_constants<Orthotropic>(has_axes(material.law) ? material.law : first->law);
-  if (of.follows_elements) return std::nullopt;
-  return Vector3<double>{of.first_axis[0], of.first_axis[1], of.first_axis[2]};
+  MaterialDeck of;
+  of.law = has_axes(material.law) ? material.law : first->law;
+  std::optional<Vector3<double>> axis;
+  visit_law(of, [&]<class Law>(const Law& law) {
+    if constexpr (requires { law.constants.follows_elements; }) {
+      if (!law.constants.follows_elements) axis = make_direction(law.constants.first_axis);
+    }
+  });
+  return axis;
 }
 
 PlaneDirection<double> find_reference_axis(const std::optional<Vector3<double>>& given,

@@ -25,7 +25,7 @@ Laminate make_laminate(const MaterialDeck& material, int points);
 std::string find_laminate_fault(const MaterialDeck& material);
 
 /// The reference axis that the materials of a laminate give [any length, in space at time 0]: that of the part's
-/// material, or else of the first ply that is orthotropic; none: the side of each shell from its first corner to its
+/// material, or else of the first ply that has axes; none: the side of each shell from its first corner to its
 /// second.
 std::optional<Vector3<double>> find_given_axis(const MaterialDeck& material);
 

@@ -70,6 +70,15 @@ inline OrthotropicConstants make_sample(Of<Orthotropic>) {
   }
   return law;
 }
+inline AnisotropicPlasticityConstants make_sample(Of<AnisotropicPlasticity>) {
+  AnisotropicPlasticityConstants law{10e9, 0.3, {2, {0, 0.1}, {20e6, 60e6}}, {0.7, 1.6, 1.1}};
+  const double first[3] = {1, 0.5, 0.2}, second[3] = {-0.3, 1, 0};
+  for (int k = 0; k < 3; ++k) {
+    law.first_axis[k] = first[k];
+    law.second_axis[k] = second[k];
+  }
+  return law;
+}
 inline LowDensityFoam make_sample(Of<LowDensityFoam>) {
   return {5e6, 0.2, 2, {4, {0, 0.05, 0.6, 0.8}, {0, 0.2e6, 0.3e6, 2e6}}};
 }
