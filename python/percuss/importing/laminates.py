@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Sequence
 
+from .laws import has_axes
 from .ledger import Ledger, Place
 from .model import Block, Deck, Layer, Model, Vector
 from .shapes import cross, dot, normalise, shell_area, subtract
@@ -53,7 +54,7 @@ def add_plies(block: Block, layers: Sequence[Layer], laws: "dict[int | str, tupl
     for layer in layers:
         law_name, law = laws[layer.material]
         ply: Deck = {"thickness": layer.share * (block.thickness or 0.0)}
-        angle = layer.angle + turns.get(layer.material, 0.0) if law["model"] == "orthotropic" else 0.0
+        angle = layer.angle + turns.get(layer.material, 0.0) if has_axes(law) else 0.0
         if angle:
             ply["angle"] = angle
         if law_name != name:
@@ -66,8 +67,8 @@ def add_plies(block: Block, layers: Sequence[Layer], laws: "dict[int | str, tupl
 
 def find_main(layers: Sequence[Layer], laws: "dict[int | str, tuple[str, Deck]]") -> int | str:
     """The material whose axes and failure count for a part: the first that has axes, and failure before others."""
-    order = sorted(layers, key=lambda layer: ("failure" not in laws[layer.material][1], laws[layer.material][1]["model"] != "orthotropic"))
-    with_axes = [layer for layer in order if laws[layer.material][1]["model"] == "orthotropic"]
+    order = sorted(layers, key=lambda layer: ("failure" not in laws[layer.material][1], not has_axes(laws[layer.material][1])))
+    with_axes = [layer for layer in order if has_axes(laws[layer.material][1])]
     return (with_axes or order)[0].material
 
 
@@ -76,7 +77,7 @@ def find_difference(layers: Sequence[Layer], laws: "dict[int | str, tuple[str, D
     main = laws[find_main(layers, laws)][1]
     for layer in layers:
         law = laws[layer.material][1]
-        if law["model"] == "orthotropic" and not have_same_axes(law, main):
+        if has_axes(law) and not have_same_axes(law, main):
             return "axes"
         if any(main.get("failure", {}).get(key) != value for key, value in law.get("failure", {}).items()):
             return "failure"

@@ -36,6 +36,11 @@ def grows_in_increments(law: Deck) -> bool:
     return has(law, "grows_in_increments") and "equation_of_state" not in law
 
 
+def has_axes(law: Deck) -> bool:
+    """Whether it has directions of its own."""
+    return has(law, "has_axes")
+
+
 def takes_stiffness_damping(block: Block, law: Deck) -> bool:
     """Whether percuss knows it for these elements and this material."""
     is_known = all(len(set(corners)) == 8 for _, corners in block.solids)

@@ -100,12 +100,39 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
         add_plastic(deck, law, plastic)
         add_rate(deck, law, find(material, "RATE DEPENDENT"))
         add_rate_tables(deck, law, [block for block in material.parts if block.keyword == "PLASTIC"])
+    add_potential(deck, law, find(material, "POTENTIAL"), state)
     if state:
         add_state(deck, law, state)
     relaxing = find(material, "VISCOELASTIC")
     if relaxing:
         return relax(deck, law, elastic, relaxing)
     return law
+
+
+def add_potential(deck: AbaqusDeck, law: Deck, block: Block | None, state: Block | None) -> None:
+    """*POTENTIAL: R11 R22 R33 R12 R13 R23, yield stresses over that of *PLASTIC."""
+    if block is None:
+        return
+    lines = [line for line in block.lines if any(line[1])]
+    if not lines:
+        raise BadInput(block.place, "*POTENTIAL has no data line: add six ratios")
+    ratios = [block.number(lines[0], i) for i in range(6)]
+    if min(ratios) <= 0:
+        raise BadInput(block.at(lines[0][0]), "a ratio of *POTENTIAL is not positive: correct it")
+    if len(lines) > 1:
+        deck.ledger.refuse("POTENTIAL.TEMPERATURE", block.place, "ratios that depend on the temperature", "the first row is used")
+    if all(ratio == 1 for ratio in ratios):
+        deck.ledger.ignored("POTENTIAL", block.place, "all ratios are 1: the yield of von Mises")
+        return
+    rows = law.get("hardening") or [[0.0, law.get("yield_stress", 0.0)]]
+    is_isotropic = law["model"] in ("j2_plasticity", "tabulated_plasticity") or (law["model"] == "combined_hardening" and not law["kinematic_share"])
+    if not is_isotropic or law.get("hardening_modulus") or state:
+        deck.ledger.refuse("POTENTIAL", block.place, "ratios of yield stress with another law than a table of isotropic hardening, or with *EOS", "it yields alike in all directions")
+        return
+    for key in ("yield_stress", "kinematic_share", "hardening_modulus"):
+        law.pop(key, None)
+    law |= {"model": "anisotropic_plasticity", "hardening": rows, "yield_ratios": ratios[:3], "shear_yield_ratios": [ratios[3], ratios[5], ratios[4]]}
+    deck.ledger.translated("POTENTIAL", block.place, "yield_ratios of anisotropic_plasticity")
 
 
 def translate_fluid(deck: AbaqusDeck, material: MaterialBlocks, state: Block, shear: Block | None) -> Deck:
@@ -299,4 +326,4 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
     return {"model": "mooney_rivlin", "c10": values[0], "c01": c01}, 2 * (values[0] + c01), d1
 
 
-READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC", "USER MATERIAL", "DEPVAR"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL"}

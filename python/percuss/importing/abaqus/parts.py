@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ..fields import MOST_ID, clip, parse_real
 from ..laminates import MOST_POINTS, add_plies, find_difference, reduce_points
-from ..laws import NOT_DAMPED, takes_stiffness_damping
+from ..laws import NOT_DAMPED, has_axes, takes_stiffness_damping
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Block as Part
 from ..model import Deck
@@ -154,7 +154,7 @@ def find_laws(deck: AbaqusDeck, section: Section, made: dict[str, Deck | None]) 
         law = made[material]
         if law is None or not may_be_used(deck, section, material, law):
             return None
-        if law["model"] == "orthotropic":
+        if has_axes(law):
             law = orient(deck, section, law)
         found[material] = (name_law(deck, material, law), law)
     return found
@@ -175,12 +175,12 @@ def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) ->
     """Axes of user code, and solids of plies, are refused."""
     if law["model"] == "user" and section.orientation:
         deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
-    if law["model"] != "orthotropic" or section.kind in ("SHELL", "MEMBRANE"):
+    if not has_axes(law) or section.kind in ("SHELL", "MEMBRANE"):
         return True
     if section.kind != "SOLID":
         deck.ledger.refuse(f"{section.kind} SECTION.MATERIAL", section.place, "beams of an orthotropic material", "they are left out")
         return False
-    return not refuse_solids(deck, section, material, law)
+    return law["model"] != "orthotropic" or not refuse_solids(deck, section, material, law)
 
 
 def one_layer(deck: AbaqusDeck, section: Section, found: "dict[str, tuple[str, Deck]]") -> bool:
@@ -188,7 +188,7 @@ def one_layer(deck: AbaqusDeck, section: Section, found: "dict[str, tuple[str, D
     if len(found) > 1:
         return False
     _, law = next(iter(found.values()))
-    if law["model"] == "orthotropic" and any(layer.angle or layer.orientation for layer in section.layers):
+    if has_axes(law) and any(layer.angle or layer.orientation for layer in section.layers):
         return False
     section.layers = []
     deck.ledger.translated(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of one material are one layer")

@@ -72,6 +72,7 @@ FIELDS: dict[str, str] = {
     "MAT_SPOTWELD": METAL + " EH; time: DT TFAIL; force: NRR NRS NRT; moment: MRR MSS MTT",
     "MAT_HIGH_EXPLOSIVE_BURN": "density: RO; speed: D; stress: PCJ K G SIGY",
     "MAT_ORTHOTROPIC_ELASTIC": PLY + " G SIGF", "MAT_COMPOSITE_DAMAGE": PLY + " SC XT YT YC SN SYZ SZX", "MAT_ENHANCED_COMPOSITE_DAMAGE": PLY + " XC XT YC YT SC; time: TFAIL",
+    "MAT_3-PARAMETER_BARLAT": "density: RO; stress: E P1; rate: C", "MAT_HILL_3R": "density: RO; stress: E P1", "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": METAL,
     "MAT_SPRING_ELASTIC": "stiffness: K", "MAT_DAMPER_VISCOUS": "damping: DC",
     "MAT_ADD_EROSION": "stress: MXPRES MNPRES SIGP1 SIGVM SIGTH; time: FAILTM",
     "EOS_LINEAR_POLYNOMIAL": "stress: C0 C1 C2 C3 E0", "EOS_GRUNEISEN": "speed: C; stress: E0", "EOS_IDEAL_GAS": "heat: CV CP", "EOS_JWL": "stress: A B E0",
