@@ -1,5 +1,5 @@
 #pragma once
-// A swap of slots with more numbers than a force: groups of three, each followed by one that is not sent.
+// A swap of slots with more numbers than a force: groups of four.
 //
 // As HaloSwap (comm/halo/halo_swap.hpp), over the same plan.
 
@@ -38,7 +38,7 @@ class GroupSwap {
     const Packed packed = send_;
     Kokkos::parallel_for(
         "percuss::pack_groups", Range(space, 0, static_cast<int>(slots.extent(0))), KOKKOS_LAMBDA(const int i) {
-          for (int k = 0; k < 3 * Groups; ++k) packed(i, k) = rows(slots(i), k + k / 3);
+          for (int k = 0; k < 4 * Groups; ++k) packed(i, k) = rows(slots(i), k);
         });
     space.fence();
     Kokkos::deep_copy(send_buffer_, send_);
@@ -55,15 +55,15 @@ class GroupSwap {
     const int first = first_remote_slot_;
     Kokkos::parallel_for(
         "percuss::unpack_groups", Range(ExecSpace(), 0, remote_count_), KOKKOS_LAMBDA(const int i) {
-          for (int k = 0; k < 3 * Groups; ++k) rows(first + i, k + k / 3) = packed(i, k);
+          for (int k = 0; k < 4 * Groups; ++k) rows(first + i, k) = packed(i, k);
         });
   }
 
   const Traffic& traffic() const { return data_.traffic(); }
 
  private:
-  using Item = std::array<double, 3 * Groups>;
-  using Packed = Kokkos::View<double * [3 * Groups], Kokkos::LayoutRight, MemSpace>;
+  using Item = std::array<double, 4 * Groups>;
+  using Packed = Kokkos::View<double * [4 * Groups], Kokkos::LayoutRight, MemSpace>;
 
   static std::span<Item> as_items(const HostMirror<Packed>& rows) {
     return {reinterpret_cast<Item*>(rows.data()), rows.extent(0)};

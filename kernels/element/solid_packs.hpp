@@ -4,6 +4,7 @@
 //
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
+#include "kernels/core/prefetch.hpp"
 #include "kernels/element/chunk_records.hpp"
 #include "kernels/element/chunk_rest.hpp"
 #include "kernels/element/chunk_sums.hpp"
@@ -13,6 +14,9 @@
 namespace percuss {
 
 inline constexpr int solid_width = pack_size<double>;
+
+/// How many rows ahead of its use a row of a node is prefetched, as for hexahedra (advance_chunk.hpp).
+inline constexpr int node_rows_ahead = 48;
 using SolidScratch = ChunkScratch<node_record, force_record>;
 
 /// A vector of the pack's N corners, from rows of so many numbers, at least four. Field: indexed by corner.
@@ -58,11 +62,21 @@ struct SolidChunk {
 
   /// Places and velocities of its nodes into node records.
   KOKKOS_FUNCTION void fill_nodes(const ElementMotion& motion, double* nodes) const {
+    fill_rows(motion.x.data(), nodes);
+    fill_rows(motion.v.data(), nodes + 4);
+  }
+
+  /// Their places alone.
+  KOKKOS_FUNCTION void fill_places(const ElementMotion& motion, double* nodes) const {
+    fill_rows(motion.x.data(), nodes);
+  }
+
+  KOKKOS_FUNCTION void fill_rows(const double* rows, double* nodes) const {
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
     for (int s = 0; s < slot_count; ++s) {
-      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
-      copy_row(motion.x.data() + n, nodes + node_record * s);
-      copy_row(motion.v.data() + n, nodes + node_record * s + 4);
+      fetch_ahead(rows + 3 * static_cast<std::size_t>(
+                                 slots_to_nodes[s + node_rows_ahead < slot_count ? s + node_rows_ahead : s]));
+      fill_row(rows + 3 * static_cast<std::size_t>(slots_to_nodes[s]), rows, nodes + node_record * s);
     }
   }
 
@@ -111,8 +125,24 @@ struct SolidPack {
   int pack, lanes;
   const std::uint16_t* corners;
   const SolidScratch& scratch;
+  const Real* next;  // record of the next pack, of `size` numbers, which is prefetched in parts during the work on this
+  int size;
+
+  /// Prefetches a third of the next record.
+  PERCUSS_FORCE_INLINE void fetch_third(int third) const {
+    constexpr int line = static_cast<int>(cache_line / sizeof(Real));
+    const int lines = size / line;
+    for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) fetch_to_write(next + line * i);
+  }
 
   KOKKOS_FUNCTION int first_element() const { return chunk.first_element + pack * solid_width; }
+
+  /// Takes its step bounds and volumes. Most packs have neither the smallest bound so far nor a failed element.
+  PERCUSS_FORCE_INLINE void take_step(const Lanes& step, const Lanes& volume, ChunkSums& sums) const {
+    const Lanes zero(0.0);
+    const auto is_good = (volume > zero) & (step > zero);
+    if (any((step < Lanes(sums.step)) | !is_good)) sums.take_step(step, volume, first_element(), lanes);
+  }
 
   /// The step bounds of its elements, if they are watched.
   KOKKOS_FUNCTION void leave_bound(const StepWatch& watch, const Lanes& step) const {
@@ -125,6 +155,39 @@ struct SolidPack {
 template <class State>
 inline constexpr int record_limit = static_cast<int>(sizeof(State) / sizeof(Real));
 
+/// What an evaluation of the packs of a chunk works with, in which their records change.
+struct SolidRecords {
+  const SolidChunk& chunk;
+  const ChunkRest& rest;
+  const ElementMotion& motion;
+  const Array<Real>& state;
+  const SolidScratch& scratch;
+
+  /// Calls body(parameters, pack, living, state, sums) for each pack that has living elements, and leaves whether a bit
+  /// of the records has changed.
+  template <class State, class Material, class Body>
+  KOKKOS_FUNCTION ChunkSums advance(SolidParameters<Material> parameters, const Body& body) const {
+    parameters.time = motion.time;
+    ChunkSums sums;
+    RecordWatch<record_limit<State>> watch(rest.is_at_rest());
+    LivingSolids<Material> living(motion.failing, motion.lives, chunk.c);
+    const int size = chunk.chunks.record_size(chunk.c) * solid_width;
+    Real* record = &state(chunk.chunks.first_state(chunk.c));
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      Real* const own = record;
+      record += size;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      watch.keep(own, size);
+      body(parameters, SolidPack{chunk, pack, lanes, corners, scratch, record, size}, living,
+           *reinterpret_cast<State*>(own), sums);
+      watch.compare(own, size);
+    });
+    rest.leave(watch.has_changed());
+    return sums;
+  }
+};
+
 /// The elements of a block, whose packs read and write a state of their own and leave forces on their corners.
 template <class Material, class Block>
 struct SolidKernel {
@@ -134,34 +197,19 @@ struct SolidKernel {
   ElementMotion motion;
   ChunkFields fields;
 
-  /// Calls advance_pack(parameters, pack, living, state, sums) for each pack of the team's chunk that has living
-  /// elements.
+  /// Calls advance_pack as SolidRecords::advance for the team's chunk.
   template <class State, class AdvancePack>
   KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AdvancePack& advance_pack) const {
     const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
-    SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    const SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     const ChunkRest rest(chunks, fields.results, chunk.c, motion.skips_rest && !changes_at_rest(parameters.material),
                          motion.v);
     if (rest.skips()) return;
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    parameters.time = motion.time;
-    ChunkSums sums;
-    RecordWatch<record_limit<State>> watch(rest.is_at_rest());
-    Living living(motion.failing, motion.lives, chunk.c);
-    const int size = chunks.record_size(chunk.c) * solid_width;
-    Real* const records = &fields.state(chunks.first_state(chunk.c));
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      Real* const record = records + static_cast<std::size_t>(size) * static_cast<std::size_t>(pack);
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      watch.keep(record, size);
-      advance_pack(parameters, SolidPack{chunk, pack, lanes, corners, scratch}, living,
-                   *reinterpret_cast<State*>(record), sums);
-      watch.compare(record, size);
-    });
-    rest.leave(watch.has_changed());
+    const ChunkSums sums =
+        SolidRecords{chunk, rest, motion, fields.state, scratch}.template advance<State>(parameters, advance_pack);
     sums.leave_work(chunk.c, fields.results);
     sums.leave_step(chunk.c, chunk.first_element, fields.results);
     copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));

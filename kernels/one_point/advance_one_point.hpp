@@ -30,15 +30,18 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
                                     const Living& living, State& of, ChunkSums& sums) const {
     Field x, v, f;
+    on.fetch_third(0);
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    on.fetch_third(1);
     gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
+    on.fetch_third(2);
     OnePointResult<Lanes> result = advance_one_point(parameters, x, v, Lanes(motion.dt), of, f);
     if (living.can_fail()) settle(living, result, f);
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
     sums.take_work(WorkKind::internal, result.work.internal, on.lanes);
     sums.take_work(WorkKind::hourglass, result.work.hourglass, on.lanes);
     sums.take_work(WorkKind::viscous, result.work.viscous, on.lanes);
-    sums.take_step(result.stable_step, result.volume, on.first_element(), on.lanes);
+    on.take_step(result.stable_step, result.volume, sums);
     on.leave_bound(motion.watch, result.stable_step);
   }
 
@@ -71,8 +74,11 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
   KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
                                 State& of, ChunkSums& sums) const {
     CornerField<Lanes, Shape> x, v;
+    on.fetch_third(0);
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    on.fetch_third(1);
     gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
+    on.fetch_third(2);
     const Lanes dt(motion.dt), zero(0.0);
     const OnePointMotion<Lanes, Shape> own = follow_one_point(x, v, dt);
     const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
@@ -92,25 +98,32 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
     sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
     sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
     const Lanes guard = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
-    const Lanes scalars[TetPasses::scalars] = {point.own.mu, point.own.tangent, guard, point.own.hourglass};
-    double* const row = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
-    for (int k = 0; k < TetPasses::scalars; ++k) store_pack(row + k * solid_width, scalars[k]);
+    double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
+    store_pack(scalars + TetPasses::shear * solid_width, point.own.mu);
+    store_pack(scalars + TetPasses::tangent * solid_width, point.own.tangent);
+    store_pack(scalars + TetPasses::guard_modulus * solid_width, guard);
+    store_pack(scalars + TetPasses::hourglass * solid_width, point.own.hourglass);
+    OwnStress(point.stress, of.guard, of.viscous_pressure).leave(scalars);
     const Lanes bulk = point.own.lambda + Lanes(2.0 / 3.0) * point.own.mu + guard;
     give(on, share * add_to_diagonal(point.stress, zero - of.guard), bulk, point.own.mu,
          give_stress<Shape::corners>(point.geometry.volume, !(share < zero)));
   }
 
-  /// What the elements of a pack give to their nodes. Their mass is not shared with others: that group stays empty.
+  /// What the elements of a pack give to their nodes. Their mass is not shared with others.
   template <class Given>
   KOKKOS_FUNCTION void give(const SolidPack& on, const Symmetric3<Lanes>& stress, const Lanes& bulk, const Lanes& shear,
                             const Given& given) const {
-    TetGroups<TetSums::stress_groups> groups;
-    given.set(stress, bulk, shear, groups);
-    groups.set(3, Lanes(0.0), Lanes(0.0), Lanes(0.0));
+    LaneRows low, high, last;
+    given.set(stress, bulk, low, high);
+    last.set(given.weigh(shear), Lanes(0.0), Lanes(0.0), Lanes(0.0));
     double* const rows = this->find_rows(on.chunk);
     for (int lane = 0; lane < on.lanes; ++lane) {
-      for (int i = 0; i < Shape::corners; ++i)
-        groups.add(lane, rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]));
+      for (int i = 0; i < Shape::corners; ++i) {
+        double* const row = rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
+        add_record(low.row[lane], row);
+        add_record(high.row[lane], row + 4);
+        add_record(last.row[lane], row + 8);
+      }
     }
   }
 };

@@ -30,7 +30,7 @@ struct FindOnePointForces : ForcePass<L> {
     const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
     const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<Shape::corners>(on.corners);
     const double* const record = find_pack_record(chunks, fields.state, on.chunk.c, on.pack);
-    OwnStress own(record);
+    OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
     ModeVectors<Lanes, Shape> q = load_modes(record);
     Lanes step = find_step(on, g, gamma, means, load_pack(record)), volume = g.volume, share(1.0);
     if (living.can_fail()) {
@@ -44,7 +44,7 @@ struct FindOnePointForces : ForcePass<L> {
       settle_step(share, step, volume);
     }
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_step(step, volume, on.first_element(), on.lanes);
+    on.take_step(step, volume, sums);
     on.leave_bound(motion.watch, step);
   }
 
@@ -64,10 +64,11 @@ struct FindOnePointForces : ForcePass<L> {
                                   const Lanes& mass) const {
     const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
-    const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(0), load(1)}, means, load(2));
+    const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)}, means,
+                                                load(TetPasses::guard_modulus));
     const Lanes lambda = larger(felt.bulk - Lanes(2.0 / 3.0) * felt.shear, Lanes(0.0));
     return find_one_point_step(find_gradient_sizes(g, gamma), g.volume, mass,
-                               {lambda, felt.shear, load(3), felt.tangent});
+                               {lambda, felt.shear, load(TetPasses::hourglass), felt.tangent});
   }
 };
 

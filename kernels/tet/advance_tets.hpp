@@ -25,14 +25,17 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
   KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
                                 State& of, ChunkSums& sums) const {
     TetCorners<Lanes> x, v;
+    on.fetch_third(0);
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
     const Lanes dt(motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
                            &launch.nodes.slots_to_records(on.chunk.first_slot)};
-    TetPoint<Lanes> point =
-        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean<4>(on.corners)), dt, of);
+    const Symmetric3<Lanes> seen = blend(own.d, gather.find_mean<4>(on.corners));
+    on.fetch_third(1);
+    TetPoint<Lanes> point = advance_tet4<true>(parameters, x, own, seen, dt, of);
+    on.fetch_third(2);
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
@@ -45,9 +48,10 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
     const Lanes guard_modulus = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
-    store_pack(scalars, point.own.shear);
-    store_pack(scalars + solid_width, point.own.tangent);
-    store_pack(scalars + 2 * solid_width, guard_modulus);
+    store_pack(scalars + TetPasses::shear * solid_width, point.own.shear);
+    store_pack(scalars + TetPasses::tangent * solid_width, point.own.tangent);
+    store_pack(scalars + TetPasses::guard_modulus * solid_width, guard_modulus);
+    OwnStress(point.stress, of.guard, of.viscous_pressure).leave(scalars);
     const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - of.guard);
     give(on, point, share * given, of.mass, point.own.bulk + guard_modulus, !(share < zero));
   }
@@ -59,20 +63,20 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     const Lanes zero(0.0), quarter(0.25);
     const auto given = give_stress<4>(point.geometry.volume, lives);
     const auto& counts = given.counts;
-    TetGroups<TetSums::stress_groups> groups;
-    given.set(stress, bulk, point.own.shear, groups);
-    groups.set(3, select(counts, quarter * mass, zero), zero, zero);
-    alignas(64) double square[4][solid_width];
+    LaneRows low, high, of_corner[4];
+    given.set(stress, bulk, low, high);
+    const Lanes shear = given.weigh(point.own.shear), share = select(counts, quarter * mass, zero);
     for (int i = 0; i < 4; ++i) {
       const Vector3<Lanes>& b = point.geometry.b[i];
-      store_pack(square[i], select(counts, dot(b, b) / point.geometry.volume, zero));
+      of_corner[i].set(shear, share, select(counts, dot(b, b) / point.geometry.volume, zero), zero);
     }
     double* const rows = this->find_rows(on.chunk);
     for (int lane = 0; lane < on.lanes; ++lane) {
       for (int i = 0; i < 4; ++i) {
         double* const row = rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
-        groups.add(lane, row);
-        row[13] += square[i][lane];
+        add_record(low.row[lane], row);
+        add_record(high.row[lane], row + 4);
+        add_record(of_corner[i].row[lane], row + 8);
       }
     }
   }
@@ -96,11 +100,14 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
                                     const Living& living, State& of, ChunkSums& sums) const {
     TetCorners<Lanes> x, v;
+    on.fetch_third(0);
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
     gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
+    on.fetch_third(1);
     const Lanes dt(this->motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     TetPoint<Lanes> point = advance_tet4<false>(parameters, x, own, own.d, dt, of);
+    on.fetch_third(2);
     Lanes step = find_plain_step(point.geometry, of.mass, point.own), volume = point.geometry.volume;
     TetCorners<Lanes> f = find_tet_forces(point.geometry, add_to_diagonal(point.stress, zero - of.viscous_pressure));
     if (living.can_fail()) {
@@ -114,7 +121,7 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
     sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
     sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
-    sums.take_step(step, volume, on.first_element(), on.lanes);
+    on.take_step(step, volume, sums);
     on.leave_bound(this->motion.watch, step);
   }
 };

@@ -41,11 +41,19 @@ PERCUSS_FORCE_INLINE T find_guard(const T& gap, double bulk_modulus) {
   return T(TetGuard::stiffness * bulk_modulus) * smaller(gap + T(TetGuard::start), T(0));
 }
 
-/// Numbers that elements give to a node, in groups of three: groups of four with an unused last one in memory.
-/// Rates: V D / 4 (6), V / 4. Stresses: V (sigma - g I) / 4 (6), V / 4, V K / 4, V mu / 4, m / 4, |B_I|^2 / V.
+/// Numbers that elements give to a node, in groups of four of which the last of a row is unused.
+/// Rates: V D / 4 with V / 4 after xx, yy and zz: one cache line. Stresses: V (sigma - g I) / 4 with V / 4 after xx, yy
+/// and zz, V K / 4 after xy, yz and zx; then V mu / 4, m / 4, |B_I|^2 / V.
 struct TetSums {
-  static constexpr int rate_groups = 3, stress_groups = 4;
+  static constexpr int rate_groups = 2, stress_groups = 3;
   static constexpr int rate_row = 4 * rate_groups, stress_row = 4 * stress_groups;
+  static constexpr int volume = 3;  // of both
+  static constexpr int bulk = 7, shear = 8, mass = 9, square = 10;
+};
+
+/// Averages at a node: D lies as it does in the sums; after the stress K and mu, then mass over the sum of |B|^2 / V.
+struct TetAverages {
+  static constexpr int bulk = 3, shear = 7, share = 8;
 };
 
 /// What a node has on average: D, or the stress and the moduli.

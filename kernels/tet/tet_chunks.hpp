@@ -9,6 +9,7 @@
 
 #include "kernels/element/internal_force.hpp"
 #include "kernels/tet/tet4.hpp"
+#include "kernels/tet/tet_nodes.hpp"
 
 namespace percuss {
 
@@ -39,22 +40,17 @@ using TetBlocks = AllTetBlocks<CompiledMaterials>::type;
 using TetRateRows = Kokkos::View<double * [TetSums::rate_row], Kokkos::LayoutRight, MemSpace>;
 using TetStressRows = Kokkos::View<double * [TetSums::stress_row], Kokkos::LayoutRight, MemSpace>;
 
-/// The records of nodes with tetrahedra, one for each material of theirs; const after set-up.
-struct TetNodes {
-  int count = 0;
-  Array<int> first;             // [count + 1] into slots
-  Array<int> slots;             // of each record in the order of its sum, those of other ranks among them
-  Array<int> slots_to_records;  // [slots of this rank's chunks] -1: of no tetrahedron
-};
-
 /// What the passes of a step hand to each other; nothing of it lasts.
 struct TetPasses {
-  // of an element: shear modulus, tangent of the viscosity, modulus of the guard, stiffness of hourglass modes
-  static constexpr int scalars = 4;
+  // What the third pass reads of an element; its record is not in the cache by then: shear modulus, tangent of the
+  // viscosity, modulus of the guard, stiffness of hourglass modes, pressures of guard and viscosity, stress in space
+  // axes.
+  static constexpr int shear = 0, tangent = 1, guard_modulus = 2, hourglass = 3, guard = 4, viscous_pressure = 5,
+                       stress = 6, scalars = 12;
   TetRateRows slot_rates;       // [slots] sums of the chunks, and what other ranks have sent
   TetStressRows slot_stresses;  // likewise
-  TetRateRows rates;            // [records] D: two groups
-  TetStressRows stresses;       // [records] stress: two groups; bulk and shear modulus, mass over sum of |B|^2 / V
+  TetRateRows rates;            // [records] D
+  TetStressRows stresses;       // [records] TetAverages
   Array<double> elements;       // [packs][scalars][W]
   // What need not be done again. A chunk whose nodes rest stays as it is while the averages at its nodes do.
   Array<int> rates_rest;     // [records] 1: the rates are 0, with the bits of the step before

@@ -28,15 +28,16 @@ struct FindForces : ForcePass<L> {
     const TetGeometry<Lanes> g = find_tet_geometry(x);
     const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<4>(on.corners);
     const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
-    const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + solid_width)};
-    const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * solid_width)));
+    const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
+    const TetStiffness<Lanes> own{Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)};
+    const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load(TetPasses::guard_modulus)));
     settle(on, means, g, step, living, sums);
   }
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION void settle(const SolidPack& on, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g,
                               Lanes step, const Living& living, ChunkSums& sums) const {
-    OwnStress own(find_pack_record(chunks, fields.state, on.chunk.c, on.pack));
+    OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(step, volume);
@@ -49,7 +50,7 @@ struct FindForces : ForcePass<L> {
       settle_step(share, step, volume);
     }
     scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_step(step, volume, on.first_element(), on.lanes);
+    on.take_step(step, volume, sums);
     on.leave_bound(motion.watch, step);
   }
 };
@@ -62,7 +63,11 @@ struct SlotSum {
   template <class Rows>
   KOKKOS_FUNCTION SlotSum(const TetNodes& nodes, const Rows& rows, int record) {
     for (int k = 0; k < Size; ++k) value[k] = 0;
+    const int last = static_cast<int>(nodes.slots.extent(0)) - 1;
     for (int i = nodes.first(record); i < nodes.first(record + 1); ++i) {
+      const double* const ahead = &rows(nodes.slots(i + node_rows_ahead < last ? i + node_rows_ahead : last), 0);
+      fetch_ahead(ahead);
+      fetch_ahead(ahead + Size - 1);
       const double* const row = &rows(nodes.slots(i), 0);
       for (int k = 0; k < Size; ++k) value[k] += row[k];
     }
@@ -106,9 +111,10 @@ void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
   Kokkos::parallel_for(
       "percuss::average_tet_rates", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         const SlotSum<TetSums::rate_row> sum(nodes, slots, r);
-        const double scale = sum.value[8] > 0 ? 1 / sum.value[8] : 0;
+        const double scale = sum.value[TetSums::volume] > 0 ? 1 / sum.value[TetSums::volume] : 0;
         bool rests = true;
-        for (int k = 0; k < 8; ++k) {
+        for (int k = 0; k < TetSums::rate_row; ++k) {
+          if (k == TetSums::volume) continue;
           const double mean = scale * sum.value[k];
           rests = rests && mean == 0 && has_same_bits(mean, means(r, k));
           means(r, k) = mean;
@@ -129,16 +135,17 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
   Kokkos::parallel_for(
       "percuss::average_tet_stresses", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
         const SlotSum<TetSums::stress_row> sum(nodes, slots, r);
-        const double volume = sum.value[8], scale = volume > 0 ? 1 / volume : 0;
+        const double volume = sum.value[TetSums::volume], scale = volume > 0 ? 1 / volume : 0;
         bool stays = true;
         const auto set = [&](int k, double mean) {
           stays = stays && has_same_bits(mean, means(r, k));
           means(r, k) = mean;
         };
-        for (int k = 0; k < 8; ++k) set(k, scale * sum.value[k]);
-        set(8, scale * sum.value[9]);
-        set(9, scale * sum.value[10]);
-        set(10, sum.value[13] > 0 ? sum.value[12] / sum.value[13] : 0);
+        for (const int k : {0, 1, 2, 4, 5, 6}) set(k, scale * sum.value[k]);
+        set(TetAverages::bulk, scale * sum.value[TetSums::bulk]);
+        set(TetAverages::shear, scale * sum.value[TetSums::shear]);
+        const double square = sum.value[TetSums::square];
+        set(TetAverages::share, square > 0 ? sum.value[TetSums::mass] / square : 0);
         stresses_stay(r) = stays ? 1 : 0;
       });
 }

@@ -179,8 +179,8 @@ struct PlyDeck {
 };
 
 struct PartDeck {
-  /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra, two wedges or six pyramids each.
-  enum class Elements { hexahedra, tetrahedra, wedges, pyramids };
+  /// What the cells of a generated solid are: hexahedra, or twelve or six tetrahedra, two wedges or six pyramids each.
+  enum class Elements { hexahedra, tetrahedra, six_tetrahedra, wedges, pyramids };
   std::string name;
   Shape shape;
   Elements elements = Elements::hexahedra;
@@ -204,6 +204,9 @@ struct PartDeck {
   Place place;
 
   /// Shells need it.
+  bool is_cut_into_tetrahedra() const {
+    return elements == Elements::tetrahedra || elements == Elements::six_tetrahedra;
+  }
   bool has_thickness() const { return thickness || thickness_by_place || thickness_of_file; }
   bool varies_in_thickness() const { return thickness_by_place || thickness_of_file; }
 };

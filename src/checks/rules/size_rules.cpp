@@ -113,9 +113,9 @@ bool is_single_layer(const PartMeasures& part) {
 
 /// Whether the tetrahedra and pyramids of a part fill one cell between two surfaces: of the twelve or six in a cell
 /// four or two then have a face there, of a mesh without middle nodes more. Two cells have half as many.
-bool fill_one_cell(const PartMeasures& part) {
-  constexpr double least_faces = 0.3;  // of each element
-  return static_cast<double>(part.cut_faces) >= least_faces * static_cast<double>(part.cut_solids);
+bool fill_one_cell(const PartDeck& part, const PartMeasures& measures) {
+  const double least_faces = part.elements == PartDeck::Elements::six_tetrahedra ? 0.5 : 0.3;  // of each element
+  return static_cast<double>(measures.cut_faces) >= least_faces * static_cast<double>(measures.cut_solids);
 }
 
 /// Whether a condition keeps a whole part from moving across its thinnest direction: it is flat, and does not bend.
@@ -186,7 +186,7 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
     const PartDeck& part = scene.deck.parts[p];
     const PartMeasures& measures = scene.measures->parts[p];
     const bool has_points = scene.deck.find_elements(p).integration == ElementDeck::Integration::full;
-    const bool is_cut = measures.cut_solids > 0 && fill_one_cell(measures);
+    const bool is_cut = measures.cut_solids > 0 && fill_one_cell(part, measures);
     const std::int64_t layered =
         (has_points ? 0 : measures.single_layer) + measures.layered_wedges + (is_cut ? measures.cut_solids : 0);
     const double thickness =

@@ -157,7 +157,7 @@ void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
                                              reader.name_of("shell_hourglass"), reader.in()));
   const bool is_line = std::holds_alternative<LineShape>(part.shape), is_solid = !is_shell && !is_line;
   if (is_solid && part.elements == PartDeck::Elements::hexahedra) return;
-  if (is_solid && part.elements != PartDeck::Elements::tetrahedra) return check_one_point(reader, node, part);
+  if (is_solid && !part.is_cut_into_tetrahedra()) return check_one_point(reader, node, part);
   for (const std::string key : {"integration", "hourglass", "bulk_viscosity"}) {
     const Node* given = node.find(key);
     const bool is_viscosity = key == "bulk_viscosity";

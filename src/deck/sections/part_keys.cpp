@@ -167,6 +167,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(may("elements", &PartDeck::elements,
                       ChoiceValue<PartDeck::Elements>{{{"hexahedra", PartDeck::Elements::hexahedra},
                                                        {"tetrahedra", PartDeck::Elements::tetrahedra},
+                                                       {"six_tetrahedra", PartDeck::Elements::six_tetrahedra},
                                                        {"wedges", PartDeck::Elements::wedges},
                                                        {"pyramids", PartDeck::Elements::pyramids}}}));
     all.push_back(group<PartDeck>("thickness", ThicknessValue{}));

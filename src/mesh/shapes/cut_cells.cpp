@@ -107,6 +107,60 @@ class TetSource final : public CenteredSource {
   int find_face(int element) const { return find_place(element) / 2; }
 };
 
+/// Six tetrahedra a cell and no further node: its lowest node is joined to the three faces that it is not on, each
+/// halved as both cells of a face agree on. Its own three faces are then halved from it, which is the same rule.
+class SixTetSource final : public CutSource {
+ public:
+  explicit SixTetSource(std::unique_ptr<ShapeSource> cells) : CutSource(std::move(cells), 6) {}
+  TopologyKind topology() const override { return TopologyKind::tet4; }
+
+  Corners corners(int element) const override {
+    const Corners hexahedron = cell_corners(element);
+    const Tetrahedron places = find_places(hexahedron, find_place(element));
+    const auto node = [&](std::size_t i) { return hexahedron[static_cast<std::size_t>(places[i])]; };
+    return {node(0), node(1), node(2), node(3)};
+  }
+
+  FaceSides face_sides(int element) const override {
+    FaceSides sides = all_interior();
+    const Tetrahedron places = find_places(cell_corners(element), find_place(element));
+    const auto faces = tet4_topology.faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const auto corners = faces[f].corners();
+      for (int face = 0; face < hex8_topology.face_count; ++face) {
+        const auto is_there = [&](int corner) { return is_on(face, places[static_cast<std::size_t>(corner)]); };
+        if (std::all_of(corners.begin(), corners.end(), is_there)) sides[f] = cell_side(element, face);
+      }
+    }
+    return sides;
+  }
+
+ private:
+  using Tetrahedron = std::array<int, 4>;  // places of its nodes among those of the cell
+
+  static const std::array<int, 4>& face_places(int face) {
+    return hex8_topology.face_table[static_cast<std::size_t>(face)].four;
+  }
+  static bool is_on(int face, int place) {
+    const auto& places = face_places(face);
+    return std::find(places.begin(), places.end(), place) != places.end();
+  }
+
+  /// Of each of the three faces without the lowest node two halves, in the order of the faces.
+  static Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) {
+    const auto node = [&](int place) { return hexahedron[static_cast<std::size_t>(place)]; };
+    int apex = 0;
+    for (int place = 1; place < 8; ++place) apex = node(place) < node(apex) ? place : apex;
+    int face = 0;
+    for (int left = tetrahedron / 2; is_on(face, apex) || left-- > 0;) ++face;
+    const auto& places = face_places(face);
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i < 4; ++i) lowest = node(places[i]) < node(places[lowest]) ? i : lowest;
+    const std::size_t next = lowest + (tetrahedron % 2 == 0 ? 1 : 2);
+    return {places[lowest], places[(next + 1) % 4], places[next % 4], apex};
+  }
+};
+
 /// Six pyramids a cell, one on each of its faces.
 class PyramidSource final : public CenteredSource {
  public:
@@ -184,6 +238,8 @@ std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartD
   switch (elements) {
     case PartDeck::Elements::tetrahedra:
       return std::make_unique<TetSource>(std::move(cells));
+    case PartDeck::Elements::six_tetrahedra:
+      return std::make_unique<SixTetSource>(std::move(cells));
     case PartDeck::Elements::pyramids:
       return std::make_unique<PyramidSource>(std::move(cells));
     case PartDeck::Elements::wedges:

@@ -61,7 +61,7 @@ inline ShapeSource::FaceSides name_shell_sides(int bottom, int top) {
 }
 
 /// The same solid of other elements, whose faces match. A cell becomes twelve tetrahedra or six pyramids, of which the
-/// mean of its corners is a node, too, or two wedges along its third direction.
+/// mean of its corners is a node, too, six tetrahedra between its own nodes, or two wedges along its third direction.
 std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartDeck::Elements elements);
 
 /// The source of a generated shape; null for a mesh from a file.
