@@ -95,7 +95,10 @@ class ContactStage {
   /// a warning, once. Collective.
   void watch_depth(Rows3<const double> x, Rows3<const double> v, double time);
 
-  /// Of ties that have let go, and of what watch_depth() found, since this was last called.
+  /// The same of sharp edges alone, more often: after steps that are so many more than the last look as it has cost.
+  void watch_edges(Rows3<const double> x, long step, double time);
+
+  /// Of ties that have let go, and of what watch_depth() and watch_edges() found, since this was last called.
   std::vector<Warning> take_warnings();
 
   /// The same for a state from a checkpoint, before archive(): the surface alone.

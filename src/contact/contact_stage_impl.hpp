@@ -12,6 +12,7 @@
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/contact/enforcement/node_areas.hpp"
 #include "src/contact/history/carried_history.hpp"
+#include "src/contact/overlap/missed_contact.hpp"
 #include "src/contact/overlap/start_overlap.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/surface/fold_watch.hpp"
@@ -68,6 +69,8 @@ struct ContactStage::Impl {
   int check(const SurfaceMotion& motion);
   RowMeeting meet(const ContactMotion& motion, int num_touches);
   void judge_ties(double time, ContactReport& report);
+  std::optional<KnownContact> find_known() const;
+  void tell_missed(const MissedContact& missed, double time);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
@@ -135,8 +138,9 @@ struct ContactStage::Impl {
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
   Traffic sent_at_start;           // in steps before time 0
   long rebalances_at_start = 0;    // likewise
-  std::vector<Warning> missed;     // of watch_depth()
+  std::vector<Warning> missed;     // of watch_depth() and watch_edges()
   bool has_told_missed = false;
+  long next_edge_look = 0;  // step
 };
 
 }  // namespace percuss

@@ -6,8 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/overlap/sunken_edges.hpp"
 
 namespace percuss {
 namespace {
@@ -22,6 +24,14 @@ void take(const MissedContact& found, std::optional<MissedContact>& deepest) {
   if (found.ratio > least_ratio && (!deepest || is_deeper(found, *deepest))) deepest = found;
 }
 
+/// Whether a node has a record. face: ContactHistory::face on the host.
+template <class Faces>
+bool has_face(const Faces& face, int node) {
+  for (int k = 0; k < contact_limits::max_touches; ++k)
+    if (face(contact_limits::max_touches * node + k) >= 0) return true;
+  return false;
+}
+
 void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
                 const KnownContact& known, std::optional<MissedContact>& deepest) {
   const auto face = to_host(history.face);
@@ -29,10 +39,7 @@ void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const 
   const OwnedContactNodes& nodes = search.share.nodes;
   for (const Penetration& p : search.finder.find_penetrations(motion)) {
     const auto n = static_cast<std::size_t>(p.node);
-    const int first = contact_limits::max_touches * p.node;
-    bool is_held = false;
-    for (int k = 0; k < contact_limits::max_touches; ++k) is_held = is_held || face(first + k) >= 0;
-    if (is_held || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(nodes.parts[n]) ||
+    if (has_face(face, p.node) || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(nodes.parts[n]) ||
         known.is_of_shells(p.part) || std::binary_search(known.inside.begin(), known.inside.end(), nodes.numbers[n]))
       continue;
     MissedContact found{p.depth / p.size, p.depth, nodes.numbers[n], false, nodes.parts[n], p.part, {}};
@@ -59,7 +66,55 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
   }
 }
 
+/// Of an edge, what this rank knows.
+constexpr int is_held = 1, began_inside = 2;
+
+/// By edges of all ranks: is_held where this rank has a record of the edge or of an end, began_inside.
+std::vector<int> find_known(const OverlapSearch& search, const ContactHistory& history, const KnownContact& known,
+                            const std::vector<SunkenEdge>& edges) {
+  std::set<std::int64_t> held;
+  const auto a = to_host(history.edges.a), b = to_host(history.edges.b);
+  for (int r = 0; r < history.edges.count; ++r) held.insert({a(r), b(r)});
+  const auto face = to_host(history.face);
+  const std::vector<std::int64_t>& numbers = search.share.nodes.numbers;
+  std::vector<int> flags;
+  for (const SunkenEdge& edge : edges) {
+    int flag = held.count(edge.edge) > 0 ? is_held : 0;
+    for (const std::int64_t end : edge.ends) {
+      if (std::binary_search(known.inside.begin(), known.inside.end(), end)) flag |= began_inside;
+      const auto place = std::lower_bound(numbers.begin(), numbers.end(), end);
+      if (place == numbers.end() || *place != end) continue;
+      if (has_face(face, static_cast<int>(place - numbers.begin()))) flag |= is_held;
+    }
+    flags.push_back(flag);
+  }
+  return flags;
+}
+
 }  // namespace
+
+MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
+                            const KnownContact& known) {
+  const SunkenEdges sunken = find_sunken_edges(search.ranks, search.share, x, least_ratio);
+  MissedEdge result;
+  result.tests = sunken.tests;
+  const std::vector<SunkenEdge> edges = gather_items(search.ranks, sunken.found);
+  std::vector<int> flags = find_known(search, history, known, edges), inside;
+  for (int& flag : flags) {
+    inside.push_back(flag & began_inside);
+    flag &= is_held;
+  }
+  all_reduce(search.ranks, Reduce::largest, flags);
+  all_reduce(search.ranks, Reduce::largest, inside);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const SunkenEdge& edge = edges[e];
+    const bool may_be_held = known.holds_deep && flags[e] != 0 && edge.ratio() <= contact_limits::history_depth;
+    if (inside[e] != 0 || may_be_held) continue;
+    take({edge.ratio(), edge.depth, edge.ends[0], true, edge.part, edge.other, {edge.x[0], edge.x[1], edge.x[2]}},
+         result.missed);
+  }
+  return result;
+}
 
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
                                                  const ContactHistory& history, const KnownContact& known) {
@@ -79,13 +134,14 @@ std::string describe_missed_contact(const MissedContact& missed, const Mesh& mes
   const auto name = [&](int part) {
     return part < 0 ? std::string() : fmt::format(" part '{}'", mesh.parts[static_cast<std::size_t>(part)].name);
   };
-  const std::string what = missed.is_edge ? fmt::format("an edge at node {} crosses another by", id)
-                                          : fmt::format("node {} of{} lies", id, name(missed.part));
+  const std::string of = name(missed.part), inside = missed.other < 0 ? "" : " inside" + name(missed.other);
+  const std::string what = !missed.is_edge  ? fmt::format("node {} of{} lies", id, of)
+                           : inside.empty() ? fmt::format("an edge at node {} crosses another by", id)
+                                            : fmt::format("an edge of{} at node {} lies", of, id);
   return fmt::format(
-      "{} {:.3g} ({:.2g} of an element){} at ({:.6g}, {:.6g}, {:.6g}) and is not in contact (it came there "
+      "{} {:.3g} ({:.2g} of an element){} at ({:.6g}, {:.6g}, {:.6g}) and no contact holds it (it came there "
       "where no check saw it, or another contact pushed it in): refine the coarser surface there",
-      what, missed.depth, missed.ratio, missed.is_edge ? "" : " inside" + name(missed.other), missed.x[0], missed.x[1],
-      missed.x[2]);
+      what, missed.depth, missed.ratio, inside, missed.x[0], missed.x[1], missed.x[2]);
 }
 
 }  // namespace percuss

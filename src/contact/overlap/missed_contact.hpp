@@ -1,5 +1,5 @@
 #pragma once
-// What lies inside another body and is not in contact: it came there where no check saw it.
+// What lies inside another body and is not held by contact: it came there where no check saw it.
 
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@ struct MissedContact {
   double ratio = 0, depth = 0;  // share of an element, [length]
   std::int64_t node = -1;       // number; of an edge its lower end
   bool is_edge = false;
-  int part = -1, other = -1;  // index into Mesh::parts; other: of nodes
+  int part = -1, other = -1;  // index into Mesh::parts; -1: of edges that cross edges
   double x[3] = {0, 0, 0};    // [length]
 };
 
@@ -24,18 +24,31 @@ struct MissedContact {
 struct KnownContact {
   std::vector<std::int64_t> inside;  // numbers of this rank's nodes that began inside another body, ascending
   std::vector<char> of_shells;       // [parts of the mesh]
+  bool holds_deep = false;           // contact may hold what is deep: springs give way, or overlap has been accepted
 
   bool is_of_shells(int part) const { return of_shells[static_cast<std::size_t>(part)] != 0; }
   bool has_shells() const { return std::find(of_shells.begin(), of_shells.end(), 1) != of_shells.end(); }
 };
 
 /// Searches at the positions of `motion`, whose dt is 0, for what is inside another body by more than a tenth of an
-/// element without a record in the history: nodes of solids in solids, and edges where the scene has no shells. Empty:
-/// nothing. The same on all ranks. Collective.
+/// element without a record in the history: nodes of solids in solids, and, where the scene has no shells, edges that
+/// have crossed others. Empty: nothing. The same on all ranks. Collective.
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
                                                  const ContactHistory& history, const KnownContact& known);
 
-/// "node 17 of part 'ball' lies 0.01 (0.8 of an element) inside part 'sheet' at (...) and is not in contact".
+/// What find_missed_edge() found, and the tests of points and boxes that it took.
+struct MissedEdge {
+  std::optional<MissedContact> missed;
+  std::int64_t tests = 0;
+};
+
+/// The same of sharp edges of solids and shells in bodies of solids, between whose nodes they came in: by more than a
+/// tenth of an element. Where contact holds the edge or an end, and may hold what is deep, by more than it can.
+/// Searches nothing. Collective.
+MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
+                            const KnownContact& known);
+
+/// "node 17 of part 'ball' lies 0.01 (0.8 of an element) inside part 'sheet' at (...) and no contact holds it".
 std::string describe_missed_contact(const MissedContact& missed, const Mesh& mesh, std::int64_t id);
 
 }  // namespace percuss

@@ -275,6 +275,7 @@ void Run::note_contact() {
   warnings_.add(stepper_.take_warnings());
   if (!contact_.is_active()) return;
   if (state_.step % steps_between_looks == 0) watch_depth();
+  contact_.watch_edges(state_.x, state_.step, state_.time);
   warnings_.add(contact_.take_warnings());
   warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(seen()); });
   if (!warnings_.has_told_gain()) note_contact_gain(false);
