@@ -62,7 +62,7 @@ struct BarlatSurface {
     const T k = select(size > tiny, over_size * y.x, T(1)), w = over_size * q;  // finite without stress, too
     const T sum = k + w, rest = k - w;
     const T u = larger(sum, T(0) - sum), v = larger(rest, T(0) - rest), both = T(2) * w;
-    T high[3] = {power(u, m - 2), power(v, m - 2), power(both, m - 2)};
+    const T high[3] = {raise(u), raise(v), raise(both)};
     const T of[3] = {T(a) * high[0], T(a) * high[1], T(c) * high[2]};
     const T level = T(0.5) * (of[0] * u * u + of[1] * v * v + of[2] * both * both);
     const T f = power(level, 1 / m);  // over size
@@ -80,6 +80,19 @@ struct BarlatSurface {
             {by_k, by_q * d, by_q * z},
             {over_size * kk, over_size * (qq * d * d + around * z * z), over_size * (qq * z * z + around * d * d),
              over_size * kq * d, over_size * (qq - around) * d * z, over_size * kq * z}};
+  }
+
+  /// x^(exponent - 2); of an integer by products, which take a fifth of the time.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T raise(T x) const {
+    int left = static_cast<int>(exponent) - 2;
+    if (exponent - 2 != left) return power(x, exponent - 2);
+    T product = left % 2 == 1 ? x : T(1);
+    for (left /= 2; left > 0; left /= 2) {
+      x = x * x;
+      if (left % 2 == 1) product = product * x;
+    }
+    return product;
   }
 
   /// Plastic strain of the width over that of the thickness in tension at 45 degrees.
