@@ -101,6 +101,19 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
   return found;
 }
 
+/// A pair to be checked.
+struct CheckedEdges {
+  const EdgeSurface& surface;
+  const SurfaceMotion& motion;
+  const Array<EdgeFaces>& faces;  // [edges] load_edge_faces() of all in pairs; empty: it is called for each pair
+  int edge[2];                    // A and B
+  const Point3* last_normal;      // of the contact that touch.record continues; none if it is new
+
+  KOKKOS_INLINE_FUNCTION EdgeFaces load_faces(int e) const {
+    return faces.extent(0) > 0 ? faces(e) : load_edge_faces(surface, motion, e);
+  }
+};
+
 /// Turns a crossing so that its normal points out of B's wedge and into A's. Returns how far the plane that it is
 /// square to is from parting the wedges: find_reach_through(). side: the distance at the start along c.normal of edges
 /// with thickness; 0 of edges of solids. Their lines are apart when they touch. If either way parts the wedges, it says
@@ -233,16 +246,18 @@ KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
   return touch.gap_end <= find_edge_row_gap(p.known, touch.size);
 }
 
-/// Checks one pair; touch is meaningful if the answer is true. last_normal: of the contact that touch.record continues.
-KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
-                                            const Point3* last_normal, EdgeTouch& touch) {
-  const MovingPair pair = load_moving_pair(surface, motion, a, b);
+/// Checks one pair over the step; touch is meaningful if the answer is true.
+KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const MovingPair& pair, EdgeTouch& touch) {
+  const EdgeSurface& surface = edges.surface;
+  const auto& [a, b] = edges.edge;
+  const Point3* const last_normal = edges.last_normal;
+  const bool known = last_normal != nullptr;
   Crossing end = find_crossing(pair.at(1), contact_limits::least_sine);
+  if (!end.crosses) return false;  // most pairs are parallel
   const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
   const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
-  const bool known = last_normal != nullptr;
   if (!may_touch(pair, start, end, known, offset)) return false;
-  const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
+  const EdgeFaces of_a = edges.load_faces(a), of_b = edges.load_faces(b);
   const Point3 along_cross = end.normal;
   // Edges that turn over through being parallel are left to the next step.
   if (dot(start.normal, along_cross) < 0) return false;

@@ -18,34 +18,58 @@ KOKKOS_INLINE_FUNCTION bool is_same_touch(const EdgeTouch& a, const EdgeTouch& b
          have_same_bits(end_a, end_b);
 }
 
-/// The record of a pair, -1 if there is none.
-KOKKOS_INLINE_FUNCTION int find_edge_record(const EdgeHistory& records, std::int64_t a, std::int64_t b) {
+/// Place of the first record that does not come before those of edge `a`.
+KOKKOS_INLINE_FUNCTION int find_first_record(const EdgeHistory& records, std::int64_t a) {
   int lo = 0, hi = records.count;
   while (lo < hi) {
     const int middle = lo + (hi - lo) / 2;
-    if (records.a(middle) < a || (records.a(middle) == a && records.b(middle) < b))
+    if (records.a(middle) < a)
       lo = middle + 1;
     else
       hi = middle;
   }
-  const bool found = lo < records.count && records.a(lo) == a && records.b(lo) == b && records.holds(lo) != 0;
-  return found ? lo : -1;
+  return lo;
+}
+
+/// The record of pair (a, b), -1 if there is none. first: [edges] find_first_record().
+KOKKOS_INLINE_FUNCTION int find_edge_record(const EdgeHistory& records, const Array<const std::int64_t>& numbers,
+                                            const Array<const int>& first, int a, int b) {
+  if (records.count == 0) return -1;
+  const std::int64_t number = numbers(a), other = numbers(b);
+  for (int r = first(a); r < records.count && records.a(r) == number && records.b(r) <= other; ++r)
+    if (records.b(r) == other) return records.holds(r) != 0 ? r : -1;
+  return -1;
+}
+
+/// Finds where the records of the edges in pairs begin: for each edge once, since most pairs have none.
+template <class Space>
+void find_first_records(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+                        EdgeTouchTable& table) {
+  if (inputs.history.count == 0) return;
+  reserve(table.first_record, inputs.surface.num_edges);
+  const Array<const std::int64_t> numbers = inputs.surface.numbers;
+  const EdgeHistory past = inputs.history;
+  const Array<const int> list = pairs.edges;
+  const Array<int> first = table.first_record;
+  Kokkos::parallel_for(
+      "contact::first_edge_records", RangeOf<Space>(space, 0, pairs.num_edges),
+      KOKKOS_LAMBDA(int i) { first(list(i)) = find_first_record(past, numbers(list(i))); });
 }
 
 }  // namespace
 
 template <class Space>
-void update_edge_boxes(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, StillEdges& still, const Boxes& boxes) {
+void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& pairs,
+                  StillEdges& still, const EdgeState& state) {
   const EdgeSurface s = surface;
   const SurfaceMotion m = motion;
-  const Boxes out = boxes;
+  const EdgeState out = state;
   const StillEdges seen = still;
-  const bool is_watched = still.is_watched();
+  const bool is_watched = still.is_watched(), has_faces = state.faces.extent(0) > 0;
   const Array<const int> list = pairs.edges;
   int num_still = 0;
   Kokkos::parallel_reduce(
-      "contact::update_edge_boxes", RangeOf<Space>(space, 0, pairs.num_edges),
+      "contact::update_edges", RangeOf<Space>(space, 0, pairs.num_edges),
       KOKKOS_LAMBDA(int i, int& count) {
         const int e = list(i);
         if (is_watched && seen.look(m, e, 6, [&](int k) { return find_edge_node(s, e, k); })) {
@@ -54,7 +78,8 @@ void update_edge_boxes(const Space& space, const EdgeSurface& surface, const Sur
         }
         // The size h of two edges is at most the mean of their lengths.
         const double reach = 0.5 * find_edge_reach(s.ends, m.x, e) + find_edge_offset(s, e);
-        bound_edge(s.ends, m, e, {reach, reach, reach}, out);
+        bound_edge(s.ends, m, e, {reach, reach, reach}, out.boxes);
+        if (has_faces) out.faces(e) = load_edge_faces(s, m, e);
       },
       num_still);
   if (is_watched) still.count_still(num_still, pairs.num_edges);
@@ -69,9 +94,11 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
   reserve(table.by_pair, pairs.num_pairs);
   reserve(table.touches, pairs.num_pairs);
   reserve(table.list, pairs.num_pairs);
+  find_first_records(space, inputs, pairs, table);
   const EdgeSurface s = inputs.surface;
   const SurfaceMotion m = inputs.motion;
-  const Boxes box = inputs.boxes;
+  const EdgeState edges = inputs.state;
+  const Array<const int> first_record = table.first_record;
   const EdgeHistory past = inputs.history;
   const Array<const int> a = pairs.a, b = pairs.b;
   const Array<EdgeTouch> out = table.by_pair;
@@ -80,21 +107,20 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
       "contact::check_edges", RangeOf<Space>(space, 0, pairs.num_pairs),
       KOKKOS_LAMBDA(int i, int& found) {
         const bool is_still = is_watched && !seen.has_moved(a(i)) && !seen.has_moved(b(i));
-        if (!do_boxes_meet(box, a(i), b(i))) {
+        if (!do_boxes_meet(edges.boxes, a(i), b(i))) {
           touches(i) = 0;
           return;
         }
         EdgeTouch touch;
         Point3 last{};
-        touch.record = past.count == 0 ? -1 : find_edge_record(past, s.numbers(a(i)), s.numbers(b(i)));
+        touch.record = find_edge_record(past, s.numbers, first_record, a(i), b(i));
         if (is_still && touch.record < 0 && (touches(i) & remembered) == 0) return;
         const bool has_touched = is_still && (touches(i) & touching) != 0;
         touches(i) = touch.record >= 0 ? remembered : 0;
         if (touch.record >= 0) last = load_row(past.normal, touch.record);
-        const Point3* const last_normal = touch.record >= 0 ? &last : nullptr;
-        if (!check_edge_pair(s, m, a(i), b(i), last_normal, touch) &&
-            !check_rim_pair({s, m, a(i), b(i), last_normal}, touch))
-          return;
+        const CheckedEdges checked{s, m, edges.faces, {a(i), b(i)}, touch.record >= 0 ? &last : nullptr};
+        const MovingPair pair = load_moving_pair(s, m, a(i), b(i));
+        if (!check_edge_pair(checked, pair, touch) && !check_rim_pair(checked, pair, touch)) return;
         touches(i) |= touching;
         found += has_touched && is_same_touch(touch, out(i)) ? 0 : 1;
         out(i) = touch;
@@ -128,12 +154,12 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
       space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return touches(i) != 0; }, table.list);
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                           \
-  template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,  \
-                                  StillEdges&, const Boxes&);                                                \
-  template void find_edge_touches(const Space&, const EdgeCheckInputs&, const EdgePairs&, const StillEdges&, \
-                                  EdgeTouchTable&);                                                          \
-  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,   \
+#define PERCUSS_INSTANTIATE(Space)                                                                                  \
+  template void update_edges(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, StillEdges&, \
+                             const EdgeState&);                                                                     \
+  template void find_edge_touches(const Space&, const EdgeCheckInputs&, const EdgePairs&, const StillEdges&,        \
+                                  EdgeTouchTable&);                                                                 \
+  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,          \
                                  EdgeTouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

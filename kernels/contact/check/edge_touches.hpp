@@ -6,11 +6,18 @@
 
 namespace percuss {
 
-/// Boxes of the edges in pairs over the step, each widened by half the reach of the check; those of still edges stand.
-/// Counts the still ones.
+/// Edges in a step, of those in pairs.
+struct EdgeState {
+  Boxes boxes = Boxes("contact::edge_step_boxes", 0);  // [edges] over the step, each widened by half the reach of the
+                                                       // check
+  Array<EdgeFaces> faces = Array<EdgeFaces>("contact::edge_faces", 0);  // [edges] in scenes with offsets; empty: every
+                                                                        // pair loads them
+};
+
+/// Finds the state of the edges in pairs; that of still edges stands. Counts the still ones.
 template <class Space>
-void update_edge_boxes(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, StillEdges& still, const Boxes& boxes);
+void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& pairs,
+                  StillEdges& still, const EdgeState& state);
 
 /// Accepted touches, in the order of the pairs.
 struct EdgeTouchTable {
@@ -20,17 +27,18 @@ struct EdgeTouchTable {
   Array<EdgeTouch> by_pair = Array<EdgeTouch>("contact::edge_touches", 0);  // [pairs]
   Array<int> touches = Array<int>("contact::edge_touch_marks", 0);          // [pairs] marks of the last check
   Array<int> list = Array<int>("contact::touching_edge_pairs", 0);          // [count] pairs, ascending
+  Array<int> first_record = Array<int>("contact::first_edge_record", 0);    // [edges] in pairs: of the edge as A
 };
 
 /// All that the check reads besides pairs of edges.
 struct EdgeCheckInputs {
   EdgeSurface surface;
   SurfaceMotion motion;
-  Boxes boxes;          // of update_edge_boxes()
+  EdgeState state;      // of update_edges()
   EdgeHistory history;  // of the last step; only its names, marks and normals are read
 };
 
-/// Checks every pair but those that lie still and remember nothing. still: as update_edge_boxes() has left it.
+/// Checks every pair but those that lie still and remember nothing. still: as update_edges() has left it.
 template <class Space>
 void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
                        const StillEdges& still, EdgeTouchTable& table);

@@ -123,18 +123,22 @@ KOKKOS_INLINE_FUNCTION void take_nearer(const EdgeTouch& end, bool is_of_b, doub
   if (is_of_b) touch.normal = -end.normal;
 }
 
-/// A pair with a rim, as it is seen for all ends.
-struct RimPair {
-  const EdgeSurface& surface;
-  const SurfaceMotion& motion;
-  int a, b;
-  const Point3* last_normal;
-};
-
 /// The faces of both edges.
-KOKKOS_INLINE_FUNCTION void load_both_faces(const RimPair& p, EdgeFaces faces[2]) {
-  faces[0] = load_edge_faces(p.surface, p.motion, p.a);
-  faces[1] = load_edge_faces(p.surface, p.motion, p.b);
+KOKKOS_INLINE_FUNCTION void load_both_faces(const CheckedEdges& p, EdgeFaces faces[2]) {
+  for (int i = 0; i < 2; ++i) faces[i] = p.load_faces(p.edge[i]);
+}
+
+/// Whether is_before_rim() is certainly false of an end without history: it is pushed along the way from the rim at
+/// either end of the step, and both run beside the shell, as those of shells in a stack do.
+KOKKOS_INLINE_FUNCTION bool is_surely_beside(const EndBeforeRim& e, const EdgeFaces faces[2]) {
+  constexpr double less = 0.99 * contact_limits::rim_front;  // room for round-off
+  if (e.is_beam_rim) return false;
+  const Point3& inward = faces[e.is_of_b ? 0 : 1].wedge.inward[0];
+  const auto is_beside = [&](const Point3& away) {
+    const double front = -dot(away, inward);
+    return front <= 0 || front * front < less * less * dot(away, away);
+  };
+  return is_beside(e.from.away) && is_beside(e.to.away);
 }
 
 /// Whether the end of a beam that is closest to a point is round there.
@@ -166,13 +170,12 @@ KOKKOS_INLINE_FUNCTION EndBeforeRim load_end_of(const EdgeSurface& surface, int 
   return e;
 }
 
-/// Checks the ends of one edge of a pair before the other one; touch is meaningful if the answer is true. last_normal:
-/// of the contact that touch.record continues.
-KOKKOS_INLINE_FUNCTION bool check_rim_pair(const RimPair& p, EdgeTouch& touch) {
-  const bool is_rim_of[2] = {is_rim(p.surface, p.a), is_rim(p.surface, p.b)};
+/// Checks the ends of one edge of a pair before the other one; touch is meaningful if the answer is true.
+KOKKOS_INLINE_FUNCTION bool check_rim_pair(const CheckedEdges& p, const MovingPair& pair, EdgeTouch& touch) {
+  const auto& [a, b] = p.edge;
+  const bool is_rim_of[2] = {is_rim(p.surface, a), is_rim(p.surface, b)};
   if (!is_rim_of[0] && !is_rim_of[1]) return false;
   const bool known = p.last_normal != nullptr;
-  const MovingPair pair = load_moving_pair(p.surface, p.motion, p.a, p.b);
   const EdgePair from = pair.start, to = pair.at(1);
   const double of_a = norm(from.a[1] - from.a[0]), of_b = norm(from.b[1] - from.b[0]);
   EdgeFaces faces[2];
@@ -180,10 +183,11 @@ KOKKOS_INLINE_FUNCTION bool check_rim_pair(const RimPair& p, EdgeTouch& touch) {
   for (int i = 0; i < 4; ++i) {
     const bool is_of_b = i >= 2;
     if (!is_rim_of[is_of_b ? 0 : 1]) continue;
-    const EndBeforeRim e = load_end_of(p.surface, p.a, p.b, from, to, i);
+    const EndBeforeRim e = load_end_of(p.surface, a, b, from, to, i);
     if (!is_near_rim(e, of_a < of_b ? of_a : of_b, known)) continue;
     if (!has_faces) load_both_faces(p, faces);
     has_faces = true;
+    if (!known && is_surely_beside(e, faces)) continue;
     EdgeTouch end = touch;
     end.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
     end.offset = static_cast<float>(e.offset);
@@ -202,7 +206,7 @@ KOKKOS_INLINE_FUNCTION double find_beam_depth(const EdgeSurface& surface, const 
   if (!is_beam(surface, a) && !is_beam(surface, b)) return 0;
   const EdgePair at = load_moving_pair(surface, motion, a, b).start;
   EdgeFaces faces[2];
-  load_both_faces({surface, motion, a, b, nullptr}, faces);
+  load_both_faces({surface, motion, Array<EdgeFaces>(), {a, b}, nullptr}, faces);
   touch.size = faces[0].size < faces[1].size ? faces[0].size : faces[1].size;
   double depth = 0;
   for (int i = 0; i < 4; ++i) {

@@ -121,11 +121,14 @@ KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, 
   return false;
 }
 
-/// Links what shares a corner with candidate `b`.
+/// Links what shares a corner with candidate `b`: nothing of another body, as the other layers of a stack.
 KOKKOS_INLINE_FUNCTION void link_to(const ContactSurface& surface, const Array<const int>& face,
                                     const Array<int>& nearness, int b, int first, int last) {
-  for (int c = first; c < last; ++c)
-    if (nearness(c) == unlinked && share_corner(surface, face(b), face(c))) nearness(c) = linked_now;
+  const int body = surface.face_body(face(b));
+  for (int c = first; c < last; ++c) {
+    if (nearness(c) != unlinked || surface.face_body(face(c)) != body) continue;
+    if (share_corner(surface, face(b), face(c))) nearness(c) = linked_now;
+  }
 }
 
 /// Follows these ways from the pairs that are near ever, from each pair once.

@@ -91,7 +91,11 @@ void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
   space.pairs.num_edges = 0;
   space.still.forget();
   const auto edges = static_cast<std::size_t>(surface.num_edges);
-  if (space.boxes.extent(0) < edges) space.boxes = Boxes("contact::edge_step_boxes", edges);
+  if (space.state.boxes.extent(0) < edges) space.state.boxes = Boxes("contact::edge_step_boxes", edges);
+  if (surface.offset.extent(0) == 0)
+    space.state.faces = Array<EdgeFaces>("contact::edge_faces", 0);
+  else if (space.state.faces.extent(0) < edges)
+    space.state.faces = Array<EdgeFaces>("contact::edge_faces", edges);
 }
 
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space) {
@@ -99,8 +103,8 @@ int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, Ed
   space.still.begin(space.keeps_still, space.surface.num_edges);
   if (space.pairs.num_pairs == 0) return 0;
   run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
-    update_edge_boxes(where, space.surface, motion, space.pairs, space.still, space.boxes);
-    find_edge_touches(where, {space.surface, motion, space.boxes, history}, space.pairs, space.still, space.touches);
+    update_edges(where, space.surface, motion, space.pairs, space.still, space.state);
+    find_edge_touches(where, {space.surface, motion, space.state, history}, space.pairs, space.still, space.touches);
   });
   return space.touches.count;
 }

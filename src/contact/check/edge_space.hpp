@@ -46,7 +46,7 @@ EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Ro
 struct EdgeSpace {
   EdgeSurface surface;
   EdgePairs pairs;
-  Boxes boxes = Boxes("contact::edge_step_boxes", 0);  // [edges] over the step, of those in pairs
+  EdgeState state;
   StillEdges still;
   bool keeps_still = true;  // what the last check found of pairs that are at rest
   EdgeTouchTable touches;

@@ -92,6 +92,13 @@ void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const H
   add_work(work[0], books);
 }
 
+/// Whether a face under pressure carries a force: before a blast arrives, and after it, none does.
+KOKKOS_INLINE_FUNCTION bool carries_force(const PressureFaces& faces, const Rows3<double>& slot_force, int f) {
+  for (int s = faces.first_slot + 4 * f; s < faces.first_slot + 4 * (f + 1); ++s)
+    if (slot_force(s, 0) != 0 || slot_force(s, 1) != 0 || slot_force(s, 2) != 0) return true;
+  return false;
+}
+
 /// Impulses and the first half of the work of the pressure forces at n, which stand in the slots. A face
 /// is on one rank and its corners have an order: only faces need exact sums, which cost more than all the rest.
 void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state, double dt, double dt_mean) {
@@ -101,6 +108,7 @@ void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state
   const MomentCenter center(model.mass_center);
   const auto sums = pressure_sums(
       ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
+        if (!carries_force(faces, slot_force, f)) return;
         double of_face[7] = {};
         const auto collect = [&of_face](int k, double value) { of_face[k] += value; };
         for (int i = 0; i < 4; ++i) {

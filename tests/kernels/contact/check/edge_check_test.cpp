@@ -84,10 +84,13 @@ struct Roofs {
     blunt(0) = 1;
     surface.is_blunt = blunt;
   }
-  bool check(const Point3* last = nullptr) { return check_edge_pair(surface, motion, 0, 1, last, touch); }
+  bool check(const Point3* last = nullptr) {
+    return check_edge_pair({surface, motion, faces, {0, 1}, last}, load_moving_pair(surface, motion, 0, 1), touch);
+  }
 
   EdgeSurface surface;
   SurfaceMotion motion;
+  Array<EdgeFaces> faces = Array<EdgeFaces>("test::edge_faces", 0);
   EdgeTouch touch;
 };
 
