@@ -47,6 +47,15 @@ struct UserCode {
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
 };
 
+/// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/law_code.hpp makes
+/// them.
+struct LawLibrary;
+struct MadeLaw {
+  const LawLibrary* entry = nullptr;
+  const void* law = nullptr;
+  int* has_written_outside = nullptr;  // set to 1 by whoever finds that the law has
+};
+
 /// One constant of C, the struct of constants of a material.
 template <class C>
 struct MaterialKey {
@@ -66,6 +75,8 @@ struct MaterialKey {
   MaterialNumbers C::*list = nullptr;
   MaterialText C::*word = nullptr;
   UserCode C::*code = nullptr;
+  MadeLaw C::*law = nullptr;   // its library
+  bool is_of_library = false;  // constants by name, which the library knows
 };
 
 template <class C>
@@ -139,6 +150,20 @@ template <class C>
 constexpr MaterialKey<C> need(const char* name, UserCode C::*code, const char* meaning) {
   MaterialKey<C> key = name_key<C>(name, true, meaning);
   key.code = code;
+  return key;
+}
+/// The file of a library with a law.
+template <class C>
+constexpr MaterialKey<C> need(const char* name, MadeLaw C::*law, const char* meaning) {
+  MaterialKey<C> key = name_key<C>(name, true, meaning);
+  key.law = law;
+  return key;
+}
+/// Constants by the names that such a library gives them.
+template <class C>
+constexpr MaterialKey<C> may_have_constants(const char* name, const char* meaning) {
+  MaterialKey<C> key = name_key<C>(name, false, meaning);
+  key.is_of_library = true;
   return key;
 }
 /// Three numbers.

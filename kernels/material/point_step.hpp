@@ -7,7 +7,8 @@
 namespace percuss {
 
 /// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
-/// remains: 0 where code of a user has deleted the point; damage of plies: 0 to 1.
+/// remains: 0 where code of a user has deleted the point; damage of plies: 0 to 1. Of a law with state variables: the
+/// place of the first of them, and that after the last.
 enum class HistoryScalar {
   none,
   equivalent_plastic_strain,
@@ -15,9 +16,11 @@ enum class HistoryScalar {
   internal_energy,
   remains,
   fibre_damage,
-  matrix_damage
+  matrix_damage,
+  first_state,
+  after_states
 };
-inline constexpr int history_scalars = 7;
+inline constexpr int history_scalars = 9;
 
 /// How J = V / V(0) changes over a step.
 template <class T>

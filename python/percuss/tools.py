@@ -18,6 +18,7 @@ TOOLS = {
     "view": "percuss.view.tool",
     "export": "percuss.export.tool",
     "sweep": "percuss.sweep.tool",
+    "build-law": "percuss.build_law",
     "preview": "percuss.preview.tool",  # percuss check --report
     "tables": "percuss.tables",  # percuss info --energies, --forces
 }

@@ -7,6 +7,7 @@
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/deck.hpp"
+#include "src/deck/law_code.hpp"
 #include "src/deck/user_code.hpp"
 
 namespace percuss {
@@ -64,6 +65,13 @@ constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
   return false;
 }
 
+/// The file of a material's compiled code; empty: it has none.
+inline std::string find_code_file(const LawDeck& law) {
+  for (const char* key : {"vumat", "law"})
+    if (const auto file = law.texts.find(key); file != law.texts.end()) return file->second;
+  return {};
+}
+
 /// A constant of a law with code of a user, if it is one of the kinds that only such laws have.
 template <class C>
 void set_user_constant(const LawDeck& law, const MaterialKey<C>& key, C& constants) {
@@ -96,6 +104,9 @@ typename M::Constants find_constants(const LawDeck& law) {
         constants.*key.choice = law.numbers.at(key.name) != 0;
     }
     if constexpr (has_key<M>(&Key::code)) set_user_constant(law, key, constants);
+    if constexpr (has_key<M>(&Key::law)) {
+      if (key.law != nullptr) constants.*key.law = make_law_of_library(law, law.texts.at(key.name));
+    }
     if constexpr (has_key<M>(&Key::vector)) {
       if (law.vectors.count(key.name) == 0) continue;
       for (std::size_t k = 0; k < 3; ++k) (constants.*key.vector)[k] = law.vectors.at(key.name)[k];
@@ -144,6 +155,9 @@ void visit_law(const MaterialDeck& material, const F& f) {
 
 /// Whether the history of a material has a scalar of this name.
 bool has_scalar(const MaterialDeck& material, HistoryScalar name);
+
+/// How many state variables a law of a user keeps.
+int count_state_variables(const MaterialDeck& material);
 
 /// Elastic moduli at the start [stress].
 LameConstants find_moduli(const MaterialDeck& material);

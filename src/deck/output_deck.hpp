@@ -32,8 +32,12 @@ inline constexpr std::string_view stress_points = "stress_point_",
 inline constexpr std::string_view point_quantities[] = {stress_points, plastic_strain_points, fibre_damage_points,
                                                         matrix_damage_points};
 
-/// The number of such a point; empty: the field is another.
-std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity);
+/// Fields of a law's state variables are called by this and a number, from 1.
+inline constexpr std::string_view state_variables = "state_variable_";
+inline constexpr int most_state_variables = 72;
+
+/// The number at the end of such a name; empty: the field is another.
+std::optional<int> find_field_number(std::string_view field, std::string_view quantity);
 
 /// Most forces of contact and of walls in a history.
 inline constexpr std::size_t most_forces_of_contact = 32;

@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -15,12 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was loaded, by the path as decks name it. The flags stay where they are.
+/// A library that stays loaded.
+struct Library {
+  void* handle = nullptr;
+  int has_written_outside = 0;
+};
+
+/// What was loaded, by the path as decks name it.
 struct LoadedCode {
   std::mutex busy;
   std::vector<std::string> permitted;
-  std::map<std::string, UserCode> loaded;
-  std::deque<int> flags;
+  std::map<std::string, Library> libraries;
 };
 
 LoadedCode& all_code() {
@@ -28,18 +32,11 @@ LoadedCode& all_code() {
   return code;
 }
 
-[[noreturn]] void refuse(const std::string& file, const std::string& why, const std::string& remedy) {
+}  // namespace
+
+void refuse_library(const std::string& file, const std::string& why, const std::string& remedy) {
   throw InputError(fmt::format("{}: error: this library is no law ({}): {}", file, why, remedy));
 }
-
-/// The entry by the names that Fortran and C compilers give it.
-VumatFunction find_entry(void* library) {
-  for (const char* name : {"vumat_", "vumat", "VUMAT"})
-    if (void* const entry = ::dlsym(library, name)) return reinterpret_cast<VumatFunction>(entry);
-  return nullptr;
-}
-
-}  // namespace
 
 void permit_user_code(const std::vector<std::string>& files) {
   LoadedCode& code = all_code();
@@ -56,7 +53,7 @@ bool is_user_code_permitted(const std::string& file) {
   return false;
 }
 
-UserCode load_user_code(const std::string& file) {
+LoadedLibrary load_library(const std::string& file) {
   if (!is_user_code_permitted(file))
     throw InputError(
         fmt::format("{}: error: this library may not be loaded (it would run with your rights): add "
@@ -64,21 +61,28 @@ UserCode load_user_code(const std::string& file) {
                     file, file));
   LoadedCode& code = all_code();
   const std::scoped_lock lock(code.busy);
-  if (const auto known = code.loaded.find(file); known != code.loaded.end()) return known->second;
-  void* const library = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) refuse(file, ::dlerror(), "compile it for this machine (docs/user_laws.md)");
-  const VumatFunction entry = find_entry(library);
-  if (entry == nullptr) refuse(file, "it has no entry vumat_", "name its subroutine VUMAT");
-  const UserCode made{entry, 0, &code.flags.emplace_back(0)};
-  code.loaded.emplace(file, made);
-  return made;
+  if (const auto known = code.libraries.find(file); known != code.libraries.end())
+    return {known->second.handle, &known->second.has_written_outside};
+  void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) refuse_library(file, ::dlerror(), "compile it for this machine (docs/user_laws.md)");
+  Library& library = code.libraries[file];
+  library.handle = handle;
+  return {handle, &library.has_written_outside};
+}
+
+UserCode load_user_code(const std::string& file) {
+  const LoadedLibrary library = load_library(file);
+  for (const char* name : {"vumat_", "vumat", "VUMAT"})  // as Fortran and C compilers call it
+    if (void* const entry = ::dlsym(library.handle, name))
+      return {reinterpret_cast<VumatFunction>(entry), 0, library.has_written_outside};
+  refuse_library(file, "it has no entry vumat_", "name its subroutine VUMAT");
 }
 
 bool has_written_outside(const std::string& file) {
   LoadedCode& code = all_code();
   const std::scoped_lock lock(code.busy);
-  const auto known = code.loaded.find(file);
-  return known != code.loaded.end() && __atomic_load_n(known->second.has_written_outside, __ATOMIC_RELAXED) != 0;
+  const auto known = code.libraries.find(file);
+  return known != code.libraries.end() && __atomic_load_n(&known->second.has_written_outside, __ATOMIC_RELAXED) != 0;
 }
 
 }  // namespace percuss

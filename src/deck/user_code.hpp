@@ -1,5 +1,5 @@
 #pragma once
-// Code of users: shared libraries with the VUMAT interface. A library runs with all rights of the program, so none is
+// Code of users: shared libraries with a VUMAT or a law. A library runs with all rights of the program, so none is
 // loaded that the command line has not named.
 
 #include <string>
@@ -9,14 +9,25 @@
 
 namespace percuss {
 
-/// From now on load_user_code() loads these files, and no others.
+/// From now on these files are loaded, and no others.
 void permit_user_code(const std::vector<std::string>& files);
 
 /// Whether the file is one of those that are permitted, by whatever path.
 bool is_user_code_permitted(const std::string& file);
 
-/// The entry of the library, which is loaded once and stays. Throws InputError if it is not permitted, cannot be loaded
-/// or has no VUMAT.
+/// A library, and the flag of whether its code was found to write outside its arrays.
+struct LoadedLibrary {
+  void* handle = nullptr;
+  int* has_written_outside = nullptr;
+};
+
+/// Loads a library once; it stays. Throws InputError if it is not permitted or cannot be loaded.
+LoadedLibrary load_library(const std::string& file);
+
+/// Throws InputError: this library is no law.
+[[noreturn]] void refuse_library(const std::string& file, const std::string& why, const std::string& remedy);
+
+/// The VUMAT of a library. Throws InputError as load_library() does, and if there is none.
 UserCode load_user_code(const std::string& file);
 
 /// Whether a law of this library was found to write outside its arrays.

@@ -9,7 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 
 PERCUSS, ROOT = sys.argv.pop(), Path(sys.argv.pop())
-COMMANDS = ("check", "export", "import", "info", "plan", "plot", "render", "report", "run", "schema", "stop", "sweep", "view", "watch")
+COMMANDS = ("build-law", "check", "export", "import", "info", "plan", "plot", "render", "report", "run", "schema", "stop", "sweep", "view", "watch")
 CALL = re.compile(rf"\bpercuss ({'|'.join(COMMANDS)})\b([^`#|;]*)")
 OPTION = re.compile(r"(?<!\S)(--[a-z][a-z-]*|-[a-z])(?=[\s=]|$)")
 

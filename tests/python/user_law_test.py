@@ -172,6 +172,7 @@ class UserLaws(unittest.TestCase):
         alive = rows["all_stress_xx"] != 0
         last = rows["time"][np.max(np.nonzero(alive))]
         self.assertTrue(math.isclose(last, (math.exp(0.1) - 1) / 100, abs_tol=3e-5), last)
+        np.testing.assert_allclose(rows["all_state_1"][alive], np.log(1 + 100 * rows["time"][alive]), rtol=0, atol=1e-4)
         wrong = self.call(write_cube(law.replace("delete_variable: 2", "delete_variable: 3"), 2e-3, motion))
         self.assertEqual((wrong.returncode, "raise state_variables" in wrong.stderr), (2, True), wrong.stderr)
 

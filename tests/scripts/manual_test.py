@@ -12,7 +12,7 @@ import unittest
 from percuss.tools import start_tool
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-TOOLS = ("import", "plot", "report", "watch", "stop", "render", "view", "export", "sweep")
+TOOLS = ("import", "plot", "report", "watch", "stop", "render", "view", "export", "sweep", "build-law")
 COMMANDS = ("run", "check", "plan", "info", "schema", *TOOLS)
 
 

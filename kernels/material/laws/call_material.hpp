@@ -1,16 +1,12 @@
 #pragma once
 // How a called material is made, started and called: all that sees the list of materials.
 
+#include "kernels/material/laws/advance_point.hpp"
 #include "kernels/material/laws/called_material.hpp"
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 
 namespace percuss {
-
-template <class Material>
-inline constexpr bool is_compiled_in = requires {
-  requires Material::is_compiled_in;
-};
 
 template <class Law>
 CalledMaterial make_called_material(const Law& law, double density) {
@@ -22,8 +18,12 @@ CalledMaterial make_called_material(const Law& law, double density) {
   called.density = density;
   called.law_history = Law::history_count;
   called.stores_energy = requires { requires Law::stores_energy; };
-  if constexpr (requires { law.count_history(); }) called.law_history = law.count_history();
   called.changes_at_rest = requires { requires Law::changes_at_rest; };
+  if constexpr (requires { law.count_history(); }) called.law_history = law.count_history();
+  if constexpr (requires { law.made.entry; }) {
+    called.stores_energy = law.made.entry->stores_energy;
+    called.changes_at_rest = law.made.entry->changes_at_rest;
+  }
   return called;
 }
 
@@ -53,18 +53,6 @@ inline void start_history(const CalledMaterial& called, double* history, const d
   });
   visit_any_of(called.state, EquationsOfState(),
                [&](const auto& state) { start_state(state, history + called.find_state_place(), center); });
-}
-
-/// Advances a point by one law; the function that each is compiled as. Returns nothing but through `step`.
-template <class T, class Law>
-PERCUSS_NO_INLINE void advance_point(const Law& law, PointStep<T>& step) {
-  if constexpr (!is_compiled_in<Law>) {
-    law.update(step);
-  } else if constexpr (Law::can_yield) {
-    step.plastic = law.update(step.stress, step.history, step.motion.de);
-  } else {
-    law.update(step.stress, step.history, step.motion.de);
-  }
 }
 
 template <class T>

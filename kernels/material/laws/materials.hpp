@@ -9,6 +9,7 @@
 #include "kernels/material/laws/honeycomb.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/material/laws/library_law.hpp"
 #include "kernels/material/laws/low_density_foam.hpp"
 #include "kernels/material/laws/mooney_rivlin.hpp"
 #include "kernels/material/laws/neo_hookean.hpp"
@@ -28,6 +29,6 @@ namespace percuss {
 using Materials =
     TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity,
              CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Viscoelastic, SoilAndFoam,
-             Honeycomb, Orthotropic, AnisotropicPlasticity, LowDensityFoam, Fluid, UserLaw>;
+             Honeycomb, Orthotropic, AnisotropicPlasticity, LowDensityFoam, Fluid, UserLaw, LibraryLaw>;
 
 }  // namespace percuss

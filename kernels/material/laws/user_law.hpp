@@ -69,6 +69,8 @@ struct UserLaw {
     StretchHistory::start(history);
     if (deletes > 0) history[find_deletion()] = 1;
   }
+  int first_state() const { return own_history; }
+  int count_states() const { return states; }
   /// Place of the state that deletes a point, in the history of the law; -1: none.
   int find_deletion() const { return deletes > 0 ? own_history + deletes - 1 : -1; }
 

@@ -39,20 +39,25 @@ void check_answer(const Deck& deck, const MaterialDeck& material, const std::str
 void load_user_laws(const Deck& deck, const Command& command) {
   permit_user_code(command.allowed_libraries);
   for (const MaterialDeck& material : deck.materials) {
-    const auto library = material.law.texts.find("vumat");
-    if (library == material.law.texts.end()) continue;
-    if (!is_user_code_permitted(library->second))
+    const std::string library = find_code_file(material.law);
+    if (library.empty()) continue;
+    if (!is_user_code_permitted(library))
       throw InputError(
           fmt::format("{}: error: material '{}' has code of a user (library {} would run with your "
                       "rights): add --allow-library {} if you trust it",
-                      deck.where(material.law.place), material.name, library->second, library->second));
+                      deck.where(material.law.place), material.name, library, library));
 #ifdef PERCUSS_ON_DEVICE
     throw InputError(
         fmt::format("{}: error: material '{}' has code of a user (the back end is a device, which cannot call "
                     "it): use a build for OpenMP or Serial",
                     deck.where(material.law.place), material.name));
 #endif
-    check_answer(deck, material, library->second);
+    try {
+      check_answer(deck, material, library);
+    } catch (const InputError& error) {
+      const std::string text = error.what(), place = deck.where(material.law.place);
+      throw InputError(text.starts_with(place) ? text : place + ": " + text);
+    }
   }
 }
 

@@ -65,6 +65,7 @@ struct Parser {
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
     add_tool("sweep", "Run designs of a deck, and show how results depend on them", "Commands");
+    add_tool("build-law", "Compile a material law of your own as a library", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
@@ -220,9 +221,10 @@ Answer refuse_command(const std::vector<std::string>& words) {
                  "run");
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
-  return wrong(fmt::format("unknown command '{}'{}", word,
-                           name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
-                                            "watch", "stop", "render", "view", "export", "sweep", "help", "version"})));
+  return wrong(
+      fmt::format("unknown command '{}'{}", word,
+                  name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report", "watch",
+                                   "stop", "render", "view", "export", "sweep", "build-law", "help", "version"})));
 }
 
 /// `extras`: the words that were not understood, at least one.

@@ -49,6 +49,7 @@ void set_environment(const fs::path& folder) {
   ::setenv("PYTHONPATH", path.c_str(), 1);
   ::setenv("PYTHONSAFEPATH", "1", 1);
   ::setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);  // without it Python does not know where its interpreter is
+  ::setenv("PERCUSS_LAW_FLAGS", PERCUSS_LAW_FLAGS, 1);  // for percuss build-law
   ::setenv("PERCUSS_PROGRAM", find_this_program().c_str(), 1);  // for tools that call percuss
 }
 
@@ -88,7 +89,7 @@ std::string choose_python(const std::string& tool) {
 
 const std::vector<std::string>& tool_names() {
   static const std::vector<std::string> names = {"import", "plot", "report", "watch", "stop",
-                                                 "render", "view", "export", "sweep"};
+                                                 "render", "view", "export", "sweep", "build-law"};
   return names;
 }
 

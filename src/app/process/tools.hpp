@@ -1,5 +1,6 @@
 #pragma once
-// The commands that are tools of the Python package: import, plot, report, watch, stop, render, view, export, sweep.
+// The commands that are tools of the Python package: import, plot, report, watch, stop, render, view, export, sweep,
+// build-law.
 
 #include <string>
 #include <vector>

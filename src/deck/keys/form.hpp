@@ -4,23 +4,14 @@
 // that its reader accepts. Checks that concern several values, or names that must exist, are left to the reader.
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "src/deck/range.hpp"
+
 namespace percuss {
-
-/// Which numbers a key takes; `text` completes "must be".
-struct Range {
-  std::string text;
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false, high_open = false;
-
-  bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
-};
 
 struct FormKey;
 

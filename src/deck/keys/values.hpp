@@ -22,10 +22,6 @@
 
 namespace percuss {
 
-inline const Range any_number{""};
-inline const Range positive{"positive", 0, std::numeric_limits<double>::infinity(), true};
-inline const Range not_negative{"zero or positive", 0};
-
 struct NumberValue {
   Range range = any_number;
   bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const;

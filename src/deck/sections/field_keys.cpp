@@ -152,7 +152,7 @@ void check_points(const FieldsDeck& fields, const Node& root, int most, Reading&
   for (const std::string& field : fields.write) {
     int point = 0;
     for (const std::string_view quantity : point_quantities)
-      point = std::max(point, find_thickness_point(field, quantity).value_or(0));
+      point = std::max(point, find_field_number(field, quantity).value_or(0));
     if (point <= most) continue;
     const std::vector<Node>& items = find_entry(fields, root).find("write")->items;
     const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
@@ -188,7 +188,7 @@ void check_fields(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
+std::optional<int> find_field_number(std::string_view field, std::string_view quantity) {
   if (field.substr(0, quantity.size()) != quantity) return std::nullopt;
   const std::string_view digits = field.substr(quantity.size());
   int point = 0;
@@ -210,6 +210,7 @@ const std::vector<std::string>& field_names() {
     for (const std::string_view quantity : point_quantities) {
       for (int point = 1; point <= most_layers; ++point) all.push_back(fmt::format("{}{}", quantity, point));
     }
+    for (int i = 1; i <= most_state_variables; ++i) all.push_back(fmt::format("{}{}", state_variables, i));
     return all;
   }();
   return names;

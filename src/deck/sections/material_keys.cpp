@@ -4,36 +4,12 @@
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/keys/foreign_names.hpp"
 #include "src/deck/keys/table_value.hpp"
+#include "src/deck/law_code.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 
 namespace percuss {
 namespace {
-
-const Range& find_range(KeyRange range) {
-  // Outside this range the bulk or shear modulus is not positive.
-  static const Range poissons_ratio{"between -1 and 0.5, both excluded", -1, 0.5, true, true};
-  static const Range share{"from 0 to 1", 0, 1};
-  static const Range above_one{"above 1", 1, std::numeric_limits<double>::infinity(), true};
-  static const Range not_positive{"zero or negative", -std::numeric_limits<double>::infinity(), 0};
-  switch (range) {
-    case KeyRange::positive:
-      return positive;
-    case KeyRange::not_negative:
-      return not_negative;
-    case KeyRange::not_positive:
-      return not_positive;
-    case KeyRange::above_one:
-      return above_one;
-    case KeyRange::share:
-      return share;
-    case KeyRange::poissons_ratio:
-      return poissons_ratio;
-    case KeyRange::any:
-      break;
-  }
-  return any_number;
-}
 
 /// A curve for a rate.
 struct RateCurve {
@@ -108,6 +84,35 @@ struct MaterialNumbersValue {
   Form form() const { return list_form(number_form(any_number), 1); }
 };
 
+/// Constants of a library's law, whose names and kinds only the library knows: numbers, words, vectors and tables.
+struct LibraryConstantsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, LawDeck& out) const {
+    if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+    bool good = true;
+    for (const Entry& entry : node.entries)
+      good = read_one(reader, name + "." + entry.name, entry.value, name_library_constant(entry.name), out) && good;
+    return good;
+  }
+  std::string takes() const { return "a map of names to numbers, words, vectors and tables"; }
+  Form form() const {
+    Form values(Form::Kind::named_maps);
+    values.inner = {any_form({number_form(any_number), {Form::Kind::text}, vector3().form(), TableValue{}.form()})};
+    return values;
+  }
+
+ private:
+  static bool read_one(const Reader& reader, const std::string& full, const Node& node, const std::string& name,
+                       LawDeck& out) {
+    const bool is_list = node.kind == Node::Kind::list && !node.items.empty();
+    if (is_list && node.items[0].kind == Node::Kind::list)
+      return TableValue{}.read(reader, full, node, out.tables[name]);
+    if (is_list) return vector3().read(reader, full, node, out.vectors[name]);
+    if (node.kind == Node::Kind::scalar && is_name(node.text))
+      return TextValue{}.read(reader, full, node, out.texts[name]);
+    return NumberValue{}.read(reader, full, node, out.numbers[name]);
+  }
+};
+
 /// An integer from 0 to `most`.
 struct CountValue {
   int most = 0;
@@ -130,6 +135,11 @@ Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
   };
   const Range& range = find_range(key.range);
   if (key.code != nullptr) return make_key<LawDeck>(key.name, key.required, FileValue{}, into(&LawDeck::texts));
+  if (key.law != nullptr) return make_key<LawDeck>(key.name, key.required, FileValue{}, into(&LawDeck::texts));
+  if (key.is_of_library)
+    return make_key<LawDeck>(key.name, key.required, LibraryConstantsValue{},
+                             [](const LibraryConstantsValue& value, const Reader& reader, const std::string& full,
+                                const Node& node, LawDeck& law) { return value.read(reader, full, node, law); });
   if (key.word != nullptr) return make_key<LawDeck>(key.name, key.required, TextValue{}, into(&LawDeck::texts));
   if (key.list != nullptr)
     return make_key<LawDeck>(key.name, key.required, MaterialNumbersValue{}, into(&LawDeck::lists));

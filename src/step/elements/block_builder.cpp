@@ -17,6 +17,19 @@ std::array<int, history_scalars> find_named_history(const Law& law, const Materi
   if constexpr (requires { Law::history_names; }) {
     for (const HistoryScalar name : Law::history_names) places[static_cast<std::size_t>(name)] = place++;
   }
+  if constexpr (requires { law.find_scalar(HistoryScalar::none); }) {
+    for (int i = 0; i < history_scalars; ++i) {
+      const int found = law.find_scalar(static_cast<HistoryScalar>(i));
+      if (found >= 0) places[static_cast<std::size_t>(i)] = CalledMaterial::law_place + found;
+    }
+  }
+  if constexpr (requires { law.count_states(); }) {
+    const int first = CalledMaterial::law_place + law.first_state();
+    if (law.count_states() > 0) {
+      places[static_cast<std::size_t>(HistoryScalar::first_state)] = first;
+      places[static_cast<std::size_t>(HistoryScalar::after_states)] = first + law.count_states();
+    }
+  }
   if constexpr (requires { law.find_deletion(); }) {
     const int deletion = law.find_deletion();
     if (deletion >= 0) places[static_cast<std::size_t>(HistoryScalar::remains)] = CalledMaterial::law_place + deletion;

@@ -86,6 +86,12 @@ std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
   return names;
 }
 
+int count_state_variables(const Deck& deck) {
+  int most = 0;
+  for (const MaterialDeck& material : deck.materials) most = std::max(most, count_state_variables(material));
+  return most;
+}
+
 std::string describe_point(const char* meaning, const FollowedPoint& point) {
   return fmt::format(fmt::runtime(meaning), "'" + point.name + "'");
 }
@@ -107,6 +113,9 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
          describe_point(is_temperature ? "temperature of {}" : "internal energy of {}, per initial volume", point),
          is_temperature ? HistoryColumn::Kind::temperature : HistoryColumn::Kind::by_dimension});
   }
+  for (int i = 1; i <= count_state_variables(deck); ++i)
+    columns.push_back({fmt::format("{}_state_{}", point.name, i), Dimension{},
+                       fmt::format("state variable {} of '{}'", i, point.name), HistoryColumn::Kind::by_dimension});
 }
 
 std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
@@ -147,7 +156,8 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       motions_(deck, chunked),
       blocks_(deck, chunked),
       has_sections_(has_sections(deck)),
-      thermal_(name_thermal_columns(deck)) {
+      thermal_(name_thermal_columns(deck)),
+      states_(count_state_variables(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || directory.empty()) return;
     const std::vector<HistoryColumn> columns = percuss::list_columns(table_, points_, model, deck);
@@ -242,8 +252,9 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   put_points(model, state, points_, stresses, strains);
   const std::vector<double> sections =
       has_sections_ ? find_section_results(model, state, elements) : std::vector<double>();
-  std::vector<std::vector<double>> thermal;
-  for (const HistoryScalar name : thermal_) thermal.push_back(find_history(model, state, name, elements));
+  std::vector<std::vector<double>> others;
+  for (const HistoryScalar name : thermal_) others.push_back(find_history(model, state, name, elements));
+  for (int i = 0; i < states_; ++i) others.push_back(find_state_variables(model, state, i, elements));
   const std::vector<double> pressures = find_pressures(stresses), von_mises = find_von_mises(stresses);
   const auto x = to_host(state.x), v = to_host(state.v);
   std::vector<double> values;
@@ -253,12 +264,12 @@ void History::gather_points(const Model& model, const State& state, std::vector<
       const std::array<double, 6> place = find_point_motion(p, x, v);
       values.insert(values.end(), place.begin(), place.end());
     } else if (p.index < 0) {
-      values.insert(values.end(), p.is_element ? 9 + (has_sections_ ? 6U : 0U) + thermal.size() : 6, 0.0);
+      values.insert(values.end(), p.is_element ? 9 + (has_sections_ ? 6U : 0U) + others.size() : 6, 0.0);
     } else if (p.is_element) {
       values.insert(values.end(), &stresses[6 * e], &stresses[6 * e] + 6);
       values.insert(values.end(), {pressures[e], von_mises[e], strains[e]});
       if (has_sections_) values.insert(values.end(), &sections[6 * e], &sections[6 * e] + 6);
-      for (const std::vector<double>& column : thermal) values.push_back(column[e]);
+      for (const std::vector<double>& column : others) values.push_back(column[e]);
       ++e;
     } else {
       const auto n = static_cast<std::size_t>(p.index);

@@ -63,6 +63,7 @@ class History {
   BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
+  int states_;                          // state variables of users' laws, likewise
   std::vector<double> row_;
   std::optional<HistoryFile> file_;  // of rank 0, if it has a directory
 };

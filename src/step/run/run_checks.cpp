@@ -9,6 +9,7 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
 #include "src/deck/user_code.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -106,10 +107,10 @@ std::int64_t find_wrong_element(const CheckedRun& run) {
 std::string describe_user_law(const CheckedRun& run, int element) {
   const ElementBlock& block = run.chunked.mesh.block_of(static_cast<std::size_t>(element));
   const MaterialDeck& material = run.deck.materials[static_cast<std::size_t>(block.material)];
-  const auto library = material.law.texts.find("vumat");
-  if (library == material.law.texts.end()) return "";
-  return fmt::format("; its law is that of the library {}{}", library->second,
-                     has_written_outside(library->second) ? ", which has written outside its arrays" : "");
+  const std::string library = find_code_file(material.law);
+  if (library.empty()) return "";
+  return fmt::format("; its law is that of the library {}{}", library,
+                     has_written_outside(library) ? ", which has written outside its arrays" : "");
 }
 
 /// Empty if no contact node lies deep. Collective.

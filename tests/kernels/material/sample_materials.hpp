@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "kernels/material/laws/export_law.hpp"
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 
@@ -108,6 +109,12 @@ inline UserLaw make_sample(Of<UserLaw>) {
   law.constants = {2, {6e9, 4e9}};
   law.states = 1;
   return law;
+}
+inline LibraryLaw make_sample(Of<LibraryLaw>) {
+  static const LawLibrary library = ExportedLaw<NeoHookean>::list();
+  static const NeoHookean law = make_sample(Of<NeoHookean>());
+  static int outside = 0;
+  return {{&library, &law, &outside}};
 }
 
 inline LinearState make_sample(Of<LinearState>) { return {10e9}; }

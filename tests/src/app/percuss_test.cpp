@@ -217,7 +217,8 @@ TEST(PercussInfo, ListsTimesAndFieldsOfMeshFilesWithResults) {
 }
 
 TEST(PercussHelp, IsThatOfTheToolItself) {
-  for (const char* tool : {"plot", "report", "watch", "stop", "render", "import", "view", "export", "sweep"}) {
+  for (const char* tool :
+       {"plot", "report", "watch", "stop", "render", "import", "view", "export", "sweep", "build-law"}) {
     const ProcessResult help = run_percuss({"help", tool});
     EXPECT_EQ(help.exit_code, 0) << help.err;
     EXPECT_THAT(help.out, testing::StartsWith(std::string("usage: percuss ") + tool + " ")) << help.err;

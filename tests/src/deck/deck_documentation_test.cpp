@@ -58,7 +58,8 @@ TEST(DeckDocumentation, NamesEveryField) {
     if (field == "displacement") continue;  // always written
     int point = 1;
     for (const std::string_view quantity : point_quantities)
-      point = std::max(point, find_thickness_point(field, quantity).value_or(1));
+      point = std::max(point, find_field_number(field, quantity).value_or(1));
+    point = std::max(point, find_field_number(field, state_variables).value_or(1));
     if (point > 1) continue;  // the first stands for all
     EXPECT_NE(text.find("`" + field + "`"), std::string::npos) << field;
   }

@@ -128,6 +128,22 @@ struct ReadScalar {
   }
 };
 
+/// A state variable, from 0; the mean of an element's points, 0 where its law has none of this number.
+struct ReadStateVariable {
+  static constexpr int components = 1;
+  static constexpr bool fades = false;
+  int number;
+  KOKKOS_INLINE_FUNCTION void operator()(const ElementChunks& chunks, int c, int /*e*/, const ElementRecord& record,
+                                         double* row) const {
+    row[0] = 0;
+    const int first = chunks.find_scalar(c, HistoryScalar::first_state), points = chunks.points(c);
+    if (first < 0) return;
+    const int place = first + number * points;
+    if (place >= chunks.find_scalar(c, HistoryScalar::after_states)) return;
+    for (int p = 0; p < points; ++p) row[0] += double{record[place + p]} / points;
+  }
+};
+
 /// Of a shell; 0 of others.
 struct ReadThickness {
   static constexpr int components = 1;
@@ -287,6 +303,10 @@ std::vector<double> find_point_plastic_strains(const Model& model, const State& 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name, const ElementChoice& of,
                                  int point) {
   return read_chosen(model, state, of, ReadScalar{{model, state}, name, point});
+}
+
+std::vector<double> find_state_variables(const Model& model, const State& state, int number, const ElementChoice& of) {
+  return read_chosen(model, state, of, ReadStateVariable{number});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

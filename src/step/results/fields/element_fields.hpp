@@ -60,6 +60,10 @@ std::vector<double> find_point_plastic_strains(const Model& model, const State& 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
                                  const ElementChoice& of = {}, int point = ShellPoint::mean);
 
+/// State variable `number`, from 0, of a user's law, the mean of the points of an element; 0 where there is none.
+std::vector<double> find_state_variables(const Model& model, const State& state, int number,
+                                         const ElementChoice& of = {});
+
 /// 1 for elements that have any force, 0 for dead ones.
 std::vector<double> find_alive(const Model& model, const State& state, const ElementChoice& of = {});
 

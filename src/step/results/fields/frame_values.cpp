@@ -120,16 +120,18 @@ std::vector<double> find_field(const std::string& name, const FrameSource& of, F
     return known.find(of);
   }
   field = {name, FieldPlace::element, 6, {}};
-  if (const auto stress = find_thickness_point(name, stress_points))
+  if (const auto stress = find_field_number(name, stress_points))
     return find_point_stresses(of.model, of.state, *stress - 1, of.elements());
   field.components = 1;
-  if (const auto strain = find_thickness_point(name, plastic_strain_points))
+  if (const auto strain = find_field_number(name, plastic_strain_points))
     return find_point_plastic_strains(of.model, of.state, *strain - 1, of.elements());
   for (const auto& [quantity, scalar] : {std::pair(fibre_damage_points, HistoryScalar::fibre_damage),
                                          std::pair(matrix_damage_points, HistoryScalar::matrix_damage)}) {
-    if (const auto point = find_thickness_point(name, quantity))
+    if (const auto point = find_field_number(name, quantity))
       return find_history(of.model, of.state, scalar, of.elements(), *point - 1);
   }
+  if (const auto number = find_field_number(name, state_variables))
+    return find_state_variables(of.model, of.state, *number - 1, of.elements());
   throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
 }
 

@@ -102,10 +102,10 @@ TEST(ElementFields, TellTheTemperatureOfTheLayers) {
 }
 
 TEST(ElementFields, HaveTheirPointInTheirName) {
-  EXPECT_EQ(find_thickness_point("stress_point_12", stress_points), 12);
-  EXPECT_EQ(find_thickness_point("equivalent_plastic_strain_point_1", plastic_strain_points), 1);
+  EXPECT_EQ(find_field_number("stress_point_12", stress_points), 12);
+  EXPECT_EQ(find_field_number("equivalent_plastic_strain_point_1", plastic_strain_points), 1);
   for (const char* other : {"stress", "stress_point_", "stress_point_2x", "stress_top"}) {
-    EXPECT_EQ(find_thickness_point(other, stress_points), std::nullopt) << other;
+    EXPECT_EQ(find_field_number(other, stress_points), std::nullopt) << other;
   }
 }
 
