@@ -28,21 +28,17 @@ struct LaneRows {
     alignas(64) double packs[4][solid_width];
     const Lanes* const from[4] = {&a, &b, &c, &d};
     for (int k = 0; k < 4; ++k) store_pack(packs[k], *from[k]);
-    store_rows_of_four(packs, LaneNumbers().at, row[0]);
+    int lanes[solid_width];
+    for (int lane = 0; lane < solid_width; ++lane) lanes[lane] = lane;
+    store_rows_of_four(packs, lanes, row[0]);
   }
   PERCUSS_FORCE_INLINE void load(Lanes (&to)[4]) const {
     alignas(64) double packs[4][solid_width];
-    load_rows_of_four(row[0], LaneNumbers().at, packs);
+    int lanes[solid_width];
+    for (int lane = 0; lane < solid_width; ++lane) lanes[lane] = lane;
+    load_rows_of_four(row[0], lanes, packs);
     for (int k = 0; k < 4; ++k) to[k] = load_pack(packs[k]);
   }
-
- private:
-  struct LaneNumbers {
-    int at[solid_width];
-    constexpr LaneNumbers() : at() {
-      for (int lane = 0; lane < solid_width; ++lane) at[lane] = lane;
-    }
-  };
 };
 
 /// Sum over the corners of a lane of their rows of four, from 0 in their order. Scaled: the last number of each row is
