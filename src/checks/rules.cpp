@@ -53,6 +53,7 @@ const std::vector<CheckRule>& check_rules() {
       {"poissons_ratio", check_poissons_ratio},
       {"hardening_strain", check_hardening_strain},
       {"strain_ratios", check_strain_ratios},
+      {"unstable_rubber", check_unstable_rubber},
       {"specific_heat", check_specific_heat},
       {"start_temperature", check_start_temperature},
       {"added_mass", check_added_mass, Needs::mesh},

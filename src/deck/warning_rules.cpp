@@ -25,6 +25,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"poissons_ratio", "Poisson's ratio below 0, or so near 0.5 that the bulk modulus dominates"},
       {"hardening_strain", "hardening table with strains in percentages"},
       {"strain_ratios", "r-values of rolled sheet that no metal has"},
+      {"unstable_rubber", "rubber or foam whose constants soften so far that it is unstable"},
       {"specific_heat", "specific heat that no material has in the units"},
       {"start_temperature", "start and room temperature on two scales"},
       {"added_mass", "added mass far above that of its parts"},

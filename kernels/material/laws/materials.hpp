@@ -7,17 +7,20 @@
 #include "kernels/material/laws/combined_hardening.hpp"
 #include "kernels/material/laws/fluid.hpp"
 #include "kernels/material/laws/honeycomb.hpp"
+#include "kernels/material/laws/hyperfoam.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "kernels/material/laws/library_law.hpp"
 #include "kernels/material/laws/low_density_foam.hpp"
 #include "kernels/material/laws/mooney_rivlin.hpp"
 #include "kernels/material/laws/neo_hookean.hpp"
+#include "kernels/material/laws/ogden.hpp"
 #include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/material/laws/power_law_plasticity.hpp"
 #include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/soil_and_foam.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
+#include "kernels/material/laws/tabulated_rubber.hpp"
 #include "kernels/material/laws/user_law.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
@@ -26,9 +29,9 @@
 
 namespace percuss {
 
-using Materials =
-    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity,
-             CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Viscoelastic, SoilAndFoam,
-             Honeycomb, Orthotropic, AnisotropicPlasticity, LowDensityFoam, Fluid, UserLaw, LibraryLaw>;
+using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
+                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
+                           ArrudaBoyce, Ogden, TabulatedRubber, Viscoelastic, SoilAndFoam, Honeycomb, Orthotropic,
+                           AnisotropicPlasticity, LowDensityFoam, Hyperfoam, Fluid, UserLaw, LibraryLaw>;
 
 }  // namespace percuss

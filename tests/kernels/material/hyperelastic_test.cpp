@@ -177,6 +177,43 @@ TEST(Viscoelastic, ConstantRateIsExactWhateverTheStep) {
   }
 }
 
+TEST(Viscoelastic, RelaxesInVolumeAfterASuddenCompression) {
+  Viscoelastic law{};
+  law.bulk_modulus = 2e7;
+  law.long_term_shear_modulus = 1e6;
+  law.bulk_relaxation = {2, {1e-3, 1e-1}, {3e7, 1e7}};
+  Point<Viscoelastic> point(law, 1000);
+  EXPECT_NEAR(law.moduli().lambda, 6e7 - 2.0 / 3.0 * 1e6, 1e-6);
+  point.follow({{-0.01 / 1e-9, -0.01 / 1e-9, -0.01 / 1e-9, 0, 0, 0}, 1e-9, 1});
+  EXPECT_NEAR(point.stress.xx, -0.03 * 6e7, 1e-5 * 18e5);
+  for (const double time : {1e-3, 1e-2, 0.2}) {
+    point.follow({{}, time - point.time, 7});
+    const double modulus = 2e7 + 3e7 * std::exp(-time / 1e-3) + 1e7 * std::exp(-time / 1e-1);
+    EXPECT_NEAR(point.stress.xx, -0.03 * modulus, 1e-5 * 18e5);
+    EXPECT_NEAR(point.stress.xx, point.stress.zz, 1e-9 * 18e5);
+  }
+}
+
+TEST(Viscoelastic, BothPartsAtAConstantRateAreExactWhateverTheStep) {
+  Viscoelastic law{};
+  law.bulk_modulus = 2e7;
+  law.relaxation = {6, {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 1}, {1e6, 2e6, 3e6, 4e6, 5e6, 6e6}};
+  law.bulk_relaxation = {1, {2e-3}, {3e7}};
+  const double rate = 5, time = 4e-3;
+  for (const int steps : {1, 9}) {
+    Point<Viscoelastic> point(law, 1000);
+    point.follow({{rate, 0, 0, 0, 0, 0}, time, steps});
+    const double mean = rate * (2e7 * time + 3e7 * 2e-3 * (1 - std::exp(-2.0)));
+    double deviator = 0;
+    for (int i = 0; i < 6; ++i) {
+      const double tau = law.relaxation.x[i];
+      deviator += 2 * law.relaxation.y[i] * rate * 2 / 3 * tau * (1 - std::exp(-time / tau));
+    }
+    EXPECT_NEAR(trace(point.stress) / 3, mean, 1e-9 * mean);
+    EXPECT_NEAR(point.stress.xx, mean + deviator, 1e-9 * mean);
+  }
+}
+
 TEST(PrincipalAxes, PutTheTensorTogetherAgain) {
   for (const Symmetric3<double>& a : {Symmetric3<double>{2, 1, 3, 0.3, -0.7, 0.1}, Symmetric3<double>{1, 1, 1, 0, 0, 0},
                                       Symmetric3<double>{1, 1, 5, 1e-9, 0, 2}, Symmetric3<double>{0, 0, 0, 1, 1, 1}}) {

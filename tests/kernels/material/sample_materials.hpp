@@ -44,7 +44,14 @@ inline NeoHookean make_sample(Of<NeoHookean>) { return {3e6, 0.4}; }
 inline MooneyRivlin make_sample(Of<MooneyRivlin>) { return {0.4e6, 0.1e6, 20e6}; }
 inline Yeoh make_sample(Of<Yeoh>) { return {0.4e6, -0.02e6, 0.01e6, 20e6}; }
 inline ArrudaBoyce::Constants make_sample(Of<ArrudaBoyce>) { return {0.8e6, 3, 20e6}; }
-inline Viscoelastic make_sample(Of<Viscoelastic>) { return {1e9, 1e7, {2, {0.01, 0.2}, {5e7, 2e7}}}; }
+inline Ogden make_sample(Of<Ogden>) { return {{2, {-2, 3}, {-0.2e6, 0.4e6}}, 20e6}; }
+inline TabulatedRubber::Constants make_sample(Of<TabulatedRubber>) {
+  return {{4, {-0.4, 0, 0.5, 1}, {-2e6, 0, 1e6, 2.5e6}}, 20e6};
+}
+inline Hyperfoam make_sample(Of<Hyperfoam>) { return {{2, {-1.5, 6}, {-0.05e6, 0.06e6}}, 0.2}; }
+inline Viscoelastic make_sample(Of<Viscoelastic>) {
+  return {1e9, 1e7, {2, {0.01, 0.2}, {5e7, 2e7}}, {1, {0.05}, {4e8}}};
+}
 inline SoilAndFoam make_sample(Of<SoilAndFoam>) {
   return {1e9, 5e9, 2e6, 0.6, -1e-9, 1e6, {3, {0, 0.02, 0.1}, {0, 40e6, 300e6}}};
 }

@@ -70,6 +70,19 @@ def rubber(option: str, line: str) -> str:
 LARGE = 1.2
 CHAINS = sum(c / 4 ** (i - 1) * ((LARGE**2 + 2 / LARGE) ** i - 3**i) for i, c in enumerate((1 / 2, 1 / 20, 11 / 1050, 19 / 7000, 519 / 673750), 1))
 I1, I2 = LARGE**2 + 2 / LARGE - 3, 2 * LARGE + LARGE**-2 - 3
+
+
+def powers(alpha: float, stretch: float) -> float:
+    """l1^alpha + l2^alpha + l3^alpha - 3 where the volume stays."""
+    return stretch**alpha + 2 * stretch ** (-alpha / 2) - 3
+
+
+def foam_energy(terms: list[tuple[float, float]], ratio: float, stretches: tuple[float, ...]) -> float:
+    """Of *HYPERFOAM, of 1000 mm3."""
+    beta, j = ratio / (1 - 2 * ratio), math.prod(stretches)
+    return 2000 * sum(mu / a**2 * (sum(s**a for s in stretches) - 3 + (j ** (-a * beta) - 1) / beta) for mu, a in terms)
+
+
 PRONY = "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n"
 
 HOT = ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n"
@@ -123,11 +136,25 @@ PROOFS = [
     Proof("HYPERELASTIC: ARRUDA-BOYCE", driven(rubber("ARRUDA-BOYCE", "1.0, 2.0, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D = 100"),
     Proof("HYPERELASTIC: N", stretched(rubber("POLYNOMIAL, N=2", "0.5, 0.2, 0.1, 0.1, 0.1, 0.02, 0.02"), LARGE - 1), refused="N=2"),
     Proof("HYPERELASTIC: TEST_DATA_INPUT", stretched(rubber("MOONEY-RIVLIN, TEST DATA INPUT", ","), LARGE - 1), refused="HYPERELASTIC"),
-    Proof("HYPERELASTIC", stretched(rubber("OGDEN", "0.5, 2., 0.02"), LARGE - 1), refused="OGDEN"),
+    Proof("HYPERELASTIC: OGDEN", stretched(rubber("OGDEN", "0.7, 3., 0.02"), LARGE - 1), [("internal", LAST, 1000 * 2 * 0.7 / 9 * powers(3, LARGE), 3e-2)],
+          "2 mu / alpha^2 (sum of l^alpha - 3)"),
+    Proof("HYPERELASTIC: OGDEN N", stretched(rubber("OGDEN, N=3", "0.7, 3., 0.2, -2., 0.1, 5., 0.02, 0.\n0."), LARGE - 1),
+          [("internal", LAST, 2000 * (0.7 / 9 * powers(3, LARGE) + 0.2 / 4 * powers(-2, LARGE) + 0.1 / 25 * powers(5, LARGE)), 3e-2)], "three terms on two lines"),
+    Proof("HYPERELASTIC: OGDEN", driven(rubber("OGDEN", "0.7, 3., 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D1 = 100"),
+    Proof("HYPERELASTIC: OGDEN", stretched(rubber("OGDEN, N=2", "0.7, 3., 0.2, -2., 0.02, 0.1"), LARGE - 1), refused="D1 alone"),
+    Proof("HYPERELASTIC: OGDEN", stretched(rubber("OGDEN", "0.7, 3., 0.02") + "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n", LARGE - 1), refused="viscoelasticity of rubber"),
+    Proof("HYPERFOAM", driven("*HYPERFOAM\n0.7, 3., 0.2\n", 0.2, -0.1, -0.3), [("internal", LAST, foam_energy([(0.7, 3.0)], 0.2, (1.2, 0.9, 0.7)), 3e-2)],
+          "2 mu / alpha^2 (sum of l^alpha - 3 + (J^(-alpha beta) - 1) / beta), beta = nu / (1 - 2 nu)"),
+    Proof("HYPERFOAM: N", driven("*HYPERFOAM, N=2\n0.7, 3., 0.2, -2., 0.25, 0.25\n", 0.2, -0.1, -0.3),
+          [("internal", LAST, foam_energy([(0.7, 3.0), (0.2, -2.0)], 0.25, (1.2, 0.9, 0.7)), 3e-2)], "two terms"),
+    Proof("HYPERFOAM: N", driven("*HYPERFOAM, N=2\n0.7, 3., 0.2, -2., 0.25, 0.1\n", 0.2, -0.1, -0.3), refused="one Poisson's ratio"),
+    Proof("HYPERFOAM: POISSON TEST_DATA_INPUT", driven("*HYPERFOAM, TEST DATA INPUT, POISSON=0.2\n,\n", 0.2, -0.1, -0.3), refused="HYPERFOAM"),
     Proof("VISCOELASTIC: TIME; ELASTIC: MODULI", stretched(ELASTIC + PRONY, 1e-3), [("internal", LAST, 1000 * 1.5 * SHEAR * strain(1e-3) ** 2, 3e-2)],
           "slow against 1e-7 s: the long-term modulus, which *ELASTIC gives"),
     Proof("VISCOELASTIC: TIME; ELASTIC: MODULI", stretched(ELASTIC.replace("*ELASTIC", "*ELASTIC, MODULI=INSTANTANEOUS") + PRONY, 1e-3),
           [("internal", LAST, 1000 * 1.5 * 0.6 * SHEAR * strain(1e-3) ** 2, 3e-2)], "0.6 of the instantaneous modulus"),
+    Proof("VISCOELASTIC: TIME", driven(ELASTIC.replace("*ELASTIC", "*ELASTIC, MODULI=INSTANTANEOUS") + "*VISCOELASTIC, TIME=PRONY\n0., 0.3, 1e-7\n", 1e-3, 1e-3, 1e-3),
+          [("internal", LAST, 1000 * 0.5 * 0.7 * BULK * (3 * strain(1e-3)) ** 2, 3e-2)], "0.7 of the instantaneous bulk modulus"),
     Proof("VISCOELASTIC", stretched(ELASTIC + "*VISCOELASTIC, TIME=CREEP TEST DATA\n1., 1.\n"), refused="viscoelasticity"),
     Proof("EOS: TYPE", driven("*EOS, TYPE=USUP\n4e6, 0., 0.\n", -0.01, -0.01, -0.01), [("internal", LAST, 1000 * 0.5 * DENSITY * 1.6e13 * (1 - 0.99**3) ** 2, 2e-2)],
           "p = rho0 c0^2 (1 - V / V0)"),
@@ -155,5 +182,5 @@ PROOFS = [
 ]  # fmt: skip
 
 NOT_PHYSICS = {
-    "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "DAMAGE EVOLUTION.DEGRADATION": "one criterion of damage in a material: nothing to combine",
+    "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "HYPERFOAM.MODULI": "foam that relaxes is refused", "DAMAGE EVOLUTION.DEGRADATION": "one criterion of damage in a material: nothing to combine",
 }  # fmt: skip

@@ -365,6 +365,24 @@ HONEYCOMBS += [
 ]  # fmt: skip
 HONEY = f"*MAT_HONEYCOMB\n1,{DENSITY!r},2000.0,0.3,50.0,0.1\n9,9,8\n1000.0,1000.0,1000.0,500.0,500.0,500.0,2\n0,0,0,1,0,0\n0,1,0\n"
 LINKED = 1 + 3 / (5 * 4) + 99 / (175 * 4**2) + 513 / (875 * 4**3) + 42039 / (67375 * 4**4)  # mu0 / G of N = 4 links
+OGDEN_TERMS = ((7.0, 3.0), (-2.0, -1.5), (0.4, 5.0), (1.0, 1.3), (0.3, 2.2), (-0.5, -3.0), (0.2, 4.0), (-0.1, -0.7))
+OGDEN = f"*MAT_OGDEN_RUBBER\n1,{DENSITY!r},0.49,0\n{','.join(str(m) for m, _ in OGDEN_TERMS)}\n{','.join(str(a) for _, a in OGDEN_TERMS)}\n"
+LONG = math.sqrt(0.8**2 + 4)  # l + 1 / l of the shear 0.8
+RUBBER_TEST = curve(9, (-1.0, -48.0), (-0.8, -32.0), (0.0, 0.0), (1.0, 24.0), (4.0, 60.0))  # force over length, of a test piece 2 long and of area 4
+SIMPLE = f"*MAT_SIMPLIFIED_RUBBER/FOAM\n1,{DENSITY!r},700.0,0.1\n2.0,2.0,2.0,9\n"
+GENERAL = f"*MAT_GENERAL_VISCOELASTIC\n1,{DENSITY!r},900.0\n0\n200.0,0.0,1500.0,0.0\n600.0,3000.0,800.0,2000.0\n300.0,500.0\n"
+
+
+def squeezed(material, ratio):
+    """A cube whose height becomes 10 * ratio and whose volume stays."""
+    side = ratio**-0.5
+    moves = "".join(f"*BOUNDARY_PRESCRIBED_MOTION_NODE\n{n},{d},2,{6 + d}\n" for n, corner in enumerate(CORNERS, 1) for d in (1, 2, 3) if corner[d - 1])
+    held = "".join(f"*BOUNDARY_SPC_NODE\n{n},0,{','.join('0' if c else '1' for c in corner)}\n" for n, corner in enumerate(CORNERS, 1))
+    lead = [(t / 40 * END, 10 * (ratio ** (t / 40) - 1), 10 * (side ** (t / 40) - 1)) for t in range(41)]
+    paths = [curve(7, *((t, u) for t, _, u in lead)), curve(8, *((t, u) for t, _, u in lead)), curve(10, *((t, u) for t, u, _ in lead))]
+    return deck(cube(material), held, moves.replace(",2,9\n", ",2,10\n"), *paths, RUBBER_TEST, FOLLOW, end=END)
+
+
 SOFT = [
     Proof("MAT_VISCOELASTIC: MID RO BULK G0 GI BETA", sheared(f"*MAT_VISCOELASTIC\n1,{DENSITY!r},2000.0,800.0,200.0,3000.0\n", 0.02),
           [(ZX, LAST, relaxing(20.0), 3e-3)], "GI + (G0 - GI) exp(-BETA t)"),
@@ -379,6 +397,30 @@ SOFT = [
     Proof("MAT_ARRUDA_BOYCE: K", stretched(f"*MAT_ARRUDA_BOYCE\n1,{DENSITY!r},2000.0,20.0,4.0\n0\n", 0.999),
           [(PRESSURE, LAST, 2000.0 * 0.001, 5e-3)], "K times the strain"),
     Proof("MAT_ARRUDA_BOYCE: LCID NT", sheared(f"*MAT_ARRUDA_BOYCE\n1,{DENSITY!r},2000.0,20.0,4.0\n5\n", 0.02, curve(5, (0.0, 1.0), (1.0, 0.5))), refused="relaxes"),
+    Proof("MAT_OGDEN_RUBBER: MID RO MU1 ALPHA1 " + " ".join(f"MU{i} ALPHA{i}" for i in range(2, 9)), sheared(OGDEN, 0.8),
+          [(ZX, LAST, sum(mu * (0.5 * (0.8 + LONG)) ** a - mu * (0.5 * (LONG - 0.8)) ** a for mu, a in OGDEN_TERMS) / LONG, 5e-3)],
+          "principal stretches l and 1 / l with l - 1 / l = 0.8: shear stress sum of mu (l^alpha - l^-alpha) / (l + 1 / l)"),
+    Proof("MAT_OGDEN_RUBBER: PR", stretched(OGDEN, 0.999),
+          [(PRESSURE, LAST, sum(mu * a for mu, a in OGDEN_TERMS) * 1.49 / (3 * 0.02) * 0.001, 5e-3)], "K = 2 G (1 + nu) / (3 (1 - 2 nu)), G half the sum of mu alpha"),
+    Proof("MAT_OGDEN_RUBBER: N", stretched(OGDEN.replace("0.49,0", "0.49,2"), 0.999), refused="N above 0"),
+    Proof("MAT_OGDEN_RUBBER: GI BETAI", stretched(OGDEN + "3.0,100.0\n", 0.999), refused="relaxes"),
+    Proof("MAT_OGDEN_RUBBER: G SIGF", stretched(OGDEN.replace("0.49,0", "0.49,0,0,3.0,0.2"), 0.999), refused="SIGF"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: MID RO MU SGL SW ST TBID", squeezed(SIMPLE, 1.3),
+          [(lambda h: (h[ZZ][-1] - h[XX][-1]) / 1.3, LAST, 6.0 * 0.6, 1e-2)], "half of the force at twice half of the change of length: the curve of the test"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: TBID", squeezed(SIMPLE, 0.7),
+          [(lambda h: (h[ZZ][-1] - h[XX][-1]) / 0.7, LAST, -8.0 * 0.75, 1e-2)], "the curve in compression"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: KM", stretched(SIMPLE, 0.999, RUBBER_TEST), [(PRESSURE, LAST, 700.0 * 0.001, 5e-3)], "KM times the strain"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: PR", stretched(SIMPLE.replace(",9\n", ",9,0,0,0,0.3\n"), 0.999, RUBBER_TEST), refused="compressible foam"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: G SIGF PRTEN", stretched(SIMPLE.replace("700.0,0.1", "700.0,0.1,3.0,0.2,0,0.3"), 0.999, RUBBER_TEST), refused="PRTEN"),
+    Proof("MAT_SIMPLIFIED_RUBBER/FOAM: LCUNLD HU SHAPE", stretched(SIMPLE + "0,0.2,3.0\n", 0.999, RUBBER_TEST), refused="HU"),
+    Proof("MAT_GENERAL_VISCOELASTIC: MID RO GI BETAI", sheared(GENERAL, 0.02),
+          [(ZX, LAST, 0.02 * (200.0 + sum(g * (1 - math.exp(-b * END)) / (b * END) for g, b in ((600.0, 3000.0), (300.0, 500.0)))), 3e-3)],
+          "the long-term modulus and two terms at a constant rate"),
+    Proof("MAT_GENERAL_VISCOELASTIC: KI BETAKI", stretched(GENERAL, 1.001),
+          [(PRESSURE, LAST, -0.001 * (1500.0 + 800.0 * (1 - math.exp(-2000.0 * END)) / (2000.0 * END)), 5e-3)], "terms of the bulk modulus, BULK counts no more"),
+    Proof("MAT_GENERAL_VISCOELASTIC: BULK", stretched(GENERAL.replace(",1500.0,0.0", "").replace(",800.0,2000.0", ""), 1.001), [(PRESSURE, LAST, -0.001 * 900.0, 5e-3)], "BULK without terms KI"),
+    Proof("MAT_GENERAL_VISCOELASTIC: LCID LCIDK", stretched(GENERAL.replace("\n0\n", "\n9\n"), 1.001, RUBBER_TEST), refused="fitted to a curve"),
+    Proof("MAT_GENERAL_VISCOELASTIC: PCF EF A B", stretched(GENERAL.replace(",900.0", ",900.0,1.0,1,0,3.0,4.0"), 1.001), refused="PCF"),
     Proof("MAT_SOIL_AND_FOAM: MID RO G BULK A0 VCR LCID A B C D E F G H I J",
           stretched(f"*MAT_SOIL_AND_FOAM\n1,{DENSITY!r},800.0,2000.0,12.0,0,0,0\n0\n0.0,-0.1\n\n0.0,30.0\n\n", math.exp(-0.05)),
           [(PRESSURE, LAST, 15.0, 3e-3), (MISES, LAST, 6.0, 3e-3)], "half of the curve; J2 = A0 is a von Mises stress of sqrt(3 A0)"),

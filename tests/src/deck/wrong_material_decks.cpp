@@ -136,11 +136,25 @@ std::vector<WrongDeck> wrong_material_decks() {
        "5:3", "absolute_zero is -273.15 for degrees Celsius"},
       {"TooManyRelaxations",
        material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[1, 1], "
-                "[2, 1], [3, 1], [4, 1], [5, 1]]"),
-       "5:3", "material 'steel' has more than 4 rows of relaxation"},
+                "[2, 1], [3, 1], [4, 1], [5, 1], [6, 1], [7, 1]]"),
+       "5:3", "material 'steel' has more than 6 rows of relaxation"},
       {"RelaxationInNoTime",
        material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[0, 1]]"),
        "5:3", "material 'steel' has a relaxation time that is not positive"},
+      {"NothingRelaxes", material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1"),
+       "5:3", "material 'steel' has neither relaxation nor bulk_relaxation"},
+      {"OgdenWithoutStiffness", material("model: ogden, density: 1, bulk_modulus: 1, terms: [[-2, 1], [1, 2]]"), "5:3",
+       "material 'steel' has terms whose shear modulus, half the sum of mu alpha, is not positive"},
+      {"OgdenOfExponentZero", material("model: ogden, density: 1, bulk_modulus: 1, terms: [[0, 1], [1, 2]]"), "5:3",
+       "material 'steel' has an exponent of terms that is 0"},
+      {"FoamThatSwells", material("model: hyperfoam, density: 1, poissons_ratio: -0.4, terms: [[2, 1]]"), "5:3",
+       "material 'steel' has a poissons_ratio that is not above -1/3"},
+      {"CurveOfTensionAlone",
+       material("model: tabulated_rubber, density: 1, bulk_modulus: 1, uniaxial: [[0, 0], [1, 1], [2, 2]]"), "5:3",
+       "material 'steel' has a uniaxial curve without a row of compression and one of tension"},
+      {"CurveThatMissesItsOrigin",
+       material("model: tabulated_rubber, density: 1, bulk_modulus: 1, uniaxial: [[-0.5, -1], [1, 1], [2, 2]]"), "5:3",
+       "material 'steel' has a uniaxial curve without the row [0, 0]"},
   };
 }
 

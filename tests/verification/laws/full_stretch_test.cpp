@@ -41,6 +41,19 @@ double yeoh(const double (&l)[3], int i) {
   return 2 / j * slope * (b[i] - first / 3) + bulk * (j - 1);
 }
 
+double find_ogden(double b) { return 0.6 * std::pow(b, 2.5) - 0.1 * std::pow(b, -2.0); }
+
+double ogden(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2], scale = std::pow(j, -1.0 / 3.0);
+  const double mean = (find_ogden(scale * l[0]) + find_ogden(scale * l[1]) + find_ogden(scale * l[2])) / 3;
+  return (find_ogden(scale * l[i]) - mean) / j + bulk * (j - 1);
+}
+
+double hyperfoam(const double (&l)[3], int i) {
+  const double j = l[0] * l[1] * l[2];  // beta = 1 / 3
+  return (find_ogden(l[i]) - 0.6 * std::pow(j, -2.5 / 3) + 0.1 * std::pow(j, 2.0 / 3)) / j;
+}
+
 /// J sigma of rates in the unrotated frame, along axes that do not turn: logarithmic strains.
 double hypoelastic(const double (&l)[3], int i) {
   const double j = l[0] * l[1] * l[2];
@@ -57,6 +70,8 @@ const Law laws[] = {
     {"{model: neo_hookean, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", neo_hookean, 3},
     {"{model: mooney_rivlin, density: 1e-2, c10: 0.3, c01: 0.2, bulk_modulus: 20}", mooney_rivlin, 3},
     {"{model: yeoh, density: 1e-2, c10: 0.3, c20: -0.01, c30: 0.005, bulk_modulus: 20}", yeoh, 3},
+    {"{model: ogden, density: 1e-2, bulk_modulus: 20, terms: [[-2, -0.1], [2.5, 0.6]]}", ogden, 3},
+    {"{model: hyperfoam, density: 1e-2, poissons_ratio: 0.2, terms: [[-2, -0.1], [2.5, 0.6]]}", hyperfoam, 3},
     {"{model: elastic, density: 1e-2, youngs_modulus: 3, poissons_ratio: 0.3}", hypoelastic, 2},
 };
 
@@ -156,9 +171,12 @@ TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
 
 TEST(FullStretch, StaysUniformInShear) {
   // of mu, by gamma = 2: the shear stress of rates in the unrotated frame is 2 ln 2 (Dienes, Acta Mechanica 32, 1979)
+  // of ogden (s(l) - s(1 / l)) / (l + 1 / l), l - 1 / l = gamma; of hyperfoam the same
   // of yeoh 2 W'(I1) gamma with I1 - 3 = gamma^2
-  const double rights[] = {2 * mu, 4 * (bulk_c10 + bulk_c01), 4 * (0.3 - 2 * 0.01 * 4 + 3 * 0.005 * 16),
-                           2 * mu * std::log(2.0)};
+  const double l = 1 + std::sqrt(2.0), by_stretches = (find_ogden(l) - find_ogden(1 / l)) / (l + 1 / l);
+  const double rights[] = {
+      2 * mu,       4 * (bulk_c10 + bulk_c01), 4 * (0.3 - 2 * 0.01 * 4 + 3 * 0.005 * 16), by_stretches,
+      by_stretches, 2 * mu * std::log(2.0)};
   for (std::size_t k = 0; k < std::size(laws); ++k) {
     for (const int cells : {2, 4}) {
       const HistoryTable h = shear(laws[k], cells, 2);

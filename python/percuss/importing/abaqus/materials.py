@@ -16,6 +16,7 @@ from .user_code import is_user_code, translate_user_code
 
 INSTEAD = "it is left out"
 NEVER = 1e15
+MOST_RELAXATIONS = 6
 USUAL_BULK = 20.0  # bulk over shear modulus of rubber without D1, in Abaqus/Explicit
 OF_OUTPUT = {"DEPVAR", "USER OUTPUT VARIABLES"}
 SEVERAL = {"PLASTIC", "DAMAGE INITIATION", "DAMAGE EVOLUTION"}
@@ -73,13 +74,18 @@ def refuse_several(material: MaterialBlocks) -> None:
 
 
 def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck | None:
-    elastic, rubber = find(material, "ELASTIC"), find(material, "HYPERELASTIC")
+    elastic, rubber, foam = find(material, "ELASTIC"), find(material, "HYPERELASTIC"), find(material, "HYPERFOAM")
     state = find(material, "EOS")
     user = find(material, "USER MATERIAL")
     if user:
         return translate_user_code(deck, name, user, find(material, "DEPVAR"))
+    relaxing = find(material, "VISCOELASTIC")
+    if (rubber or foam) and relaxing:
+        deck.ledger.refuse("VISCOELASTIC.rubber", relaxing.place, "viscoelasticity of rubber and of foam", "the material does not relax")
     if rubber:
         return translate_rubber(deck, rubber)
+    if foam:
+        return translate_hyperfoam(deck, foam)
     if state and (elastic is None or elastic.option("TYPE") == "SHEAR"):
         return translate_fluid(deck, material, state, elastic)
     if elastic and elastic.option("TYPE") in COUNTS:
@@ -103,7 +109,6 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     add_potential(deck, law, find(material, "POTENTIAL"), state)
     if state:
         add_state(deck, law, state)
-    relaxing = find(material, "VISCOELASTIC")
     if relaxing:
         return relax(deck, law, elastic, relaxing)
     return law
@@ -159,21 +164,28 @@ def translate_fluid(deck: AbaqusDeck, material: MaterialBlocks, state: Block, sh
 
 
 def relax(deck: AbaqusDeck, law: Deck, elastic: Block, block: Block) -> Deck | None:
-    """Prony's series of the shear modulus."""
+    """Prony's series of the shear modulus and the bulk modulus."""
     rows = [(block.number(line, 0), block.number(line, 1), block.number(line, 2)) for line in block.lines if any(line[1])]
-    if block.option("TIME") != "PRONY" or any(k for _, k, _ in rows) or not 1 <= len(rows) <= 4 or law["model"] != "elastic" or "equation_of_state" in law:
-        text = "viscoelasticity other than up to four terms of Prony's series of the shear modulus of *ELASTIC"
+    if block.option("TIME") != "PRONY" or not 1 <= len(rows) <= MOST_RELAXATIONS or law["model"] != "elastic" or "equation_of_state" in law:
+        text = "viscoelasticity other than up to six terms of Prony's series of the moduli of *ELASTIC"
         deck.ledger.refuse("VISCOELASTIC", block.place, text, "the material does not relax")
         return law
-    share = sum(g for g, _, _ in rows)
-    if not 0 < share < 1 or min(min(g, t) for g, _, t in rows) <= 0:
-        raise BadInput(block.place, "the shares of *VISCOELASTIC must be positive and less than 1 together, times positive: correct them")
+    shares = [sum(row[i] for row in rows) for i in (0, 1)]
+    if max(shares) >= 1 or max(shares) <= 0 or min(min(row) for row in rows) < 0 or min(time for _, _, time in rows) <= 0:
+        raise BadInput(block.place, "the shares of *VISCOELASTIC must be 0 or more and less than 1 together, times positive: correct them")
     e, nu = law["youngs_modulus"], law["poissons_ratio"]
-    g, k = e / (2 * (1 + nu)), e / (3 * (1 - 2 * nu))
-    start = g if elastic.option("MODULI") == "INSTANTANEOUS" else g / (1 - share)
+    is_instantaneous = elastic.option("MODULI") == "INSTANTANEOUS"
+    g, k = (value if is_instantaneous else value / (1 - share) for value, share in zip((e / (2 * (1 + nu)), e / (3 * (1 - 2 * nu))), shares))
     deck.ledger.translated("VISCOELASTIC", block.place, "viscoelastic")
-    return {"model": "viscoelastic", "bulk_modulus": k, "long_term_shear_modulus": start * (1 - share),
-            "relaxation": [[t, start * g] for g, _, t in sorted(rows, key=lambda row: row[2])]}  # fmt: skip
+    made: Deck = {"model": "viscoelastic", "bulk_modulus": k * (1 - shares[1]), "long_term_shear_modulus": g * (1 - shares[0])}
+    for name, i, start in (("relaxation", 0, g), ("bulk_relaxation", 1, k)):
+        terms: dict[float, float] = {}
+        for row in rows:
+            if row[i]:
+                terms[row[2]] = terms.get(row[2], 0.0) + start * row[i]
+        if terms:
+            made[name] = [[time, terms[time]] for time in sorted(terms)]
+    return made
 
 
 def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
@@ -283,15 +295,16 @@ def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
 
 
 def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
-    """NEO HOOKE, MOONEY-RIVLIN, YEOH or ARRUDA-BOYCE with constants: K = 2 / D1."""
+    """NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE or OGDEN with constants: K = 2 / D1."""
     line = require_line(block)
     found = None if "TEST DATA INPUT" in block.options else read_rubber(block, line)
     if found is None:
-        text = "rubber that is not NEO HOOKE, MOONEY-RIVLIN, YEOH or ARRUDA-BOYCE with constants, the first above 0"
+        order = f" (N={block.option('N')})" if block.option("N") else ""
+        text = f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE (constants, the first above 0) or OGDEN (constants, D1 alone)"
         deck.ledger.refuse("HYPERELASTIC", block.place, text, "the parts made of it are left out")
         return None
     law, shear, d1 = found
-    if len(block.lines) > 1:
+    if len(block.lines) > count_lines(block):
         deck.ledger.refuse("HYPERELASTIC.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
     law["bulk_modulus"] = 2 / d1 if d1 > 0 else USUAL_BULK * shear
     if math.isinf(law["bulk_modulus"]):
@@ -301,8 +314,53 @@ def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     return law
 
 
+def count_terms(block: Block) -> int:
+    """N of OGDEN and of *HYPERFOAM."""
+    text = block.option("N")
+    return int(text) if text in ("1", "2", "3", "4", "5", "6") else 0 if text else 1
+
+
+def count_lines(block: Block) -> int:
+    """Lines of one temperature, of 8 values each: three constants for each term, and the temperature."""
+    has_terms = "OGDEN" in block.options or block.keyword == "HYPERFOAM"
+    return -(-(3 * count_terms(block) + 1) // 8) if has_terms else 1
+
+
+def read_terms(block: Block) -> tuple[list[list[float]], list[float]] | None:
+    """Rows (alpha, 2 mu / alpha) of percuss, and the third constants; None where they are not those of an energy."""
+    count = count_terms(block)
+    values = [block.number(line, i) for line in block.lines[: count_lines(block)] for i in range(8)]
+    terms: dict[float, float] = {}
+    for mu, alpha in zip(values[0 : 2 * count : 2], values[1 : 2 * count : 2]):
+        if alpha == 0:
+            return None
+        terms[alpha] = terms.get(alpha, 0.0) + 2 * mu / alpha
+    if sum(alpha * mu for alpha, mu in terms.items()) <= 0:
+        return None
+    return [[alpha, terms[alpha]] for alpha in sorted(terms)], values[2 * count : 3 * count]
+
+
+def translate_hyperfoam(deck: AbaqusDeck, block: Block) -> Deck | None:
+    """Constants with one Poisson's ratio."""
+    require_line(block)
+    found = None if "TEST DATA INPUT" in block.options or "POISSON" in block.options else read_terms(block)
+    if found is None or len(set(found[1])) > 1 or not -1 / 3 < found[1][0] < 0.5:
+        text = "foam that is not of constants with exponents other than 0 and one Poisson's ratio for all terms"
+        deck.ledger.refuse("HYPERFOAM", block.place, text, "the parts made of it are left out")
+        return None
+    if len(block.lines) > count_lines(block):
+        deck.ledger.refuse("HYPERFOAM.TEMPERATURE", block.place, "constants that depend on the temperature", "the first row is used")
+    deck.ledger.translated("HYPERFOAM", block.place, "hyperfoam")
+    return {"model": "hyperfoam", "terms": found[0], "poissons_ratio": found[1][0]}
+
+
 def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float, float] | None:
     """The law without its bulk modulus, its shear modulus, D1; None where percuss has no such law."""
+    if "OGDEN" in block.options:
+        found = read_terms(block)
+        if found is None or min(found[1]) < 0 or any(found[1][1:]):
+            return None
+        return {"model": "ogden", "terms": found[0]}, 0.5 * sum(alpha * mu for alpha, mu in found[0]), found[1][0]
     values = [block.number(line, i) for i in range(6)]
     if values[0] <= 0:
         return None
@@ -317,6 +375,8 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
         if values[3] < 0 or values[4] or values[5]:
             return None
         return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2]}, 2 * values[0], values[3]
+    if block.option("N") not in ("", "1"):
+        return None
     is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
     if not is_mooney and not {"NEO HOOKE", "REDUCED POLYNOMIAL"} & block.options.keys():
         return None
@@ -326,4 +386,4 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
     return {"model": "mooney_rivlin", "c10": values[0], "c01": c01}, 2 * (values[0] + c01), d1
 
 
-READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "HYPERFOAM", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL"}
