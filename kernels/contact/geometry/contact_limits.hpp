@@ -52,10 +52,14 @@ inline constexpr double independent = 0.95;
 inline constexpr double feature = 0.866025403;
 /// With less than this one (likewise 20 degrees) they hold what has crossed them by blunt_depth.
 inline constexpr double blunt = 0.939692620;
-/// Surfaces are curved where faces meet convexly with less than this one (half a degree: flat meshes have round-off).
-inline constexpr double curved = 0.999961923;
-/// A feature edge so many times as long as the edges of a curved surface of another part may pass between its nodes.
-inline constexpr double passing_edges = 3;
+/// Shells are curved where faces meet with less than this one (half a degree: flat meshes have round-off). Faces of
+/// solids that meet less concavely than this sine, of the same angle, are flat or convex.
+inline constexpr double curved = 0.999961923, concave_sine = 8.72654e-3;
+/// A feature edge so many times as long as a mesh line of a solid of another part may pass between the nodes of that
+/// ...
+inline constexpr double passing_edges = 1.5;
+/// ... and so many times as long between those of a curved shell, whose nodes keep half a thickness.
+inline constexpr double passing_edges_of_shells = 3;
 /// Edges that cross at a lesser angle than with this sine are nearly parallel: their nodes meet faces.
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.

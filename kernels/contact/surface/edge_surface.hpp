@@ -14,6 +14,12 @@ namespace percuss {
 template <class T>
 using Rows2 = Kokkos::View<T* [2], Kokkos::LayoutRight, MemSpace>;
 
+/// Which feature edges pass between the nodes of which lines.
+struct EdgeScale {
+  int part = 0;
+  double length = 0;  // of a feature at the start; of a line, what features that pass between its nodes are longer than
+};
+
 struct EdgeSurface {
   int num_edges = 0;
   Array<const std::int64_t> numbers;   // [edges] ascending
@@ -27,7 +33,8 @@ struct EdgeSurface {
   Array<const int> pair_number;       // likewise: which of the deck's pairs
   Array<const double> offset;         // [edges] half the thickness of its shells, radius of a beam; empty: all are 0
   Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; 2: likewise, and only features, as
-                                      // a line of a curved surface; empty: the scene has none
+                                      // a line of a smooth surface; empty: the scene has none
+  Array<const EdgeScale> scale;       // [edges] empty: the scene has no lines of smooth surfaces
   bool has_springs = false;           // contacts give way (penalty)
 };
 
@@ -61,9 +68,15 @@ KOKKOS_INLINE_FUNCTION bool is_blunt_pair(const EdgeSurface& surface, int a, int
   return surface.is_blunt.extent(0) > 0 && (surface.is_blunt(a) != 0 || surface.is_blunt(b) != 0);
 }
 
-/// Whether two edges may meet: lines of curved surfaces are kept apart by nodes and faces.
+/// Whether two edges may meet: lines of smooth surfaces are kept apart by nodes and faces, and from edges of their own
+/// part and shorter ones as well.
 KOKKOS_INLINE_FUNCTION bool may_meet(const EdgeSurface& surface, int a, int b) {
-  return surface.is_blunt.extent(0) == 0 || surface.is_blunt(a) + surface.is_blunt(b) <= 2;
+  if (surface.is_blunt.extent(0) == 0) return true;
+  const int kind = surface.is_blunt(a), other = surface.is_blunt(b);
+  if (kind + other > 2) return false;
+  if (surface.scale.extent(0) == 0 || (kind != 2 && other != 2)) return true;
+  const EdgeScale line = surface.scale(kind == 2 ? a : b), feature = surface.scale(kind == 2 ? b : a);
+  return feature.part != line.part && feature.length > line.length;
 }
 
 /// Coulomb friction between two edges, negative if they may not touch.

@@ -98,33 +98,45 @@ struct NodeFaceRule {
 
 /// Which points of edges make pairs with which edges, as far as is seen at a glance; edges may still be joined.
 struct EdgePairRule {
+  static constexpr int line = 2;  // EdgeSurface::is_blunt: lines never meet
+
   EdgeSurface surface;
   Array<const int> edge_of_point;
 
   /// What the rule asks of sixteen points.
   struct Lanes {
-    LaneNumbers edge;
+    LaneNumbers edge, kind;
     int first_pair[block_size];  // place in the table of pairs
   };
 
   KOKKOS_INLINE_FUNCTION bool operator()(int point, int b) const {
     const int a = edge_of_point(point);
-    return a < b && find_edge_friction(surface, a, b) >= 0;
+    return a < b && !(find_kind(a) == line && find_kind(b) == line) && find_edge_friction(surface, a, b) >= 0;
+  }
+
+  /// EdgeSurface::is_blunt
+  KOKKOS_FORCEINLINE_FUNCTION int find_kind(int edge) const {
+    return surface.is_blunt.extent(0) > 0 ? surface.is_blunt(edge) : 0;
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void load(int lane, int point, int, Lanes& lanes) const {
     lanes.edge.lane[lane] = edge_of_point(point);
+    lanes.kind.lane[lane] = find_kind(lanes.edge.lane[lane]);
     lanes.first_pair[lane] = surface.edge_class(lanes.edge.lane[lane]) * surface.num_classes;
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void fetch(int) const {}
 
-  KOKKOS_FORCEINLINE_FUNCTION BoxMark mark(int edge) const { return {edge, surface.edge_class(edge), {}, {}}; }
+  KOKKOS_FORCEINLINE_FUNCTION BoxMark mark(int edge) const {
+    const int kind = find_kind(edge);
+    return {edge, surface.edge_class(edge), {kind, kind, kind, kind}, {}};
+  }
 
   /// The lanes of `near` for which the rule holds.
   KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_allowed(const Lanes& lanes, const BoxMark& box,
                                                          std::uint32_t near) const {
     near &= find_lanes_below(lanes.edge, box.name);
+    if (box.corners[0] == line) near &= ~find_equal_lanes(lanes.kind, box.corners);
     return find_lanes_with_friction(surface.pair_friction, surface.num_classes, lanes.first_pair, box.box_class, near);
   }
 };

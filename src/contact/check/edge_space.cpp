@@ -16,6 +16,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   std::vector<int> classes;
   std::vector<double> offsets;
   std::vector<int> blunt;
+  std::vector<EdgeScale> scales;
   for (const EdgeTopology& edge : edges) {
     numbers.push_back(edge.number);
     ends.push_back({find_row(edge.ends[0]), find_row(edge.ends[1])});
@@ -25,8 +26,10 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
     classes.push_back(edge.surface_class);
     if (share.largest_offset > 0) offsets.push_back(edge.offset);
     blunt.push_back(edge.is_blunt);
+    scales.push_back(edge.scale);
   }
   if (std::count(blunt.begin(), blunt.end(), 0) == static_cast<std::ptrdiff_t>(blunt.size())) blunt.clear();
+  if (std::count(blunt.begin(), blunt.end(), 2) == 0) scales.clear();
   EdgeSurface surface;
   surface.num_edges = static_cast<int>(edges.size());
   surface.numbers = to_view("contact::edge_numbers", numbers);
@@ -36,6 +39,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   surface.edge_class = to_view("contact::edge_class", classes);
   surface.offset = to_view("contact::edge_offset", offsets);
   surface.is_blunt = to_view("contact::blunt_edges", blunt);
+  surface.scale = to_view("contact::edge_scale", scales);
   surface.has_springs = share.has_springs;
   surface.num_classes = share.num_classes;
   surface.pair_friction = share.pair_friction;

@@ -158,6 +158,15 @@ class ToldSides {
     return false;
   }
 
+  /// Whether some edge of this lower node may be a line between whose nodes edges pass. passing: by part, 0 for none.
+  bool may_have_lines(std::size_t node, const std::vector<double>& passing) const {
+    for (int i = by_node_.first[node]; i < by_node_.first[node + 1]; ++i) {
+      const std::size_t item = at(by_node_.items[at(i)]);
+      if (item >= own_.size() || passing[at(faces_[at(own_[item].face)].face->part)] > 0) return true;
+    }
+    return false;
+  }
+
   /// The sides of all edges of a lower node, by edge and face.
   void list_around(std::size_t node, std::vector<EdgeSide>& sides) const {
     sides.clear();
@@ -256,9 +265,19 @@ inline bool is_blunt_or_feature(EdgeKind kind, const EdgeSide& a, const EdgeSide
   return is_sharp(kind, a, b, contact_limits::blunt);
 }
 
-/// Whether an edge is a line of a curved surface, between whose nodes an edge as long as `passing` can pass.
+/// What edges are longer than that can pass between the nodes of this one.
+inline double find_passing_length(EdgeKind kind, const EdgeSide& a) {
+  namespace limits = contact_limits;
+  return a.length * (kind == EdgeKind::solid ? limits::passing_edges : limits::passing_edges_of_shells);
+}
+
+/// Whether an edge is a line of a flat or convex surface of solids, or of a curved shell, between whose nodes an edge
+/// as long as `passing` can pass.
 inline bool is_passed_line(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, double passing) {
-  return contact_limits::passing_edges * a.length < passing && is_sharp(kind, a, b, contact_limits::curved);
+  namespace limits = contact_limits;
+  if (!(find_passing_length(kind, a) < passing)) return false;
+  return kind == EdgeKind::solid ? dot(a.normal, b.inward) < limits::concave_sine
+                                 : is_sharp(kind, a, b, limits::curved);
 }
 
 }  // namespace percuss

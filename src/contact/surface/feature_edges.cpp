@@ -110,6 +110,7 @@ void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
       const auto [first, last] = std::equal_range(lower_of_faces.begin(), lower_of_faces.end(), lower);
       next = at(last - first);
     }
+    beam.edge.scale = {beam.part, beam.length};
     beam.edge.number = (lower << edge_place_bits) + static_cast<std::int64_t>(next++);
     refuse_crowded_node(next);
     edges.push_back(beam);
@@ -127,13 +128,12 @@ std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, 
 
 /// Edges by lower node, numbered.
 std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const EdgeRule& rule) {
-  const bool has_lines =
-      std::any_of(rule.passing.begin(), rule.passing.end(), [](double length) { return length > 0; });
-  const double least = has_lines ? contact_limits::curved : contact_limits::blunt;
   std::vector<FoundEdge> edges;
   std::vector<EdgeSide> sides;
   for (std::size_t node = 0; node < told.node_count(); ++node) {
-    if (!told.may_have_edges(node, least) && !has_folds(rule.folds, mesh.node_numbers[node])) continue;
+    if (!told.may_have_lines(node, rule.passing) && !told.may_have_edges(node, contact_limits::blunt) &&
+        !has_folds(rule.folds, mesh.node_numbers[node]))
+      continue;
     const std::size_t first_edge = edges.size();
     told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
       visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
@@ -141,6 +141,7 @@ std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, con
         if (bluntness < 0) return;
         edges.push_back(make_edge(a, b));
         edges.back().edge.is_blunt = bluntness;
+        edges.back().edge.scale = {a.part, bluntness == 2 ? find_passing_length(kind, a) : a.length};
       });
     });
     refuse_crowded_node(edges.size() - first_edge);

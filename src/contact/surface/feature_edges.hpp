@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "comm/exchange/unstructured_exchange.hpp"
+#include "kernels/contact/surface/edge_surface.hpp"
 #include "src/mesh/ordering.hpp"
 
 namespace percuss {
@@ -26,6 +27,7 @@ struct EdgeTopology {
   int pieces = 1;              // that search sees, each as a point
   double offset = 0;           // half the thickness of its shells, radius of a beam, 0 of solids [length]
   int is_blunt = 0;            // 1: touches only what has crossed it; 2: likewise, and only features
+  EdgeScale scale{};           // by which features pass between the nodes of lines (is_blunt 2)
 };
 
 /// An edge of the surface by the numbers of its nodes.
@@ -43,8 +45,8 @@ struct FoundEdge {
   double length = 0;             // at time 0
 };
 
-/// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of curved
-/// surfaces between whose nodes a far longer feature edge of another part can pass, and with beams that touch. share:
+/// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of smooth
+/// surfaces between whose nodes a longer feature edge of another part can pass, and with beams that touch. share:
 /// with its faces and beams; folds: edges that have become sharp in the run, of all ranks, ascending. Throws
 /// InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,

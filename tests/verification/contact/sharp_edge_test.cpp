@@ -56,6 +56,25 @@ TEST(SharpEdges, OfBlocksHoldABallBetweenItsNodes) {
   EXPECT_NEAR(run.history.last("c_x"), 0, 1.5e-3);
 }
 
+// The edge of a prism goes down by 0.03 between two rows of nodes of a flat soft face, 0.1 apart. Its ends are beyond
+// the rims, which alone would bend: in the middle the line between the nodes goes down with it.
+TEST(SharpEdges, PressOnTheMiddleOfAFlatFace) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.05}
+parts:
+  low: {box: {size: [0.5, 0.8, 0.2], cells: [5, 8, 2]}, at: [-0.25, -0.4, -0.2], material: m}
+  prism: {box: {size: [0.3, 1.2, 0.3], cells: [1, 1, 1]}, rotate: [{axis: y, angle: -45, center: [0, 0, 0]}], at: [0, -0.6, 0.001], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+conditions:
+  - {nodes: low/z_min, fixed: [x, y, z]}
+  - {nodes: prism, displacement: {x: 0, y: 0, z: {table: [[0, 0], [0.04, -0.031], [0.05, -0.031]]}}}
+contact: {surfaces: all}
+output:
+  history: {every: 1e-3, nodes: [{name: a, near: [-0.05, 0, 0], part: low}, {name: b, near: [0.05, 0, 0], part: low}]}
+)yaml");
+  EXPECT_NEAR(0.5 * (run.history.last("a_z") + run.history.last("b_z")), -0.03, 2e-3);
+}
+
 namespace {
 
 /// What missed_contact says of a body that is moved by 0.05 into a block, over a gap of 0.01, in one step, and out of
