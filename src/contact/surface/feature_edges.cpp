@@ -179,26 +179,44 @@ int count_pieces(double length, double piece) {
   return static_cast<int>(std::clamp(std::ceil(length / piece), 1.0, most));
 }
 
+namespace {
+
+double set_pieces(const std::vector<double>& lengths, double piece, std::vector<EdgeTopology>& edges) {
+  for (std::size_t e = 0; e < edges.size(); ++e) edges[e].pieces = count_pieces(lengths[e], piece);
+  return piece;
+}
+
+}  // namespace
+
 double divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges) {
   // Exact, because it sets what a search lists.
   struct Sums {
-    ExactSum length;
-    std::int64_t count = 0;
+    ExactSum length, of_lines;
+    std::int64_t count = 0, lines = 0;
     void merge(const Sums& other) {
       length.merge(other.length);
+      of_lines.merge(other.of_lines);
       count += other.count;
+      lines += other.lines;
     }
   } sums;
-  for (const double length : lengths) sums.length.add(length);
-  sums.count = static_cast<std::int64_t>(lengths.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const bool is_line = edges[e].is_blunt == 2;
+    (is_line ? sums.of_lines : sums.length).add(lengths[e]);
+    ++(is_line ? sums.lines : sums.count);
+  }
   sums.length.normalize();
+  sums.of_lines.normalize();
   if (ranks.size() > 1) MergeReduction<Sums>()(ranks, sums);
-  if (sums.count == 0) return 0;
-  // Short enough for edges that are not neighbours in a uniform mesh to be no pairs.
-  constexpr double longest = 1.25;  // piece, in mean lengths
-  const double piece = longest * sums.length.round() / static_cast<double>(sums.count);
-  for (std::size_t e = 0; e < edges.size(); ++e) edges[e].pieces = count_pieces(lengths[e], piece);
-  return piece;
+  if (sums.count + sums.lines == 0) return 0;
+  // Short enough for edges that are not neighbours in a uniform mesh to be no pairs. Lines do not cut edges that are
+  // hardly longer; far longer ones would be near too many of them.
+  constexpr double longest = 1.25, longest_of_lines = 2.5;  // piece, in mean lengths
+  const double of_edges = sums.length.round(), of_all = of_edges + sums.of_lines.round();
+  const double piece_of_all = longest * of_all / static_cast<double>(sums.count + sums.lines);
+  if (sums.count == 0 || sums.lines == 0) return set_pieces(lengths, piece_of_all, edges);
+  const double piece = longest * of_edges / static_cast<double>(sums.count);
+  return set_pieces(lengths, std::min(piece, longest_of_lines / longest * piece_of_all), edges);
 }
 
 }  // namespace percuss

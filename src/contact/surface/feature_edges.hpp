@@ -55,8 +55,8 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const Surf
 /// Into how many pieces of at most this length an edge is divided.
 int count_pieces(double length, double piece);
 
-/// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges, which it returns. lengths:
-/// [edges]. Collective.
+/// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges that are no lines of smooth
+/// surfaces (and 2.5 times that of all), which it returns. lengths: [edges]. Collective.
 double divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges);
 
 }  // namespace percuss
