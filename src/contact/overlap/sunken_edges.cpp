@@ -83,6 +83,7 @@ std::vector<BodyShare> list_bodies(const Communicator& ranks, const SurfaceShare
     ++body.faces;
   }
   std::vector<BodyShare> list;
+  list.reserve(own.size());
   for (const auto& [number, body] : own) list.push_back(body);
   return gather_items(ranks, list);
 }
@@ -215,6 +216,7 @@ std::vector<SunkenEdge> find_deepest(const SurfaceShare& share, const SentPoints
     if (best.edge < 0 || found.ratio() > best.ratio()) best = found;
   }
   std::vector<SunkenEdge> list;
+  list.reserve(deepest.size());
   for (const auto& [place, edge] : deepest) list.push_back(edge);
   return list;
 }

@@ -28,7 +28,7 @@ struct SunkenEdges {
 
 /// The feature edges and folds that are inside another body of solids, which they may touch, by more than `least` of an
 /// element. Of shells the distance from their mid-surface is less by half their thickness. Collective.
-SunkenEdges find_sunken_edges(const Communicator& ranks, const SurfaceShare& share, const Rows3<const double>& x,
+SunkenEdges find_sunken_edges(const Communicator& ranks, const SurfaceShare& share, const Rows3<const double>& places,
                               double least);
 
 }  // namespace percuss
