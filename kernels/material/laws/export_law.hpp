@@ -39,14 +39,28 @@ struct ExportedLaw {
   static_assert(has_only_plain_keys(), "constants of a library are numbers, integers, choices, vectors and tables");
   static constexpr auto rows = describe_keys();
 
+  /// Whether a row has this kind of member.
+  template <class Member>
+  static constexpr bool has(Member Key::*member) {
+    for (const Key& key : keys)
+      if (key.*member != nullptr) return true;
+    return false;
+  }
   static void set(const Key& key, const LawValue& value, Constants& constants) {
     if (!value.is_given) return;
     if (key.number != nullptr) constants.*key.number = value.number;
-    if (key.integer != nullptr) constants.*key.integer = static_cast<int>(value.number);
-    if (key.choice != nullptr) constants.*key.choice = value.number != 0;
-    if (key.table != nullptr) constants.*key.table = value.table;
-    if (key.vector != nullptr)
-      for (int k = 0; k < 3; ++k) (constants.*key.vector)[k] = value.vector[k];
+    if constexpr (has(&Key::integer)) {
+      if (key.integer != nullptr) constants.*key.integer = static_cast<int>(value.number);
+    }
+    if constexpr (has(&Key::choice)) {
+      if (key.choice != nullptr) constants.*key.choice = value.number != 0;
+    }
+    if constexpr (has(&Key::table)) {
+      if (key.table != nullptr) constants.*key.table = value.table;
+    }
+    if constexpr (has(&Key::vector)) {
+      for (int k = 0; key.vector != nullptr && k < 3; ++k) (constants.*key.vector)[k] = value.vector[k];
+    }
   }
   static const char* make(const LawValue* values, void* place) {
     Constants constants{};
