@@ -106,6 +106,8 @@ const std::vector<CheckRule>& check_rules() {
       {"tie_distance", check_tie_distance, Needs::mesh},
       {"tie_hinge", check_tie_hinges, Needs::start},
       {"tie_sides", check_tie_sides, Needs::start},
+      {"glue_zone", check_glue_zone, Needs::start},
+      {"glue_step", check_glue_step, Needs::mesh},
       {"contact_tolerance", check_contact_tolerance},
       {"idle_force", check_idle_forces},
       {"end_time", check_end_time, Needs::start},

@@ -134,6 +134,8 @@ std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
 std::vector<Warning> check_tie_hinges(const CheckedScene& scene);
 std::vector<Warning> check_tie_sides(const CheckedScene& scene);
+std::vector<Warning> check_glue_zone(const CheckedScene& scene);
+std::vector<Warning> check_glue_step(const CheckedScene& scene);
 std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
 
 // The steps of parts (step_rules.cpp)

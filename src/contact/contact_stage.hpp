@@ -83,6 +83,13 @@ class ContactStage {
   /// state.
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
+  /// In a step, after apply(): nodes whose glue has failed, by their numbers, the same on all ranks. They let go in
+  /// break_ties().
+  void let_go(const std::vector<std::int64_t>& nodes);
+
+  /// Numbers of the tied nodes that this rank owns, ascending.
+  std::vector<std::int64_t> list_tied_nodes() const;
+
   /// After a step, with x and v of the state: ties whose failure it brought let go, and their surfaces may touch from
   /// now on; of ties that grow, nodes that it brought into contact are tied. Returns whether any did. Collective.
   bool break_ties(Rows3<const double> x, Rows3<const double> v);

@@ -20,6 +20,14 @@ std::vector<Vec3> list_places(const Rows3<const double>& x) {
 
 }  // namespace
 
+void ContactStage::let_go(const std::vector<std::int64_t>& nodes) { impl_->breaking.let_go(nodes); }
+
+std::vector<std::int64_t> ContactStage::list_tied_nodes() const {
+  std::vector<std::int64_t> nodes;
+  for (const TiedNode& tied : impl_->ties.nodes) nodes.push_back(tied.node);
+  return nodes;
+}
+
 Rows3<const double> ContactStage::Impl::place_at_start() const {
   const Rows3<double> x("contact::start", mesh.nodes.size());
   const auto host = Kokkos::create_mirror_view(x);

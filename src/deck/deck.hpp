@@ -418,10 +418,12 @@ struct TieDeck {
   double normal_exponent = 2, shear_exponent = 2;
   bool may_be_empty = false;  // a tie that ties nothing is no error
   Sticks sticks = Sticks::at_start;
+  std::optional<CohesiveDeck> cohesive;  // it is not rigid: forces of glue in place of impulses
   SwitchDeck when{};
   Place place;
 
-  bool can_fail() const { return normal_strength || shear_strength; }
+  bool has_strength() const { return normal_strength || shear_strength; }
+  bool can_fail() const { return has_strength() || cohesive; }
   bool is_late() const { return when.any() || sticks == Sticks::on_contact; }
 };
 
@@ -455,6 +457,9 @@ struct ContactDeck {
   double find_restitution() const { return restitution.value_or(enforcement == Enforcement::penalty ? 1 : 0); }
   bool ties_rotations() const {
     return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.rotations; });
+  }
+  bool has_glue() const {
+    return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.cohesive.has_value(); });
   }
   bool has_failing_ties() const {
     return std::any_of(ties.begin(), ties.end(), [](const TieDeck& tie) { return tie.can_fail(); });

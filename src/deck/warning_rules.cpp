@@ -84,6 +84,8 @@ const std::vector<WarningRule>& warning_rules() {
       {"tie_distance", "tie that reaches beyond an element"},
       {"tie_hinge", "tie that holds one row of shell nodes, without rotations"},
       {"tie_sides", "tie whose nodes a are farther apart than those of the faces b"},
+      {"glue_zone", "cohesive tie whose crack zone is shorter than three elements"},
+      {"glue_step", "cohesive tie whose stiffness lowers the time step"},
       {"contact_tolerance", "contact tolerance that is too loose"},
       {"idle_force", "force of the history that stays 0"},
       {"key_without_effect", "setting that has no effect because of other settings"},

@@ -2,6 +2,7 @@
 
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
+#include "src/step/glue/glue_stage.hpp"
 #include "src/step/loads/condition_stage.hpp"
 #include "src/step/loads/load_stage.hpp"
 #include "src/step/mass/mass_scaler.hpp"
@@ -31,6 +32,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.welds.any()) add(std::make_unique<WeldStage>(model));
   if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
   if (model.springs.any()) add(std::make_unique<SpringStage>(model));
+  if (model.glue.any()) add(std::make_unique<GlueStage>(deck, model, contact));
   add(std::make_unique<LoadStage>(deck, model));
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
   actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact));

@@ -7,7 +7,7 @@ from percuss.results.extremes import find_top
 from .forces import describe_kind, find_force, find_impulse, list_forces
 
 ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "eroded_energy", "contact_stored",
-            "added_energy", "spring_work", "damper_work", "weld_work", "equal_work")
+            "added_energy", "spring_work", "damper_work", "glue_work", "glue_dissipated", "weld_work", "equal_work")
 OF_PARTS = ("kinetic", "internal", "hourglass", "viscous", "folding", "eroded_energy")
 
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "kernels/contact/geometry/contact_limits.hpp"
@@ -51,6 +52,15 @@ std::string find_overlap_path(const CheckedScene& scene, const PartOverlap& pair
   const double a = thickness_of(pair.part), b = thickness_of(pair.other);
   if (!(a > 0) && !(b > 0)) return "parts." + name_part(scene.deck, pair.part);
   return "parts." + name_part(scene.deck, a < b ? pair.other : pair.part) + ".thickness";
+}
+
+/// Parts of both sides of a tie that deform.
+std::vector<std::size_t> find_deforming_sides(const Deck& deck, const TieDeck& tie) {
+  std::vector<std::size_t> parts = find_named_parts(deck, tie.a);
+  const std::vector<std::size_t> others = find_named_parts(deck, tie.b);
+  parts.insert(parts.end(), others.begin(), others.end());
+  std::erase_if(parts, [&](std::size_t p) { return deck.parts[p].rigid.has_value(); });
+  return parts;
 }
 
 }  // namespace
@@ -211,6 +221,68 @@ std::vector<Warning> check_tie_sides(const CheckedScene& scene) {
                             "a; those of b between them stay free, and the stress jumps from one to the next): "
                             "exchange a and b, or match their meshes",
                             tie.a.name, sizes.a / sizes.b, tie.b.name)));
+  }
+  return warnings;
+}
+
+// The zone in which a crack spends its energy has the length M E G / S^2, M = 9 pi / 32 (Rice 1979; Turon et al., Eng.
+// Fracture Mech. 74, 2007, who ask for three elements in it).
+std::vector<Warning> check_glue_zone(const CheckedScene& scene) {
+  constexpr double factor = 0.884, least = 3;  // elements
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.ties->sizes.size(); ++i) {
+    const TieDeck& tie = scene.deck.contact.ties[i];
+    const std::vector<std::size_t> parts =
+        tie.cohesive ? find_deforming_sides(scene.deck, tie) : std::vector<std::size_t>{};
+    const double size = scene.ties->sizes[i].a;
+    if (parts.empty() || !(size > 0)) continue;
+    double modulus = std::numeric_limits<double>::infinity();
+    for (const std::size_t p : parts)
+      modulus = std::min(modulus, find_stiffness(find_material(scene.deck, scene.deck.parts[p])));
+    const CohesiveDeck& glue = *tie.cohesive;
+    const auto find_zone = [&](double energy, double strength) {
+      return factor * modulus * energy / (strength * strength);
+    };
+    const double zone = std::min(find_zone(glue.normal_energy, glue.normal_strength),
+                                 find_zone(glue.shear_energy, glue.shear_strength));
+    if (zone >= least * size) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "glue_zone", join_path("contact.ties", i) + ".cohesive",
+        fmt::format("the crack zone of the cohesive tie of '{}' and '{}' is {:.2g} long, {:.2g} elements of '{}' "
+                    "(a crack needs 3 to begin at the right load): use smaller elements, or lower the strengths "
+                    "and keep the energies",
+                    tie.a.name, tie.b.name, zone, zone / size, tie.a.name)));
+  }
+  return warnings;
+}
+
+// Masses by area of rho h / 2 on either side of the stiffness K: the eigenvalue of glue is K times the sum of the
+// inverse masses, twice for a regular mesh at most; that of an element 4 c^2 / h^2.
+std::vector<Warning> check_glue_step(const CheckedScene& scene) {
+  constexpr double least = 0.5;  // of the step of the elements
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.deck.contact.ties.size(); ++i) {
+    const TieDeck& tie = scene.deck.contact.ties[i];
+    const std::vector<std::size_t> parts =
+        tie.cohesive ? find_deforming_sides(scene.deck, tie) : std::vector<std::size_t>{};
+    if (parts.empty()) continue;
+    double of_elements = 0, inverse_mass = 0;
+    for (const std::size_t p : parts) {
+      const MaterialDeck& material = find_material(scene.deck, scene.deck.parts[p]);
+      const PartMeasures& measures = scene.measures->parts[p];
+      const double h = measures.shell_thickness > 0 ? measures.shell_thickness : measures.shortest_edge;
+      inverse_mass = std::max(inverse_mass, (measures.shell_thickness > 0 ? 1 : 2) / (material.density * h));
+      of_elements = std::max(of_elements, 4 * std::pow(find_wave_speed(material) / measures.shortest_edge, 2));
+    }
+    const double stiffness = std::max(tie.cohesive->normal_stiffness,
+                                      tie.cohesive->shear_stiffness.value_or(tie.cohesive->normal_stiffness));
+    const double of_glue = 2 * inverse_mass * stiffness, share = 1 / std::sqrt(1 + of_glue / of_elements);
+    if (share >= least) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "glue_step", join_path("contact.ties", i) + ".cohesive",
+        fmt::format("the glue of '{}' and '{}' lowers the time step to about {:.1g} of that of their elements (its "
+                    "stiffness is {:.2g}): a stiffness of {:.2g} costs half of the step at most",
+                    tie.a.name, tie.b.name, share, stiffness, stiffness * 3 * of_elements / of_glue)));
   }
   return warnings;
 }

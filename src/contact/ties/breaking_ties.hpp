@@ -31,6 +31,12 @@ class BreakingTies {
   /// step. Returns how many nodes these are, on all ranks. Collective.
   std::int64_t judge(const Array<const double>& uses, double time);
 
+  /// Nodes whose glue has failed in this step, after judge(): numbers, the same on all ranks.
+  void let_go(const std::vector<std::int64_t>& nodes) {
+    failures_.note(nodes);
+    failing_ += static_cast<std::int64_t>(nodes.size());
+  }
+
   /// Whether nodes of judge() wait for release().
   bool are_failing() const { return failing_ > 0; }
   /// Takes these out of the ties of the start. Collective.

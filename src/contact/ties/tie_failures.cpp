@@ -8,21 +8,14 @@
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
-#include "kernels/contact/surface/node_areas.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/number_map.hpp"
+#include "src/contact/ties/tie_areas.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
-#include "src/mesh/surface_nodes.hpp"
 
 namespace percuss {
 namespace {
-
-/// Share of a face in the area of a tied node, on its way to the node's owner.
-struct AreaItem {
-  std::int64_t node = 0, face = 0;  // numbers
-  double area = 0;
-};
 
 /// A node that lets go.
 struct ReleasedNode {
@@ -34,43 +27,13 @@ bool holds(const std::vector<std::int64_t>& ascending, std::int64_t number) {
   return std::binary_search(ascending.begin(), ascending.end(), number);
 }
 
-/// Whether the face before this one is the other side of the same shell.
-bool is_second_side(const Mesh& mesh, const std::vector<ElementFace>& faces, std::size_t f) {
-  return f > 0 && faces[f - 1].element == faces[f].element && mesh.topology_of(at(faces[f].element)).is_surface();
-}
-
-/// Shares of this rank's faces of side a that are tied with all corners: sides of a body at the rim do not count, a
-/// shell counts once.
-void list_shares(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces,
-                 const std::vector<std::int64_t>& tied, std::vector<AreaItem>& items) {
-  const Mesh& mesh = chunked.mesh;
-  const std::vector<std::int64_t> elements = list_element_numbers(chunked);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::array<int, 4> nodes = mesh.elements.face_nodes(faces[f]);
-    Point3 corners[4];
-    std::int64_t numbers[4];
-    bool is_whole = !is_second_side(mesh, faces, f), is_triangle = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3& x = mesh.nodes[at(nodes[i])];
-      corners[i] = {x[0], x[1], x[2]};
-      numbers[i] = mesh.node_numbers[at(nodes[i])];
-      is_whole = is_whole && holds(tied, numbers[i]);
-      is_triangle = is_triangle || nodes[i] == nodes[(i + 1) % 4];
-    }
-    if (!is_whole) continue;
-    const double area = norm(find_corner_area(corners, is_triangle));
-    const std::int64_t number = find_face_number(elements[at(faces[f].element)], faces[f].face);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (nodes[i] != nodes[(i + 1) % 4]) items.push_back({numbers[i], number, area});
-  }
-}
-
 }  // namespace
 
 TieFailures::TieFailures(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                          const std::vector<std::int64_t>& late, const Communicator& ranks)
     : chunked_(chunked), ranks_(ranks) {
   for (const TieDeck& tie : deck.contact.ties) {
+    is_glue_.push_back(tie.cohesive ? 1 : 0);
     law_of_tie_.push_back(tie.can_fail() ? static_cast<int>(laws_.size()) : -1);
     if (!tie.can_fail()) continue;
     laws_.push_back(
@@ -82,30 +45,12 @@ TieFailures::TieFailures(const ChunkedMesh& chunked, const Deck& deck, const Tie
   use(ties);
 }
 
-/// Areas of the nodes, each added up in the order of its faces.
 void TieFailures::sum_areas(const Deck& deck, const TiedSurfaces& ties, const std::vector<std::int64_t>& late) {
-  std::vector<AreaItem> items;
-  for (std::size_t t = 0; t < law_of_tie_.size(); ++t) {
-    if (law_of_tie_[t] >= 0 && !deck.contact.ties[t].is_late())
-      list_shares(chunked_, select_surface_nodes(chunked_.mesh, deck, deck.contact.ties[t].a).faces, ties.known[t],
-                  items);
-  }
-  std::vector<int> owners;
-  owners.reserve(items.size());
-  for (const AreaItem& item : items) owners.push_back(chunked_.numbering.find_node_owner(item.node));
-  items = ItemExchange(ranks_).send(owners, items);
-  std::sort(items.begin(), items.end(),
-            [](const AreaItem& a, const AreaItem& b) { return a.node != b.node ? a.node < b.node : a.face < b.face; });
   std::vector<std::int64_t> of_start;
   for (const TiedNode& tied : ties.nodes)
     if (law_of_tie_[at(tied.tie)] >= 0) of_start.push_back(tied.node);
   std::set_union(of_start.begin(), of_start.end(), late.begin(), late.end(), std::back_inserter(numbers_));
-  for (const std::int64_t number : numbers_) {
-    auto item = std::lower_bound(items.begin(), items.end(), number,
-                                 [](const AreaItem& i, std::int64_t n) { return i.node < n; });
-    areas_.push_back(0);
-    for (; item != items.end() && item->node == number; ++item) areas_.back() += item->area;
-  }
+  areas_ = sum_tie_areas({chunked_, deck, ranks_, chunked_.mesh.nodes}, ties, numbers_);
   has_failed_.assign(numbers_.size(), 0);
 }
 
@@ -121,7 +66,7 @@ void TieFailures::refuse_bare(const Deck& deck, const TiedSurfaces& ties) const 
     const TieDeck& tie = deck.contact.ties[t];
     throw InputError(fmt::format(
         "{}: error: tie of '{}' and '{}' cannot fail by stress ({} of its nodes are on no face of side a that is tied "
-        "with all its corners): tie a surface of whole faces, or leave out failure",
+        "with all its corners): tie a surface of whole faces, or leave out failure and cohesive",
         deck.where(tie.place), tie.a.name, tie.b.name, bare[t]));
   }
 }
@@ -133,6 +78,7 @@ void TieFailures::use(const TiedSurfaces& ties) {
   std::vector<int> law, side;
   std::vector<double> area;
   for (const TiedNode& tied : ties.nodes) {
+    if (is_glue_[at(tied.tie)] != 0) continue;  // it has no row, and judges itself
     in_use_.push_back(tied.node);
     tie_in_use_.push_back(tied.tie);
     side.push_back(tied.side);
@@ -157,6 +103,11 @@ std::vector<std::int64_t> TieFailures::judge(const Array<const double>& use) {
   }
   all_reduce(ranks_, Reduce::sum, counts);
   return counts;
+}
+
+void TieFailures::note(const std::vector<std::int64_t>& nodes) {
+  for (const std::int64_t node : nodes)
+    if (const int n = find_number(numbers_, node); n >= 0) noted_.push_back(at(n));
 }
 
 ReleasedTies TieFailures::release(TiedSurfaces& ties) {

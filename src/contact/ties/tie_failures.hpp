@@ -36,6 +36,8 @@ class TieFailures {
   /// Notes the nodes of the ties in use whose use of their strength has reached 1. Returns how many nodes of each tie
   /// of the deck these are, on all ranks. Collective.
   std::vector<std::int64_t> judge(const Array<const double>& use);
+  /// Notes nodes whose glue has failed, by their numbers; those that other ranks own are passed over.
+  void note(const std::vector<std::int64_t>& nodes);
   /// Takes the nodes noted last out of the ties of the start. Collective.
   ReleasedTies release(TiedSurfaces& ties);
 
@@ -53,6 +55,7 @@ class TieFailures {
   const ChunkedMesh& chunked_;
   const Communicator ranks_;
   std::vector<ConnectionStrength> laws_;  // [failing ties]
+  std::vector<char> is_glue_;             // [ties of the deck]
   std::vector<int> law_of_tie_;           // [ties of the deck] -1: does not fail
   std::vector<std::int64_t> numbers_;     // of the nodes that this rank owns in failing ties, late ones too; ascending
   std::vector<double> areas_;             // [numbers] of those of the start

@@ -56,7 +56,9 @@ TieRows::TieRows(const ContactRanks& ranks, const TiedSurfaces& ties, const Cont
     geometry.push_back(tied.geometry);
     geometry.back().turns = turns;
   };
-  for (const TiedNode& tied : ties.nodes) add(tied, false);
+  const auto is_glued = [&](const TiedNode& tied) { return contact.ties[static_cast<std::size_t>(tied.tie)].cohesive; };
+  for (const TiedNode& tied : ties.nodes)
+    if (!is_glued(tied)) add(tied, false);
   for (const TiedNode& tied : ties.nodes)
     if (contact.ties[static_cast<std::size_t>(tied.tie)].rotations) add(tied, true);
   rows_ = to_view("contact::tie_rows", rows);

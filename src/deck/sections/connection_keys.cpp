@@ -48,9 +48,45 @@ const Keys<TieDeck>& tie_failure_keys() {
 }
 
 bool check_tie_failure(const Reader& reader, const Node& node, TieDeck& tie) {
-  if (tie.can_fail()) return check_strengths(reader, node, tie);
+  if (tie.has_strength()) return check_strengths(reader, node, tie);
   reader.error(node.spot, fmt::format("{} names no strength (must have normal or shear)", reader.self()));
   return false;
+}
+
+const Keys<CohesiveDeck>& cohesive_keys() {
+  using Mix = CohesiveDeck::Mix;
+  static const Keys<CohesiveDeck> keys = {
+      need("normal_stiffness", &CohesiveDeck::normal_stiffness, NumberValue{positive}),
+      may("shear_stiffness", &CohesiveDeck::shear_stiffness, NumberValue{positive}),
+      need("normal_strength", &CohesiveDeck::normal_strength, NumberValue{positive}),
+      need("shear_strength", &CohesiveDeck::shear_strength, NumberValue{positive}),
+      need("normal_energy", &CohesiveDeck::normal_energy, NumberValue{positive}),
+      need("shear_energy", &CohesiveDeck::shear_energy, NumberValue{positive}),
+      may("plateau", &CohesiveDeck::plateau, NumberValue{{"at least 0 and below 1", 0, 1, false, true}}),
+      may("mix", &CohesiveDeck::mix,
+          ChoiceValue<Mix>{{{"benzeggagh_kenane", Mix::benzeggagh_kenane}, {"power_law", Mix::power_law}}}),
+      may("exponent", &CohesiveDeck::exponent, NumberValue{positive}),
+  };
+  return keys;
+}
+
+/// The energy that is left beside a plateau is more than what is stored as damage begins: otherwise tractions would
+/// jump.
+bool check_cohesive(const Reader& reader, const Node& node, CohesiveDeck& glue) {
+  bool good = true;
+  const auto check = [&](const char* key, double energy, double strength, double stiffness) {
+    const double stored = 0.5 * strength * strength / stiffness, least = stored / (1 - glue.plateau);
+    if (energy > least) return;
+    reader.error(
+        node.find(key)->spot,
+        fmt::format("{} is {:g} (must be above {:.4g}, which is stored when the strength is reached): give more "
+                    "stiffness, less strength{} or more energy",
+                    reader.name_of(key), energy, least, glue.plateau > 0 ? ", a smaller plateau" : ""));
+    good = false;
+  };
+  check("normal_energy", glue.normal_energy, glue.normal_strength, glue.normal_stiffness);
+  check("shear_energy", glue.shear_energy, glue.shear_strength, glue.shear_stiffness.value_or(glue.normal_stiffness));
+  return good;
 }
 
 const Keys<TieDeck>& tie_keys() {
@@ -64,13 +100,30 @@ const Keys<TieDeck>& tie_keys() {
       may("sticks", &TieDeck::sticks,
           ChoiceValue<Sticks>{{{"at_start", Sticks::at_start}, {"on_contact", Sticks::on_contact}}}),
       group<TieDeck>("failure", MapValue<TieDeck>{tie_failure_keys, check_tie_failure}),
+      may("cohesive", &TieDeck::cohesive, MapValue<CohesiveDeck>{cohesive_keys, check_cohesive}),
   });
   return keys;
 }
 
-bool note_place(const Reader&, const Node& node, TieDeck& tie) {
+/// Glue begins with the run, holds no rotations and fails by its own law.
+bool check_tie(const Reader& reader, const Node& node, TieDeck& tie) {
   tie.place = node.spot.place;
-  return true;
+  if (!tie.cohesive) return true;
+  bool good = true;
+  const auto refuse = [&](const char* key, bool is_used) {
+    if (!is_used) return;
+    reader.error(node.find(key)->key,
+                 fmt::format("{} is of no use with cohesive{} (glue holds places of nodes, from the "
+                             "start until its law lets go): leave it out",
+                             reader.name_of(key), reader.in()));
+    good = false;
+  };
+  refuse("failure", tie.has_strength());
+  refuse("rotations", tie.rotations);
+  refuse("sticks", tie.sticks == TieDeck::Sticks::on_contact);
+  refuse("from", !tie.when.from.empty());
+  refuse("until", !tie.when.until.empty());
+  return good;
 }
 
 bool is_same(const Selector& a, const Selector& b) { return a.name == b.name && a.inside == b.inside; }
@@ -172,7 +225,7 @@ const Keys<ContactDeck>& contact_keys() {
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       group<ContactDeck>("friction", FrictionValue{}),
-      may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, note_place}}),
+      may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, check_tie}}),
       may("overlap", &ContactDeck::overlap,
           ChoiceValue<Overlap>{
               {{"accept", Overlap::accept}, {"push_out", Overlap::push_out}, {"refuse", Overlap::refuse}}}),
@@ -197,10 +250,12 @@ const Keys<ContactDeck>& contact_keys() {
 
 /// Springs that hold ties as they hold contact would let tied bodies part; ties by impulses beside springs are neither.
 bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact) {
-  if (contact.ties.empty() || contact.enforcement != ContactDeck::Enforcement::penalty) return true;
-  reader.error(
-      node.find("ties")->spot,
-      "ties cannot be held by contact.enforcement: penalty (springs would let them part): use kinematic or lagrange");
+  const bool are_glue = std::all_of(contact.ties.begin(), contact.ties.end(),
+                                    [](const TieDeck& tie) { return tie.cohesive.has_value(); });
+  if (are_glue || contact.enforcement != ContactDeck::Enforcement::penalty) return true;
+  reader.error(node.find("ties")->spot,
+               "ties cannot be held by contact.enforcement: penalty (springs would let them part): use kinematic or "
+               "lagrange, or ties that are cohesive");
   return false;
 }
 

@@ -14,6 +14,7 @@
 #include "src/step/elements/build_chunks.hpp"
 #include "src/step/elements/build_shells.hpp"
 #include "src/step/elements/build_tets.hpp"
+#include "src/step/glue/build_glue.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
@@ -103,6 +104,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   LocalSlots slots = build_pressure_faces(deck, chunked, model);
   build_nodal_loads(deck, chunked, slots, model);
   build_springs(deck, chunked, slots, model);
+  build_glue(deck, chunked, slots, model);
   build_halo(chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);

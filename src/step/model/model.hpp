@@ -31,6 +31,7 @@
 #include "src/deck/switches.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/step/model/glue_model.hpp"
 #include "src/step/model/rigid_model.hpp"
 #include "src/step/model/spring_model.hpp"
 
@@ -177,6 +178,7 @@ struct Model {
   RigidModel rigid;
   SpringModel springs;
   WeldModel welds;
+  GlueModel glue;
   ConstraintModel constraints;
 
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped

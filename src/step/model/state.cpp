@@ -127,6 +127,8 @@ void start_damping(const Model& model, State& s) {
 }
 
 void start_connections(const Model& model, State& s) {
+  s.springs.resize(model.springs.springs.size());
+  s.glue_damage.assign(model.glue.points.size(), 0);
   const auto nodes = static_cast<std::size_t>(model.node_count);
   if (model.ties_rotations) s.tie_moment = Rows3<double>("percuss::tie_moment", nodes);
   if (!model.welds.any() && !model.constraints.any()) return;
@@ -313,7 +315,6 @@ State make_initial_state(const Model& model) {
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
   s.joints.resize(model.rigid.joints.size());
-  s.springs.resize(model.springs.springs.size());
   start_connections(model, s);
   s.gravity = find_gravity(model, s.time);
   s.lives = make_lives(model.failing);

@@ -25,6 +25,9 @@ struct Books {
   ExactSum damping_work;       // of damping in proportion to mass; negative: dissipated
   double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
   double damper_work = 0;      // of all ranks: what their dampers have taken
+  double glue_work = 0;        // of all ranks: what glue has stored and dissipated
+  double glue_dissipated = 0;  // of it, by damage and failure
+  double glue_failed = 0;      // area of glue that has failed
   double weld_work = 0;        // of all ranks: what welds have given; nearly nothing while they hold
   double equal_work = 0;       // of all ranks: what constraints have given; nothing once their nodes move equally
   double added_mass = 0;       // of all ranks: by mass scaling during the run
@@ -96,6 +99,7 @@ struct State {
   std::vector<RigidState> bodies;  // rigid ones
   std::vector<JointState> joints;  // between them
   std::vector<SpringState> springs;
+  std::vector<double> glue_damage;  // [GlueModel::points] at n; 1: failed, or gone with an element
   std::vector<WeldState> welds;
   std::vector<ConstraintState> constraints;
   // Of the last step on their nodes, of constraints too; empty without any; scratch of the step.

@@ -78,8 +78,13 @@ MotionTotals MotionSums::find(const State& state, double dt_mean) {
   std::array<ExactSum, 6> all{sums[0], sums[1], sums[2], sum_stored(state), sums[3], sums[4]};
   sum_over_ranks(model_.ranks, all);
   const MotionTotals of_bodies = sum_bodies(state);
-  return {all[0].round() + of_bodies.kinetic,       all[1].round(), all[2].round() + of_bodies.inertia,
-          all[3].round() + state.books.spring_work, all[4].round(), all[5].round() + of_bodies.moving_inertia};
+  const double stored = all[3].round() + state.books.spring_work + state.books.glue_work;
+  return {all[0].round() + of_bodies.kinetic,
+          all[1].round(),
+          all[2].round() + of_bodies.inertia,
+          stored,
+          all[4].round(),
+          all[5].round() + of_bodies.moving_inertia};
 }
 
 }  // namespace percuss

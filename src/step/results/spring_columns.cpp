@@ -45,6 +45,20 @@ void append_springs(const SpringModel& springs, const State& state, std::vector<
   }
 }
 
+std::vector<HistoryColumn> list_glue_columns(const GlueModel& glue) {
+  if (!glue.any()) return {};
+  return {{"glue_work", dimensions::energy, "energy of cohesive ties, part of internal"},
+          {"glue_dissipated", dimensions::energy, "energy dissipated by cohesive ties, part of glue_work"},
+          {"glue_failed", dimensions::area, "failed area of cohesive ties"}};
+}
+
+void append_glue(const GlueModel& glue, const State& state, std::vector<double>& row) {
+  if (!glue.any()) return;
+  row.push_back(state.books.glue_work);
+  row.push_back(state.books.glue_dissipated);
+  row.push_back(state.books.glue_failed);
+}
+
 std::vector<HistoryColumn> list_weld_columns(const WeldModel& welds) {
   if (!welds.any()) return {};
   std::vector<HistoryColumn> columns = {

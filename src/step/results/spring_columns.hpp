@@ -1,5 +1,5 @@
 #pragma once
-// The columns of history.csv of springs, of welds and of constraints.
+// The columns of history.csv of springs, glue, welds and constraints.
 
 #include <vector>
 
@@ -14,6 +14,12 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 
 /// Appends the values of those columns to a row.
 void append_springs(const SpringModel& springs, const State& state, std::vector<double>& row);
+
+/// Energy of all glue, what of it is dissipated, and the area that has failed; none without glue.
+std::vector<HistoryColumn> list_glue_columns(const GlueModel& glue);
+
+/// The values of these columns.
+void append_glue(const GlueModel& glue, const State& state, std::vector<double>& row);
 
 /// Work of all welds, how many have failed, then "weld_normal:NAME" and "weld_shear:NAME", weld after weld, of those
 /// with Weld::has_columns; none without welds.

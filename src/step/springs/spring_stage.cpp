@@ -4,38 +4,17 @@
 
 #include <algorithm>
 
-#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/springs/gathered_rows.hpp"
+#include "src/step/springs/node_mobility.hpp"
 
 namespace percuss {
-namespace {
-
-/// Body of each node at which springs end, from its owner.
-std::vector<int> share_bodies(const Model& model) {
-  std::vector<int> bodies(model.springs.nodes.size(), -1);
-  if (!model.rigid.any()) return bodies;
-  const auto nodes = to_host(model.springs.owned_node), places = to_host(model.springs.owned_place),
-             body_of_node = to_host(model.rigid.body_of_node);
-  for (std::size_t i = 0; i < nodes.extent(0); ++i) bodies[at(places(i))] = body_of_node(nodes(i));
-  all_reduce(model.ranks, Reduce::largest, bodies);
-  return bodies;
-}
-
-/// Bound on the speed that a unit impulse on a node of a body gives to the node.
-double bound_mobility(const RigidBody& body, const RigidState& state, const Vector3<double>& place) {
-  const bool is_fixed = body.always_holds(0) && body.always_holds(1) && body.always_holds(2);
-  const Vector3<double> arm = place - state.center;
-  return (is_fixed ? 0 : 1 / body.mass) + dot(arm, arm) * trace(find_free_inverse(body, state));
-}
-
-}  // namespace
-
 SpringStage::SpringStage(const Model& model)
     : model_(model),
-      body_of_node_(share_bodies(model)),
+      body_of_node_(
+          share_bodies(model, model.springs.nodes.size(), model.springs.owned_node, model.springs.owned_place)),
       rows_(model.springs.nodes.size() * NodeRow::count),
       own_rows_("percuss::spring_rows", model.springs.owned_node.extent(0), NodeRow::count),
       own_forces_("percuss::spring_forces", model.springs.owned_node.extent(0)) {}
@@ -134,12 +113,9 @@ void SpringStage::add_forces(State& state, double /*time*/) {
 /// By node: the largest inverse mass in a direction, or the mobility of its rigid body there.
 std::vector<double> SpringStage::find_mobilities(const State& state) const {
   std::vector<double> mobilities;
-  for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
-    const int body = body_of_node_[n];
+  for (std::size_t n = 0; n < body_of_node_.size(); ++n)
     mobilities.push_back(
-        body < 0 ? std::max(value(n, NodeRow::mobility), 0.0)
-                 : bound_mobility(model_.rigid.bodies[at(body)], state.bodies[at(body)], vector(n, NodeRow::place)));
-  }
+        find_mobility(model_, state, body_of_node_[n], {vector(n, NodeRow::place), value(n, NodeRow::mobility)}));
   return mobilities;
 }
 

@@ -55,6 +55,24 @@ def slides(friction: float) -> list:
     return [(ratio, LAST, -friction, 3e-2)]
 
 
+QUADS = "*DAMAGE INITIATION, CRITERION=QUADS\n30., 50., 50.\n"
+ENERGIES = "*DAMAGE EVOLUTION, TYPE=ENERGY, MIXED MODE BEHAVIOR={}, POWER={}\n0.3, 0.9, 0.9\n"
+ORIGINAL = "*COHESIVE BEHAVIOR, ELIGIBILITY=ORIGINAL CONTACTS, TYPE=UNCOUPLED\n2e4, 2e4, 2e4\n"
+
+
+def bonded(bonds: str, vx: float, vz: float) -> str:
+    """b is drawn off a, to which it is bonded."""
+    between = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\nsb, sa, i\n"
+    moves = f"*BOUNDARY\nna, 1, 3\nnb, 2, 2\n*BOUNDARY, TYPE=VELOCITY\nnb, 1, 1, {vx!r}\nnb, 3, 3, {vz!r}\n"
+    return abaqus(two(0.0).replace("*FRICTION\n0.3,\n", bonds), end=1e-3, step=between + moves)
+
+
+def bond_energy(vx: float, vz: float, bk: float = 0.0, power: float = 0.0) -> float:
+    """Times 100 mm^2, of equal stiffnesses."""
+    share = vx**2 / (vx**2 + vz**2)
+    return 100 * (0.3 + 0.6 * share**bk if bk else ((1 - share) ** power / 0.3**power + (share / 0.9) ** power) ** (-1 / power))
+
+
 MISSED = [("momentum_z:B", LAST, -2000.0 * CUBE_MASS, 1e-9)]
 GENERAL = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n , , i\n"
 PAIR = "*CONTACT PAIR, INTERACTION=i\nsb, sa\n"
@@ -154,6 +172,18 @@ PROOFS = [
     Proof("CONTACT EXCLUSIONS", sliding(GENERAL + "*CONTACT EXCLUSIONS\nsa, sb\n"), refused="not whole parts"),
     Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 0.5\n"), refused="in contact"),
     Proof("SURFACE PROPERTY ASSIGNMENT: PROPERTY", sliding(GENERAL + "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n , ORIGINAL, 1.\n"), slides(0.3), "the thickness as it is"),
+    Proof("COHESIVE BEHAVIOR: ELIGIBILITY TYPE; DAMAGE INITIATION: CRITERION; DAMAGE EVOLUTION: TYPE MIXED_MODE_BEHAVIOR POWER",
+          bonded(ORIGINAL + QUADS + ENERGIES.format("BK", 1.7), 40.0, 30.0), [("glue_work", LAST, bond_energy(4.0, 3.0, bk=1.7), 2e-3)],
+          "two cubes are drawn apart: the energy of the mix by Benzeggagh and Kenane, times 100 mm^2"),
+    Proof("COHESIVE BEHAVIOR; DAMAGE EVOLUTION: MIXED_MODE_BEHAVIOR POWER", bonded(ORIGINAL + QUADS + ENERGIES.format("POWER LAW", 2.0), 40.0, 30.0),
+          [("glue_work", LAST, bond_energy(4.0, 3.0, power=2.0), 2e-3)], "likewise by the power law"),
+    Proof("COHESIVE BEHAVIOR", bonded(ORIGINAL + QUADS + "*DAMAGE EVOLUTION, TYPE=ENERGY\n0.3,\n", 40.0, 30.0), [("glue_work", LAST, 30.0, 2e-3)], "one energy of all mixes"),
+    Proof("COHESIVE BEHAVIOR: ELIGIBILITY", bonded(ORIGINAL.replace("ELIGIBILITY=ORIGINAL CONTACTS, ", "") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="come into contact later"),
+    Proof("COHESIVE BEHAVIOR: REPEATED_CONTACTS", bonded(ORIGINAL.replace("TYPE=UNCOUPLED", "REPEATED CONTACTS") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="heal at every contact"),
+    Proof("COHESIVE BEHAVIOR: TYPE", bonded(ORIGINAL.replace("UNCOUPLED", "COUPLED") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="TYPE=COUPLED"),
+    Proof("COHESIVE BEHAVIOR", bonded("*COHESIVE BEHAVIOR, ELIGIBILITY=ORIGINAL CONTACTS\n" + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="stiffness of the penalty method"),
+    Proof("COHESIVE BEHAVIOR", bonded(ORIGINAL.replace("2e4, 2e4, 2e4", "2e4, 1e4, 1e4") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="stiffnesses in tension and shear differ"),
+    Proof("COHESIVE BEHAVIOR; DAMAGE INITIATION: CRITERION", bonded(ORIGINAL + QUADS.replace("QUADS", "MAXS") + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="by the criterion MAXS"),
     Proof("FRICTION: TAUMAX", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, TAUMAX=3.\n0.1,\n"), refused="TAUMAX"),
     Proof("FRICTION: EXPONENTIAL_DECAY", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 1.\n"), refused="EXPONENTIAL DECAY"),
     Proof("FRICTION", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION\n0.3, 0.\n0.1, 5.\n"), refused="depends on speed"),

@@ -63,6 +63,27 @@ def fallen(options):
     return deck(floor, cube_above, contact, pull, end=6e-5, rows=600)
 
 
+GLUE_AREA, GLUE_N, GLUE_S, CN, CT2CN = 100.0, 0.3, 0.9, 2e4, 0.5
+
+
+def glued(options, vx, vz):
+    """A rigid cube is moved off a held one that it is glued to, 0.05 mm at most."""
+    floor = hexahedron(1, 1, (-5.0, -5.0, 0.0), (20.0, 20.0, 10.0)) + part() + solid_section() + rigid(1, 1, 7, 7)
+    moves = "".join(f"*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,{dof},0,{curve},1.0\n*DEFINE_CURVE\n{curve}\n0,{v!r}\n1.0,{v!r}\n"
+                    for dof, curve, v in ((1, 7, vx), (3, 8, vz)))  # fmt: skip
+    contact = f"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n{options}\n"
+    return deck(floor, hexahedron(2, 11, (0.0, 0.0, 10.0), of=2) + part(2, 1, 2) + rigid(2, 1, 0, 7), moves, contact, "*CONTROL_TIMESTEP\n0,0.9,0,0,0,9\n*DEFINE_CURVE\n9\n0,2e-8\n1.0,2e-8\n", end=1e-5, rows=200)
+
+
+def glue_energy(vx, vz, bk=0.0, power=0.0):
+    """Of the glue of glued(), by Benzeggagh and Kenane or by the power law."""
+    normal, shear = CN * vz**2, CT2CN * CN * vx**2
+    share = shear / (normal + shear)
+    if bk:
+        return GLUE_AREA * (GLUE_N + (GLUE_S - GLUE_N) * share**bk)
+    return GLUE_AREA * ((1 - share) ** power / GLUE_N**power + (share / GLUE_S) ** power) ** (-1 / power)
+
+
 def release_time(history):
     """When the last tie lets go; 0: none does."""
     return next((time for time, count in zip(history["time"], history["failed_ties"]) if count > 3), 0.0)
@@ -84,6 +105,7 @@ WELDED = deck(square(), part(), shell_section(), elastic(), node_set(1, 1, 2, 3,
               "*LOAD_NODE_POINT\n15,1,7,10.0\n*DEFINE_CURVE\n7\n0,1.0\n1.0,1.0\n*DATABASE_HISTORY_NODE\n15\n", "{}", end=1.5e-3, rows=300)  # fmt: skip
 
 
+GLUE = "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN"
 BORN = [(friction, LAST, -0.3, 5e-2), (untouched(1.45e-5), LAST, 0.0, 1e-9 * 1000.0 * CUBE_MASS)]
 PASSED = [("momentum_z", LAST, -1000.0 * CUBE_MASS, 1e-6)]
 HALF = 100.0 * CUBE_MASS / 2
@@ -204,7 +226,14 @@ PROOFS = FAMILIES + [
           "it holds"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS",
           tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,90.0,90.0\n"), [("momentum_z", MIN, -HALF, 5e-2)], "it holds"),
-    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,90.0,90.0\n"), refused="ties that fail by the rule of OPTION 9"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", tied("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n7,90.0,90.0\n"), refused="ties that fail by the rule of OPTION 7"),
+    Proof(GLUE, glued(f"9,30.0,50.0,-1.7,{GLUE_N},{GLUE_S},{CT2CN},{CN}", 4000.0, 3000.0), [("glue_work", LAST, glue_energy(4.0, 3.0, bk=1.7), 2e-3)],
+          "two rigid cubes are drawn apart: the energy of the mix by Benzeggagh and Kenane, times 100 mm^2"),
+    Proof(GLUE, glued(f"11,30.0,50.0,2.0,{GLUE_N},{GLUE_S},{CT2CN},{CN}", 4000.0, 3000.0), [("glue_work", LAST, glue_energy(4.0, 3.0, power=2.0), 2e-3)],
+          "likewise by the power law"),
+    Proof(GLUE, glued(f"9,30.0,50.0,1.0,{GLUE_N},{GLUE_S},0,{CN}", 0.0, 5000.0), [("glue_work", LAST, GLUE_AREA * GLUE_N, 2e-3)], "opening alone"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: CN", glued("9,30.0,50.0,1.0,0.3,0.9", 0.0, 5000.0), refused="OPTION 9 without CN"),
+    Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: ERATEN", glued("9,30.0,50.0,1.0,-3,0.9,0,2e4", 0.0, 5000.0), refused="OPTION 9 with ERATEN that is not positive"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", fallen("1,2.0,2.0"),
           [("momentum_z", LAST, 0.0, 1e-9)], "a cube that has fallen on a floor is held against 400 N: with OPTION 1 it never lets go"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION NFLS SFLS", fallen("3,2.0,90.0"),

@@ -6,6 +6,7 @@ from ..fields import clip
 from ..ledger import BadInput, Place
 from ..model import Deck
 from .deck import AbaqusDeck
+from .glue import refuse_glue
 from .lines import Block
 from .surfaces import is_profile
 
@@ -60,6 +61,7 @@ def read_contact_pair(deck: AbaqusDeck, block: Block) -> None:
     if not block.option("INTERACTION"):
         raise BadInput(block.place, "*CONTACT PAIR has no INTERACTION (it says how the surfaces touch): add the name of a *SURFACE INTERACTION")
     friction = deck.friction(block.option("INTERACTION"), block.place)
+    refuse_glue(deck, block.option("INTERACTION"), block.place)
     for line in block.lines:
         add_pair(deck, block, line, friction)
 

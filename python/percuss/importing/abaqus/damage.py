@@ -56,6 +56,9 @@ def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, starts: list[Block], 
     if not ends:
         deck.ledger.ignored("DAMAGE INITIATION", start.place, "without *DAMAGE EVOLUTION it is output alone")
         return
+    if any(end.option("MIXED MODE BEHAVIOR") or end.option("POWER") for end in ends):
+        deck.ledger.refuse("DAMAGE EVOLUTION.MIXED MODE BEHAVIOR", start.place, "damage of a material by a mix of modes", NEVER_FAILS)
+        return
     kinds = {"DUCTILE": lambda: read_strains(deck, start, 1.0), "JOHNSON COOK": lambda: read_johnson(start)}
     kind = start.option("CRITERION")
     if kind == "HASHIN" and len(starts) == 1:

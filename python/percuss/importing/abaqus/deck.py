@@ -81,6 +81,7 @@ class AbaqusDeck:
         self.load_writers: dict[tuple, Callable] = {}
         self.transformed: set[int] = set()  # nodes of *TRANSFORM
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
+        self.glues: dict[str, list[Block]] = {}  # likewise, of bonds
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
         self.body_velocities: dict[int, list[float]] = {}  # of reference nodes: of translation, and of rotation
         self.temperatures: dict[int, float] = {}  # likewise

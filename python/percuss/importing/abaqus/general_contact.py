@@ -4,6 +4,7 @@ from itertools import combinations_with_replacement
 
 from ..ledger import BadInput, Place
 from ..model import Deck
+from . import glue
 from .contact import add_pair, end_pair, name_side
 from .deck import AbaqusDeck, General
 from .lines import Block
@@ -89,6 +90,7 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
         if not any(line[1]):
             continue
         friction = deck.friction(block.text(line, 2), place)
+        glue.add_glue(deck, block, (block.text(line, 0), block.text(line, 1)), block.text(line, 2), place)
         if not block.text(line, 0) and not block.text(line, 1):
             change_friction(deck, block, friction)
             deck.ledger.translated(block.keyword, place, "contact.friction")

@@ -222,6 +222,13 @@ class Reader:
             self.deck.ledger.refuse("FRICTION.table", block.place, "friction that depends on speed, pressure or temperature", "the first coefficient is used")
         self.deck.ledger.translated("FRICTION", block.place, "friction of contact")
 
+    def glue(self, block: Block) -> None:
+        """Of the surface interaction before it."""
+        if self.interaction:
+            self.deck.glues.setdefault(self.interaction.upper(), []).append(block)
+        else:
+            self.refuse(block)
+
     def amplitude(self, block: Block) -> None:
         if not block.option("NAME"):
             raise BadInput(block.place, "*AMPLITUDE has no name: add NAME=")
@@ -293,6 +300,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
     "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
+    **dict.fromkeys(("COHESIVE BEHAVIOR", "DAMAGE INITIATION", "DAMAGE EVOLUTION"), Reader.glue),
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, heat.CONDUCTING: Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
     "RESTART": Reader.restart, "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip

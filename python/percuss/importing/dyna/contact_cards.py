@@ -52,6 +52,7 @@ SCALE_OF = {
 }
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
 TURNS = ("TIED_SHELL_EDGE", "SPOTWELD")  # ties that hold rotations, too
+GLUES = {9, 11}  # OPTION of a tie with a traction-separation law
 STICKS = {1, 3}  # OPTION of a tie: nodes that come into contact later stick too; with 1 they never let go
 INSTEAD = "it is left out"
 BY_TABLE = -9999  # DT: BT is a curve of births and deaths
@@ -174,6 +175,12 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
     breaks = family.startswith("TIEBREAK") or "TIEBREAK" in options or "FAILURE" in options
     if kind == TRANSDUCER:
         transduce(deck, contact)
+    elif find_option(contact) in GLUES:
+        problem = find_glue_fault(deck, contact)
+        if not problem and "ONLY" not in options:
+            add_pairs(deck, contact, False, options)
+        if not problem or deck.ledger.refuse(name, contact.place, problem, "it is a tie that does not fail"):
+            tie(deck, contact, is_glue=not problem)
     elif find_strengths(contact) or find_option(contact) == 1:
         if "ONLY" not in options or find_option(contact) in STICKS:  # contact goes on where the tie has failed, or is not yet
             add_pairs(deck, contact, False, options)
@@ -427,6 +434,36 @@ def find_strengths(contact: Contact) -> Deck:
     return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
 
 
+def find_glue(contact: Contact) -> Deck:
+    """OPTION 9 and 11: the law of *MAT_138 between the surfaces."""
+    assert contact.failure is not None
+    row = contact.failure
+    stiffness, ratio, power = row.number("CN"), row.number("CT2CN") or 1.0, row.number("PARAM")
+    return {
+        "normal_stiffness": stiffness, "shear_stiffness": ratio * stiffness, "normal_strength": row.number("NFLS"), "shear_strength": row.number("SFLS"),
+        "normal_energy": row.number("ERATEN"), "shear_energy": row.number("ERATES"), "mix": "power_law" if power > 0 else "benzeggagh_kenane",
+        "exponent": abs(power),
+    }  # fmt: skip
+
+
+def find_glue_fault(deck: KeywordDeck, contact: Contact) -> str:
+    """What of a law of glue percuss lacks; empty: nothing."""
+    option, glue = f"OPTION {find_option(contact)}", find_glue(contact)
+    if find_times(deck, contact):
+        return f"{option}: glue with BT or DT"
+    if glue["normal_stiffness"] <= 0:
+        return f"{option} without CN: glue with the stiffness of the penalty method"
+    if glue["exponent"] == 0:
+        return f"{option} without PARAM: glue without a law of the mix"
+    missing = [key for key in ("NFLS", "SFLS", "ERATEN", "ERATES", "CT2CN") if contact.failure and contact.failure.number(key) < (0.0 if key == "CT2CN" else 1e-300)]
+    if missing:
+        return f"{option} with {missing[0]} that is not positive: glue whose values are curves, or none"
+    for of in ("normal", "shear"):
+        if glue[f"{of}_energy"] <= 0.5 * glue[f"{of}_strength"] ** 2 / glue[f"{of}_stiffness"]:
+            return f"{option}: glue that has stored more than its energy in {of} direction when it reaches its strength"
+    return ""
+
+
 def nodes_of_side(deck: KeywordDeck, contact: Contact, side: str = "S") -> set[int]:
     """Nodes of a side of a tie."""
     id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
@@ -446,7 +483,7 @@ def tied_name(deck: KeywordDeck, contact: Contact) -> str | None:
     return side_name(deck, contact, "S", for_tie=True)
 
 
-def tie(deck: KeywordDeck, contact: Contact) -> None:
+def tie(deck: KeywordDeck, contact: Contact, is_glue: bool = False) -> None:
     a, b = tied_name(deck, contact), side_name(deck, contact, "M")
     thicknesses = contact.scale.numbers("SST", "MST")
     contact.law.skip("FS", "FD")
@@ -454,7 +491,7 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     strengths = find_strengths(contact)
     if option == 1 and contact.failure:
         contact.failure.skip("NFLS", "SFLS")
-    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths or option == 1 else None):
+    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths or is_glue or option == 1 else None):
         if row is not None:
             row.finish(deck.ledger)
     if not a or not b:
@@ -468,6 +505,8 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
         entry["rotations"] = True
     if strengths:
         entry["failure"] = strengths
+    if is_glue:
+        entry["cohesive"] = find_glue(contact)
     if option in STICKS:
         entry["sticks"] = "on_contact"
     if deck.ledger.allows("CONTACT_TIED.empty"):  # found by the run, which knows the reach

@@ -12,7 +12,7 @@ POWERS = {
     "none": (0, 0, 0), "mass": (1, 0, 0), "length": (0, 1, 0), "time": (0, 0, 1), "rate": (0, 0, -1), "speed": (0, 1, -1), "acceleration": (0, 1, -2),
     "density": (1, -3, 0), "stress": (1, -1, -2), "stress2": (2, -2, -4), "force": (1, 1, -2), "moment": (1, 2, -2), "stiffness": (1, 0, -2),
     "damping": (1, 0, -1), "inertia": (1, 2, 0), "area": (0, 2, 0), "area2": (0, 4, 0), "heat": (0, 2, -2), "viscosity": (1, -1, -1),
-    "per_area": (1, -2, 0), "per_length": (1, -1, 0), "rate_of_angle": (0, 0, -1), "angular_acceleration": (0, 0, -2),
+    "per_area": (1, -2, 0), "foundation": (1, -2, -2), "per_length": (1, -1, 0), "rate_of_angle": (0, 0, -1), "angular_acceleration": (0, 0, -2),
 }  # fmt: skip
 METAL = "density: RO; stress: E SIGY ETAN"
 BODY = "length: XC YC ZC XL YL ZL XLIP YLIP ZLIP; mass: TM; inertia: IXX IXY IXZ IYY IYZ IZZ; speed: VTX VTY VTZ; rate: VRX VRY VRZ"
@@ -56,7 +56,7 @@ FIELDS: dict[str, str] = {
     "LOAD_GRAVITY_PART": "acceleration: ACCEL", "LOAD_SEGMENT": "time: AT", "LOAD_SHELL": "time: AT",
     "DAMPING_GLOBAL": "rate: VALDMP", "DAMPING_PART_STIFFNESS": "time: COEF",
     "RIGIDWALL_PLANAR": WALL, "RIGIDWALL_GEOMETRIC": WALL,
-    "CONTACT": "time: BT DT; length: SST MST; stress: VC NFLS SFLS",
+    "CONTACT": "time: BT DT; length: SST MST; stress: VC NFLS SFLS; stiffness: ERATEN ERATES; foundation: CN",
     "MAT_ELASTIC": METAL, "MAT_RIGID": METAL, "MAT_PLASTIC_KINEMATIC": METAL + "; rate: SRC",
     "MAT_ELASTIC_FLUID": METAL + " K CP", "MAT_NULL": "density: RO; stress: PC; viscosity: MU", "MAT_VISCOELASTIC": "density: RO; stress: BULK G0 GI; rate: BETA",
     "MAT_BLATZ-KO_RUBBER": "density: RO; stress: G", "MAT_MOONEY-RIVLIN_RUBBER": "density: RO; stress: A B", "MAT_ARRUDA_BOYCE": "density: RO; stress: K G",

@@ -1,0 +1,14 @@
+#pragma once
+// The glue of a scene: which node is glued to which face, by the ties of the deck that are cohesive.
+
+#include "src/deck/deck.hpp"
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/model.hpp"
+
+namespace percuss {
+
+/// Builds Model::glue, with slots after all others. Throws InputError, on all ranks, as find_ties() does, for too many
+/// nodes, and for nodes in the middle of a shell. Collective.
+void build_glue(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
+
+}  // namespace percuss

@@ -1,0 +1,61 @@
+#pragma once
+// The glue of a step: separations, damage, forces into the slots, work, and what they leave of the step.
+//
+// Every rank computes all glue, from places that the owners of its nodes send to all.
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/contact/geometry/glue_geometry.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/deck/deck.hpp"
+#include "src/step/model/action.hpp"
+
+namespace percuss {
+
+class GlueStage : public Action {
+ public:
+  /// Collective over the model's ranks. All outlive this. contact: is told which nodes let go.
+  GlueStage(const Deck& deck, const Model& model, ContactStage& contact);
+
+  void advance(State& state, double dt) override;
+  void drop_vanished(State& state) override;
+  bool adds_forces() const override { return true; }
+  void add_forces(State& state, double time) override;
+  void limit_step(const State& state, StepBound& bound) const override;
+  void archive(CheckpointArchive& archive, State& state) override;
+  void resume(const State& state) override;
+  std::vector<Warning> take_warnings() override;
+
+ private:
+  /// What the owner of a node tells.
+  struct NodeRow {
+    enum : std::size_t { place, mobility = place + 3, count };
+  };
+
+  double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
+  Point3 place_of(int node) const;
+  Separation find_separation_of(const GluePoint& point) const;
+  void gather(const State& state);
+  void pull(const std::vector<double>& damage_before);
+  double find_work() const;
+  void book(State& state, const std::vector<double>& damage_before, const std::vector<CohesivePoint>& before);
+  void let_go(const State& state, const std::vector<double>& damage_before);
+  std::vector<double> find_mobilities(const State& state) const;
+
+  const Deck& deck_;
+  const Model& model_;
+  ContactStage& contact_;
+  std::vector<int> body_of_node_;      // [GlueModel::nodes] rigid; -1: none
+  std::vector<double> rows_;           // [GlueModel::nodes][NodeRow::count] of the last gather()
+  std::vector<Point3> moves_;          // [GlueModel::nodes] between the last two
+  std::vector<CohesivePoint> points_;  // [GlueModel::points] at n
+  std::vector<GlueShares> shares_;     // [GlueModel::points] at n
+  std::vector<Point3> forces_;         // [GlueModel::nodes] at n
+  std::vector<Point3> forces_before_;  // at n-1
+  std::vector<Warning> warnings_;
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+  Rows3<double> own_forces_;
+};
+
+}  // namespace percuss
