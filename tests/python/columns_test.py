@@ -42,6 +42,7 @@ time: {end: 1, max_steps: 2}
 parts:
   a: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, material: metal}
   b: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, at: [0, 0, 2], material: hard}
+  c: {box: {size: [1, 1, 1], cells: [1, 2, 1]}, at: [0, 0, 3.1], material: hard}
 materials:
   metal: {model: johnson_cook, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, a: 1e7, b: 1e7, n: 1, c: 0.01, m: 1,
           specific_heat: 400, melt_temperature: 1000, equation_of_state: {kind: mie_grueneisen, sound_speed: 1000, slope: 1.5, grueneisen: 2}}
@@ -51,7 +52,9 @@ conditions: [{nodes: b/z_max, fixed: [x, y, z]}]
 contact:
   surfaces: [[a, b], [b, b]]
   enforcement: lagrange
-  ties: [{a: b/z_min, b: a/z_max, distance: 1.1, failure: {normal: 1e12}}]
+  ties:
+    - {a: b/z_min, b: a/z_max, distance: 1.1, failure: {normal: 1e12}}
+    - {a: c/z_min, b: b/z_max, distance: 0.2, cohesive: {normal_stiffness: 1e9, normal_strength: 1e6, shear_strength: 1e6, normal_energy: 1e6, shear_energy: 1e6}}
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
 welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
@@ -170,7 +173,8 @@ class Columns(unittest.TestCase):
 
     def test_every_row_is_of_a_column(self):
         written = {generalise(name) for history in self.histories for name in history}
-        self.assertEqual(sorted(set(self.page) - written), [])
+        of_libraries = {"NAME_state_1", "NAME_state_2"}  # build_law_test has them
+        self.assertEqual(sorted(set(self.page) - written - of_libraries), [])
 
     def test_every_column_has_words_that_no_other_has(self):
         for history in self.histories:

@@ -365,22 +365,22 @@ std::vector<SuspiciousDeck> contact_decks() {
         {"cells: [5, 5]", "cells: [8, 8]"}}},
       {"GlueWhoseCrackZoneIsShort",
        "glue_zone",
-       "normal_stiffness",
+       "cohesive: {",
        {{surfaces,
          "contact: {surfaces: all, ties: [{a: sheet, b: plate/z_min, distance: 0.0035, cohesive: {normal_stiffness: "
-         "1e13, normal_strength: 60e6, shear_strength: 60e6, normal_energy: 400, shear_energy: 400}]}"}},
+         "1e13, normal_strength: 60e6, shear_strength: 60e6, normal_energy: 400, shear_energy: 400}}]}"}},
        {{surfaces,
          "contact: {surfaces: all, ties: [{a: sheet, b: plate/z_min, distance: 0.0035, cohesive: {normal_stiffness: "
-         "1e13, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}]}"}}},
+         "1e13, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}}]}"}}},
       {"GlueThatIsTooStiff",
        "glue_step",
-       "normal_stiffness",
+       "cohesive: {",
        {{surfaces,
          "contact: {surfaces: all, ties: [{a: sheet, b: plate/z_min, distance: 0.0035, cohesive: {normal_stiffness: "
-         "1e17, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}]}"}},
+         "1e17, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}}]}"}},
        {{surfaces,
          "contact: {surfaces: all, ties: [{a: sheet, b: plate/z_min, distance: 0.0035, cohesive: {normal_stiffness: "
-         "1e13, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}]}"}}},
+         "1e13, normal_strength: 6e6, shear_strength: 6e6, normal_energy: 400, shear_energy: 400}}]}"}}},
       {"CoarseSideThatIsTiedToARigidOne",
        "tie_sides",
        "a: plate/z_min, b: sheet",

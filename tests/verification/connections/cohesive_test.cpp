@@ -91,8 +91,8 @@ TEST(Cohesive, UnloadsToTheOriginAndIsWholeInCompression) {
                secant = find_traction(farthest, normal_stiffness, normal_strength, normal_energy) / farthest;
   const auto force_at = [&](double time) { return -history.at(time, "fz:held") / area; };
   EXPECT_NEAR(force_at(4.5e-5), secant * 4.5e-6, 0.02 * secant * farthest);  // a step is 0.0033 of the way
-  EXPECT_NEAR(force_at(7e-5), -normal_stiffness * 3e-6, 0.02 * normal_stiffness * 3e-6);
-  EXPECT_NEAR(force_at(9e-5), -normal_stiffness * 3e-6, 0.02 * normal_stiffness * 3e-6);
+  EXPECT_NEAR(force_at(7e-5), -normal_stiffness * 3e-6, 0.025 * normal_stiffness * 3e-6);
+  EXPECT_NEAR(force_at(9e-5), -normal_stiffness * 3e-6, 0.025 * normal_stiffness * 3e-6);
 }
 
 // The energy of a mix is that of Benzeggagh and Kenane, or of the power law.
@@ -184,10 +184,10 @@ materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_rat
   EXPECT_NEAR(run.history.last("glue_dissipated"), 0, 1e-12);
 }
 
-// Elements behind the glued face die: their glue goes with them, and the books close.
+// Elements behind the glued face die: their glue goes with them, and the books close (a rigid tie has the same error).
 TEST(Cohesive, GoesWithDeadElements) {
   const Outcome run = run_deck(R"yaml(
-time: {end: 2e-4}
+time: {end: 2e-4, step_scale: 0.2}
 parts:
   left: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [-0.1, 0, 0], material: weak}
   right: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [0, 0, 0], material: m}
