@@ -163,8 +163,10 @@ void GlueStage::drop_vanished(State& state) {
   }
   if (!some) return;
   pull(state.glue_damage);
-  for (std::size_t n = 0; n < forces_.size(); ++n)
-    state.books.glue_work += 0.5 * dot(forces_before_[n] - forces_[n], moves_[n]);
+  double given_back = 0;
+  for (std::size_t n = 0; n < forces_.size(); ++n) given_back += 0.5 * dot(forces_before_[n] - forces_[n], moves_[n]);
+  state.books.glue_work += given_back;
+  state.books.glue_dissipated += given_back;
 }
 
 void GlueStage::add_forces(State& state, double /*time*/) {

@@ -202,6 +202,8 @@ materials:
 )yaml");
   EXPECT_GT(run.summary.eroded.elements, 0);
   EXPECT_EQ(run.history.last("glue_failed"), 0);
+  EXPECT_NEAR(run.history.last("glue_dissipated"), run.history.last("glue_work"),
+              1e-3 * run.history.largest("glue_work"));
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
