@@ -8,7 +8,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 try:
@@ -20,6 +19,9 @@ except ImportError as error:
 
 ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
 del sys.argv[1:]
+
+from law_runs import UNIAXIAL, LawTest, write_cube  # noqa: E402
+
 GENT = os.path.join(ROOT, "inputs", "user_law", "gent.hpp")
 LAWS = os.path.join(ROOT, "kernels", "material", "laws")
 MU, LIMIT, BULK = 1e6, 2.0, 1e7
@@ -58,48 +60,17 @@ struct Kinds {
   }
 };
 """
-UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
 
 
-def write_cube(law, end, motion, cells=1, more=""):
-    conditions = "\n".join(f"  - {line}" for line in motion)
-    return (f"time: {{end: {end}}}\nparts: {{cube: {{box: {{size: [1, 1, 1], cells: [{cells}, {cells}, {cells}]}}, material: m}}}}\n"
-            f"materials: {{m: {{{law}}}}}\nelements: {{bulk_viscosity: {{linear: 0, quadratic: 0}}}}\nconditions:\n{conditions}\n"
-            "output: {history: {every: 0, elements: [{name: all, id: 1}]}}\n" + more)
-
-
-class LawsOfLibraries(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+class LawsOfLibraries(LawTest):
+    PERCUSS = PERCUSS
 
     def build(self, source, *options, out="law.so"):
         return subprocess.run([PERCUSS, "build-law", source, "--out", out, *options], cwd=self.folder, capture_output=True, text=True, check=False)
 
-    def write(self, name, text):
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
-        return name
-
     def build_well(self, source, **how):
         done = self.build(source, **how)
         self.assertEqual(done.returncode, 0, done.stderr)
-
-    def call(self, deck, *options, command="run", allow=("--allow-library", "law.so"), launcher=()):
-        self.write("deck.yaml", deck)
-        return subprocess.run([*launcher, PERCUSS, command, "deck.yaml", *allow, *options], cwd=self.folder, capture_output=True,
-                              text=True, check=False)
-
-    def run_deck(self, deck, *options, out="out", **how):
-        done = self.call(deck, "--quiet", "--force", "--out", out, *options, **how)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as file:
-            names = [name.split(" ")[0] for name in file.readline().strip().split(",")]
-        table = np.loadtxt(os.path.join(self.folder, out, "history.csv"), delimiter=",", skiprows=1, ndmin=2)
-        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        return {name: table[:, i] for i, name in enumerate(names)}, summary
 
     def test_rubber_of_the_example_has_its_closed_form(self):
         self.build_well(GENT)

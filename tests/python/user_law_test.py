@@ -9,7 +9,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 try:
@@ -23,6 +22,9 @@ if not shutil.which("gfortran") or not shutil.which("cc"):
 
 ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
 del sys.argv[1:]
+
+from law_runs import UNIAXIAL, LawTest, write_cube  # noqa: E402
+
 EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
 E, NU, DENSITY = 3e6, 0.45, 1100.0
 MU, LAMBDA = E / (2 * (1 + NU)), E * NU / ((1 + NU) * (1 - 2 * NU))
@@ -49,22 +51,8 @@ void vumat_(const int* points, const int* ndir, const int* nshr, const int* stat
 """
 
 
-def write_cube(law, end, motion, cells=1, more=""):
-    """A cube of 1 x 1 x 1 m whose nodes follow `motion`, each a condition."""
-    conditions = "\n".join(f"  - {line}" for line in motion)
-    return (f"time: {{end: {end}}}\nparts: {{cube: {{box: {{size: [1, 1, 1], cells: [{cells}, {cells}, {cells}]}}, material: m}}}}\n"
-            f"materials: {{m: {{{law}}}}}\nelements: {{bulk_viscosity: {{linear: 0, quadratic: 0}}}}\nconditions:\n{conditions}\n"
-            "output: {history: {every: 0, elements: [{name: all, id: 1}]}}\n" + more)
-
-
-UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
-
-
-class UserLaws(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+class UserLaws(LawTest):
+    PERCUSS = PERCUSS
 
     def compile_fortran(self):
         subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", EXAMPLE, "-o", "law.so", os.path.join(EXAMPLE, "neo_hookean.f")],
@@ -74,22 +62,6 @@ class UserLaws(unittest.TestCase):
         with open(os.path.join(self.folder, "law.c"), "w", encoding="utf-8") as file:
             file.write(text.replace("BODY", body))
         subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", "law.so", "law.c"], cwd=self.folder, check=True)
-
-    def call(self, deck, *options, command="run", allow=("--allow-library", "law.so"), launcher=()):
-        with open(os.path.join(self.folder, "deck.yaml"), "w", encoding="utf-8") as file:
-            file.write(deck)
-        return subprocess.run([*launcher, PERCUSS, command, "deck.yaml", *allow, *options], cwd=self.folder, capture_output=True,
-                              text=True, check=False)
-
-    def run_deck(self, deck, *options, out="out", **how):
-        done = self.call(deck, "--quiet", "--force", "--out", out, *options, **how)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as file:
-            names = [name.split(" ")[0] for name in file.readline().strip().split(",")]
-        table = np.loadtxt(os.path.join(self.folder, out, "history.csv"), delimiter=",", skiprows=1, ndmin=2)
-        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        return {name: table[:, i] for i, name in enumerate(names)}, summary
 
     def test_rubber_in_fortran_has_its_closed_form(self):
         self.compile_fortran()
