@@ -98,8 +98,8 @@ void for_each_side(const Mesh& mesh, int element, const Use& use) {
       side.corners[side.count] = corner;
       side.across[side.count++] = find_corner_across(topology, corner, corners);
     }
-    std::sort(side.corners.begin(), side.corners.begin() + static_cast<std::ptrdiff_t>(side.count),
-              [&](int a, int b) { return nodes[static_cast<std::size_t>(a)] < nodes[static_cast<std::size_t>(b)]; });
+    const std::span<int> sorted = std::span(side.corners).first(std::min(side.count, side.corners.size()));
+    std::ranges::sort(sorted, {}, [&](int corner) { return nodes[static_cast<std::size_t>(corner)]; });
     for (std::size_t i = 0; i < side.count; ++i)
       side.across[i] = find_corner_across(topology, side.corners[i], corners);
     SideKey key{-1, -1, -1, -1};
