@@ -16,6 +16,7 @@ from .plies import add_hashin
 
 KEYWORDS = ("DAMAGE INITIATION", "DAMAGE EVOLUTION", "SHEAR FAILURE", "TENSILE FAILURE")
 CLOSE = 0.1  # error of a fitted curve of failure strains that is an approximation
+LEAST_DEGRADATION = 0.9  # of *SECTION CONTROLS: above it what stays of the stiffness does not count
 NEVER_FAILS = "there is no failure"
 Curve = list[tuple[float, float]]  # mean stress over von Mises, plastic strain
 

@@ -15,6 +15,7 @@ SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C
 MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
 RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3, **MEMBRANES, **RIGID}
+COHESIVE = {"COH3D8": 8, "COH3D6": 6}
 BEAMS = {"B31": 2, "PIPE31": 2, "T3D2": 2}
 POINTS = {"MASS": 1, "ROTARYI": 1}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
@@ -75,6 +76,7 @@ class Section:
     shape: str = ""  # of beams, with dimensions and the direction n1
     sizes: list[float] = field(default_factory=list)
     toward: list[float] = field(default_factory=lambda: [0.0, 0.0, -1.0])
+    cohesive: Block | None = None  # *COHESIVE SECTION
     general: Block | None = None  # *BEAM GENERAL SECTION, which has a material of its own
     added: list[Block] = field(default_factory=list)  # *BEAM ADDED INERTIA behind it
 
@@ -193,7 +195,7 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
     def id_of(line: tuple[int, list[str]], index: int, is_node: bool) -> int:
         return find(line[1][index], block.at(line[0])) if find and is_node else block.id(line, index)
 
-    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **BEAMS, **SPRINGS}.get(kind, 0)
+    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [id_of(line, i, i > 0) for i in range(len(line[1])) if line[1][i]]
@@ -204,7 +206,7 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
             values += [id_of(more, i, True) for i in range(len(more[1])) if more[1][i]]
         if not values:
             continue
-        if kind in {**SOLIDS, **SHELLS} and len(values) - 1 > count:
+        if kind in {**SOLIDS, **SHELLS, **COHESIVE} and len(values) - 1 > count:
             raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes ({count} are expected): correct its lines")
         scope.elements[values[0]] = (kind, tuple(values[1:]))
         if "ELSET" in block.options:

@@ -12,6 +12,8 @@ from ..model import Deck
 from ..solids import NAMES, collapse
 from .beams import add_beam_keys, read_beam_section, read_general_law
 from .bodies import add_reference_masses
+from .cohesive import bond_solids
+from .damage import LEAST_DEGRADATION
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import find, translate_material
@@ -21,7 +23,6 @@ from .plies import refuse_solids
 from .rigid_shells import build_rigid_parts
 
 MOST_NODES = 20_000_000
-LEAST_DEGRADATION = 0.9  # above it what stays of the stiffness does not count
 
 
 def read_layers(section: Section, block: Block) -> None:
@@ -45,7 +46,7 @@ def read_layers(section: Section, block: Block) -> None:
 
 
 def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
-    """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION and *BEAM GENERAL SECTION."""
+    """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION, *BEAM GENERAL SECTION and *COHESIVE SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     section.controls, section.orientation = block.option("CONTROLS"), block.option("ORIENTATION")
     if "COMPOSITE" in block.options:
@@ -65,6 +66,8 @@ def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
         section.general, section.material = block, f"general section of line {block.place.line}"
     if section.kind == "BEAM":
         read_beam_section(section, block)
+    if section.kind == "COHESIVE":
+        section.cohesive = block
     scope.sections.append(section)
 
 
@@ -120,6 +123,8 @@ def build_parts(deck: AbaqusDeck) -> None:
     """A part for each section."""
     made: dict[str, Deck | None] = {}
     for number, section in enumerate(deck.mesh.sections, 1):
+        if section.cohesive:
+            continue
         found = find_laws(deck, section, made)
         main = found.get(section.material) if found else None
         if found and section.layers and not one_layer(deck, section, found):
@@ -133,6 +138,9 @@ def build_parts(deck: AbaqusDeck) -> None:
         else:
             deck.left_elements |= set(deck.elements_of(section.elements, section.place))
     build_rigid_parts(deck)
+    for section in deck.mesh.sections:
+        if section.cohesive:
+            bond_solids(deck, section, section.cohesive)
     without = deck.blocks_of_elements.keys() | deck.left_elements
     left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in without and kind not in (*POINTS, *SPRINGS)]
     if left and deck.mesh.place and not deck.has_lost_section:

@@ -295,7 +295,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     **dict.fromkeys(generators.GENERATORS, Reader.generate), "TRANSFORM": Reader.transform,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section, "BEAM GENERAL SECTION": Reader.section,
     "BEAM ADDED INERTIA": Reader.added_inertia,
-    "MEMBRANE SECTION": Reader.section,
+    "MEMBRANE SECTION": Reader.section, "COHESIVE SECTION": Reader.section,
     "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness, "ORIENTATION": Reader.orientation,
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
     "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,

@@ -61,6 +61,7 @@ FIELDS: dict[str, str] = {
     "MAT_ELASTIC_FLUID": METAL + " K CP", "MAT_NULL": "density: RO; stress: PC; viscosity: MU", "MAT_VISCOELASTIC": "density: RO; stress: BULK G0 GI; rate: BETA",
     "MAT_BLATZ-KO_RUBBER": "density: RO; stress: G", "MAT_MOONEY-RIVLIN_RUBBER": "density: RO; stress: A B", "MAT_ARRUDA_BOYCE": "density: RO; stress: K G",
     "MAT_OGDEN_RUBBER": "density: RO; stress: G SIGF MU1 MU2 MU3 MU4 MU5 MU6 MU7 MU8 GI; rate: BETAI",
+    "MAT_COHESIVE_MIXED_MODE": "foundation: EN ET; stiffness: GIC GIIC; stress: T S; length: UND UTD",
     "MAT_SIMPLIFIED_RUBBER/FOAM": "density: RO; stress: KM G SIGF; length: SGL SW ST",
     "MAT_GENERAL_VISCOELASTIC": "density: RO; stress: BULK GI KI; rate: BETAI BETAKI",
     **dict.fromkeys(("MAT_SOIL_AND_FOAM", "MAT_SOIL_AND_FOAM_FAILURE"), "density: RO; stress: G BULK A1 PC; stress2: A0"),

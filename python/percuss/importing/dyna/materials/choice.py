@@ -10,6 +10,9 @@ from ...model import Block, Deck, Layer
 from ...text_files import suggest
 from ..cards import Card
 from ..deck import KeywordDeck, PartCard
+from .cohesive import FORMS as COHESIVE_FORMS
+from .cohesive import LAW as COHESIVE_LAW
+from .cohesive import bond_solids
 from .crushable import CRUSHABLE
 from .elastic import ELASTIC
 from .erosion import add_erosion
@@ -24,7 +27,7 @@ from .skins import cover
 
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
-LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1}
+LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
 LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **ORTHOTROPIC, **ROLLED, **RUBBER}
 
 
@@ -92,8 +95,13 @@ def build_materials(deck: KeywordDeck) -> None:
     """The material of each block. Blocks whose material is left out go out of the model."""
     made: dict[tuple[int, int, int, float, int], tuple[str, Deck] | None] = {}
     kept: list[Block] = []
+    layers: list[tuple[PartCard, Block]] = []
     for block in deck.model.blocks:
         part = deck.parts[block.part]
+        if block.solids and read_form(deck, part) in COHESIVE_FORMS:
+            deck.names_of_parts[block.part].remove(block.name)
+            layers.append((part, block))
+            continue
         key = (part.material, part.state, block.part, block.more_density, block.keys.get("points", 1))
         if block.layers or key not in made:
             made[key] = lay_up(deck, part, block) if block.layers else make_material(deck, part, block)
@@ -107,6 +115,8 @@ def build_materials(deck: KeywordDeck) -> None:
         else:
             deck.names_of_parts[block.part].remove(block.name)
     deck.model.blocks[:] = kept
+    for part, block in layers:
+        bond_solids(deck, part, block)
     tell_additions(deck)
     for id, card in deck.materials.items():
         if ("material", id) not in deck.used:
