@@ -52,6 +52,13 @@ def takes_beams(law: Deck) -> bool:
     return has(law, "is_of_beams") and "equation_of_state" not in law
 
 
+def make_mooney_rivlin(c10: float, c01: float) -> Deck:
+    """Without its bulk modulus. percuss' law of this name takes no negative constants: the terms 2 and -2 of Ogden's law are the same energy."""
+    if c10 > 0 and c01 >= 0:
+        return {"model": "mooney_rivlin", "c10": c10, "c01": c01}
+    return {"model": "ogden", "terms": [[alpha, mu] for alpha, mu in ((-2.0, -2 * c01), (2.0, 2 * c10)) if mu]}
+
+
 def find_law(model: Model, block: Block) -> Deck:
     """Of the elements of a part; empty where they are rigid, have none or several."""
     return {} if block.keys.get("rigid") or "plies" in block.keys else model.materials.get(block.keys.get("material", ""), {})

@@ -4,6 +4,7 @@ import math
 
 from ..curves import order_points, thin_rows
 from ..fields import clip
+from ..laws import make_mooney_rivlin
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import add_rates, order_curves, scale_curve
@@ -300,7 +301,7 @@ def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     found = None if "TEST DATA INPUT" in block.options else read_rubber(block, line)
     if found is None:
         order = f" (N={block.option('N')})" if block.option("N") else ""
-        text = f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE (constants, the first above 0) or OGDEN (constants, D1 alone)"
+        text = f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE (constants, the first and the shear modulus above 0) or OGDEN (constants, D1 alone)"
         deck.ledger.refuse("HYPERELASTIC", block.place, text, "the parts made of it are left out")
         return None
     law, shear, d1 = found
@@ -371,19 +372,22 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
         terms = ((1 / 2, 1), (1 / 20, 2), (11 / 1050, 3), (19 / 7000, 4), (519 / 673750, 5))
         shear = 2 * mu * sum(i * c * 3 ** (i - 1) / locking ** (2 * i - 2) for c, i in terms)
         return {"model": "arruda_boyce", "mu": mu, "locking_stretch": locking}, shear, d
-    if "YEOH" in block.options or ("REDUCED POLYNOMIAL" in block.options and block.option("N") == "3"):
-        if values[3] < 0 or values[4] or values[5]:
+    order = block.option("N")
+    if "YEOH" in block.options or ("REDUCED POLYNOMIAL" in block.options and order in ("2", "3")):
+        count = 2 if order == "2" and "YEOH" not in block.options else 3
+        d1, *others = values[count : 2 * count]
+        if d1 < 0 or any(others):
             return None
-        return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2]}, 2 * values[0], values[3]
-    if block.option("N") not in ("", "1"):
+        return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2] if count == 3 else 0.0}, 2 * values[0], d1
+    if order not in ("", "1"):
         return None
     is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
     if not is_mooney and not {"NEO HOOKE", "REDUCED POLYNOMIAL"} & block.options.keys():
         return None
     c01, d1 = values[1] if is_mooney else 0.0, values[2 if is_mooney else 1]
-    if c01 < 0 or d1 < 0:
+    if c01 <= -values[0] or d1 < 0:
         return None
-    return {"model": "mooney_rivlin", "c10": values[0], "c01": c01}, 2 * (values[0] + c01), d1
+    return make_mooney_rivlin(values[0], c01), 2 * (values[0] + c01), d1
 
 
 READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "HYPERFOAM", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL"}

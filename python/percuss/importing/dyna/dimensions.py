@@ -60,6 +60,7 @@ FIELDS: dict[str, str] = {
     "MAT_ELASTIC": METAL, "MAT_RIGID": METAL, "MAT_PLASTIC_KINEMATIC": METAL + "; rate: SRC",
     "MAT_ELASTIC_FLUID": METAL + " K CP", "MAT_NULL": "density: RO; stress: PC; viscosity: MU", "MAT_VISCOELASTIC": "density: RO; stress: BULK G0 GI; rate: BETA",
     "MAT_BLATZ-KO_RUBBER": "density: RO; stress: G", "MAT_MOONEY-RIVLIN_RUBBER": "density: RO; stress: A B", "MAT_ARRUDA_BOYCE": "density: RO; stress: K G",
+    "MAT_HYPERELASTIC_RUBBER": "density: RO; stress: G SIGF C10 C01 C11 C20 C02 C30 GI; rate: BETAI",
     "MAT_OGDEN_RUBBER": "density: RO; stress: G SIGF MU1 MU2 MU3 MU4 MU5 MU6 MU7 MU8 GI; rate: BETAI",
     "MAT_COHESIVE_MIXED_MODE": "foundation: EN ET; stiffness: GIC GIIC; stress: T S; length: UND UTD",
     "MAT_SIMPLIFIED_RUBBER/FOAM": "density: RO; stress: KM G SIGF; length: SGL SW ST",

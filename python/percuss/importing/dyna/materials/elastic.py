@@ -1,6 +1,7 @@
 """Laws without yield: elastic, rubber, relaxation, fluids and explosives."""
 
 from ...fields import Row
+from ...laws import make_mooney_rivlin
 from ...model import Deck, Vector
 from ..cards import Card
 from ..deck import KeywordDeck
@@ -113,22 +114,17 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     ratio, a, b = row.numbers("PR", "A", "B")
     if not more.integer("LCID") and not 0 < ratio < 0.5:
         row.fail("PR", "between 0 and 0.5 is expected")
-    if more.integer("LCID") or a <= 0 or b < 0:
+    if more.integer("LCID") or a <= 0 or a + b <= 0:
         deck.ledger.refuse(
             f"{card.keyword}.LCID",
             card.place,
-            "rubber fitted to a curve, or with negative constants",
+            "rubber fitted to a curve, or without A and A + B above 0",
             "the parts made of it are left out",
         )
         return None
     deck.ledger.approximated(card.keyword, card.place, "the same constants, with percuss' term of volume")
-    law = {
-        "model": "mooney_rivlin",
-        "density": row.positive("RO"),
-        "c10": a,
-        "c01": b,
-        "bulk_modulus": 4 * (a + b) * (1 + ratio) / (3 * (1 - 2 * ratio)),
-    }
+    law = make_mooney_rivlin(a, b)
+    law |= {"density": row.positive("RO"), "bulk_modulus": 4 * (a + b) * (1 + ratio) / (3 * (1 - 2 * ratio))}
     row.finish(deck.ledger)
     return law
 

@@ -7,7 +7,7 @@ NUMBERS = {
     26: "HONEYCOMB", 36: "3-PARAMETER_BARLAT", 37: "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC", 122: "HILL_3R", 27: "MOONEY-RIVLIN_RUBBER", 57: "LOW_DENSITY_FOAM", 63: "CRUSHABLE_FOAM", 127: "ARRUDA_BOYCE", 76: "GENERAL_VISCOELASTIC", 181: "SIMPLIFIED_RUBBER/FOAM",
     81: "PLASTICITY_WITH_DAMAGE", 82: "PLASTICITY_WITH_DAMAGE_ORTHO", 98: "SIMPLIFIED_JOHNSON_COOK", 100: "SPOTWELD", 126: "MODIFIED_HONEYCOMB", 138: "COHESIVE_MIXED_MODE", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
 }  # fmt: skip
-OGDEN = ("077_O", "77_O")  # of the number 77 there are two laws
+OF_77 = {"077_O": "OGDEN_RUBBER", "77_O": "OGDEN_RUBBER", "077_H": "HYPERELASTIC_RUBBER", "77_H": "HYPERELASTIC_RUBBER"}
 SPRINGS = {"S01": "SPRING_ELASTIC", "S02": "DAMPER_VISCOUS", "S04": "SPRING_NONLINEAR_ELASTIC"}
 
 
@@ -15,8 +15,8 @@ def name_law(keyword: str) -> str:
     """ELASTIC of MAT_ELASTIC, MAT_001 and MAT_1."""
     name = keyword.removeprefix("MAT_")
     name = name.replace("054-055", "054").replace("54-55", "54")
-    if name in OGDEN:
-        return "OGDEN_RUBBER"
+    if name in OF_77:
+        return OF_77[name]
     if name == "SIMPLIFIED_RUBBER":
         return "SIMPLIFIED_RUBBER/FOAM"
     number = name.split("_")[0]

@@ -2,6 +2,7 @@
 
 from ...curves import Points, interpolate, order_points, thin_rows
 from ...fields import Row
+from ...laws import make_mooney_rivlin
 from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card, Lines
@@ -11,6 +12,7 @@ from .shared import Use, finish_lines, tell_viscosity
 LEFT_OUT = "the parts made of it are left out"
 EIGHT = range(1, 9)
 MOST_RELAXATIONS = 6
+ROUND_OFF = 1e-9  # of the largest strain of a curve
 MOST_SIDE = 16  # rows of a curve in compression, and in tension
 
 
@@ -40,6 +42,35 @@ def ogden(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     law: Deck = {"model": "ogden", "density": row.positive("RO"), "terms": [[alpha, terms[alpha]] for alpha in sorted(terms)],
                  "bulk_modulus": 2 * shear * (1 + ratio) / (3 * (1 - 2 * ratio))}  # fmt: skip
     row.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def hyperelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """A polynomial of I1 - 3 and I2 - 3, where it is that of Mooney and Rivlin or of Yeoh."""
+    reader = card.reader()
+    row = reader.row("MID RO PR N NV~unused G SIGF REF~absent")
+    row.skip("MID")
+    if row.integer("N"):
+        deck.ledger.refuse(f"{card.keyword}.N", card.place, "rubber fitted to test data (N above 0)", LEFT_OUT)
+        return None
+    more = reader.row("C10 C01 C11 C20 C02 C30 THERML~thermal")
+    c10, c01, c11, c20, c02, c30 = more.numbers("C10", "C01", "C11", "C20", "C02", "C30")
+    ratio, shear = row.number("PR"), 2 * (c10 + c01)
+    if c11 or c02 or (c01 and (c20 or c30)):
+        text = "products and squares of I2 - 3, or I2 beside powers of I1 - 3 (percuss has C10 and C01, or C10, C20 and C30)"
+        deck.ledger.refuse(f"{card.keyword}.C11", more.place, text, LEFT_OUT)
+        return None
+    if shear <= 0:
+        more.fail("C10", "constants with a shear modulus, 2 (C10 + C01), above 0 are expected")
+    if not 0 < ratio < 0.5:
+        row.fail("PR", "between 0 and 0.5 is expected")
+    refuse_relaxing(deck, card, reader)
+    deck.ledger.approximated(card.keyword, card.place, "the same constants, with percuss' term of volume")
+    law: Deck = {"model": "yeoh", "c10": c10, "c20": c20, "c30": c30} if c20 or c30 else make_mooney_rivlin(c10, c01)
+    law |= {"density": row.positive("RO"), "bulk_modulus": 2 * shear * (1 + ratio) / (3 * (1 - 2 * ratio))}
+    row.finish(deck.ledger)
+    more.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
 
@@ -84,8 +115,9 @@ def refuse_unloading(deck: KeywordDeck, card: Card, reader: Lines) -> None:
 
 
 def make_uniaxial(deck: KeywordDeck, card: Card, row: Row, points: Points) -> Points:
-    """Rows in compression and tension with [0, 0] between them."""
-    down, up = [p for p in points if p[0] < 0], [p for p in points if p[0] > 0]
+    """Rows in compression and tension with [0, 0] between them; a strain that is 0 but for round-off is that row."""
+    least = ROUND_OFF * max((abs(x) for x, _ in points), default=0.0)
+    down, up = [p for p in points if p[0] < -least], [p for p in points if p[0] > least]
     if not down or not up or min(y for _, y in up) <= 0 or max(y for _, y in down) >= 0 or down[0][0] <= -1:
         raise BadInput(row.place, "the curve of rubber must be in compression (both negative, strains above -1) and in tension (both positive): complete it")
     if abs(interpolate(points, 0.0)) > 1e-6 * max(abs(y) for _, y in points):
@@ -134,4 +166,4 @@ def add_terms(row: Row, shear: dict[float, float], bulk: dict[float, float]) -> 
             terms[row.number(decay)] = terms.get(row.number(decay), 0.0) + row.number(modulus)
 
 
-RUBBER = {"OGDEN_RUBBER": ogden, "SIMPLIFIED_RUBBER/FOAM": simplified_rubber, "GENERAL_VISCOELASTIC": general_viscoelastic}
+RUBBER = {"OGDEN_RUBBER": ogden, "HYPERELASTIC_RUBBER": hyperelastic, "SIMPLIFIED_RUBBER/FOAM": simplified_rubber, "GENERAL_VISCOELASTIC": general_viscoelastic}
