@@ -49,6 +49,28 @@ class Plot(unittest.TestCase):
         for warning in self.run_.warnings:
             self.assertIn(warning["rule"], done.stdout)
 
+    def test_labels_of_the_abscissa_do_not_touch(self):
+        from percuss.plot.drawing import Plot as Drawing
+
+        run = percuss.Run(self.out)
+        for end in (2e-4, 2e-3, 0.0163, 0.25, 123456.0):
+            time = np.linspace(0, end, 50)
+            history = History(["time", "kinetic", "internal", "hourglass"], np.column_stack([time, time, time**2, time**3]))
+            figure = Drawing([("run", run, history)], Options()).draw_all(choose_panels(["energies"] * 4, [history]), None)
+            figure.canvas.draw()
+            for axes in figure.axes:
+                boxes = [label.get_window_extent() for label in axes.get_xticklabels() if label.get_text()]
+                self.assertGreater(len(boxes), 3)
+                for left, right in zip(boxes, boxes[1:]):
+                    self.assertLess(left.x1 + 3, right.x0, f"labels of a time of {end}")
+
+    def test_glue_has_panels_of_its_own(self):
+        time = np.linspace(0, 1, 50)
+        names = ["time", "kinetic", "internal", "glue_work", "glue_dissipated", "glue_failed"]
+        history = History(names, np.column_stack([time, time, time, time, time**2, time]))
+        panels = {panel.name: panel.columns for panel in choose_panels([], [history])}
+        self.assertEqual((panels["glue"], panels["glue_failure"]), (["glue_work", "glue_dissipated"], ["glue_failed"]))
+
     def test_curves_that_coincide_are_drawn_once(self):
         from percuss.plot.drawing import Plot as Drawing
 

@@ -9,7 +9,7 @@ from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import ScalarFormatter
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
 from percuss.files import make_mark, write_file
 from percuss.results.extremes import find_size
@@ -25,6 +25,7 @@ SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths,
 SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 ROUND_OFF, FLAT_MARGIN = 1e-9, 0.1  # of the largest value: below it a curve is constant; what its panel shows around it
 SAME_CURVE = 1e-9  # of the largest value: curves that differ by less are one
+MOST_TICKS = 7  # intervals of the abscissa: labels of a narrow panel do not touch
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
@@ -170,9 +171,11 @@ class Plot:
         axes.set_xlabel(f"{words} [{self.x_unit}]" if self.x_unit else words)
         axes.set_ylabel(f"[{unit}]" if unit else "")
         self._widen_constants(axes)
-        formatter = ScalarFormatter(useMathText=True)
-        formatter.set_powerlimits((-3, 5))
-        axes.yaxis.set_major_formatter(formatter)
+        for axis in (axes.xaxis, axes.yaxis):
+            formatter = ScalarFormatter(useMathText=True)
+            formatter.set_powerlimits((-3, 5))
+            axis.set_major_formatter(formatter)
+        axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=[1, 2, 2.5, 5, 10]))
         self._mark_warnings(axes)
 
     @staticmethod

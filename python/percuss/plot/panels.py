@@ -53,6 +53,8 @@ def list_panels(histories):
               [n for n in names if n.startswith(("contact:", "friction:")) and moves(n)][:MOST_CURVES]),
         Panel("kinetic_by_part", "Kinetic energy by part", [n for n in names if n.startswith("kinetic:")][:MOST_CURVES]),
         Panel("internal_by_part", "Internal energy by part", [n for n in names if n.startswith("internal:")][:MOST_CURVES]),
+        Panel("glue", "Energy of glue", among(("glue_work", "glue_dissipated"))),
+        Panel("glue_failure", "Failed area of glue", among(("glue_failed",))),
         Panel("erosion", "Eroded elements", among(("eroded_elements",))),
         Panel("angular", "Angular momentum", among([f"angular_{axis}" for axis in "xyz"])),
     ]
@@ -69,7 +71,7 @@ def _leave_out_small(names, histories):
     return [name for name in names if not largest[name] < least]
 
 
-DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "step", "contact", "penetration", "erosion")
+DEFAULT = ("energies", "energy_error", "momentum", "forces", "accelerations", "step", "contact", "penetration", "glue", "glue_failure", "erosion")
 
 
 def choose_panels(words, histories):
