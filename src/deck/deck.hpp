@@ -512,6 +512,7 @@ struct Deck {
   std::vector<SpringDeck> springs;
   std::vector<WeldDeck> welds;
   std::vector<ConstraintDeck> constraints;
+  std::vector<EmbeddedDeck> embedded;
   std::vector<JointDeck> joints;
   ElementDeck elements;
   ErosionDeck erosion;

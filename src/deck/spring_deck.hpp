@@ -1,5 +1,6 @@
 #pragma once
-// Springs, dampers, welds and constraints between nodes, and joints between rigid bodies, as a deck gives them.
+// Springs, dampers, welds and constraints between nodes, nodes embedded in solids, and joints between rigid bodies, as
+// a deck gives them.
 
 #include <array>
 #include <optional>
@@ -69,6 +70,15 @@ struct ConstraintDeck {
   std::array<bool, 3> equal{};  // x, y, z
   std::optional<Selector> nodes;
   std::optional<std::array<SpringEndDeck, 2>> between;  // instead
+  Place place;
+};
+
+/// Nodes that keep their places within solids, as those of bars in concrete.
+struct EmbeddedDeck {
+  std::string name;
+  Selector nodes;
+  std::vector<std::string> hosts;  // parts whose solids hold them; none: all
+  double tolerance = 0.05;         // how far outside they may lie, as a share of the size of the solid
   Place place;
 };
 

@@ -2,6 +2,7 @@
 
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
+#include "src/step/embedded/embedded_stage.hpp"
 #include "src/step/glue/glue_stage.hpp"
 #include "src/step/loads/condition_stage.hpp"
 #include "src/step/loads/load_stage.hpp"
@@ -17,7 +18,7 @@ const std::vector<double> no_damping;
 }  // namespace
 
 // The order counts where two act at the same moment: conditions hold what damping has slowed down; rigid bodies have
-// their velocities before welds and constraints join their nodes.
+// their velocities before welds and constraints join their nodes, and bars in solids come last.
 Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact) {
   Actions actions;
   const auto add = [&](auto action) {
@@ -31,6 +32,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.rigid.any()) actions.rigid = add(std::make_unique<RigidStage>(model, *damping, deck.time.end));
   if (model.welds.any()) add(std::make_unique<WeldStage>(model));
   if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
+  if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
   if (model.springs.any()) add(std::make_unique<SpringStage>(model));
   if (model.glue.any()) add(std::make_unique<GlueStage>(deck, model, contact));
   add(std::make_unique<LoadStage>(deck, model));

@@ -27,6 +27,7 @@ ORDER = (
     "springs",
     "welds",
     "constraints",
+    "embedded",
     "joints",
     "join",
     "initial",

@@ -141,6 +141,7 @@ void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scen
   scene.spring_notes = model.springs.notes;
   scene.spring_notes.insert(scene.spring_notes.end(), model.welds.notes.begin(), model.welds.notes.end());
   scene.spring_notes.insert(scene.spring_notes.end(), model.constraints.notes.begin(), model.constraints.notes.end());
+  scene.spring_notes.insert(scene.spring_notes.end(), model.embedded.notes.begin(), model.embedded.notes.end());
 }
 
 /// overlap: what contact says of it; empty: there is none.

@@ -167,6 +167,8 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   list_ends("constraint", deck.constraints, deck, chunked, list);
   for (const ConstraintDeck& constraint : deck.constraints)
     if (constraint.nodes) list.add_nodes("constraints." + constraint.name, "constraint", *constraint.nodes);
+  for (const EmbeddedDeck& embedded : deck.embedded)
+    list.add_nodes("embedded." + embedded.name, "embedded nodes", embedded.nodes);
   list_contact(deck.contact, list);
   return list.take();
 }

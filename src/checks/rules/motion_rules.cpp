@@ -7,6 +7,7 @@
 #include "src/checks/flight.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/who_touches.hpp"
+#include "src/deck/embedded_parts.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -45,7 +46,7 @@ constexpr double longer = 1024;
 
 /// By which one part may move another.
 bool has_connections(const Deck& deck) {
-  return !deck.springs.empty() || !deck.welds.empty() || !deck.constraints.empty();
+  return !deck.springs.empty() || !deck.welds.empty() || !deck.constraints.empty() || !deck.embedded.empty();
 }
 
 /// Whether any wall can move, which no flight knows of.
@@ -330,7 +331,7 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
   const std::vector<Flight> flights = find_flights(scene);
   const Marks of_beams = scene.measures->mark_beams();
   for (std::size_t p = 0; p < flights.size(); ++p) {
-    if (!of_beams[p] || do_beams_touch(scene, p)) continue;
+    if (!of_beams[p] || do_beams_touch(scene, p) || is_embedded(deck, deck.parts[p].name)) continue;
     const std::string meets = describe_meeting(scene, flights, p);
     if (meets.empty()) continue;
     warnings.push_back(

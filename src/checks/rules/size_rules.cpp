@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "src/checks/rules.hpp"
+#include "src/deck/embedded_parts.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -290,7 +291,7 @@ std::vector<Warning> check_enclosed_parts(const CheckedScene& scene) {
   if (scene.deck.parts.size() > most_compared_parts) return warnings;
   for (std::size_t inner = 0; inner < scene.deck.parts.size(); ++inner) {
     const PartDeck& part = scene.deck.parts[inner];
-    if (part.array) continue;
+    if (part.array || is_embedded(scene.deck, part.name)) continue;
     for (std::size_t outer = 0; outer < scene.deck.parts.size(); ++outer) {
       const PartMeasures& a = scene.measures->parts[inner];
       const PartMeasures& b = scene.measures->parts[outer];

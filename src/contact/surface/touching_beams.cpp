@@ -6,6 +6,7 @@
 #include <span>
 
 #include "comm/exchange/item_exchange.hpp"
+#include "src/deck/embedded_parts.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -21,8 +22,10 @@ struct BeamEnd {
 
 bool is_before_end(const BeamEnd& a, const BeamEnd& b) { return a.node != b.node ? a.node < b.node : a.rank < b.rank; }
 
-/// Whether beams of a part touch: all where all surfaces do, else those of parts that a pair names.
-bool may_touch(const Mesh& mesh, const ContactDeck& contact, const std::string& part) {
+/// Whether beams of a part touch: all where all surfaces do, else those of parts that a pair names; none in solids.
+bool may_touch(const Mesh& mesh, const Deck& deck, const std::string& part) {
+  const ContactDeck& contact = deck.contact;
+  if (is_embedded(deck, part)) return false;
   if (contact.surfaces == ContactDeck::Surfaces::all) return contact.beams;
   const auto means = [&](const Selector& side) {
     if (side.inside || (!side.name.empty() && side.name != part)) return false;
@@ -46,8 +49,7 @@ std::vector<double> find_touching_radii(const Mesh& mesh, const Deck& deck) {
   if (deck.contact.surfaces == ContactDeck::Surfaces::none) return radii;
   for (const ElementBlock& block : mesh.elements.blocks) {  // the same on all ranks
     const PartDeck& part = deck.parts[at(block.part)];
-    if (!find_topology(block.topology).is_line() || !part.section || !may_touch(mesh, deck.contact, part.name))
-      continue;
+    if (!find_topology(block.topology).is_line() || !part.section || !may_touch(mesh, deck, part.name)) continue;
     radii[at(block.part)] = part.contact_radius.value_or(find_contact_radius(*part.section));
   }
   return radii;

@@ -301,6 +301,7 @@ const Keys<Deck>& deck_keys() {
       may("springs", &Deck::springs, springs_value()),
       may("welds", &Deck::welds, welds_value()),
       may("constraints", &Deck::constraints, constraints_value()),
+      may("embedded", &Deck::embedded, embedded_value()),
       may("joints", &Deck::joints, joints_value()),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),

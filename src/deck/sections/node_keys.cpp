@@ -248,6 +248,44 @@ bool check_constraint(const Reader& reader, const Node& node, ConstraintDeck& co
   return false;
 }
 
+// --- embedded
+
+/// Parts by name, each once; all of them: none.
+struct HostsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
+    if (node.kind == Node::Kind::scalar) {
+      std::string part;
+      if (!PartNameValue{}.read(reader, name, node, part)) return false;
+      if (!part.empty()) out.push_back(part);
+      return true;
+    }
+    std::vector<std::string> parts;
+    if (!ListValue<PartNameValue>{}.read(reader, name, node, parts)) return false;
+    for (const std::string& part : parts) {
+      if (!part.empty() && std::find(out.begin(), out.end(), part) == out.end()) {
+        out.push_back(part);
+        continue;
+      }
+      reader.refuse(node, name, "names from parts, each once");
+      return false;
+    }
+    if (!out.empty()) return true;
+    reader.refuse(node, name, "at least one part");
+    return false;
+  }
+  std::string takes() const { return "a name from parts, a list of them, or all"; }
+  Form form() const { return any_form({PartNameValue{}.form(), list_form(PartNameValue{}.form(), 1)}); }
+};
+
+const Keys<EmbeddedDeck>& embedded_keys() {
+  static const Keys<EmbeddedDeck> keys = {
+      need("nodes", &EmbeddedDeck::nodes, SelectorValue{Chosen::nodes}),
+      may("in", &EmbeddedDeck::hosts, HostsValue{}),
+      may("tolerance", &EmbeddedDeck::tolerance, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
 }  // namespace
 
 NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value() { return {"spring", {spring_keys, check_spring}}; }
@@ -255,5 +293,6 @@ NamedMapValue<WeldDeck, MapValue<WeldDeck>> welds_value() { return {"weld", {wel
 NamedMapValue<ConstraintDeck, MapValue<ConstraintDeck>> constraints_value() {
   return {"constraint", {constraint_keys, check_constraint}};
 }
+NamedMapValue<EmbeddedDeck, MapValue<EmbeddedDeck>> embedded_value() { return {"embedded entry", {embedded_keys}}; }
 
 }  // namespace percuss

@@ -14,6 +14,7 @@
 #include "src/step/elements/build_chunks.hpp"
 #include "src/step/elements/build_shells.hpp"
 #include "src/step/elements/build_tets.hpp"
+#include "src/step/embedded/build_embedded.hpp"
 #include "src/step/glue/build_glue.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -116,6 +117,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_switches(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
   build_constraints(deck, chunked, model);
+  build_embedded(deck, chunked, model);
   build_initial_velocities(deck, chunked, rigid, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);
   build_damping(deck, chunked, rigid, model);

@@ -59,25 +59,20 @@ void ConstraintStage::join_group(const int* first, const int* last, std::size_t 
   if (held >= 0) outcome(held, k).impulse = -given;
 }
 
-/// Work with the mean of the velocities before and after the step. Contact has counted its own with the velocities that
-/// the constraints then changed. Forces at different places turn the nodes: their moment comes from outside.
+/// Forces at different places turn the nodes: their moment comes from outside.
 void ConstraintStage::book(State& state) const {
+  book_joined_work(rows_, outcomes_, state);
+  if (model_.ranks.rank() != 0) return;
   const Vec3& center = model_.mass_center;
   ExactSum moments[3];
-  double work = 0, of_contact = 0;
   for (std::size_t n = 0; n < model_.constraints.nodes.size(); ++n) {
-    const Outcome* const of_node = &outcomes_[3 * n];
+    const JoinedMotion* const of_node = &outcomes_[3 * n];
     for (std::size_t k = 0; k < 3; ++k) {
-      work += 0.5 * of_node[k].impulse * (value(n, NodeRow::velocity_before, k) + of_node[k].velocity);
-      of_contact += 0.5 * value(n, NodeRow::contact, k) * (of_node[k].velocity - value(n, NodeRow::velocity, k));
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       moments[k].add((value(n, NodeRow::place, i) - center[i]) * of_node[j].impulse -
                      (value(n, NodeRow::place, j) - center[j]) * of_node[i].impulse);
     }
   }
-  state.books.equal_work += work;
-  state.books.contact_work += of_contact;
-  if (model_.ranks.rank() != 0) return;
   for (std::size_t k = 0; k < 3; ++k) {
     state.books.moment_impulse[k].merge(moments[k]);
     state.books.moment_impulse[k].normalize();
@@ -99,36 +94,12 @@ void ConstraintStage::set_forces(State& state, double dt_mean) {
   }
 }
 
-void ConstraintStage::give_back(const State& state) const {
-  const std::size_t count = model_.constraints.local_node.extent(0);
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> rows("percuss::constrained_velocities", count, 6);
-  const auto host = Kokkos::create_mirror_view(rows);
-  const auto places = to_host(model_.constraints.local_place);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Outcome& of_node = outcomes_[3 * at(places(i)) + k];
-      host(i, k) = of_node.velocity;
-      host(i, 3 + k) = of_node.impulse;
-    }
-  }
-  Kokkos::deep_copy(rows, host);
-  const auto v = state.v, impulse = state.weld_impulse;
-  const auto nodes = model_.constraints.local_node;
-  Kokkos::parallel_for(
-      "percuss::set_constrained_nodes", Range(ExecSpace(), 0, static_cast<int>(count)), KOKKOS_LAMBDA(const int i) {
-        for (int k = 0; k < 3; ++k) {
-          v(nodes(i), k) = rows(i, k);
-          impulse(nodes(i), k) = rows(i, 3 + k);
-        }
-      });
-}
-
 void ConstraintStage::follow_contact(State& state, const StepTimes& times, const ContactReport* /*contact*/) {
   gather(state);
   solve();
   book(state);
   set_forces(state, times.dt_mean);
-  give_back(state);
+  give_joined_motion(model_.constraints, outcomes_, state);
 }
 
 void ConstraintStage::archive(CheckpointArchive& archive, State& state) {

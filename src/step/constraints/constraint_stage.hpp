@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/step/model/action.hpp"
-#include "src/step/springs/gathered_rows.hpp"
+#include "src/step/springs/joined_motion.hpp"
 
 namespace percuss {
 
@@ -21,25 +21,19 @@ class ConstraintStage : public Action {
   bool comes_between() const override { return true; }
 
  private:
-  /// A direction of a node: its velocity with the constraint, and the impulse that this takes.
-  struct Outcome {
-    double velocity = 0, impulse = 0;
-  };
-
   double value(std::size_t node, std::size_t what, std::size_t k = 0) const {
     return rows_[node * NodeRow::count + what + k];
   }
-  Outcome& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
+  JoinedMotion& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
   void gather(const State& state);
   void solve();
   void join_group(const int* first, const int* last, std::size_t k);
   void book(State& state) const;
   void set_forces(State& state, double dt_mean);
-  void give_back(const State& state) const;
 
   const Model& model_;
-  std::vector<double> rows_;       // [ConstraintModel::nodes][NodeRow::count] of the last gather()
-  std::vector<Outcome> outcomes_;  // [ConstraintModel::nodes][3]
+  std::vector<double> rows_;            // [ConstraintModel::nodes][NodeRow::count] of the last gather()
+  std::vector<JoinedMotion> outcomes_;  // [ConstraintModel::nodes][3]
   OwnRows own_rows_;
 };
 

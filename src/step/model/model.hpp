@@ -180,6 +180,7 @@ struct Model {
   WeldModel welds;
   GlueModel glue;
   ConstraintModel constraints;
+  EmbeddedModel embedded;
 
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Springs, dampers and welds between two nodes, nodes that move equally, and their state. Every rank has all of them,
-// and the same bits.
+// Springs, dampers and welds between two nodes, nodes that move equally or with solids, and their state. Every rank has
+// all of them, and the same bits.
 
 #include <array>
 #include <cstdint>
@@ -149,6 +149,23 @@ struct ConstraintModel : ConnectedNodes {
   std::vector<std::string> notes;     // what is to be told of them
 
   bool any() const { return !constraints.empty(); }
+};
+
+/// A node that keeps its place within a solid: it moves as the corners of that do, by these weights, whose sum is 1.
+struct EmbeddedNode {
+  int node = 0;              // place in EmbeddedModel::nodes, as of the corners
+  std::int64_t element = 0;  // the solid, by its number in the whole mesh
+  int corner_count = 0;
+  std::array<int, 8> corners{};
+  std::array<double, 8> weights{};
+};
+
+/// Nodes of bars in solids; const after set-up.
+struct EmbeddedModel : ConnectedNodes {
+  std::vector<EmbeddedNode> embedded;  // each node once
+  std::vector<std::string> notes;      // what is to be told of them
+
+  bool any() const { return !embedded.empty(); }
 };
 
 /// A constraint in the loop.

@@ -131,7 +131,7 @@ void start_connections(const Model& model, State& s) {
   s.glue_damage.assign(model.glue.points.size(), 0);
   const auto nodes = static_cast<std::size_t>(model.node_count);
   if (model.ties_rotations) s.tie_moment = Rows3<double>("percuss::tie_moment", nodes);
-  if (!model.welds.any() && !model.constraints.any()) return;
+  if (!model.welds.any() && !model.constraints.any() && !model.embedded.any()) return;
   for (const Weld& weld : model.welds.welds) s.welds.push_back({weld.normal});
   s.constraints.resize(model.constraints.constraints.size());
   s.weld_impulse = Rows3<double>("percuss::weld_impulse", nodes);

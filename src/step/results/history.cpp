@@ -132,7 +132,7 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   add(list_spring_columns(model.springs));
   add(list_glue_columns(model.glue));
   add(list_weld_columns(model.welds));
-  add(list_constraint_columns(model.constraints));
+  add(list_constraint_columns(model.constraints, model.constraints.any() || model.embedded.any()));
   for (const std::string& name : name_moving_walls(deck)) {
     columns.push_back({"wall_displacement:" + name, dimensions::length,
                        fmt::format("displacement of wall '{}', along its normal or direction", name)});
@@ -299,7 +299,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   append_springs(model.springs, state, row);
   append_glue(model.glue, state, row);
   append_welds(model.welds, state, row);
-  append_constraints(model.constraints, state, row);
+  append_constraints(model.constraints, model.constraints.any() || model.embedded.any(), state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   for (const char happened : state.happened) row.push_back(happened);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());

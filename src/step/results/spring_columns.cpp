@@ -86,10 +86,11 @@ void append_welds(const WeldModel& welds, const State& state, std::vector<double
   }
 }
 
-std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints) {
-  if (!constraints.any()) return {};
+std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints, bool has_work) {
+  if (!has_work) return {};
   std::vector<HistoryColumn> columns = {
-      {"equal_work", dimensions::energy, "work of constraints on their nodes, taken from the viscous energy"}};
+      {"equal_work", dimensions::energy,
+       "work of constraints on their nodes, also of embedded ones, taken from the viscous energy"}};
   for (const Constraint& constraint : constraints.constraints) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!constraint.equal[k]) continue;
@@ -100,8 +101,9 @@ std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constr
   return columns;
 }
 
-void append_constraints(const ConstraintModel& constraints, const State& state, std::vector<double>& row) {
-  if (!constraints.any()) return;
+void append_constraints(const ConstraintModel& constraints, bool has_work, const State& state,
+                        std::vector<double>& row) {
+  if (!has_work) return;
   row.push_back(state.books.equal_work);
   for (std::size_t c = 0; c < state.constraints.size(); ++c) {
     const Vector3<double>& force = state.constraints[c].force;

@@ -28,11 +28,12 @@ std::vector<HistoryColumn> list_weld_columns(const WeldModel& welds);
 /// The values of these columns.
 void append_welds(const WeldModel& welds, const State& state, std::vector<double>& row);
 
-/// Work of all constraints, then "equal_x:NAME" and so on, constraint after constraint, of their directions; none
-/// without constraints.
-std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints);
+/// Work of all constraints, then "equal_x:NAME" and so on, constraint after constraint, of their directions. has_work:
+/// whether there are constraints or embedded nodes; none without.
+std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constraints, bool has_work);
 
 /// Their values.
-void append_constraints(const ConstraintModel& constraints, const State& state, std::vector<double>& row);
+void append_constraints(const ConstraintModel& constraints, bool has_work, const State& state,
+                        std::vector<double>& row);
 
 }  // namespace percuss

@@ -7,7 +7,7 @@ from ..fields import clip
 from ..ledger import BadInput, Ledger, Place
 from ..model import Model
 from ..text_files import suggest, suggest_place
-from . import bodies, conditions, contact, damage, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
+from . import bodies, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
 from .amplitudes import read_amplitude
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
@@ -307,7 +307,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
 ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
     "INITIAL CONDITIONS": initial.read_initial, "BOUNDARY": conditions.read_boundary, "CLOAD": loads.read_node_force,
-    "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "CONTACT PAIR": contact.read_contact_pair,
+    "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "EMBEDDED ELEMENT": embedded.read_embedded, "CONTACT PAIR": contact.read_contact_pair,
     "CONTACT": general_contact.read_start, "CONTACT INCLUSIONS": general_contact.read_inclusions, "CONTACT EXCLUSIONS": general_contact.read_exclusions,
     "CONTACT PROPERTY ASSIGNMENT": general_contact.read_property, "SURFACE PROPERTY ASSIGNMENT": contact.read_surface_property,
 }  # fmt: skip

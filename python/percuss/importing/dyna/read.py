@@ -33,6 +33,7 @@ from .control_cards import (  # fmt: skip
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
+from .embedded_cards import read_bars_in_solids, read_beams_in_solids
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
 from .load_cards import (
@@ -98,7 +99,7 @@ DEFINITIONS: dict[str, Handler] = {
 ACTIONS: dict[str, Handler] = {
     "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
     "CONTROL_": read_other_control,
-    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
+    "CONSTRAINED_BEAM_IN_SOLID": read_beams_in_solids, "CONSTRAINED_LAGRANGE_IN_SOLID": read_bars_in_solids, "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,

@@ -1,0 +1,48 @@
+#pragma once
+// Nodes embedded in solids, in a step: each gets the velocity of its place in the solid, and the corners of that take
+// what this costs, by its weights.
+//
+// Every rank computes all of them, from what the owners of their nodes and corners send to all.
+
+#include <vector>
+
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/action.hpp"
+#include "src/step/springs/joined_motion.hpp"
+
+namespace percuss {
+
+class EmbeddedStage : public Action {
+ public:
+  /// Both outlive this.
+  EmbeddedStage(const ChunkedMesh& chunked, const Model& model);
+
+  /// Velocities at n+1/2 of nodes and corners, and the work that this takes.
+  void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
+  void drop_vanished(State& state) override;
+  void archive(CheckpointArchive& archive, State& state) override;
+  bool comes_between() const override { return true; }
+
+ private:
+  double value(int node, std::size_t what) const {
+    return rows_[static_cast<std::size_t>(node) * NodeRow::count + what];
+  }
+  void gather(const State& state);
+  void start_direction(std::size_t k);
+  void solve_direction(std::size_t k);
+  double find_difference(std::size_t row, const std::vector<double>& of_nodes) const;
+  void push(std::size_t row, double impulse, std::vector<double>& of_nodes) const;
+  void take_outcomes(std::size_t k);
+
+  const ChunkedMesh& chunked_;
+  const Model& model_;
+  std::vector<double> rows_;            // [EmbeddedModel::nodes][NodeRow::count] of the last gather()
+  std::vector<JoinedMotion> outcomes_;  // [EmbeddedModel::nodes][3]
+  std::vector<char> is_loose_;          // [EmbeddedModel::embedded] node or solid is gone
+  // Of the direction that is solved: [nodes] inverse masses, impulses, scratch; [embedded] of the system.
+  std::vector<double> inverse_, impulse_, moved_;
+  std::vector<double> diagonal_, missing_, search_, applied_, found_;
+  OwnRows own_rows_;
+};
+
+}  // namespace percuss
