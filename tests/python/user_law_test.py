@@ -214,6 +214,8 @@ class UserLaws(LawTest):
         refused = take()
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn("add --allow-library", refused.stderr)
+        with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
+            file.write(deck.replace("CONSTANTS=2", "CONST=2").replace(f"{NU}\n", f"{NU},\n"))
         done = take("--allow-library", "law.so")
         self.assertEqual(done.returncode, 0, done.stderr)
         run = subprocess.run([PERCUSS, "run", "model/deck.yaml", "--quiet", "--allow-library", "law.so", "--out", "out"], cwd=self.folder,

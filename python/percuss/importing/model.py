@@ -44,13 +44,14 @@ class Block:
     keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
     density: float = 0.0
     more_density: float = 0.0  # mass that is not of the material, over the volume
+    is_plane: bool = False  # shells that stay in their plane
 
     def elements(self) -> list[tuple[int, tuple[int, ...]]]:
         return self.solids + self.shells + self.beams
 
     def bends(self) -> bool:
         """Whether its nodes have rotations."""
-        return bool(self.shells or self.beams) and "truss" not in self.keys.get("section", {})
+        return bool(self.shells or self.beams) and not self.is_plane and "truss" not in self.keys.get("section", {})
 
 
 @dataclass

@@ -126,6 +126,7 @@ PROOFS = [
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "C10 (I1 - 3) + C01 (I2 - 3)"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, -0.1, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 - 100.0 * I2, 3e-2)], "a negative C01"),
     Proof("HYPERELASTIC: POLYNOMIAL N", stretched(rubber("POLYNOMIAL, N=1", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "as MOONEY-RIVLIN"),
+    Proof("HYPERELASTIC: N", stretched(rubber("N=1", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "POLYNOMIAL is the default"),
     Proof("HYPERELASTIC: REDUCED_POLYNOMIAL", stretched(rubber("REDUCED POLYNOMIAL, N=1", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "as NEO HOOKE"),
     Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0.02"), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 100 * (1.01**3 - 1) ** 2, 3e-2)], "K = 2 / D1 = 100"),
     Proof("HYPERELASTIC: NEO_HOOKE", driven(rubber("NEO HOOKE", "0.5, 0."), 0.01, 0.01, 0.01), [("internal", LAST, 1000 * 0.5 * 20 * (1.01**3 - 1) ** 2, 3e-2)], "without D1 K is 20 shear moduli"),
@@ -180,9 +181,11 @@ PROOFS = [
     Proof("TENSILE FAILURE", driven(ELASTIC + PLASTIC + "*TENSILE FAILURE\n300.,\n", 1e-3, 1e-3, 1e-3), [("eroded_elements", 0.53e-3, 0.0, 1e-9), ("eroded_elements", 0.62e-3, 1.0, 1e-9)],
           "3 K e = 300 MPa at e = 5.7e-4"),
     Proof("TENSILE FAILURE: ELEMENT_DELETION", stretched(ELASTIC + PLASTIC + "*TENSILE FAILURE, ELEMENT DELETION=NO\n875.,\n"), refused="ELEMENT DELETION"),
+    Proof("USER MATERIAL: CONSTANTS TYPE; DEPVAR: DELETE", stretched("*USER MATERIAL, CONST=1, TYPE=MECHANICAL\n1.,\n*DEPVAR, DELETE=2\n3,\n"), refused="user code (no library has it)"),
     Proof("USER MATERIAL", stretched("*USER MATERIAL, CONSTANTS=1\n1.,\n*DEPVAR\n3,\n"), refused="user code (no library has it)"),
 ]  # fmt: skip
 
 NOT_PHYSICS = {
+    "USER MATERIAL.UNSYMM": "a matrix of Abaqus/Standard", "USER MATERIAL.HYBRID FORMULATION": "elements of Abaqus/Standard",
     "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "HYPERFOAM.MODULI": "foam that relaxes is refused", "DAMAGE EVOLUTION.DEGRADATION": "one criterion of damage in a material: nothing to combine",
 }  # fmt: skip

@@ -1,7 +1,7 @@
 """Nodes, elements, sets, instances and sections: the momentum of what moves is its mass."""
 
 from . import ALL, FIRST, LAST, Proof
-from .pieces import CORNERS, CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube
+from .pieces import CORNERS, CUBE_MASS, DENSITY, POISSON, YOUNG, abaqus, abaqus_cube, force
 
 STEEL = f"*MATERIAL, NAME=steel\n*DENSITY\n{DENSITY!r}\n*ELASTIC\n{YOUNG!r}, {POISSON!r}\n"
 SOLID = "*SOLID SECTION, ELSET=cube, MATERIAL=steel\n" + STEEL
@@ -41,6 +41,15 @@ def instances(sets: str, where: str, second: str = "") -> str:
     return abaqus(part, assembly, STEEL, f"*INITIAL CONDITIONS, TYPE=VELOCITY\n{where}, 1, 100.\n", second)
 
 
+PLANE = "*SOLID SECTION, ELSET=sheet, MATERIAL=steel\n2.5,\n" + STEEL
+EDGE = "*SURFACE, NAME=edge\nsheet, S2\n1, S2\n"
+
+
+def plane(step: str, *more: str) -> str:
+    """A square of plane stress with the edge x = 10 as a surface."""
+    return abaqus(QUAD.format("CPS4R"), PLANE, EDGE, *more, step=step)
+
+
 def strip(ends: str, count: int, *generators: str) -> str:
     """Shells between nodes 1, 2, ... and 11, 12, ..., 1 mm thick, of generated nodes."""
     lines = "".join(f"*NGEN{text}\n" for text in generators)
@@ -77,6 +86,23 @@ PROOFS = [
     Proof("SYSTEM", abaqus(f"*SYSTEM\n5., 0., 0., 5., 1., 0.\n4., 0., 0.\n*NODE, NSET=all\n{ROWS}*SYSTEM\n*NODE\n9, 0., 0., 0.\n{HEX}", SOLID,
                            "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nall, 5., 0., 0., 0.\n0., 0., 0., 0., 0., 1.\n"),
           [("momentum_x", FIRST, -25.0 * CUBE_MASS, 1e-6), ("momentum_y", FIRST, 0.0, 1e-12)], "moved by 5 and turned by 90 degrees: its centre lies at x = 0, y = 5"),
+    Proof("SYSTEM", abaqus(f"*SYSTEM\n5., 0., 0., 5., 1., 7.\n*NODE, NSET=all\n{ROWS}{HEX}", SOLID, "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nall, 5., 0., 0., 0.\n0., 0., 0., 0., 1., 0.\n"),
+          [("momentum_x", FIRST, 25.0 * CUBE_MASS, 1e-6), ("momentum_z", FIRST, 0.0, 1e-12)], "without the third point z stays: turned by 90 degrees about it, the centre lies at (0, 5, 5)"),
+    Proof("SYSTEM", moved(f"*SYSTEM\n5., 0., 0., 5., 0., 7.\n*NODE, NSET=all\n{ROWS}{HEX}"), refused="lies above the origin"),
+    Proof("INITIAL CONDITIONS: TYPE; SOLID SECTION", abaqus(abaqus_cube().replace("*SOLID SECTION", "*SOLID SECT"), "*INITIAL CONDITION, TYPE=VELOCITY\nall, 1, 100.\n"), ALL_MOVE, "keywords that are shortened"),
+    Proof("INITIAL CONDITIONS", abaqus(abaqus_cube(), "*CONTA\n"), refused="an unknown keyword"),
+    Proof("TRANSVERSE SHEAR; TRANSVERSE SHEAR STIFFNESS", moved(f"*NODE, NSET=all\n{ROWS}{HEX}", SOLID + "*TRANSVERSE SHEAR\n1., 1., 0.\n*TRANSVERSE SHEAR STIFFNESS\n1., 1., 0.\n"), ALL_MOVE, "solids have none"),
+    Proof("TRANSVERSE SHEAR STIFFNESS", sheet("*SHELL SECTION, ELSET=sheet, MATERIAL=steel\n2.5, 5\n*TRANSVERSE SHEAR STIFFNESS\n1., 1., 0.\n"), refused="a transverse shear stiffness of its own"),
+    Proof("ELEMENT: TYPE; SOLID SECTION", moved(QUAD.format("CPS4R"), PLANE), of(250.0), "plane stress: 100 mm2 of 2.5 mm"),
+    Proof("ELEMENT: TYPE; SOLID SECTION", moved(QUAD.format("CPS4R"), PLANE.replace("2.5,\n", ",\n")), of(100.0), "a thickness of 1 by default"),
+    Proof("ELEMENT: TYPE", plane("*BULK VISCOSITY\n0., 0.\n*BOUNDARY\nall, 2, 2\n1, 1, 1\n4, 1, 1\n*BOUNDARY, TYPE=VELOCITY\n2, 1, 1, 1000.\n3, 1, 1, 1000.\n"),
+          [("internal", LAST, 0.5 * YOUNG / (1 - POISSON**2) * 1e-6 * 250.0, 5e-3)], "E / (1 - nu^2) times a strain of 1e-3 along x"),
+    Proof("DSLOAD; ELEMENT: TYPE", plane("*DSLOAD\nedge, TRVEC, 0.1, 3., 4., 0.\n"), [(force("x"), LAST, 1.5, 1e-6), (force("y"), LAST, 2.0, 1e-6)], "0.1 MPa on an edge of 10 x 2.5 mm2"),
+    Proof("DSLOAD; AMPLITUDE", plane("*DSLOAD, AMPLITUDE=a\nedge, TRVEC, 0.1, 1., 0., 0.\n", "*AMPLITUDE, NAME=a\n0., 0., 1e-5, 1.\n"), [(lambda h: h["momentum_x"][-1] / (h["time"][-1] - 0.5 * h["dt"][-1]) ** 2, LAST, 0.5 * 2.5 / 1e-5, 1e-2)],
+          "half of the impulse of the full force, at the middle of the step"),
+    Proof("CLOAD", plane("*CLOAD\nall, 3, 5.\n"), [("momentum_z", ALL, 0.0, 1e-12)], "the nodes stay in their plane"),
+    Proof("DSLOAD", plane("*DSLOAD\nedge, P, 0.1\n"), refused="a pressure on edges of plane elements"),
+    Proof("CONTACT INCLUSIONS", plane("*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"), refused="contact of plane elements"),
     Proof("NGEN: NSET; NFILL: NSET; ELGEN: ELSET; ELSET: ELSET GENERATE; NSET: NSET GENERATE",
           abaqus("*NODE\n1, 0., 0., 0.\n3, 20., 0., 0.\n11, 0., 10., 0.\n13, 20., 10., 0.\n101, 0., 0., 20.\n103, 20., 0., 20.\n111, 0., 10., 20.\n113, 20., 10., 20.\n"
                  "*NGEN, NSET=low\n1, 3, 1\n11, 13, 1\n*NGEN, NSET=high\n101, 103, 1\n111, 113, 1\n*NFILL, NSET=every\nlow, high, 2, 50\n"

@@ -11,7 +11,7 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
 from .amplitudes import Amplitude
 from .lines import Block
-from .mesh import SHELLS, SIDES, SOLIDS, BodyCard, Instance, Scope
+from .mesh import PLANES, SHELLS, SIDES, SOLIDS, BodyCard, Instance, Scope
 from .timeline import StepTime, Timeline, shift_points
 
 T = TypeVar("T")
@@ -254,8 +254,8 @@ class AbaqusDeck:
             for id in self.elements_of(where, place):
                 if id not in self.blocks_of_elements:
                     continue
-                corners = self.mesh.elements[id][1]
-                if is_edge(label):
+                kind, corners = self.mesh.elements[id]
+                if is_edge(label) or kind in PLANES and label[1:] in ("1", "2", "3", "4"):
                     first = (int(label[1]) - 1) % len(corners)
                     nodes |= {corners[first], corners[(first + 1) % len(corners)]}
                 elif label:
@@ -325,6 +325,9 @@ class AbaqusDeck:
 
     def _list_faces(self, id: int, label: str, place: Place, of_contact: bool) -> list[tuple[int, ...]]:
         kind, corners = self.mesh.elements[id]
+        if kind in PLANES:
+            self.ledger.refuse("SURFACE.plane", place, "a surface of plane elements, whose faces are edges", "it is left out")
+            return []
         if not kind.startswith("C3D"):
             both = [corners, corners[::-1]]
             if of_contact or label not in ("SPOS", "SNEG", "S1", "S2"):

@@ -15,14 +15,20 @@ Axes = tuple[Vector, Vector, Vector]
 
 
 def read_system(scope: Scope, block: Block) -> None:
-    """*SYSTEM: origin, a point of x, and a point of the plane of x and y; without data the axes of space."""
+    """*SYSTEM: origin, a point of x, and a point of the plane of x and y, without which z is that of space; without data the axes of space."""
     values = [block.number(line, i) for line in block.lines for i in range(len(line[1])) if line[1][i]]
     if not values:
         scope.origin, scope.axes = (0.0, 0.0, 0.0), None
         return
-    if len(values) not in (3, 9):
-        raise BadInput(block.place, "*SYSTEM has neither 3 nor 9 numbers (an origin, or an origin and two points): correct it")
+    if len(values) not in (3, 6, 9):
+        raise BadInput(block.place, "*SYSTEM has neither 3, 6 nor 9 numbers (an origin, and one or two points): correct it")
     scope.origin, scope.axes = (values[0], values[1], values[2]), None
+    if len(values) == 6:  # z stays, and the axis x lies in the plane of x and y
+        x, y = values[3] - values[0], values[4] - values[1]
+        if not math.hypot(x, y) > 0:
+            raise BadInput(block.place, "the second point of *SYSTEM lies above the origin: correct it, or add a third point")
+        first = normalise((x, y, 0.0))
+        scope.axes = first, (-first[1], first[0], 0.0), (0.0, 0.0, 1.0)
     if len(values) == 9:
         scope.axes = make_axes(scope.origin, tuple(values[3:6]), tuple(values[6:9]), block.place)  # type: ignore[arg-type]
 

@@ -8,6 +8,7 @@ from ..model import Deck
 from .conditions import AXES, refuse_other_axes
 from .deck import AbaqusDeck
 from .lines import Block
+from .planes import list_edges, write_traction
 from .timeline import LOAD, Action, join_loads, values_of
 
 LEFT_OUT = "it is left out"
@@ -204,11 +205,26 @@ def read_element_pressure(deck: AbaqusDeck, block: Block, line: Line, label: str
 
 def read_surface_load(deck: AbaqusDeck, block: Block, line: Line, label: str) -> None:
     place = block.at(line[0])
+    areas = list_edges(deck, block.text(line, 0), place)
+    if areas is not None:
+        read_edge_load(deck, block, line, areas)
+        return
     name = deck.surface_name(block.text(line, 0), place, of_contact=False)
     if not name:
         deck.ledger.ignored(block.keyword, place, "its surface has no element")
         return
     add_pressure(deck, block, line, name, read_direction(deck, block, line) if label == "TRVEC" else None)
+
+
+def read_edge_load(deck: AbaqusDeck, block: Block, line: Line, areas: dict[int, float]) -> None:
+    """On edges of plane elements, with the area at each node."""
+    label, place = block.text(line, 1).upper(), block.at(line[0])
+    if label != "TRVEC":
+        deck.ledger.refuse("DSLOAD.plane", place, "a pressure on edges of plane elements, which turns with them", LEFT_OUT)
+        return
+    name = f"edge_{block.text(line, 0).rpartition('.')[2]}"
+    writer = write_traction(deck, name, areas, read_direction(deck, block, line), lambda: deck.ledger.translated(block.keyword, place, "loads.nodal of the nodes of edges"))
+    act(deck, block, line, (label, block.text(line, 0).upper()), block.number(line, 2), writer)
 
 
 def add_pressure(deck: AbaqusDeck, block: Block, line: Line, name: str, direction: list[float] | None) -> None:

@@ -381,7 +381,7 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
         return {"model": "yeoh", "c10": values[0], "c20": values[1], "c30": values[2] if count == 3 else 0.0}, 2 * values[0], d1
     if order not in ("", "1"):
         return None
-    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options
+    is_mooney = "MOONEY-RIVLIN" in block.options or "POLYNOMIAL" in block.options or not block.options.keys() - {"N", "MODULI"}  # the default
     if not is_mooney and not {"NEO HOOKE", "REDUCED POLYNOMIAL"} & block.options.keys():
         return None
     c01, d1 = values[1] if is_mooney else 0.0, values[2 if is_mooney else 1]

@@ -13,8 +13,9 @@ from .lines import Block
 # Type: corners, kind; what percuss does not have has no kind.
 SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10}
 MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
+PLANES = {"CPS4R": 4, "CPS3": 3}  # of plane stress
 RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
-SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3, **MEMBRANES, **RIGID}
+SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3, **MEMBRANES, **PLANES, **RIGID}
 COHESIVE = {"COH3D8": 8, "COH3D6": 6}
 BEAMS = {"B31": 2, "PIPE31": 2, "T3D2": 2}
 POINTS = {"MASS": 1, "ROTARYI": 1}

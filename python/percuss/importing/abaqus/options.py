@@ -6,6 +6,7 @@ from .lines import Block
 
 OF_STEP = "AMPLITUDE OP"
 OF_NUMERICS = "ELEMENT_BY_ELEMENT DIRECT_USER_CONTROL FIXED_TIME_INCREMENTATION IMPROVED_DT_METHOD"
+SHORTEST = 4  # letters of a keyword that is shortened
 OF_SET = "GENERATE INSTANCE INTERNAL UNSORTED ELSET"
 KNOWN = {
     "NODE": "NSET SYSTEM INPUT",
@@ -43,6 +44,8 @@ KNOWN = {
     "SPRING": "ELSET NONLINEAR",
     "DASHPOT": "ELSET NONLINEAR",
     "MATERIAL": "NAME",
+    "USER MATERIAL": "CONSTANTS TYPE UNSYMM HYBRID_FORMULATION",
+    "DEPVAR": "DELETE",
     "DENSITY": "",
     "ELASTIC": "TYPE MODULI",
     "PLASTIC": "HARDENING RATE",
@@ -139,7 +142,7 @@ OTHERS = (  # that are refused; so that blanks in them and misspelt words are fo
     "INCIDENT WAVE INTERACTION|INCIDENT WAVE INTERACTION PROPERTY|INERTIA RELIEF|INTERACTION PROPERTY|MASS ADJUST|MASSLESS SHELL|"
     "MODEL CHANGE|MOLECULAR WEIGHT|NMAP|NONSTRUCTURAL MASS|PARAMETER TABLE|PARAMETER TABLE TYPE|PARTICLE GENERATOR|PERIODIC MEDIA|POST OUTPUT|PRE-TENSION SECTION|PREDEFINED FIELD|"
     "PRESSURE PENETRATION|PROPERTY TABLE|PROPERTY TABLE TYPE|REBAR|REBAR LAYER|RELEASE|RESPONSE SPECTRUM|SHELL GENERAL SECTION|SHELL TO SOLID COUPLING|STEADY STATE DYNAMICS|"
-    "SUBMODEL|SURFACE FLAW|SURFACE SECTION|SURFACE SMOOTHING|TABLE COLLECTION|TEMPERATURE|TRANSVERSE SHEAR|TRANSVERSE SHEAR STIFFNESS|UEL PROPERTY|"
+    "SUBMODEL|SURFACE FLAW|SURFACE SECTION|SURFACE SMOOTHING|TABLE COLLECTION|TEMPERATURE|UEL PROPERTY|"
     "USER ELEMENT|VISCO|WAVE"
 ).split("|")
 
@@ -149,8 +152,10 @@ def squeeze(word: str) -> str:
 
 
 def complete_keyword(block: Block, known: dict[str, str]) -> None:
-    """Blanks in keywords do not count: *ENDSTEP. known: by the word without blanks."""
-    block.keyword = known.get(squeeze(block.keyword), block.keyword)
+    """Blanks in keywords do not count: *ENDSTEP. A keyword may be shortened as long as one alone begins so. known: by the word without blanks."""
+    word = squeeze(block.keyword)
+    fits = [full for full in known if full.startswith(word)] if word not in known and len(word) >= SHORTEST else []
+    block.keyword = known[fits[0]] if len(fits) == 1 else known.get(word, block.keyword)
 
 
 def check_options(block: Block, ledger: Ledger) -> None:

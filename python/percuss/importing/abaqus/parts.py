@@ -17,8 +17,9 @@ from .damage import LEAST_DEGRADATION
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import find, translate_material
-from .mesh import BEAMS, MEMBRANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, SectionLayer, join
+from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, SectionLayer, join
 from .orientations import orient, read_angles
+from .planes import take_plane
 from .plies import refuse_solids
 from .rigid_shells import build_rigid_parts
 
@@ -83,6 +84,14 @@ def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
             return
         values[block.id(line, 0) if block.text(line, 0) else 0] = block.number(line, 1)
     ledger.translated("DISTRIBUTION", block.place, "thickness of shells, where a section asks for it")
+
+
+def read_transverse_shear(deck: AbaqusDeck, block: Block) -> None:
+    """Stiffness of a section of shells or beams."""
+    if any(section.kind in ("SHELL", "BEAM") for section in deck.mesh.sections):
+        deck.ledger.refuse(block.keyword, block.place, "a transverse shear stiffness of its own", "it is that of the material")
+    else:
+        deck.ledger.ignored(block.keyword, block.place, "it is of shells and beams, which the deck has not")
 
 
 def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
@@ -294,7 +303,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         if len(corners) > 2:
             deck.ledger.refuse("ELEMENT.B31", section.place, "beams with a node that turns the section", "n1 of the section is used")
         part.beams.append((id, corners[:2]))
-    elif kind in SHELLS and kind not in RIGID and len(corners) == SHELLS[kind]:
+    elif kind in SHELLS and kind not in RIGID and len(corners) == SHELLS[kind] and (kind in PLANES) == (section.kind == "SOLID"):
+        if kind in PLANES:
+            take_plane(deck, section, part, kind)
         if kind in MEMBRANES:
             section.points = 1
             deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "membranes are shells with one point through their thickness")

@@ -15,7 +15,8 @@ from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
 from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze, tell_lost
 from .orientations import read_orientation
-from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section
+from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section, read_transverse_shear
+from .planes import hold_planes
 from .springs import add_springs, read_spring
 from .timeline import StepTime
 
@@ -306,6 +307,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
     "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
+    "TRANSVERSE SHEAR": read_transverse_shear, "TRANSVERSE SHEAR STIFFNESS": read_transverse_shear,
     "INITIAL CONDITIONS": initial.read_initial, "BOUNDARY": conditions.read_boundary, "CLOAD": loads.read_node_force,
     "DLOAD": loads.read_distributed, "DSLOAD": loads.read_distributed, "TIE": contact.read_tie, "EMBEDDED ELEMENT": embedded.read_embedded, "CONTACT PAIR": contact.read_contact_pair,
     "CONTACT": general_contact.read_start, "CONTACT INCLUSIONS": general_contact.read_inclusions, "CONTACT EXCLUSIONS": general_contact.read_exclusions,
@@ -432,7 +434,7 @@ def finish(reader: Reader) -> None:
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
         (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
-        (general_contact.finish_contact, "CONTACT"),
+        (hold_planes, "SOLID SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

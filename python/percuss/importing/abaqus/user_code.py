@@ -18,7 +18,10 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
         return None
     if user.option("TYPE") not in ("", "MECHANICAL"):
         ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}", "it is taken as mechanical")
-    constants = [user.number(line, i) for line in user.lines for i in range(min(8, len(line[1])))]
+    lines = [line for line in user.lines if any(line[1])]
+    constants = [user.number(line, i) for line in lines for i in range(min(8, len(line[1])))]
+    if lines and not lines[-1][1][-1]:  # what follows the last comma is no constant
+        constants = constants[: len(constants) - 1]
     wanted = parse_integer(user.option("CONSTANTS"))
     if wanted is None:
         raise BadInput(user.place, f"CONSTANTS={clip(user.option('CONSTANTS'))} of *USER MATERIAL is not a number: correct it")
