@@ -172,8 +172,9 @@ struct Parser {
                     "Override a value of the deck; list items count from 0; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    sub->add_option("--allow-library", command.allowed_libraries,
-                    "Load this library with a law of yours (model: user), which the deck names; may be repeated")
+    sub->add_option(
+           "--allow-library", command.allowed_libraries,
+           "Load this library with a law of yours (model: user or library), which the deck names; may be repeated")
         ->type_name("FILE")
         ->allow_extra_args(false);
     add_external(sub);

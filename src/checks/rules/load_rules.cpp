@@ -197,11 +197,15 @@ std::vector<Warning> check_idle_forces(const CheckedScene& scene) {
 
 std::vector<Warning> check_idle_columns(const CheckedScene& scene, const std::vector<unsigned char>& has_acted) {
   const Deck& deck = scene.deck;
+  const bool has_glue = std::any_of(deck.contact.ties.begin(), deck.contact.ties.end(),
+                                    [](const TieDeck& tie) { return tie.cohesive.has_value(); });
+  const char* const untouched =
+      has_glue ? "its surfaces never touched, and cohesive ties do not count here" : "its surfaces never touched";
   std::vector<Warning> warnings;
   for (std::size_t f = 0; f < deck.output.forces.size(); ++f) {
     const ForceDeck& force = deck.output.forces[f];
     if (has_acted[f] != 0) continue;
-    const char* const why = force.kind == ForceDeck::Kind::contact   ? "its surfaces never touched"
+    const char* const why = force.kind == ForceDeck::Kind::contact   ? untouched
                             : force.kind == ForceDeck::Kind::wall    ? "nothing ever touched this wall"
                             : force.kind == ForceDeck::Kind::support ? "nothing ever pulled at these nodes"
                                                                      : "nothing ever went through this section";

@@ -333,6 +333,37 @@ bool check_rate(const Reader& reader, const Node& node, const LawDeck& law) {
   return false;
 }
 
+/// Whether the deck gives a constant, other than the number 0.
+bool is_given(const Node& node, const LawDeck& law, const char* name) {
+  const auto number = law.numbers.find(name);
+  return node.find(name) != nullptr && (number == law.numbers.end() || number->second != 0);
+}
+
+/// Constants that would be passed over: those of which another one says the same, and those of what has no strength.
+bool check_constants_in_vain(const Reader& reader, const Node& node, const LawDeck& law) {
+  struct Pair {
+    const char *key, *other;
+  };
+  constexpr Pair same[] = {{"r_values", "yield_ratios"}, {"r_values", "barlat"}};
+  constexpr Pair needing[] = {
+      {"shear_yield_ratios", "yield_ratios"},      {"transverse_shear", "matrix_compression"},
+      {"fibre_tension_energy", "fibre_tension"},   {"fibre_compression_energy", "fibre_compression"},
+      {"matrix_tension_energy", "matrix_tension"}, {"matrix_compression_energy", "matrix_compression"}};
+  for (const auto& [key, other] : same) {
+    if (!is_given(node, law, key) || !is_given(node, law, other)) continue;
+    reader.error(node.find(key)->key, fmt::format("{} is given beside {}{} (which says how the material yields): "
+                                                  "leave one of them out",
+                                                  key, other, reader.in()));
+    return false;
+  }
+  for (const auto& [key, other] : needing) {
+    if (!is_given(node, law, key) || is_given(node, law, other)) continue;
+    reader.error(node.find(key)->key, fmt::format("{} has no effect without {}{}: give both", key, other, reader.in()));
+    return false;
+  }
+  return true;
+}
+
 /// A law that deletes points erodes their elements, with the defaults of `failure` if the deck has none.
 bool check_deletion(const Reader& reader, const Node& node, MaterialDeck& out) {
   const auto deletes = out.law.numbers.find("delete_variable");
@@ -361,7 +392,8 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
   const bool is_read = read_keys(reader, node, keys, out, others);
   if (out.law.texts.count("vumat") == 1) out.law.numbers["density"] = out.density;  // which the code gets
-  const bool good = is_read && check_rate(reader, node, out.law) && check_deletion(reader, node, out);
+  const bool good = is_read && check_rate(reader, node, out.law) && check_constants_in_vain(reader, node, out.law) &&
+                    check_deletion(reader, node, out);
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
 }
 

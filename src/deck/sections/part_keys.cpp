@@ -246,7 +246,9 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
     return false;
   }
   if (is_shell && !part.has_thickness()) {
-    if (node.find("thickness") != nullptr) return false;  // reported already
+    const Node* const plies = node.find("plies");
+    const bool has_plies = plies != nullptr && !(plies->kind == Node::Kind::list && plies->items.empty());
+    if (node.find("thickness") != nullptr || has_plies) return false;  // reported already
     reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
     return false;
   }

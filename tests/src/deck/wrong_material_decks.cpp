@@ -75,6 +75,31 @@ std::vector<WrongDeck> wrong_material_decks() {
                 "saturation_stress: 1e8, saturation_rate: 3, cowper_symonds_rate: 40.4"),
        "5:157",
        "cowper_symonds_rate has no cowper_symonds_exponent in material 'steel' (1 + (rate / 40.4)^(1/q) needs q"},
+      {"StrainRatiosBesideYieldRatios",
+       material(
+           "model: anisotropic_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, "
+           "1e8]], r_values: [2, 1, 1], yield_ratios: [1, 1, 1.1]"),
+       "5:124", "r_values is given beside yield_ratios in material 'steel' (which says how the material yields)"},
+      {"StrainRatiosBesideBarlat",
+       material(
+           "model: anisotropic_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, "
+           "1e8]], barlat: [1, 1, 1], r_values: [2, 1, 1]"),
+       "5:143", "r_values is given beside barlat in material 'steel'"},
+      {"ShearYieldRatiosAlone",
+       material(
+           "model: anisotropic_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, "
+           "1e8]], shear_yield_ratios: [2, 1, 1]"),
+       "5:124", "shear_yield_ratios has no effect without yield_ratios in material 'steel': give both"},
+      {"EnergyWithoutStrength",
+       material(
+           "model: orthotropic, density: 1600, moduli: [1, 1, 1], poissons_ratios: [0, 0, 0], shear_moduli: [1, 1, 1], "
+           "fibre_tension: 0, fibre_tension_energy: 100"),
+       "5:136", "fibre_tension_energy has no effect without fibre_tension in material 'steel': give both"},
+      {"TransverseShearAlone",
+       material(
+           "model: orthotropic, density: 1600, moduli: [1, 1, 1], poissons_ratios: [0, 0, 0], shear_moduli: [1, 1, 1], "
+           "transverse_shear: 1"),
+       "5:118", "transverse_shear has no effect without matrix_compression in material 'steel'"},
       {"MeltsBelowRoomTemperature",
        material("model: johnson_cook, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 1e8, b: 1e8, n: "
                 "0.2, specific_heat: 460, melt_temperature: 200"),
