@@ -170,12 +170,22 @@ def list_general_pairs(deck: AbaqusDeck, generals: list[General]) -> list[Deck]:
     return windows
 
 
+def include_beams(deck: AbaqusDeck, section: Deck, place: Place) -> None:
+    """Beams and trusses are among all surfaces, unless they lie in solids."""
+    embedded = {entry["nodes"] for entry in deck.model.deck.get("embedded", {}).values()}
+    if any(part.beams and part.name not in embedded for part in deck.model.blocks):
+        section["beams"] = True
+        deck.ledger.approximated("CONTACT INCLUSIONS.beams", place, "contact.beams: beams touch as round bars, of a rectangle or a box with its area")
+
+
 def finish_contact(deck: AbaqusDeck) -> None:
     section = deck.model.deck.setdefault("contact", {})
     generals = join_generals(deck)
     pairs = deck.pairs + (list_general_pairs(deck, generals) if generals else [])
     if generals or pairs:
         section["surfaces"] = pairs or "all"
+        if generals:
+            include_beams(deck, section, generals[0].place)
         if deck.whole_friction and not all("friction" in pair for pair in pairs or [{}]):
             section["friction"] = deck.whole_friction
     elif "ties" in section:
