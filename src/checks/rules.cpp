@@ -54,6 +54,7 @@ const std::vector<CheckRule>& check_rules() {
       {"hardening_strain", check_hardening_strain},
       {"strain_ratios", check_strain_ratios},
       {"unstable_rubber", check_unstable_rubber},
+      {"foam_rates", check_foam_rates},
       {"specific_heat", check_specific_heat},
       {"start_temperature", check_start_temperature},
       {"added_mass", check_added_mass, Needs::mesh},

@@ -63,6 +63,7 @@ std::vector<Warning> check_poissons_ratio(const CheckedScene& scene);
 std::vector<Warning> check_strain_ratios(const CheckedScene& scene);
 std::vector<Warning> check_hardening_strain(const CheckedScene& scene);
 std::vector<Warning> check_unstable_rubber(const CheckedScene& scene);  // rubber_rules.cpp
+std::vector<Warning> check_foam_rates(const CheckedScene& scene);       // foam_rules.cpp
 std::vector<Warning> check_specific_heat(const CheckedScene& scene);
 std::vector<Warning> check_start_temperature(const CheckedScene& scene);
 

@@ -26,6 +26,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"hardening_strain", "hardening table with strains in percentages"},
       {"strain_ratios", "r-values of rolled sheet that no metal has"},
       {"unstable_rubber", "rubber or foam whose constants soften so far that it is unstable"},
+      {"foam_rates", "curves of foam that cross, or none near rest"},
       {"specific_heat", "specific heat that no material has in the units"},
       {"start_temperature", "start and room temperature on two scales"},
       {"added_mass", "added mass far above that of its parts"},

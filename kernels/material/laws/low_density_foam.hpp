@@ -2,16 +2,14 @@
 // Low-density foam: each principal stretch has its own stress, from one curve of a uniaxial test; less of it on the way
 // back.
 
-#include "kernels/material/radial_return.hpp"
-#include "kernels/material/stretch.hpp"
+#include "kernels/material/foam_stress.hpp"
 
 namespace percuss {
 
 /// Nominal stress in each principal direction of U, without coupling: f(1 - stretch) in compression, from the table,
 /// and youngs_modulus (stretch - 1) in tension; Cauchy stress is stretch / J times that, and times
 ///   g = 1 - (1 - hysteretic_unloading) (1 - (W / W_max)^unloading_shape),
-/// W the energy that the curves store now and W_max the most that it has been: a pseudo-elastic release (Ogden and
-/// Roxburgh, Proc. R. Soc. A 455, 1999; the form in W is that of foams in DYNA3D's line of codes). A release to rest
+/// W the energy that the curves store now and W_max the most that it has been (foam_stress.hpp). A release to rest
 /// gives hysteretic_unloading + (1 - hysteretic_unloading) / (unloading_shape + 1) of W_max back. History: U, with
 /// hysteresis W_max.
 struct LowDensityFoam {
@@ -88,44 +86,24 @@ struct LowDensityFoam {
     const Symmetric3<T> u = advance_stretch(StretchHistory::load(step.history), step.motion);
     StretchHistory::store(u, step.history);
     const PrincipalAxes<T> axes = find_principal_axes(u);
-    const T over_j = T(1) / step.motion.volume_ratio;
-    Release<T> release{T(1), T(0)};
+    FoamRelease<T> release{T(1), T(0)};
     if (has_hysteresis()) release = find_release(axes, step.history[StretchHistory::count]);
-    T stiffest(0), largest(0), coupling(0);
-    Symmetric3<T> stress{T(0), T(0), T(0), T(0), T(0), T(0)};
+    FoamStress<T> stress(step.motion.volume_ratio);
     for (int i = 0; i < 3; ++i) {
-      const T stretch = axes.value[i];
-      const auto nominal = find_nominal(stretch);
-      const Vector3<T>& n = axes.direction[i];
-      const T cauchy = release.share * nominal.y * stretch * over_j;
-      stress = stress + cauchy * Symmetric3<T>{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
-      stiffest = larger(stiffest, nominal.slope * stretch * stretch * over_j);
-      largest = larger(largest, larger(cauchy, -cauchy));
-      coupling = coupling + release.steepness * (nominal.y * stretch) * (nominal.y * stretch) * over_j;
+      const auto nominal = find_nominal(axes.value[i]);
+      stress.add(axes.direction[i], axes.value[i], {release.share * nominal.y, nominal.slope}, nominal.y, release);
     }
-    step.stress = stress;
-    // The stiffest direction bounds |sym L|; what stresses do to shear is bounded by the largest of them.
-    step.lambda = T(0);
-    step.mu = T(0.5) * (stiffest + coupling) + largest;
+    stress.set(step);
   }
 
  private:
-  /// What is left of the stress, and its change with W: d stress_i = share d f_i + steepness f_i dW, f the curve.
-  template <class T>
-  struct Release {
-    T share, steepness;
-  };
-
   KOKKOS_INLINE_FUNCTION bool has_hysteresis() const { return hysteretic_unloading < 1; }
 
   /// most: W_max, updated.
   template <class T>
-  KOKKOS_INLINE_FUNCTION Release<T> find_release(const PrincipalAxes<T>& axes, T& most) const {
+  KOKKOS_INLINE_FUNCTION FoamRelease<T> find_release(const PrincipalAxes<T>& axes, T& most) const {
     const T energy = find_energy(axes.value[0]) + find_energy(axes.value[1]) + find_energy(axes.value[2]);
-    most = larger(most, energy);
-    const T left = select(most > T(0), power(energy / larger(most, T(1e-300)), unloading_shape), T(1));
-    const double lost = 1 - hysteretic_unloading;
-    return {T(1) - T(lost) * (T(1) - left), T(lost * unloading_shape) * left / larger(energy, T(1e-300))};
+    return find_foam_release(energy, most, hysteretic_unloading, unloading_shape);
   }
 };
 

@@ -17,6 +17,7 @@
 #include "kernels/material/laws/ogden.hpp"
 #include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/material/laws/power_law_plasticity.hpp"
+#include "kernels/material/laws/rate_table_foam.hpp"
 #include "kernels/material/laws/rate_table_plasticity.hpp"
 #include "kernels/material/laws/soil_and_foam.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
@@ -32,6 +33,6 @@ namespace percuss {
 using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
                            RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
                            ArrudaBoyce, Ogden, TabulatedRubber, Viscoelastic, SoilAndFoam, Honeycomb, Orthotropic,
-                           AnisotropicPlasticity, LowDensityFoam, Hyperfoam, Fluid, UserLaw, LibraryLaw>;
+                           AnisotropicPlasticity, LowDensityFoam, RateTableFoam, Hyperfoam, Fluid, UserLaw, LibraryLaw>;
 
 }  // namespace percuss

@@ -44,6 +44,7 @@ REASONS = {
     "adaptive": "of adaptive meshes",
     "relaxation": "of dynamic relaxation alone",
     "unused": "not used by LS-DYNA with these options",
+    "averaging": "how a rate is averaged over time: percuss takes that of the step",
     "sampling": "how LS-DYNA samples curves again: percuss keeps their rows",
     "damping": "how dynamic relaxation is steered: percuss finds its damping and its end by itself",
     "shells": "numerics of shells: percuss has one shell",

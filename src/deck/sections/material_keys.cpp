@@ -32,7 +32,10 @@ struct RateCurveValue {
     out = std::move(curve);
     return true;
   }
-  std::string takes() const { return "[rate, [[x, y], ...]], rate zero or positive, y " + table.range.text; }
+  std::string takes() const {
+    const std::string y = table.range.text;
+    return "[rate, [[x, y], ...]], rate zero or positive" + (y.empty() ? y : ", y " + y);
+  }
   Form form() const { return tuple_form({number_form(not_negative), table.form()}); }
 };
 

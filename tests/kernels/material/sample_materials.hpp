@@ -90,6 +90,14 @@ inline AnisotropicPlasticityConstants make_sample(Of<AnisotropicPlasticity>) {
 inline LowDensityFoam make_sample(Of<LowDensityFoam>) {
   return {5e6, 0.2, 2, {4, {0, 0.05, 0.6, 0.8}, {0, 0.2e6, 0.3e6, 2e6}}};
 }
+inline RateTableFoam make_sample(Of<RateTableFoam>) {
+  using Rows = std::vector<std::array<double, 2>>;
+  RateTableFoam law{};
+  law.youngs_modulus = 5e6, law.hysteretic_unloading = 0.2, law.unloading_shape = 2;
+  law.compression.add_curve(0.1, Rows{{0, 0}, {0.05, 0.2e6}, {0.6, 0.3e6}, {0.8, 2e6}});
+  law.compression.add_curve(2, Rows{{0, 0}, {0.05, 0.4e6}, {0.7, 0.8e6}, {0.8, 3e6}});
+  return law;
+}
 inline Fluid make_sample(Of<Fluid>) { return {}; }
 
 /// What a user would bring: St. Venant and Kirchhoff's law as a VUMAT, of the increments of strain. PROPS: lambda, mu;

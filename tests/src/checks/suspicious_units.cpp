@@ -30,6 +30,11 @@ std::pair<std::string, std::string> honeycomb(const std::string& yield_stress) {
               yield_stress};
 }
 
+/// Foam of such curves.
+std::string rate_foam(const std::string& curves) {
+  return "rate_table_foam, density: 60, youngs_modulus: 5e6, compression_at_rates: " + curves;
+}
+
 /// steel with the heat of a law of Johnson and Cook.
 std::pair<std::string, std::string> johnson_cook(const std::string& heat) {
   return {steel,
@@ -245,6 +250,16 @@ std::vector<SuspiciousDeck> material_decks() {
        "terms: [[-8, 2e4]",
        {{steel, "hyperfoam, density: 60, terms: [[-8, 2e4], [2, 2e5]]"}},
        {{steel, "hyperfoam, density: 60, terms: [[-2, -2e4], [2, 2e5]]"}}},
+      {"FoamWhoseCurvesCross",
+       "foam_rates",
+       "compression_at_rates",
+       {{steel, rate_foam("[[0.01, [[0, 0], [0.5, 2e5], [0.8, 2e6]]], [10, [[0, 0], [0.5, 4e5], [0.8, 1.8e6]]]]")}},
+       {{steel, rate_foam("[[0.01, [[0, 0], [0.5, 2e5], [0.8, 2e6]]], [10, [[0, 0], [0.5, 4e5], [0.8, 2.8e6]]]]")}}},
+      {"FoamWithoutASlowCurve",
+       "foam_rates",
+       "compression_at_rates",
+       {{steel, rate_foam("[[1e6, [[0, 0], [0.5, 2e5]]], [1e7, [[0, 0], [0.5, 4e5]]]]")}},
+       {{steel, rate_foam("[[1, [[0, 0], [0.5, 2e5]]], [1e7, [[0, 0], [0.5, 4e5]]]]")}}},
       {"DamageOfAnotherSign",
        "damage_sign",
        "d3: 2.12",

@@ -15,6 +15,10 @@ std::string rate_table(const std::string& keys) {
   return material("model: rate_table_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, " + keys);
 }
 
+std::string rate_foam(const std::string& keys) {
+  return material("model: rate_table_foam, density: 60, youngs_modulus: 5e6, " + keys);
+}
+
 /// Curves of one row at the rates 0, 1, 2, ...
 std::string repeat_curves(int count) {
   std::string text;
@@ -154,6 +158,14 @@ std::vector<WrongDeck> wrong_material_decks() {
        material("model: low_density_foam, density: 1, youngs_modulus: 1, compression: [[0, 0], [1, 1]], "
                 "hysteretic_unloading: 1.2"),
        "5:120", "hysteretic_unloading is 1.2 in material 'steel' (must be from 0 to 1)"},
+      {"FoamWhoseSlowCurveFalls", rate_foam("compression_at_rates: [[1, [[0, 0], [0.1, 2], [0.2, 1]]]]"), "5:3",
+       "material 'steel' has a curve of the lowest rate whose stress falls"},
+      {"FoamWhoseRatesGoBack", rate_foam("compression_at_rates: [[1, [[0, 0], [1, 1]]], [0.5, [[0, 0], [1, 2]]]]"),
+       "5:115", "compression_at_rates.1 begins with the rate 0.5 after 1 in material 'steel' (rates must ascend)"},
+      {"FoamThatFailsWithoutALimit", rate_foam("after_cutoff: none, compression_at_rates: [[1, [[0, 0], [1, 1]]]]"),
+       "5:3", "material 'steel' has after_cutoff without a tension_cutoff"},
+      {"FoamThatReleasesTooFast", rate_foam("unloading_exponent: 0.5, compression_at_rates: [[1, [[0, 0], [1, 1]]]]"),
+       "5:3", "material 'steel' has an unloading_exponent below 1"},
       {"CelsiusWithAnEquationOfState",
        material("model: johnson_cook, density: 1, youngs_modulus: 1, poissons_ratio: 0.3, a: 1, b: 1, n: 1, "
                 "melt_temperature: 1000, specific_heat: 1, start_temperature: 20, room_temperature: 20, "

@@ -56,6 +56,10 @@ const std::vector<SampleLaw> sample_laws = {
      "8e7]], a0: 1e12",
      1800},
     {"foam", "model: low_density_foam, youngs_modulus: 5e6, compression: [[0, 0], [0.1, 2e5], [0.6, 4e5]]", 60},
+    {"foam at rates",
+     "model: rate_table_foam, youngs_modulus: 5e6, compression_at_rates: [[1, [[0, 0], [0.1, 2e5], [0.6, 4e5]]], [1e4, "
+     "[[0, 0], [0.1, 3e5], [0.6, 6e5]]]]",
+     60},
     {"honeycomb",
      fmt::format(
          "model: honeycomb, youngs_modulus: 7e10, poissons_ratio: 0.3, yield_stress: 1e8, compacted_volume: 0.1, "

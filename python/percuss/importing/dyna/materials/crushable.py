@@ -91,12 +91,22 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     more.skip("SHAPE")
     tell_viscosity(deck, row, "DAMP")
     if 0 < row.number("TC") < law["youngs_modulus"]:
-        deck.ledger.refuse(f"{card.keyword}.TC", row.place, "TC: a limit of the tensile stress", "there is no limit")
+        limit_foam(deck, card, row, more, law)
     more.skip("FAIL")  # what happens at TC
     row.finish(deck.ledger)
     more.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
+
+
+def limit_foam(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck) -> None:
+    """TC limits the tensile stress, in the law with rates, whose one curve is for all; FAIL says what is left."""
+    law |= {"model": "rate_table_foam", "compression_at_rates": [[0.0, law.pop("compression")]], "tension_cutoff": row.number("TC")}
+    fails = more.integer("FAIL")
+    if fails == 1:
+        law["after_cutoff"] = "none"
+    elif fails:
+        deck.ledger.refuse(f"{card.keyword}.FAIL", more.place, f"FAIL = {fails}: elements that erode at TC", "the tensile stress stays at TC")
 
 
 def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
