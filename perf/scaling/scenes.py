@@ -85,7 +85,7 @@ def list_series(scenes, kinds, modes, sizes):
 
 def find_settings(scene, kind, mode, size, ranks, steps):
     """The --set options of a point as a dictionary."""
-    settings = {"time.max_steps": CONTROL_STEPS if scene == CONTROL else steps}
+    settings = {"time.max_steps": CONTROL_STEPS if scene == CONTROL else steps, "output.checkpoint.at_end": "false"}
     settings.update(START_IN_CONTACT[scene])
     settings.update(MODES[mode])
     if kind != "fixed":
