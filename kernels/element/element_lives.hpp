@@ -2,8 +2,9 @@
 // Failure state of elements: what elements of materials that can fail store besides their records.
 //
 // An element that meets a criterion fails: its force falls to zero in equal parts over the next evaluations, one or
-// more, and then it is eroded. The work of a step uses the mean of the factors at its ends, the trapezoid of the audit:
-// the booked work is what the element has absorbed. Only chunks whose material can fail have entries.
+// more, and then it is eroded. With an evolution of damage it keeps the share 1 - D from the onset on. The work of a
+// step uses the mean of the factors at its ends, the trapezoid of the audit: the booked work is what the element has
+// absorbed. Only chunks whose material can fail have entries.
 
 #include <cstddef>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/core/work_kinds.hpp"
+#include "kernels/material/material_table.hpp"
 
 namespace percuss {
 
@@ -22,6 +24,14 @@ struct JohnsonCookDamage {
   double reference_rate = 1;
 
   KOKKOS_INLINE_FUNCTION bool any() const { return d1 != 0 || d2 != 0; }
+};
+
+/// How damage grows after its onset with the plastic strain. Damage is 1 at the onset and 2 where no force is left.
+struct DamageEvolution {
+  double by_strain = 0;  // for each plastic strain: the size of the element over the displacement until failure
+  double by_work = 0;    // for each plastic strain and von Mises stress: the size over twice the energy by area
+
+  KOKKOS_INLINE_FUNCTION bool any() const { return by_strain > 0 || by_work > 0; }
 };
 
 /// When an element of a material fails; a limit that is not set is infinite.
@@ -44,10 +54,17 @@ struct FailureLimits {
   double layers = 1;            // of a shell: share of the thickness that has to fail; of a beam, of the section
   double least_volume = 0;      // V / V(0)
   double most_volume = none;
-  double fibre_damage = none;  // of a ply of a shell
+  double fibre_damage = none;                  // of a ply of a shell
+  const MaterialTable* triaxiality = nullptr;  // failure strain over mean by von Mises stress; none: no criterion
+  double strain_factor = 1;                    // of that failure strain
+  DamageEvolution evolution;                   // none: an element fails at the onset of damage
 
+  /// Whether damage adds up over the strain.
+  KOKKOS_INLINE_FUNCTION bool adds_damage() const { return johnson_cook.any() || triaxiality != nullptr; }
+  /// Damage of an element without force.
+  KOKKOS_INLINE_FUNCTION double whole_damage() const { return evolution.any() ? 2 : 1; }
   KOKKOS_INLINE_FUNCTION bool reads_stress() const {
-    return tension < none || principal_stress < none || johnson_cook.any();
+    return tension < none || principal_stress < none || adds_damage() || evolution.by_work > 0;
   }
   KOKKOS_INLINE_FUNCTION bool reads_stretch() const { return principal_strain < none; }
   KOKKOS_INLINE_FUNCTION bool reads_volume() const { return least_volume > 0 || most_volume < none; }
@@ -61,6 +78,7 @@ struct FailureLimits {
     scaled.mean_thinning *= factor;
     scaled.johnson_cook.d1 *= factor;
     scaled.johnson_cook.d2 *= factor;
+    scaled.strain_factor *= factor;
     return scaled;
   }
 };
@@ -72,6 +90,7 @@ struct FailingChunks {
                           // no chunk can
   Array<int> row;         // [chunks of the rank] of `limits`: of the material, or of the first element
   Kokkos::View<FailureLimits*, MemSpace> limits;
+  Kokkos::View<MaterialTable*, MemSpace> tables;  // to which limits point
   int pack_count = 0;
   Array<std::size_t> first_layer;  // [chunks of the rank] place in ElementLives::layers of shells; empty: none can fail
   std::size_t layer_scalars = 0;   // of ElementLives::layers
@@ -97,7 +116,7 @@ struct ElementLives {
   Array<double> work;            // [packs][work_kinds][W] put in since the start
   Array<int> steps_left;         // [lanes] evaluations until the force is gone; `whole`; 0: dead
   Array<double> plastic_strain;  // [lanes] at n
-  Array<double> damage;          // [lanes] Johnson-Cook's, at n; 1: failed
+  Array<double> damage;          // [lanes] at n; 1: failed, or at its onset where it evolves; 2: failed there
   Array<double> time_at_yield;   // [lanes] at n
   Array<double> layers;          // of shells (kernels/shell/layer_lives.hpp); of them the three above are means
 };
@@ -115,6 +134,11 @@ struct LifeShares {
   double force = 1;  // at the next evaluation
   double work = 1;   // of the step up to there
 };
+
+/// Share of the force that damage leaves.
+KOKKOS_INLINE_FUNCTION double find_share_of_damage(double damage) {
+  return damage > 1 ? (damage < 2 ? 2 - damage : 0) : 1;
+}
 
 /// The shares of an element with so many evaluations left.
 KOKKOS_INLINE_FUNCTION LifeShares find_life_shares(int left, int fade_steps) {

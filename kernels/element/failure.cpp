@@ -49,6 +49,16 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c,
   return load;
 }
 
+/// Gives an element the force that its damage leaves; returns whether that is another one than before.
+KOKKOS_INLINE_FUNCTION bool soften(const ElementLives& lives, int lane) {
+  const Real before = lives.force_share(lane), share = static_cast<Real>(find_share_of_damage(lives.damage(lane))),
+             of_work = static_cast<Real>(0.5) * (before + share);
+  const bool changed = share != before || of_work != lives.work_share(lane);
+  lives.force_share(lane) = share;
+  lives.work_share(lane) = of_work;
+  return changed;
+}
+
 /// One element: undamaged, failing, removed by its evaluation, or eroded. Returns whether anything has changed.
 KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
                                   const ElementLoad& load, double dt, FailureCounts& counts) {
@@ -58,9 +68,9 @@ KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const Fai
   lives.plastic_strain(lane) = history.plastic_strain;
   lives.damage(lane) = history.damage;
   lives.time_at_yield(lane) = history.time_at_yield;
-  if (!failed) return false;
+  if (!failed) return limits.evolution.any() && soften(lives, lane);
   ++counts.failing;
-  set_left(lives, lane, limits.fade_steps, limits);
+  begin_to_die(lives, lane, limits);
   return true;
 }
 

@@ -79,6 +79,51 @@ KOKKOS_INLINE_FUNCTION double find_failure_strain(const JohnsonCookDamage& d, co
   return (d.d1 + d.d2 * exp(d.d3 * ratio)) * (1 + d.d4 * log(relative_rate)) * (1 + d.d5 * load.homologous);
 }
 
+/// Von Mises stress.
+KOKKOS_INLINE_FUNCTION double find_von_mises(const Symmetric3<double>& stress) {
+  const Symmetric3<double> deviator = find_deviator(stress);
+  return sqrt(1.5 * contract(deviator, deviator));
+}
+
+/// Plastic strain at which a material fails under this load, by Johnson and Cook or by a table; the smaller of both.
+KOKKOS_INLINE_FUNCTION double find_failure_strain(const FailureLimits& limits, const ElementLoad& load, double rate) {
+  double strain = FailureLimits::none;
+  if (limits.johnson_cook.any()) strain = find_failure_strain(limits.johnson_cook, load, rate);
+  if (limits.triaxiality == nullptr) return strain;
+  constexpr double far = 1e30;
+  const double von_mises = find_von_mises(load.stress), mean = trace(load.stress) / 3;
+  const double ratio = von_mises > 0 ? mean / von_mises : (mean < 0 ? -far : far);
+  return smaller(strain, limits.strain_factor * (*limits.triaxiality)(ratio).y);
+}
+
+/// Adds the plastic strain of a step to a damage below 1; returns how much of it comes after the onset.
+KOKKOS_INLINE_FUNCTION double approach_onset(const FailureLimits& limits, const ElementLoad& load, double growth,
+                                             double dt, FailureHistory& history) {
+  double after = 0;
+  if (limits.adds_damage()) {
+    const double strain = find_failure_strain(limits, load, growth / dt), rest = (1 - history.damage) * strain;
+    history.damage = strain > growth ? history.damage + growth / strain : 1;
+    if (history.damage >= 1) after = rest > 0 ? larger(growth - rest, 0.0) : growth;
+  }
+  if (limits.evolution.any() && load.plastic_strain >= limits.plastic_strain) {
+    after = larger(after, smaller(growth, load.plastic_strain - limits.plastic_strain));
+    history.damage = larger(history.damage, 1.0);
+  }
+  return after;
+}
+
+/// Adds the plastic strain of a step to the damage: as a share of the failure strain up to the onset, then by the
+/// evolution. By work, the force that is left does G by area until failure, however the material hardens.
+KOKKOS_INLINE_FUNCTION void add_damage(const FailureLimits& limits, const ElementLoad& load, double growth, double dt,
+                                       FailureHistory& history) {
+  const bool had_begun = history.damage >= 1;
+  const double after = had_begun ? growth : approach_onset(limits, load, growth, dt, history);
+  const DamageEvolution& by = limits.evolution;
+  if (!by.any() || history.damage < 1) return;
+  const double rate = by.by_work > 0 ? by.by_work * find_von_mises(load.stress) : by.by_strain;
+  history.damage = (had_begun ? history.damage : 1) + after * rate;
+}
+
 /// Adds the step of length dt to the history; returns whether the element fails.
 KOKKOS_INLINE_FUNCTION bool fails(const FailureLimits& limits, const ElementLoad& load, double dt,
                                   FailureHistory& history) {
@@ -86,13 +131,10 @@ KOKKOS_INLINE_FUNCTION bool fails(const FailureLimits& limits, const ElementLoad
   history.plastic_strain = load.plastic_strain;
   if (growth > 0) {
     if (limits.yield_time < FailureLimits::none) history.time_at_yield += dt;
-    if (limits.johnson_cook.any()) {
-      const double strain = find_failure_strain(limits.johnson_cook, load, growth / dt);
-      history.damage = strain > growth ? history.damage + growth / strain : 1;
-    }
+    if (limits.adds_damage() || limits.evolution.any()) add_damage(limits, load, growth, dt, history);
   }
-  bool failed = load.remains <= 0 || load.plastic_strain >= limits.plastic_strain ||
-                history.time_at_yield >= limits.yield_time || history.damage >= 1 ||
+  bool failed = load.remains <= 0 || (load.plastic_strain >= limits.plastic_strain && !limits.evolution.any()) ||
+                history.time_at_yield >= limits.yield_time || history.damage >= limits.whole_damage() ||
                 trace(load.stress) / 3 >= limits.tension || load.volume <= limits.least_volume ||
                 load.volume >= limits.most_volume;
   if (limits.principal_stress < FailureLimits::none) failed = failed || reaches(load.stress, limits.principal_stress);

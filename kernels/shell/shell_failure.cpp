@@ -85,6 +85,32 @@ KOKKOS_INLINE_FUNCTION bool fade_layers(const FailingShell& shell, int points, i
   return changed;
 }
 
+/// Gives a layer the stress that its damage leaves; returns whether that is another one than before.
+KOKKOS_INLINE_FUNCTION bool soften(double* life) {
+  double &force = life[LayerLives::force_share * width], &work = life[LayerLives::work_share * width];
+  const double share = find_share_of_damage(life[LayerLives::damage * width]), of_work = 0.5 * (force + share);
+  const bool changed = share != force || of_work != work;
+  force = share;
+  work = of_work;
+  return changed;
+}
+
+/// A layer has failed: it loses the stress that it has, over the steps of its fade or, with an evolution, at once.
+KOKKOS_INLINE_FUNCTION void begin_to_die(double* life, const FailureLimits& limits) {
+  const double before = life[LayerLives::force_share * width];
+  set_layer_left(life, limits.fade_steps, limits.fade_steps);
+  if (limits.evolution.any()) life[LayerLives::work_share * width] = 0.5 * before;
+}
+
+/// The element fails, and its layers keep what they have.
+KOKKOS_INLINE_FUNCTION void keep_shares(const FailingShell& shell, int points) {
+  for (int p = 0; p < points; ++p) {
+    double* const life = shell.life(p);
+    if (shell.left(p) == ElementLives::whole)
+      life[LayerLives::work_share * width] = life[LayerLives::force_share * width];
+  }
+}
+
 /// By what the shells of a chunk are judged in a step.
 struct ShellCriteria {
   const ThicknessPoints& rule;
@@ -108,11 +134,14 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
     failed += rule.weight[p];
     ++count;
   }
-  if (count == rule.count || failed >= limits.layers * (1 - round_off) || is_thin(shell, rule, limits)) return true;
+  const bool softens = limits.evolution.any();
+  if (count == rule.count || failed >= limits.layers * (1 - round_off) || is_thin(shell, rule, limits)) {
+    if (softens) keep_shares(shell, rule.count);
+    return true;
+  }
   for (int p = 0; p < rule.count; ++p) {
-    if (!fresh[p]) continue;
-    set_layer_left(shell.life(p), limits.fade_steps, limits.fade_steps);
-    changed = true;
+    if (fresh[p]) begin_to_die(shell.life(p), limits);
+    if (fresh[p] || (softens && shell.left(p) == ElementLives::whole && soften(shell.life(p)))) changed = true;
   }
   return false;
 }
@@ -126,7 +155,7 @@ KOKKOS_INLINE_FUNCTION void take_means(const FailingShell& shell, const Thicknes
     const bool is_whole = shell.left(p) == ElementLives::whole;
     strain += rule.weight[p] * smaller(life[LayerLives::plastic_strain * width], limits.plastic_strain);
     time += rule.weight[p] * smaller(life[LayerLives::time_at_yield * width], limits.yield_time);
-    damage += rule.weight[p] * (is_whole ? life[LayerLives::damage * width] : 1);
+    damage += rule.weight[p] * (is_whole ? life[LayerLives::damage * width] : limits.whole_damage());
   }
   lives.plastic_strain(lane) = strain;
   lives.damage(lane) = damage;

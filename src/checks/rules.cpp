@@ -50,6 +50,7 @@ const std::vector<CheckRule>& check_rules() {
       {"cowper_symonds", check_cowper_symonds},
       {"damage_sign", check_damage_sign},
       {"failure_size", check_failure_size, Needs::mesh},
+      {"softening_size", check_softening_size, Needs::mesh},
       {"poissons_ratio", check_poissons_ratio},
       {"hardening_strain", check_hardening_strain},
       {"strain_ratios", check_strain_ratios},

@@ -233,6 +233,10 @@ struct BeamFailureDeck {
   std::optional<double> shear_y, shear_z, torque, moment_y, moment_z;
 };
 /// When an element of a material fails: at the first of the criteria that are given.
+/// Over what an element loses its force after the onset of damage; one of them.
+struct DamageEvolutionDeck {
+  std::optional<double> displacement, energy, plastic_strain;  // plastic; by area
+};
 struct FailureDeck {
   std::optional<double> plastic_strain;    // equivalent
   std::optional<double> principal_stress;  // largest, tension positive
@@ -241,6 +245,9 @@ struct FailureDeck {
   std::optional<double> mean_thinning;     // of a shell over its thickness, logarithmic
   std::optional<double> pressure;          // below minus this
   std::optional<JohnsonCookDamageDeck> johnson_cook;
+  std::vector<std::array<double, 2>>
+      triaxiality;  // rows [mean by von Mises stress, plastic strain]; none: no criterion
+  std::optional<DamageEvolutionDeck> evolution;
   std::optional<double> yield_time;           // at yield, in all
   std::optional<double> fibre_damage;         // of plies of shells: damage of the fibres
   std::optional<double> volume_below;         // of solids: V / V(0) falls below this

@@ -41,6 +41,17 @@ std::string find_key_path(const MaterialDeck& material, const std::string& key) 
   return "materials." + material.name + "." + key;
 }
 
+/// Size of the largest element of a material; 0: it has none that deforms.
+double find_largest_element(const CheckedScene& scene, const MaterialDeck& material) {
+  double largest = 0;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    if (part.material != material.name || part.rigid) continue;
+    largest = std::max(largest, scene.measures->parts[p].largest_element);
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
@@ -119,6 +130,28 @@ std::vector<Warning> check_cowper_symonds(const CheckedScene& scene) {
                                            "(published exponents are 2 to 10, steel has 40.4 / s and 5): check "
                                            "whether rate and exponent are swapped",
                                            material.name, exponent->second, rate->second)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_softening_size(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    if (!material.failure || !material.failure->evolution || material.failure->evolution->plastic_strain) continue;
+    const auto yield = find_yield_stress(material.law);
+    if (!yield) continue;
+    const DamageEvolutionDeck& evolution = *material.failure->evolution;
+    const double energy = evolution.energy ? *evolution.energy : 0.5 * yield->value * *evolution.displacement;
+    const double most = 2 * find_youngs_modulus(material) * energy / (yield->value * yield->value);
+    const double largest = find_largest_element(scene, material);
+    if (largest <= most) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "softening_size", find_key_path(material, "failure.evolution"),
+        fmt::format(
+            "elements of material '{}' are up to {:.3g} large and hold more energy at the yield stress than the "
+            "{:.3g} by area that their damage spends (they snap, and the rest becomes vibration): use elements "
+            "of {:.3g} at most, or more energy",
+            material.name, largest, energy, most)));
   }
   return warnings;
 }

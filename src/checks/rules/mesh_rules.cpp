@@ -103,7 +103,7 @@ bool is_obstacle(const Deck& deck, const PartDeck& part) {
 /// Whether a material fails by a strain, which is that of a whole element, and which failure.size scales.
 bool fails_by_strain(const FailureDeck& failure) {
   return failure.plastic_strain || failure.principal_strain || failure.thinning || failure.mean_thinning ||
-         failure.johnson_cook;
+         failure.johnson_cook || !failure.triaxiality.empty();
 }
 
 /// Likewise by a stress.
@@ -189,7 +189,9 @@ std::vector<Warning> check_failure_size(const CheckedScene& scene) {
                     range.fine == range.coarse ? "of part '" + range.fine + "'"
                                                : fmt::format("of parts '{}' and '{}'", range.fine, range.coarse),
                     range.smallest, range.largest);
-    if (rows.empty() && range.largest > most * range.smallest)
+    const auto& evolution = material.failure->evolution;
+    const bool takes_energy_by_area = evolution && !evolution->plastic_strain;
+    if (rows.empty() && !takes_energy_by_area && range.largest > most * range.smallest)
       warnings.push_back(warn_at(
           scene.deck, "failure_size", "materials." + material.name + ".failure",
           fmt::format("material '{}' fails at one {} in {} (necks and cracks are one element wide, so that the "

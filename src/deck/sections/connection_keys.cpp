@@ -55,6 +55,8 @@ bool check_tie_failure(const Reader& reader, const Node& node, TieDeck& tie) {
 
 const Keys<CohesiveDeck>& cohesive_keys() {
   using Mix = CohesiveDeck::Mix;
+  using Onset = CohesiveDeck::Onset;
+  using Softening = CohesiveDeck::Softening;
   static const Keys<CohesiveDeck> keys = {
       need("normal_stiffness", &CohesiveDeck::normal_stiffness, NumberValue{positive}),
       may("shear_stiffness", &CohesiveDeck::shear_stiffness, NumberValue{positive}),
@@ -66,6 +68,10 @@ const Keys<CohesiveDeck>& cohesive_keys() {
       may("mix", &CohesiveDeck::mix,
           ChoiceValue<Mix>{{{"benzeggagh_kenane", Mix::benzeggagh_kenane}, {"power_law", Mix::power_law}}}),
       may("exponent", &CohesiveDeck::exponent, NumberValue{positive}),
+      may("onset", &CohesiveDeck::onset,
+          ChoiceValue<Onset>{{{"quadratic", Onset::quadratic}, {"maximum", Onset::maximum}}}),
+      may("softening", &CohesiveDeck::softening,
+          ChoiceValue<Softening>{{{"linear", Softening::linear}, {"exponential", Softening::exponential}}}),
   };
   return keys;
 }
@@ -74,6 +80,13 @@ const Keys<CohesiveDeck>& cohesive_keys() {
 /// jump.
 bool check_cohesive(const Reader& reader, const Node& node, CohesiveDeck& glue) {
   bool good = true;
+  if (glue.plateau > 0 && glue.softening == CohesiveDeck::Softening::exponential) {
+    reader.error(node.find("plateau")->spot,
+                 fmt::format("{} stands beside softening: exponential (which has no constant "
+                             "traction): remove one of them",
+                             reader.name_of("plateau")));
+    good = false;
+  }
   const auto check = [&](const char* key, double energy, double strength, double stiffness) {
     const double stored = 0.5 * strength * strength / stiffness, least = stored / (1 - glue.plateau);
     if (energy > least) return;

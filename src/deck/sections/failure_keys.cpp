@@ -48,6 +48,26 @@ bool check_resultants(const Reader& reader, const Node& node, BeamFailureDeck& l
   return false;
 }
 
+const Keys<DamageEvolutionDeck>& evolution_keys() {
+  static const Keys<DamageEvolutionDeck> keys = {
+      may("displacement", &DamageEvolutionDeck::displacement, NumberValue{positive}),
+      may("energy", &DamageEvolutionDeck::energy, NumberValue{positive}),
+      may("plastic_strain", &DamageEvolutionDeck::plastic_strain, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool check_evolution(const Reader& reader, const Node& node, DamageEvolutionDeck& evolution) {
+  const int count =
+      evolution.displacement.has_value() + evolution.energy.has_value() + evolution.plastic_strain.has_value();
+  if (count == 1) return true;
+  reader.error(node.spot,
+               fmt::format("{} has {} of its keys (damage grows by one of them): give displacement, energy or "
+                           "plastic_strain",
+                           reader.self(), count == 0 ? "none" : "several"));
+  return false;
+}
+
 const Keys<FailureDeck>& failure_keys() {
   static const Keys<FailureDeck> keys = {
       may("plastic_strain", &FailureDeck::plastic_strain, NumberValue{positive}),
@@ -57,6 +77,8 @@ const Keys<FailureDeck>& failure_keys() {
       may("mean_thinning", &FailureDeck::mean_thinning, NumberValue{positive}),
       may("pressure", &FailureDeck::pressure, NumberValue{positive}),
       may("johnson_cook", &FailureDeck::johnson_cook, MapValue<JohnsonCookDamageDeck>{damage_keys, check_damage}),
+      may("triaxiality", &FailureDeck::triaxiality, TableValue{positive}),
+      may("evolution", &FailureDeck::evolution, MapValue<DamageEvolutionDeck>{evolution_keys, check_evolution}),
       may("yield_time", &FailureDeck::yield_time, NumberValue{positive}),
       may("fibre_damage", &FailureDeck::fibre_damage, NumberValue{{"above 0, at most 1", 0, 1, true}}),
       may("volume_below", &FailureDeck::volume_below,
@@ -75,12 +97,22 @@ const Keys<FailureDeck>& failure_keys() {
 }
 
 bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure) {
-  const bool has_strain = failure.plastic_strain || failure.principal_strain || failure.thinning ||
-                          failure.mean_thinning || failure.johnson_cook;
+  const bool damages = failure.plastic_strain || failure.johnson_cook || !failure.triaxiality.empty();
+  const bool has_strain = damages || failure.principal_strain || failure.thinning || failure.mean_thinning;
+  if (failure.evolution && (!damages || failure.fade_steps > 1)) {
+    reader.error(node.find("evolution")->spot,
+                 damages
+                     ? fmt::format("{} stands beside fade_steps (both say how the force is lost): remove one of them",
+                                   reader.name_of("evolution"))
+                     : fmt::format("{} has no onset (its damage would never grow): give plastic_strain, "
+                                   "johnson_cook or triaxiality",
+                                   reader.name_of("evolution")));
+    return false;
+  }
   if (!failure.size.empty() && !has_strain) {
     reader.error(node.find("size")->spot,
                  fmt::format("{} scales failure strains (there are none): give plastic_strain, principal_strain, "
-                             "thinning, mean_thinning or johnson_cook",
+                             "thinning, mean_thinning, johnson_cook or triaxiality",
                              reader.name_of("size")));
     return false;
   }
@@ -90,10 +122,11 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
     return true;
   reader.error(
       node.spot,
-      fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
-                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, yield_time, fibre_damage, "
-                  "volume_below, volume_above, resultants, time, step or inverted: true",
-                  reader.self()));
+      fmt::format(
+          "{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
+          "principal_strain, thinning, mean_thinning, pressure, johnson_cook, triaxiality, yield_time, fibre_damage, "
+          "volume_below, volume_above, resultants, time, step or inverted: true",
+          reader.self()));
   return false;
 }
 

@@ -12,6 +12,7 @@
 #include "src/deck/laminates.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/elements/build_shells.hpp"
 
@@ -46,6 +47,11 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
     limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
     limits.melt_temperature = numbers.at("melt_temperature");
   }
+  if (const auto& evolution = deck.evolution) {  // by length of what depends on the size of elements
+    if (evolution->plastic_strain) limits.evolution.by_strain = 1 / *evolution->plastic_strain;
+    if (evolution->displacement) limits.evolution.by_strain = 1 / *evolution->displacement;
+    if (evolution->energy) limits.evolution.by_work = 0.5 / *evolution->energy;
+  }
   limits.least_step = deck.step.value_or(0) / step_scale;
   limits.takes_inverted = deck.inverted;
   limits.fade_steps = deck.fade_steps;
@@ -57,12 +63,16 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
 void check_failure(const Deck& deck, const MaterialDeck& material) {
   const FailureDeck& failure = *material.failure;
   const bool can_yield = has_scalar(material, HistoryScalar::equivalent_plastic_strain);
-  if (can_yield || !(failure.plastic_strain || failure.johnson_cook || failure.yield_time)) return;
+  const char* const criterion = failure.plastic_strain         ? "plastic_strain"
+                                : failure.johnson_cook         ? "johnson_cook"
+                                : !failure.triaxiality.empty() ? "triaxiality"
+                                : failure.yield_time           ? "yield_time"
+                                                               : nullptr;
+  if (can_yield || criterion == nullptr) return;
   throw InputError(
       fmt::format("{}: error: material '{}' has the failure criterion {} (its model never yields): choose a model that "
                   "yields, or another criterion",
-                  deck.where(material.place), material.name,
-                  failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
+                  deck.where(material.place), material.name, criterion));
 }
 
 /// Whether some ply of it can fail.
@@ -96,16 +106,40 @@ void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
                   deck.where(part.place), material.name, part.name, criterion, topology.name));
 }
 
-/// Appends the limits of each element of a chunk, whose strains depend on its size.
-void add_limits_by_size(const std::vector<std::array<double, 2>>& size, const FailureLimits& material,
-                        const ChunkedMesh& chunked, const Chunk& chunk, std::vector<FailureLimits>& limits) {
-  const MaterialTable factor = make_table(size);
+bool depends_on_size(const FailureDeck& deck) {
+  return !deck.size.empty() || (deck.evolution && !deck.evolution->plastic_strain);
+}
+
+/// Appends the limits of each element of a chunk, whose strains and growth of damage depend on its size.
+void add_limits_by_size(const FailureDeck& deck, const FailureLimits& material, const ChunkedMesh& chunked,
+                        const Chunk& chunk, std::vector<FailureLimits>& limits) {
+  const MaterialTable factor = deck.size.empty() ? MaterialTable{} : make_table(deck.size);
   for (int e = 0; e < chunk.element_count; ++e) {
     const auto element = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(e);
-    limits.push_back(material.scale_strains(
-        factor(find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element))).y));
+    const double size = find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element));
+    limits.push_back(deck.size.empty() ? material : material.scale_strains(factor(size).y));
+    if (deck.evolution && !deck.evolution->plastic_strain) {
+      limits.back().evolution.by_strain *= size;
+      limits.back().evolution.by_work *= size;
+    }
     limits.back().of_element = true;
   }
+}
+
+/// Limits point to the tables of their materials.
+void build_tables(const Deck& deck, const std::vector<int>& row_of_material, FailingChunks& failing,
+                  std::vector<FailureLimits>& limits) {
+  std::vector<MaterialTable> tables;
+  std::vector<int> place(deck.materials.size(), -1);
+  for (std::size_t m = 0; m < deck.materials.size(); ++m) {
+    if (row_of_material[m] < 0 || deck.materials[m].failure->triaxiality.empty()) continue;
+    place[m] = static_cast<int>(tables.size());
+    tables.push_back(make_table(deck.materials[m].failure->triaxiality));
+  }
+  if (tables.empty()) return;
+  failing.tables = to_view("percuss::failure_tables", tables);
+  for (std::size_t m = 0; m < place.size(); ++m)
+    if (place[m] >= 0) limits[at(row_of_material[m])].triaxiality = failing.tables.data() + place[m];
 }
 
 /// Where the layers of the chunks of shells are that can fail.
@@ -138,6 +172,7 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     limits.push_back(make_limits(deck.materials[m], deck.time.step_scale));
   }
   if (limits.empty()) return;
+  build_tables(deck, row_of_material, model.failing, limits);
   model.can_erode = true;
   const auto first_pack = to_host(model.chunks.first_pack);
   std::vector<int> list, first, row;
@@ -149,11 +184,11 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     if (row.back() < 0) continue;
     refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));
     list.push_back(static_cast<int>(c));
-    const auto& size = deck.materials[static_cast<std::size_t>(material)].failure->size;
-    if (!size.empty()) {
+    const FailureDeck& failure = *deck.materials[static_cast<std::size_t>(material)].failure;
+    if (depends_on_size(failure)) {
       const FailureLimits of_material = limits[static_cast<std::size_t>(row.back())];
       row.back() = static_cast<int>(limits.size());
-      add_limits_by_size(size, of_material, chunked, chunked.chunks[c], limits);
+      add_limits_by_size(failure, of_material, chunked, chunked.chunks[c], limits);
     }
     failing.pack_count += first_pack(c + 1) - first_pack(c);
   }

@@ -31,6 +31,8 @@ CohesiveLaw make_cohesive_law(const CohesiveDeck& deck) {
   law.mix =
       deck.mix == CohesiveDeck::Mix::power_law ? CohesiveLaw::Mix::power_law : CohesiveLaw::Mix::benzeggagh_kenane;
   law.exponent = deck.exponent;
+  if (deck.onset == CohesiveDeck::Onset::maximum) law.onset = CohesiveLaw::Onset::maximum;
+  if (deck.softening == CohesiveDeck::Softening::exponential) law.softening = CohesiveLaw::Softening::exponential;
   return law;
 }
 

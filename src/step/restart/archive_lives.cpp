@@ -5,7 +5,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/shell/shell_failure.hpp"
+#include "kernels/shell/layer_lives.hpp"
 
 namespace percuss {
 
@@ -13,26 +13,23 @@ namespace {
 
 constexpr std::size_t layer_lanes = pack_size<double>;  // of packs of layers
 
-constexpr std::size_t life_columns = 4 + work_kinds;  // steps left, plastic strain, damage, time at yield, works
+// Steps left, plastic strain, damage, time at yield, shares of force and of work, works.
+constexpr std::size_t own_columns = 6, life_columns = own_columns + work_kinds;
 
 /// The elements that can fail, chunk after chunk.
 struct FailingRows {
   ChunkRows rows;
   std::vector<std::size_t> lanes;  // of each
-  std::vector<int> fade_steps;
 };
 
 FailingRows list_elements_that_fail(const Model& model) {
-  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack),
-             row = to_host(model.failing.row);
-  const auto limits = to_host(model.failing.limits);
+  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack);
   FailingRows of;
   for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
     const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
     of.rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
     for (std::int64_t i = 0; i < of.rows.counts.back(); ++i) {
       of.lanes.push_back(static_cast<std::size_t>(first_pack(c) * pack_width) + static_cast<std::size_t>(i));
-      of.fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
     }
   }
   return of;
@@ -55,18 +52,19 @@ struct LivesOnHost {
     v[1] = plastic_strain(l);
     v[2] = damage(l);
     v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work_place(l, k));
+    v[4] = static_cast<double>(force_share(l));
+    v[5] = static_cast<double>(work_share(l));
+    for (std::size_t k = 0; k < work_kinds; ++k) v[own_columns + k] = work(find_work_place(l, k));
   }
 
-  void write(std::size_t l, const double* v, int fade_steps) const {
+  void write(std::size_t l, const double* v) const {
     steps_left(l) = static_cast<int>(v[0]);
     plastic_strain(l) = v[1];
     damage(l) = v[2];
     time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work_place(l, k)) = v[4 + k];
-    const LifeShares shares = find_life_shares(steps_left(l), fade_steps);
-    force_share(l) = static_cast<Real>(shares.force);
-    work_share(l) = static_cast<Real>(shares.work);
+    force_share(l) = static_cast<Real>(v[4]);
+    work_share(l) = static_cast<Real>(v[5]);
+    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work_place(l, k)) = v[own_columns + k];
   }
 
   void copy_to(const ElementLives& lives) const {
@@ -93,8 +91,7 @@ void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, 
   for (std::size_t i = 0; i < of.lanes.size(); ++i) lives.read(of.lanes[i], &values[life_columns * i]);
   archive.rows("elements/lives", of.rows, static_cast<int>(life_columns), std::span<double>(values));
   if (!archive.is_loading()) return;
-  for (std::size_t i = 0; i < of.lanes.size(); ++i)
-    lives.write(of.lanes[i], &values[life_columns * i], of.fade_steps[i]);
+  for (std::size_t i = 0; i < of.lanes.size(); ++i) lives.write(of.lanes[i], &values[life_columns * i]);
   lives.copy_to(state.lives);
 }
 
@@ -120,41 +117,25 @@ void visit_failing_shells(const Model& model, const Visit& visit) {
 }
 
 /// What the layers of shells carry that can fail, element after element: the strains of the element, then of each
-/// layer the evaluations left, plastic strain, damage, time at yield.
+/// layer what LayerLives names.
 void archive_layers(CheckpointArchive& archive, const Model& model, const State& state) {
   if (!model.has_rotations) return;
-  using L = LayerLives;
-  constexpr int columns[] = {L::left, L::plastic_strain, L::damage, L::time_at_yield};
   ChunkRows rows{std::vector<std::int64_t>(static_cast<std::size_t>(model.chunks.count), 0), {}};
   const auto layers = to_host(state.lives.layers);
   std::vector<double> values;
   std::vector<std::size_t> scalars;  // of the layers, as they stand in `values`
   visit_failing_shells(model, [&](std::size_t c, const std::vector<std::size_t>& places, int points) {
+    const auto count = static_cast<std::size_t>(LayerLives::count_rows(points));
     for (const std::size_t first : places) {
-      for (std::size_t k = 0; k < L::layers; ++k) scalars.push_back(first + k * layer_lanes);
-      for (int p = 0; p < points; ++p) {
-        for (const int k : columns)
-          scalars.push_back(first + static_cast<std::size_t>(L::layers + p * L::layer_size + k) * layer_lanes);
-      }
+      for (std::size_t k = 0; k < count; ++k) scalars.push_back(first + k * layer_lanes);
     }
-    rows.counts[c] = static_cast<std::int64_t>(places.size()) * (L::layers + 4 * points);
+    rows.counts[c] = static_cast<std::int64_t>(places.size() * count);
   });
   values.reserve(scalars.size());
   for (const std::size_t s : scalars) values.push_back(layers(s));
   archive.rows("elements/layers", rows, 1, std::span<double>(values));
   if (!archive.is_loading()) return;
   for (std::size_t i = 0; i < scalars.size(); ++i) layers(scalars[i]) = values[i];
-  const auto row = to_host(model.failing.row);
-  const auto limits = to_host(model.failing.limits);
-  visit_failing_shells(model, [&](std::size_t c, const std::vector<std::size_t>& places, int points) {
-    for (const std::size_t first : places) {
-      for (int p = 0; p < points; ++p) {
-        double* const layer = find_layer_life(&layers(first), p);
-        set_layer_left(layer, static_cast<int>(layer[L::left * layer_lanes]),
-                       limits(static_cast<std::size_t>(row(c))).fade_steps);
-      }
-    }
-  });
   Kokkos::deep_copy(state.lives.layers, layers);
 }
 

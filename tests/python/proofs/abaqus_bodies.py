@@ -193,7 +193,6 @@ PROOFS = [
     Proof("COHESIVE BEHAVIOR: TYPE", bonded(ORIGINAL.replace("UNCOUPLED", "COUPLED") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="TYPE=COUPLED"),
     Proof("COHESIVE BEHAVIOR", bonded("*COHESIVE BEHAVIOR, ELIGIBILITY=ORIGINAL CONTACTS\n" + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="stiffness of the penalty method"),
     Proof("COHESIVE BEHAVIOR", bonded(ORIGINAL.replace("2e4, 2e4, 2e4", "2e4, 1e4, 1e4") + QUADS + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="stiffnesses in tension and shear differ"),
-    Proof("COHESIVE BEHAVIOR; DAMAGE INITIATION: CRITERION", bonded(ORIGINAL + QUADS.replace("QUADS", "MAXS") + ENERGIES.format("BK", 1.7), 0.0, 50.0), refused="by the criterion MAXS"),
     Proof("FRICTION: TAUMAX", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, TAUMAX=3.\n0.1,\n"), refused="TAUMAX"),
     Proof("FRICTION: EXPONENTIAL_DECAY", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 1.\n"), refused="EXPONENTIAL DECAY"),
     Proof("FRICTION", sliding(PAIR, before="*SURFACE INTERACTION, NAME=k\n*FRICTION\n0.3, 0.\n0.1, 5.\n"), refused="depends on speed"),

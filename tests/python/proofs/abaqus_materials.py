@@ -45,6 +45,12 @@ def plastic_work(stress: float, slope: float = 0.0, stretch: float = 0.02) -> fl
 PLASTIC = "*PLASTIC\n300., 0.\n"
 RATE = strain() / END
 DUCTILE = ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.05, 0., 0.\n"
+def absorbed(history):
+    """By elements that live and by those that are eroded."""
+    return history["internal"][-1] + history["eroded_energy"][-1]
+
+
+UNTIL_ONSET = plastic_work(300.0, 0.0, math.exp(0.05 + 300 / (3 * SHEAR)) - 1)
 EVOLUTION = "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT\n0.1,\n"
 
 
@@ -170,6 +176,10 @@ PROOFS = [
     Proof("DAMPING: BETA", stretched("*DAMPING, BETA=1e-7\n" + ELASTIC, 1e-3), [("viscous", LAST, 1000 * 3 * SHEAR * 1e-7 * strain(1e-3) ** 2 / END, 2e-2)], "beta 3 G rate^2 over time"),
     fails("DAMAGE INITIATION: CRITERION; DAMAGE EVOLUTION: TYPE SOFTENING", DUCTILE + EVOLUTION, 0.06, "0.05 and 0.1 mm over 10 mm"),
     fails("DAMAGE EVOLUTION: TYPE", DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.06, "0.05, and 2 G / stress over 10 mm"),
+    Proof("DAMAGE EVOLUTION: TYPE", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * 15.0, 2e-2)], "the energy over 100 mm^2 after the onset"),
+    Proof("DAMAGE EVOLUTION: TYPE", stretched(DUCTILE + EVOLUTION, 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * 0.5 * 300.0 * 0.1, 2e-2)], "half of the yield stress over 0.1 mm"),
+    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY, SOFTENING=EXPONENTIAL\n15.,\n"), refused="falls exponentially"),
+    fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.09, -0.9, 0.\n0.05, -0.1, 0.\n0.05, 2., 0.\n" + EVOLUTION, 0.06, "a table by the ratio of stresses, which is above 0"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n-0.1, 0.15, 0., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 below 0: d1 + d2, and 0.1 mm over 10 mm"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n0.05, 0., 1., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 + 0.1 mm over 10 mm"),
     Proof("DAMAGE INITIATION", stretched(DUCTILE, 0.1), [("internal", LAST, plastic_work(300.0, 0.0, 0.1), 2e-2)], "without evolution nothing fails"),

@@ -1,5 +1,7 @@
 """Layers of cohesive elements: the energy that they spend, by the laws of mixes, times 100 mm^2."""
 
+import math
+
 from . import LAST, Proof
 from .abaqus_bodies import ENERGIES, QUADS, bond_energy, two
 from .dyna_contacts import CN, CT2CN, glue_energy
@@ -16,6 +18,14 @@ def drawn(adhesive: str, vx: float, vz: float, section: str = SECTION.format("")
     """b is drawn off a, to which a layer of cohesive elements joins it."""
     moves = f"*BOUNDARY\nna, 1, 3\nnb, 2, 2\n*BOUNDARY, TYPE=VELOCITY\nnb, 1, 1, {vx!r}\nnb, 3, 3, {vz!r}\n"
     return abaqus(two(gap), layer, section, adhesive, before, end=1e-3, step=moves)
+
+
+def apart(surface: str = "glue, S1", of_solid: str = "sa", width: float = 10.0) -> str:
+    """A layer of two elements with nodes of its own, tied to both cubes."""
+    rows = "".join(f"{first + i}, {x}, {y}, {z}\n" for first, z in ((21, 10.0), (31, 10.2)) for i, (x, y) in enumerate((x, y) for y in (0.0, 10.0) for x in (0.0, width / 2, width)))
+    elements = "*ELEMENT, TYPE=COH3D8, ELSET=glue\n3, 21, 22, 25, 24, 31, 32, 35, 34\n4, 22, 23, 26, 25, 32, 33, 36, 35\n"
+    ties = f"*SURFACE, NAME=below\n{surface}\n*SURFACE, NAME=above\nglue, S2\n*SURFACE, NAME=whole\na,\n*TIE, NAME=one\nbelow, {of_solid}\n*TIE, NAME=other\nsb, above\n"
+    return f"*NODE\n{rows}{elements}{ties}"
 
 
 def opened(law: str, vx: float, vz: float, form: int = 19, gap: float = 0.0, layer: str = "*ELEMENT_SOLID\n3,3,5,6,7,8,11,12,13,14\n", more: str = "") -> str:
@@ -37,6 +47,13 @@ OF_SECTION = "COHESIVE SECTION: ELSET MATERIAL RESPONSE"
 OF_LAW = "MAT_COHESIVE_MIXED_MODE: MID EN ET GIC GIIC XMU T S; SECTION_SOLID: ELFORM"
 BK, POWER = ENERGIES.format("BK", 1.7), ENERGIES.format("POWER LAW", 2.0)
 LIMIT = [("glue_work", LAST, 100 * 0.5 * 30.0 * (0.02 + 30.0 / 2e4), 2e-3)]
+MAXS = QUADS.replace("QUADS", "MAXS")
+# At slides and openings of 0.999 of 50 / 2e4 and 30 / 2e4, in 1e-3 s.
+UNDAMAGED = [("glue_dissipated", LAST, 0.0, 1e-12), ("glue_work", LAST, 100 * 0.5 * 2e4 * 0.999**2 * 2.5e-3**2 * (1 + 0.6**2), 1e-2)]
+SOFT = "*DAMAGE EVOLUTION, TYPE=ENERGY, SOFTENING=EXPONENTIAL\n0.3,\n"
+ONSET, WHOLE = 0.5 * 30.0**2 / 2e4, 0.5 * 2e4 * 0.005**2
+SHARE = math.exp(-(WHOLE - ONSET) / (0.3 - ONSET))
+SPENT = 100 * (ONSET + (0.3 - ONSET) * (1 - SHARE) - SHARE * WHOLE)
 NOT_PHYSICS = {
     "MAT_COHESIVE_MIXED_MODE.RO": "the mass of the layer is left out; the report says so",
     "MAT_COHESIVE_MIXED_MODE.ROFLG": "likewise",
@@ -54,11 +71,19 @@ PROOFS = [
     Proof(OF_SECTION + " THICKNESS", drawn(STIFF + QUADS + BK, 40.0, 30.0, SECTION.replace("TRACTION SEPARATION", "TRACTION SEPARATION, THICKNESS=SPECIFIED, STACK DIRECTION=3").format("1.,"), gap=0.5),
           [("glue_work", LAST, bond_energy(4.0, 3.0, bk=1.7), 2e-3)], "a layer of 0.5 mm in the mesh"),
     Proof(OF_SECTION + "; ELEMENT: TYPE", drawn(STIFF + QUADS + BK, 0.0, 30.0, layer=WEDGES), refused="faces are not those of solids"),
+    Proof(OF_SECTION + "; TIE: NAME; ELEMENT: TYPE", drawn(STIFF + QUADS + BK, 40.0, 30.0, layer=apart(), gap=0.2), [("glue_work", LAST, bond_energy(4.0, 3.0, bk=1.7), 2e-3)],
+          "a layer with nodes of its own, to which both cubes are tied"),
+    Proof(OF_SECTION + "; TIE: NAME", drawn(STIFF + QUADS + BK, 40.0, 30.0, layer=apart(of_solid="whole"), gap=0.2), [("glue_work", LAST, bond_energy(4.0, 3.0, bk=1.7), 2e-3)],
+          "of a whole cube the face at the layer"),
+    Proof(OF_SECTION + "; TIE: NAME", drawn(STIFF + QUADS + BK, 40.0, 30.0, layer=apart(width=6.0), gap=0.2), refused="an area of 60, which lie at faces of solids with"),
+    Proof(OF_SECTION + "; TIE: NAME", drawn(STIFF + QUADS + BK, 40.0, 30.0, layer=apart(surface="glue,"), gap=0.2), refused="a tie with a surface without elements"),
     Proof(OF_SECTION + "; DAMAGE EVOLUTION: TYPE", drawn(STIFF + QUADS.replace("50.", "30.") + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT\n0.02,\n", 40.0, 30.0), LIMIT,
           "a displacement from the start of damage to failure, the same for all mixes"),
     Proof(OF_SECTION + "; DAMAGE EVOLUTION: TYPE", drawn(STIFF + QUADS + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT\n0.02,\n", 40.0, 30.0), refused="strengths that differ"),
-    Proof(OF_SECTION + "; DAMAGE INITIATION: CRITERION", drawn(STIFF + QUADS.replace("QUADS", "MAXS") + BK, 0.0, 50.0), [("glue_work", LAST, 30.0, 2e-3)], "pure tension begins at its strength by both criteria", allow="COHESIVE SECTION.MAXS"),
-    Proof(OF_SECTION + "; DAMAGE INITIATION: CRITERION", drawn(STIFF + QUADS.replace("QUADS", "MAXS") + BK, 0.0, 50.0), refused="by the criterion MAXS"),
+    Proof(OF_SECTION + "; DAMAGE INITIATION: CRITERION", drawn(STIFF + MAXS + BK, 40.0, 30.0), [("glue_work", LAST, bond_energy(4.0, 3.0, bk=1.7), 2e-3)], "the energy is that of the mix by any criterion"),
+    Proof(OF_SECTION + "; DAMAGE INITIATION: CRITERION", drawn(STIFF + MAXS + BK, 0.999 * 2.5, 0.999 * 1.5), UNDAMAGED, "by MAXS both tractions stay below their strengths"),
+    Proof(OF_SECTION + "; DAMAGE EVOLUTION: SOFTENING", drawn(STIFF + QUADS + SOFT, 0.0, 5.0), [("glue_dissipated", LAST, SPENT, 2e-3)], "exponential softening: (1 - exp(-(e - e0) / (G - e0))) of G - e0, less what is stored"),
+    Proof(OF_SECTION + "; DAMAGE EVOLUTION: SOFTENING", drawn(STIFF + QUADS + SOFT.replace("ENERGY", "DISPLACEMENT"), 0.0, 5.0), refused="an exponential of the displacement"),
     Proof(OF_SECTION, drawn(STIFF + QUADS + BK, 0.0, 50.0, SECTION.replace("TRACTION SEPARATION", "CONTINUUM").format("1.,")), refused="RESPONSE=CONTINUUM"),
     Proof(OF_SECTION + " THICKNESS", drawn(STIFF + QUADS + BK, 0.0, 50.0, SECTION.replace("SEPARATION", "SEPARATION, THICKNESS=GEOMETRY").format("")), refused="THICKNESS=GEOMETRY"),
     Proof(OF_SECTION + " CONTROLS", drawn(STIFF + QUADS + BK, 0.0, 50.0, SECTION.replace("SEPARATION", "SEPARATION, CONTROLS=c").format(""), before="*SECTION CONTROLS, NAME=c, ELEMENT DELETION=NO\n1.,\n"),

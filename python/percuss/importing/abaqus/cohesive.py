@@ -1,8 +1,8 @@
 """*COHESIVE SECTION with RESPONSE=TRACTION SEPARATION: cohesive ties of the solids on both sides of COH3D8 and COH3D6."""
 
-from ..cohesive_layers import LEFT_OUT, add_layer
+from ..cohesive_layers import LEFT_OUT, Layer, add_layer, choose_covered, make_layer
 from ..fields import clip
-from ..ledger import BadInput, missing
+from ..ledger import BadInput, Place, missing
 from .damage import LEAST_DEGRADATION
 from .deck import AbaqusDeck
 from .glue import Bonds, read_law
@@ -32,8 +32,33 @@ def bond_solids(deck: AbaqusDeck, section: Section, block: Block) -> None:
             if node not in deck.mesh.nodes:
                 raise BadInput(section.place, missing(f"node {node}"))
     wish = section.elements.rpartition(".")[0] or section.elements
-    if law and add_layer(deck.model, deck.ledger, wish, corners, law, section.place):
-        deck.ledger.translated("COHESIVE SECTION", section.place, "contact.ties with cohesive")
+    if law:
+        deck.layers.append(make_layer(deck.model, wish, corners, law, section.place))
+
+
+def tie_layer(deck: AbaqusDeck, slave: str, master: str, place: Place) -> bool:
+    """Notes the solids that *TIE holds at a side of cohesive elements. Returns whether it is such a tie."""
+    for mine, other in ((slave, master), (master, slave)):
+        for layer in deck.layers:
+            side = find_side(deck, layer, mine, place)
+            if side is not None:
+                layer.sides[side] = choose_covered(deck.model, deck.list_faces(other, place), layer.own[side])
+                deck.ledger.translated("TIE", place, "a side of cohesive elements")
+                return True
+    return False
+
+
+def find_side(deck: AbaqusDeck, layer: Layer, name: str, place: Place) -> int | None:
+    """Which side of a layer a surface is: 0 below, 1 above; None: neither."""
+    nodes = deck.all_nodes_of_surface(name, place)
+    return next((side for side in (0, 1) if nodes and nodes <= layer.nodes(side)), None)
+
+
+def add_layers(deck: AbaqusDeck) -> None:
+    """Ties of all cohesive elements, when those that hold solids at them are known."""
+    for layer in deck.layers:
+        if add_layer(deck.model, deck.ledger, layer):
+            deck.ledger.translated("COHESIVE SECTION", layer.place, "contact.ties with cohesive")
 
 
 def find_bonds(deck: AbaqusDeck, section: Section, block: Block) -> Bonds | None:

@@ -5,6 +5,7 @@ from typing import Any
 from ..fields import clip
 from ..ledger import BadInput, Place
 from ..model import Deck
+from .cohesive import tie_layer
 from .deck import AbaqusDeck
 from .glue import refuse_glue
 from .lines import Block
@@ -18,6 +19,8 @@ def read_tie(deck: AbaqusDeck, block: Block) -> None:
     for line in block.lines:
         place = block.at(line[0])
         slave, master = block.text(line, 0), block.text(line, 1)
+        if deck.layers and tie_layer(deck, slave, master, place):
+            continue
         if deck.is_of_nodes(slave):
             nodes = [node for node in sorted(deck.nodes_of_surface(slave, place)) if node in deck.used_nodes()]
             a = deck.model.add_node_set(slave, nodes) if nodes else ""

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from ..cohesive_layers import Layer
 from ..curves import Points
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
@@ -63,6 +64,7 @@ class AbaqusDeck:
         self.assembly = Scope()
         self.assembly_name = ""
         self.left_elements: set[int] = set()  # whose kind, section or material is refused
+        self.layers: list[Layer] = []  # of cohesive elements
         self.has_lost_section = False  # a keyword of a section is refused
         self.rigid_material = ""  # of elements without a section
         self.controls: dict[str, Block] = {}  # *SECTION CONTROLS
@@ -264,6 +266,26 @@ class AbaqusDeck:
                     nodes.update(corners)
         return nodes
 
+    def all_nodes_of_surface(self, name: str, place: Place) -> set[int]:
+        """Nodes of a surface, of elements without a part too."""
+        if self.find_node_surface(name) is not None:
+            return self.nodes_of_surface(name, place)
+        sides = self.resolve(self.mesh.surfaces, name, place, "surface")
+        found = [(id, label) for where, label in sides if not is_edge(label) for id in self.elements_of(where, place) if id in self.mesh.elements]
+        return {node for id, label in found for face in (self._list_faces(id, label, place, False) if label else [self.mesh.elements[id][1]]) for node in face}
+
+    def list_faces(self, name: str, place: Place) -> list[tuple[int, ...]]:
+        """Faces of solids of a surface."""
+        if self.find_node_surface(name) is not None:
+            nodes = self.nodes_of_surface(name, place)
+            return [face for id in self.blocks_of_elements for face in self._list_all_faces(id) if nodes.issuperset(face)]
+        sides = self.resolve(self.mesh.surfaces, name, place, "surface")
+        found = [(id, label) for where, label in sides for id in self.elements_of(where, place) if id in self.blocks_of_elements and self.mesh.elements[id][0] in SOLIDS]
+        whole = [face for id, label in found if not label for face in self._list_all_faces(id)]
+        counts = Counter(frozenset(face) for face in whole)
+        free = [face for face in whole if counts[frozenset(face)] == 1]
+        return free + [face for id, label in found if label for face in self._list_faces(id, label, place, False)]
+
     def faces_of_nodes(self, name: str, place: Place) -> str:
         """A side set of the faces whose corners are all of a surface of nodes; empty: there are none."""
         key = ("faces of", name.upper())
@@ -328,7 +350,7 @@ class AbaqusDeck:
         if kind in PLANES:
             self.ledger.refuse("SURFACE.plane", place, "a surface of plane elements, whose faces are edges", "it is left out")
             return []
-        if not kind.startswith("C3D"):
+        if not kind.startswith(("C3D", "COH3D")):
             both = [corners, corners[::-1]]
             if of_contact or label not in ("SPOS", "SNEG", "S1", "S2"):
                 return both

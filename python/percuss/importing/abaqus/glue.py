@@ -66,7 +66,7 @@ def read_law(deck: AbaqusDeck, bonds: Bonds) -> Deck:
     faults = [fault for fault in (find_fault_of_bonds(behavior), find_fault_of_damage(start, end)) if fault]
     for place, what in faults:
         deck.ledger.refuse(f"{bonds.card}.damage", place, what, bonds.instead)
-    if faults or not note_start(deck, bonds, start) or behavior.keyword == "COHESIVE BEHAVIOR" and not note_contacts(deck, behavior):
+    if faults or behavior.keyword == "COHESIVE BEHAVIOR" and not note_contacts(deck, behavior):
         return {}
     rows = [[block.number(need_line(block), i) for i in range(3)] for block in (behavior, start, end)]
     for block, row in zip((behavior, start, end), rows):
@@ -85,7 +85,11 @@ def read_law(deck: AbaqusDeck, bonds: Bonds) -> Deck:
         if abs(t_n - t_s) > CLOSE * t_n and not deck.ledger.refuse(f"{bonds.card}.mix", end.place, "one displacement of failure for strengths that differ", "mixes spend the energy at their share of shear"):
             return {}
         g_n, g_s = 0.5 * t_n * (g_n + t_n / k_n), 0.5 * t_s * (g_s + t_s / k_s)
-    law = {"normal_stiffness": k_n, "shear_stiffness": k_s, "normal_strength": t_n, "shear_strength": t_s, "normal_energy": g_n, "shear_energy": g_s, **read_mix(end)}
+    law: Deck = {"normal_stiffness": k_n, "shear_stiffness": k_s, "normal_strength": t_n, "shear_strength": t_s, "normal_energy": g_n, "shear_energy": g_s, **read_mix(end)}
+    if start.option("CRITERION") == "MAXS":
+        law["onset"] = "maximum"
+    if end.option("SOFTENING") == "EXPONENTIAL":
+        law["softening"] = "exponential"
     if find_energy_fault(law):
         deck.ledger.refuse(f"{bonds.card}.energy", end.place, "bonds that have stored more than their energy at their strength", bonds.instead)
         return {}
@@ -102,13 +106,6 @@ def read_mix(end: Block) -> Deck:
         return {}
     mix = "power_law" if end.option("MIXED MODE BEHAVIOR") == "POWER LAW" else "benzeggagh_kenane"
     return {"mix": mix, "exponent": end.number((end.place.line, [end.option("POWER")]), 0)}
-
-
-def note_start(deck: AbaqusDeck, bonds: Bonds, start: Block) -> bool:
-    """By which criterion damage of mixes begins: pure tension and pure shear begin at their strength by both."""
-    if start.option("CRITERION") == "QUADS":
-        return True
-    return deck.ledger.refuse(f"{bonds.card}.MAXS", start.place, "damage of bonds by the criterion MAXS", "that of mixes begins by the criterion QUADS")
 
 
 def note_contacts(deck: AbaqusDeck, behavior: Block) -> bool:
@@ -131,9 +128,10 @@ def find_fault_of_bonds(behavior: Block) -> tuple[Place, str] | None:
 
 def find_fault_of_damage(start: Block, end: Block) -> tuple[Place, str] | None:
     if start.option("CRITERION") not in ("QUADS", "MAXS"):
-        return start.place, f"damage of bonds by the criterion {clip(start.option('CRITERION')) or 'MAXS'}"
-    if end.option("TYPE") not in ("ENERGY", "DISPLACEMENT") or end.option("SOFTENING") not in ("", "LINEAR"):
-        return end.place, "damage of bonds that is not linear, or not given by an energy or a displacement"
+        return start.place, f"damage of bonds by the criterion {clip(start.option('CRITERION')) or 'that is not given'}"
+    softenings = ("", "LINEAR", "EXPONENTIAL") if end.option("TYPE") == "ENERGY" else ("", "LINEAR")
+    if end.option("TYPE") not in ("ENERGY", "DISPLACEMENT") or end.option("SOFTENING") not in softenings:
+        return end.place, "damage of bonds by a table, by an exponential of the displacement, or given by neither an energy nor a displacement"
     lines = [line for line in end.lines if any(line[1])]
     mix = end.option("MIXED MODE BEHAVIOR")
     if mix not in ("", "MODE INDEPENDENT", "TABULAR", "BK", "POWER LAW") or has_one_value(end) and len(lines) > 1:

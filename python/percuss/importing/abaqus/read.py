@@ -7,7 +7,7 @@ from ..fields import clip
 from ..ledger import BadInput, Ledger, Place
 from ..model import Model
 from ..text_files import suggest, suggest_place
-from . import bodies, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
+from . import bodies, cohesive, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
 from .amplitudes import read_amplitude
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
@@ -434,7 +434,7 @@ def finish(reader: Reader) -> None:
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
         (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
-        (hold_planes, "SOLID SECTION"), (general_contact.finish_contact, "CONTACT"),
+        (hold_planes, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

@@ -24,14 +24,17 @@ struct Lives {
   /// Share of its force that an element has at n.
   KOKKOS_INLINE_FUNCTION double find_share(int c, int i) const {
     const int lane = find_lane(c, i);
-    return lane < 0 ? 1 : find_life_shares(lives.steps_left(lane), failing.limits(failing.row(c)).fade_steps).now;
+    if (lane < 0) return 1;
+    if (lives.steps_left(lane) == ElementLives::whole)  // work takes the mean of the shares of now and of the next step
+      return 2 * static_cast<double>(lives.work_share(lane)) - static_cast<double>(lives.force_share(lane));
+    return find_life_shares(lives.steps_left(lane), failing.limits(failing.row(c)).fade_steps).now;
   }
   KOKKOS_INLINE_FUNCTION double find_damage(int c, int i) const {
     const int lane = find_lane(c, i);
     if (lane < 0) return 0;
-    if (lives.steps_left(lane) != ElementLives::whole) return 1;
     const FailureLimits& limits = failing.find_limits(c, i);
-    const double strain = lives.plastic_strain(lane) / limits.plastic_strain,
+    if (lives.steps_left(lane) != ElementLives::whole) return limits.whole_damage();
+    const double strain = smaller(lives.plastic_strain(lane) / limits.plastic_strain, 1.0),
                  time = lives.time_at_yield(lane) / limits.yield_time;
     return larger(lives.damage(lane), larger(strain, time));
   }

@@ -24,8 +24,10 @@ struct ShellTables {
     constexpr int width = pack_size<double>;
     if (failing.first_layer.extent(0) == 0 || failing.find_pack(c) < 0) return 1;
     const double* const life = find_layer_life(find_layer_lives(lives, failing, c, points, i), p);
-    return find_life_shares(static_cast<int>(life[LayerLives::left * width]), failing.limits(failing.row(c)).fade_steps)
-        .now;
+    const int left = static_cast<int>(life[LayerLives::left * width]);
+    if (left == ElementLives::whole)  // work takes the mean of the shares of now and of the next step
+      return 2 * life[LayerLives::work_share * width] - life[LayerLives::force_share * width];
+    return find_life_shares(left, failing.limits(failing.row(c)).fade_steps).now;
   }
 };
 

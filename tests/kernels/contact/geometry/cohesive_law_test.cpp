@@ -85,6 +85,29 @@ TEST(CohesiveLaw, SpendsTheEnergyOfTheMix) {
   }
 }
 
+// Exponential softening spends the energy of the mix too, and leaves exp(-(e - e_0) / (G - e_0)) of the stiffness.
+TEST(CohesiveLaw, SoftensExponentially) {
+  CohesiveLaw law = make_law();
+  law.softening = CohesiveLaw::Softening::exponential;
+  const double onset = law.normal_onset(), opening = 1e-6, stored = 0.5 * 2e14 * opening * opening;
+  EXPECT_NEAR(separate(law, opening, 0, 0).normal, 2e14 * opening * std::exp(-(stored - onset) / (300 - onset)), 1);
+  EXPECT_EQ(separate(law, 0.999 * 30e6 / 2e14, 0, 0).damage, 0);
+  EXPECT_NEAR(pull_apart(law, 1, 0), 300, 2e-5 * 300);
+  EXPECT_NEAR(pull_apart(law, 0, 1), 900, 2e-5 * 900);
+}
+
+// By the larger of both ratios a mix of equal ratios begins at sqrt(2) times the separation of the quadratic criterion.
+TEST(CohesiveLaw, BeginsByTheLargerRatio) {
+  CohesiveLaw law = make_law();
+  law.onset = CohesiveLaw::Onset::maximum;
+  const double opening = 30e6 / 2e14, slide = 50e6 / 1e14;
+  EXPECT_EQ(separate(law, 0.999 * opening, 0.999 * slide, 0).damage, 0);
+  EXPECT_GT(separate(law, 1.001 * opening, 0.5 * slide, 0).damage, 0);
+  EXPECT_GT(separate(law, 0.5 * opening, 1.001 * slide, 0).damage, 0);
+  const double share = 1 / (1 + law.normal_onset() / law.shear_onset());
+  EXPECT_NEAR(pull_apart(law, opening / 1e-6, slide / 1e-6), 300 + 600 * std::pow(share, 1.6), 1e-4 * 300);
+}
+
 // Damage begins where the squares of both tractions over their strengths add up to 1.
 TEST(CohesiveLaw, BeginsByTheQuadraticCriterion) {
   const CohesiveLaw law = make_law();

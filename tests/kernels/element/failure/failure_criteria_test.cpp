@@ -156,4 +156,53 @@ TEST(LifeShares, FallInEqualParts) {
   EXPECT_LT(find_life_shares(0, 4).force, 0);
 }
 
+// Damage is a share of the failure strain up to 1, then grows by the strain over what the evolution asks.
+TEST(DamageEvolution, BeginsWithinAStepAndEndsAtTwo) {
+  FailureLimits limits;
+  limits.johnson_cook.d1 = 0.1;
+  limits.evolution.by_strain = 5;
+  FailureHistory history;
+  const Tensor tension{300, 0, 0, 0, 0, 0};
+  EXPECT_FALSE(fails(limits, stretch_to(0.08, tension), 1, history));
+  EXPECT_DOUBLE_EQ(history.damage, 0.8);
+  EXPECT_FALSE(fails(limits, stretch_to(0.16, tension), 1, history));
+  EXPECT_DOUBLE_EQ(history.damage, 1 + 5 * 0.06);
+  EXPECT_DOUBLE_EQ(find_share_of_damage(history.damage), 0.7);
+  EXPECT_FALSE(fails(limits, stretch_to(0.16, tension), 1, history));
+  EXPECT_TRUE(fails(limits, stretch_to(0.3, tension), 1, history));
+  EXPECT_DOUBLE_EQ(history.damage, 2);
+}
+
+// By an energy the rest of the force does twice G over the size, whatever the stress is.
+TEST(DamageEvolution, SpendsItsEnergyWhileTheMaterialHardens) {
+  FailureLimits limits;
+  limits.plastic_strain = 0.02;
+  const double size = 2, energy = 15;
+  limits.evolution.by_work = 0.5 * size / energy;
+  FailureHistory history;
+  double spent = 0;
+  const int steps = 200000;
+  for (int i = 1; i <= steps && history.damage < 2; ++i) {
+    const double strain = 0.3 * i / steps, stress = 300 + 500 * strain, before = find_share_of_damage(history.damage);
+    fails(limits, stretch_to(strain, {stress, 0, 0, 0, 0, 0}), 1, history);
+    if (history.damage >= 1)
+      spent += 0.5 * (before + find_share_of_damage(history.damage)) * stress * size * 0.3 / steps;
+  }
+  EXPECT_GE(history.damage, 2);
+  EXPECT_NEAR(spent, energy, 1e-4 * energy);
+}
+
+TEST(Triaxiality, IsThatOfTheMeanByVonMisesStress) {
+  const MaterialTable table{2, {0, 1.0 / 3}, {0.6, 0.3}};
+  FailureLimits limits;
+  limits.triaxiality = &table;
+  limits.strain_factor = 0.5;
+  const auto find = [&](const Tensor& stress) { return find_failure_strain(limits, stretch_to(0.1, stress), 1); };
+  EXPECT_NEAR(find({200, 0, 0, 0, 0, 0}), 0.15, 1e-12);
+  EXPECT_NEAR(find({0, 0, 0, 50, 0, 0}), 0.3, 1e-12);
+  EXPECT_NEAR(find({-100, -100, -100, 0, 0, 0}), 0.3, 1e-12);
+  limits.johnson_cook.d1 = 0.12;
+  EXPECT_NEAR(find({200, 0, 0, 0, 0, 0}), 0.12, 1e-12);  // the smaller of both
+}
+
 }  // namespace percuss

@@ -1,6 +1,6 @@
 """*MAT_COHESIVE_MIXED_MODE of cohesive elements (ELFORM 19 and 21): cohesive ties of the solids on both sides."""
 
-from ...cohesive_layers import LEFT_OUT, add_layer, find_energy_fault
+from ...cohesive_layers import LEFT_OUT, add_layer, find_energy_fault, make_layer
 from ...fields import Row
 from ...ledger import BadInput, missing
 from ...model import Block, Deck
@@ -22,7 +22,7 @@ def bond_solids(deck: KeywordDeck, part: PartCard, block: Block) -> None:
         deck.ledger.refuse("SECTION_SOLID.ELFORM", part.place, f"cohesive elements of *{card.keyword} (MAT_138 is read)", LEFT_OUT)
         return
     law = read_law(deck, card)
-    if law and add_layer(deck.model, deck.ledger, block.name, block.solids, law, part.place):
+    if law and add_layer(deck.model, deck.ledger, make_layer(deck.model, block.name, block.solids, law, part.place)):
         deck.ledger.translated(card.keyword, card.place, "the law of a cohesive tie")
 
 
