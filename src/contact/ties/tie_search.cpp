@@ -1,6 +1,8 @@
 #include "src/contact/ties/tie_search.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "src/contact/surface/surface_share.hpp"
 #include "src/contact/ties/tie_thickness.hpp"
@@ -50,6 +52,7 @@ struct Query {
   Vec3 x{};
   double thickness = 0;  // half that of shells
   int asker = 0;
+  Vec3 outward{};  // unit normal of a face of side a at the node; zero: any face of side b will do
 };
 
 FacePoints load_face(const std::vector<Vec3>& x, const Face& face, const Vec3& origin) {
@@ -93,6 +96,20 @@ int find_side(const TieGeometry& tie, bool is_shell) {
   return height < -least * tie.size ? -1 : 0;
 }
 
+/// Distances that differ by round-off are one.
+double find_key(double distance, double size) {
+  constexpr double least = 1e-6;
+  return distance <= least * size ? 0 : static_cast<double>(static_cast<float>(distance));
+}
+
+/// ClosestFace::facing, in quarters; shells look both ways.
+int find_facing(const TieGeometry& tie, const Face& face, const Query& query) {
+  constexpr double classes = 4;
+  const double cosine = dot(find_face_normal(tie.face), to_point(query.outward));
+  const bool is_shell = face.thickness > 0 || query.thickness > 0;
+  return static_cast<int>(std::lround(classes * (is_shell ? -std::abs(cosine) : cosine)));
+}
+
 /// Judges one node by one face; the face must not belong to an element of the node.
 void judge(const Mesh& mesh, const std::vector<Vec3>& x, const Face& face, const Query& query, ClosestFace& best) {
   for (const int corner : face.corners)
@@ -108,13 +125,16 @@ void judge(const Mesh& mesh, const std::vector<Vec3>& x, const Face& face, const
   answer.gap = gap;
   answer.found.node = query.node;
   answer.found.face = face.number;
+  answer.found.geometry.face = center_face(points);
+  const bool is_any = query.outward == Vec3{};
+  answer.key = is_any ? closest.distance : find_key(closest.distance, face.size);
+  answer.facing = is_any ? 0 : find_facing(answer.found.geometry, face, query);
   if (!answer.is_better_than(best)) return;
   for (std::size_t i = 0; i < 4; ++i) {
     answer.found.corners[i] = mesh.node_numbers[at(face.corners[i])];
     answer.found.geometry.weight[i] = closest.weight[i];
   }
   answer.found.geometry.offset = -interpolate(points, closest.weight);
-  answer.found.geometry.face = center_face(points);
   answer.found.geometry.size = face.size;
   answer.found.side = find_side(answer.found.geometry, face.thickness > 0);
   answer.joined = best.joined;
@@ -154,6 +174,71 @@ std::vector<Box> gather_boxes(const Communicator& ranks, const Box& own) {
   return boxes;
 }
 
+/// The normals of the faces of side a at each node, as many as this rank has; where there are none, one of no length.
+std::vector<std::vector<Vec3>> list_outward(const Mesh& mesh, const TieSearch& search) {
+  std::vector<std::vector<Vec3>> outward(search.nodes.size());
+  for (std::size_t f = 0; search.facing != nullptr && f < search.facing->size(); ++f) {
+    Face face;
+    face.corners = mesh.elements.face_nodes((*search.facing)[f]);
+    const Point3 normal = find_face_normal(center_face(load_face(search.places, face, Vec3{})));
+    for (const int node : face.corners) {
+      const auto place = std::lower_bound(search.nodes.begin(), search.nodes.end(), node);
+      if (place != search.nodes.end() && *place == node)
+        outward[static_cast<std::size_t>(place - search.nodes.begin())].push_back({normal.x, normal.y, normal.z});
+    }
+  }
+  for (std::vector<Vec3>& normals : outward)
+    if (normals.empty()) normals.push_back({});
+  return outward;
+}
+
+/// The best answer for each node of this rank.
+std::vector<ClosestFace> keep_best(const Mesh& mesh, const std::vector<int>& nodes,
+                                   const std::vector<ClosestFace>& answers) {
+  std::vector<ClosestFace> best(nodes.size());
+  for (const ClosestFace& answer : answers) {
+    const auto place = std::lower_bound(nodes.begin(), nodes.end(), answer.found.node,
+                                        [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
+    ClosestFace& so_far = best[static_cast<std::size_t>(place - nodes.begin())];
+    const int joined = std::max(so_far.joined, answer.joined);
+    if (answer.is_better_than(so_far)) so_far = answer;
+    so_far.joined = joined;
+  }
+  return best;
+}
+
+/// Ranks that share a node know different faces of side a around it: all of them take the best of their answers.
+void agree(const ChunkedMesh& chunked, const std::vector<int>& nodes, ItemExchange& exchange,
+           std::vector<ClosestFace>& best) {
+  struct Told {
+    ClosestFace answer;
+    int asker = 0;
+  };
+  const Mesh& mesh = chunked.mesh;
+  std::vector<Told> known;
+  std::vector<int> owners;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    best[i].found.node = mesh.node_numbers[at(nodes[i])];
+    known.push_back({best[i], exchange.ranks().rank()});
+    owners.push_back(chunked.numbering.find_node_owner(best[i].found.node));
+  }
+  std::vector<Told> told = exchange.send(owners, known);
+  std::map<std::int64_t, ClosestFace> of_node;
+  for (const Told& t : told) {
+    ClosestFace& so_far = of_node[t.answer.found.node];
+    if (t.answer.is_better_than(so_far)) so_far = t.answer;
+  }
+  std::vector<int> askers;
+  std::vector<ClosestFace> answers;
+  for (const Told& t : told) {
+    askers.push_back(t.asker);
+    answers.push_back(of_node[t.answer.found.node]);
+    answers.back().found.node = t.answer.found.node;
+    answers.back().joined = t.answer.joined;
+  }
+  best = keep_best(mesh, nodes, exchange.send(askers, answers));
+}
+
 }  // namespace
 
 std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const TieSearch& search,
@@ -170,13 +255,16 @@ std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const Ti
   const std::vector<Box> boxes = gather_boxes(exchange.ranks(), own);
   std::vector<int> destinations;
   std::vector<Query> queries;
+  const std::vector<std::vector<Vec3>> outward = list_outward(mesh, search);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int n = nodes[i];
     const double thickness = search.thickness.empty() ? 0 : search.thickness[i];
     for (std::size_t r = 0; r < boxes.size(); ++r) {
       if (!boxes[r].holds(search.places[at(n)])) continue;
-      destinations.push_back(static_cast<int>(r));
-      queries.push_back({mesh.node_numbers[at(n)], search.places[at(n)], thickness, exchange.ranks().rank()});
+      for (const Vec3& normal : outward[i]) {
+        destinations.push_back(static_cast<int>(r));
+        queries.push_back({mesh.node_numbers[at(n)], search.places[at(n)], thickness, exchange.ranks().rank(), normal});
+      }
     }
   }
   const std::vector<Query> asked = exchange.send(destinations, queries);
@@ -186,15 +274,8 @@ std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const Ti
     given[i].found.node = asked[i].node;
     askers.push_back(asked[i].asker);
   }
-  std::vector<ClosestFace> best(nodes.size());
-  for (const ClosestFace& answer : exchange.send(askers, given)) {
-    const auto place = std::lower_bound(nodes.begin(), nodes.end(), answer.found.node,
-                                        [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
-    ClosestFace& so_far = best[static_cast<std::size_t>(place - nodes.begin())];
-    const int joined = std::max(so_far.joined, answer.joined);
-    if (answer.is_better_than(so_far)) so_far = answer;
-    so_far.joined = joined;
-  }
+  std::vector<ClosestFace> best = keep_best(mesh, nodes, exchange.send(askers, given));
+  if (search.facing != nullptr) agree(chunked, nodes, exchange, best);
   return best;
 }
 

@@ -14,11 +14,14 @@ namespace percuss {
 struct ClosestFace {
   double distance = std::numeric_limits<double>::infinity();  // from the mesh [length]
   double gap = 0;                                             // beyond the thickness of shells between [length]
+  double key = std::numeric_limits<double>::infinity();       // the distance, as faces are compared by it
+  int facing = 0;                                             // -4: it faces side a at the node; 4: it looks away
   int joined = 0;                                             // 1: the node is a corner of the surface
   TiedNode found;                                             // found.face is -1 if no face is in reach
 
   bool is_better_than(const ClosestFace& other) const {
-    return distance != other.distance ? distance < other.distance : found.face < other.found.face;
+    if (key != other.key) return key < other.key;
+    return facing != other.facing ? facing < other.facing : found.face < other.found.face;
   }
 };
 
@@ -29,11 +32,13 @@ struct TieSearch {
   const std::vector<double>& thickness;   // [nodes] half that of shells (tie_thickness.hpp) [length]; empty: no shells
   const std::vector<ElementFace>& faces;  // of this rank
   const std::optional<double>& distance;  // in reach [length]; default: default_tie_distance of each face
+  const std::vector<ElementFace>* facing = nullptr;  // of side a: of faces equally close to a node, that which faces it
 };
 
-/// The closest face of all ranks for each node, by the distance from its mesh; the lower face number if two are equally
-/// close. In reach are faces whose surface, half the thickness of shells off the mesh on both sides, is within the
-/// distance. Faces of elements that have the node are passed over. Collective. Throws MpiError.
+/// The closest face of all ranks for each node, by the distance from its mesh. If two are equally close, as at the rim
+/// of bodies that lie flush: with `facing` that which looks at side a, else the lower face number. In reach are faces
+/// whose surface, half the thickness of shells off the mesh on both sides, is within the distance. Faces of elements
+/// that have the node are passed over. Collective. Throws MpiError.
 std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const TieSearch& search,
                                             ItemExchange& exchange);
 

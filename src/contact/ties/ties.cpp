@@ -186,7 +186,7 @@ void add_tied_nodes(const TieScene& scene, std::size_t t, TiedSurfaces& ties) {
   const std::vector<int>& nodes = sides.a.nodes;
   refuse_no_rotations(chunked, ranks, deck, tie, nodes);
   const std::vector<double> thickness = find_node_thickness(chunked, sides.a, exchange);
-  const TieSearch search{places, nodes, thickness, sides.b, tie.distance};
+  const TieSearch search{places, nodes, thickness, sides.b, tie.distance, tie.can_fail() ? &sides.a.faces : nullptr};
   std::vector<ClosestFace> answers = find_closest_faces(chunked, search, exchange);
   leave_out_what_lies_behind(chunked, search, answers, exchange);
   ties.faces[t] = {add_other_sides(chunked.mesh, keep_tied_faces(chunked.mesh, sides.a.faces, nodes, answers)),
@@ -212,7 +212,9 @@ void stick_nodes(const TieScene& scene, std::size_t t, const std::vector<std::in
     nodes.push_back(sides.a.nodes[n]);
     if (!half.empty()) thickness.push_back(half[n]);
   }
-  const TieSearch search{scene.places, nodes, thickness, sides.b, scene.deck.contact.ties[t].distance};
+  const TieDeck& tie = scene.deck.contact.ties[t];
+  const TieSearch search{scene.places, nodes,        thickness,
+                         sides.b,      tie.distance, tie.can_fail() ? &sides.a.faces : nullptr};
   TieCounts all = ties.counts[t];
   keep_found(scene, t, nodes, find_closest_faces(scene.chunked, search, exchange), ties);
   all.tied += ties.counts[t].tied;

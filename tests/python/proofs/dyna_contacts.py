@@ -66,9 +66,9 @@ def fallen(options):
 GLUE_AREA, GLUE_N, GLUE_S, CN, CT2CN = 100.0, 0.3, 0.9, 2e4, 0.5
 
 
-def glued(options, vx, vz):
-    """A rigid cube is moved off a held one that it is glued to, 0.05 mm at most."""
-    floor = hexahedron(1, 1, (-5.0, -5.0, 0.0), (20.0, 20.0, 10.0)) + part() + solid_section() + rigid(1, 1, 7, 7)
+def glued(options, vx, vz, margin=5.0):
+    """A rigid cube is moved off a held one that it is glued to, 0.05 mm at most. margin: how far that reaches beyond it."""
+    floor = hexahedron(1, 1, (-margin, -margin, 0.0), (10.0 + 2 * margin, 10.0 + 2 * margin, 10.0)) + part() + solid_section() + rigid(1, 1, 7, 7)
     moves = "".join(f"*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,{dof},0,{curve},1.0\n*DEFINE_CURVE\n{curve}\n0,{v!r}\n1.0,{v!r}\n"
                     for dof, curve, v in ((1, 7, vx), (3, 8, vz)))  # fmt: skip
     contact = f"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n{options}\n"
@@ -232,6 +232,9 @@ PROOFS = FAMILIES + [
     Proof(GLUE, glued(f"11,30.0,50.0,2.0,{GLUE_N},{GLUE_S},{CT2CN},{CN}", 4000.0, 3000.0), [("glue_work", LAST, glue_energy(4.0, 3.0, power=2.0), 2e-3)],
           "likewise by the power law"),
     Proof(GLUE, glued(f"9,30.0,50.0,1.0,{GLUE_N},{GLUE_S},0,{CN}", 0.0, 5000.0), [("glue_work", LAST, GLUE_AREA * GLUE_N, 2e-3)], "opening alone"),
+    *(Proof(GLUE, glued("9,30.0,50.0,1.0,0.3,0.9,0.5,2e4", vx, vz, margin=0.0), [("glue_work", LAST, GLUE_AREA * energy, 2e-3)],
+            "cubes that lie flush: the glue looks at the face below, not at sides that meet it at the rim")
+      for vx, vz, energy in ((0.0, 5000.0, GLUE_N), (5000.0, 0.0, GLUE_S))),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: CN", glued("9,30.0,50.0,1.0,0.3,0.9", 0.0, 5000.0), refused="OPTION 9 without CN"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: ERATEN", glued("9,30.0,50.0,1.0,-3,0.9,0,2e4", 0.0, 5000.0), refused="OPTION 9 with ERATEN that is not positive"),
     Proof("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK; CONTACT: OPTION", fallen("1,2.0,2.0"),
