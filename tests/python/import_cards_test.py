@@ -151,6 +151,13 @@ class Cards(InFolder):
         self.assertEqual(model.title, "three")
         self.assertIn("CASE.TITLE", outcomes(ledger, Status.IGNORED))
 
+    def test_messages_about_cohesive_elements_and_the_implementation_of_tetrahedra_change_nothing(self):
+        plain, _ = self.read(decks.FULL)
+        for value in (1, 10):
+            model, ledger = self.read(decks.FULL.replace("*END", f"*CONTROL_SOLID\n1,0,0,0\n0\n1,1,{value}\n*END"))
+            self.assertEqual(ledger.list_refused(), [])
+            self.assertEqual(model.deck, plain.deck)
+
     def test_the_step_is_limited_by_the_least_value_of_its_curve(self):
         text = decks.make_block(decks.LAWS["table"][1], "", True)
         cards = "*DEFINE_CURVE\n77\n0,3e-7\n1,2e-7\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,77\n*END"

@@ -31,11 +31,11 @@ def joint(kind, ids, *more):
 
 
 
-def held_screw(off: float) -> str:
-    """A screw of PARM 2 in a nut that is held, with a mass centre off its axis; 3 N push it along."""
+def held_screw(off: float, moved: str = "") -> str:
+    """A screw of PARM 2 in a nut that is held, with a mass centre off its axis; 3 N push it along, or it is moved otherwise."""
     corners = nodes(*((id, 5.0 + off + side, 5.0, z) for id, side, z in ((90, 0, 10.5), (91, 0, 10.5), (92, 0, 12.5), (93, 0, 12.5), (94, 3, 10.5), (95, 3, 10.5))))
     return deck(cube(rigid(1, 1, 7, 7)), hexahedron(2, 11, (0.0, 0.0, 11.0), of=2), part(2, 1, 2), rigid(2, 1, 4, 4), corners, node_set(7, 90, 92, 94), node_set(8, 91, 93, 95),
-                "*CONSTRAINED_EXTRA_NODES_SET\n1,7\n2,8\n*CONSTRAINED_JOINT_SCREW\n90,91,92,93,94,95\n2.0\n", PUSH.format(id=2, dof=3), end=END)
+                "*CONSTRAINED_EXTRA_NODES_SET\n1,7\n2,8\n*CONSTRAINED_JOINT_SCREW\n90,91,92,93,94,95\n2.0\n", moved or PUSH.format(id=2, dof=3), end=END)
 
 
 def spins(axis: str, inertia: float) -> list:
@@ -193,6 +193,8 @@ PROOFS = [
     *(Proof("CONSTRAINED_JOINT_SCREW: N1 N2 N3 PARM", held_screw(off),
             [("body_vz:part_2", LAST, 3.0 * END / (CUBE_MASS + SPIN / 4), 2e-3), ("body_wz:part_2", LAST, 1.5 * END / (CUBE_MASS + SPIN / 4), 2e-3)],
             "what is held across the axis turns about its mass centre, which lies on the axis") for off in (0.0, 0.16)),
+    Proof("CONSTRAINED_JOINT_SCREW: PARM; BOUNDARY_PRESCRIBED_MOTION_RIGID: ID DOF", held_screw(0.16, "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,7,0,7,40.0\n" + CONSTANT),
+          [("body_vz:part_2", LAST, 80.0, 2e-3), ("body_wz:part_2", LAST, 40.0, 2e-3)], "one that is driven about the axis turns about its mass centre too, and moves PARM times the angle"),
     Proof("CONSTRAINED_JOINT_SCREW: N1 N3", held_screw(2.0), refused="off the mass centre of 'part_2'", messages=1),
     Proof("CONSTRAINED_JOINT_SCREW: N2", joint("SCREW", "90,95,92,97,94,95\n2.0", APART), refused="not on its axis"),
     Proof("CONSTRAINED_JOINT_SCREW: PARM", joint("SCREW", "90,91,92,93,94,95\n"), refused="PARM"),

@@ -2,8 +2,8 @@
 
 import math
 
-from . import ALL, LAST, Proof
-from .pieces import CUBE_MASS, POISSON, YOUNG, cube, curve, deck, node_set, nodes, shell, two_cubes, velocity
+from . import ALL, FIRST, LAST, Proof
+from .pieces import CUBE_MASS, DENSITY, POISSON, YOUNG, cube, curve, deck, node_set, nodes, shell, two_cubes, velocity
 
 CONSTANT = curve(7, (0, 1.0), (1, 1.0))
 EVERYTHING = node_set(4, 1, 2, 3, 4, 5, 6, 7, 8)
@@ -13,6 +13,8 @@ IN_TURN = [("momentum_x", when, value * CUBE_MASS, 1e-6) for when, value in ((2e
 MOVE = "*BOUNDARY_PRESCRIBED_MOTION_SET\n4,{dof},{vad},7,{sf}{more}\n"
 LARGE = 2 * YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))  # twice the modulus of uniaxial strain
 SQUARE = 2 * LARGE * 10.0 / CUBE_MASS  # of the angular frequency of two halves of the mass of a cube on the stiffness of its middle
+SYMMETRY = "*BOUNDARY_SPC_SYMMETRY_PLANE\n"
+SHELL_MASS = DENSITY * 100.0  # 10 mm by 10 mm, 1 mm thick
 NO_VISCOSITY = "*CONTROL_BULK_VISCOSITY\n1e-20,1e-20\n"
 
 
@@ -65,6 +67,19 @@ PROOFS = [
           "4 holds x and y of what is within 5.5 of z = 5: the lower cube"),
     Proof("CONSTRAINED_GLOBAL: RC", deck(shell(), "*CONSTRAINED_GLOBAL\n7,1,3,0,0,0,1.0\n", node_set(4, 1, 2, 3, 4), "*LOAD_NODE_SET\n4,5,7,2.0\n", CONSTANT),
           [("kinetic", LAST, 0.0, 1e-12)], "1 holds the rotation about x"),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE: ID Z VX VY VZ TOL", deck(two_cubes(), SYMMETRY + "9,1,3.0,4.0,10.4,0,0,-2.0\n0.5\n", velocity(100.0, 20.0, -30.0)),
+          [("momentum_x", ALL, 200.0 * CUBE_MASS, 1e-9), ("momentum_y", ALL, 40.0 * CUBE_MASS, 1e-9), ("momentum_z", FIRST, -45.0 * CUBE_MASS, 1e-9)],
+          "z of the upper nodes of part 1, 0.4 from the plane"),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE_SET: ID X VX TOL", deck(two_cubes(), "*SET_PART_LIST\n6\n1,2\n" + SYMMETRY.replace("PLANE", "PLANE_SET") + "9,6,-0.2,50.0,50.0,1.0\n0.3\n", velocity(100.0, 20.0)),
+          [("momentum_x", FIRST, 100.0 * CUBE_MASS, 1e-9), ("momentum_y", ALL, 40.0 * CUBE_MASS, 1e-9)], "x of the nodes of both parts at x = 0"),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE: Y VY TOL", deck(shell(), SYMMETRY + "9,1,0,-0.15,0,0,1.0,0\n\n", velocity(100.0, 20.0)),
+          [("momentum_x", ALL, 100.0 * SHELL_MASS, 1e-9), ("momentum_y", FIRST, 10.0 * SHELL_MASS, 1e-9)], "y of two nodes, by the 0.2 that is the default of shells"),
+    *(Proof("BOUNDARY_SPC_SYMMETRY_PLANE: ID VY", deck(shell(), SYMMETRY + "9,1,0,0,0,0,1.0,0\n0.1\n", node_set(4, 1, 2), f"*LOAD_NODE_SET\n4,{dof},7,2.0\n", CONSTANT),
+            [("kinetic", LAST, 0.0, 1e-12)], "moments about the axes in the plane") for dof in (5, 7)),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE: ID VY", deck(shell(), SYMMETRY + "9,1,0,0,0,0,1.0,0\n0.1\n", node_set(4, 1, 2), "*LOAD_NODE_SET\n4,6,7,2.0\n", CONSTANT),
+          [(lambda h: float(h["kinetic"][-1] > 0), LAST, 1.0, 1e-12)], "a moment about the normal turns them"),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE: VX", deck(cube(), SYMMETRY + "9,1,0,0,0,1.0,1.0,0\n0.1\n"), refused="across none of the axes"),
+    Proof("BOUNDARY_SPC_SYMMETRY_PLANE: TOL", deck(cube(), SYMMETRY + "9,1,0,0,0,1.0\n\n"), refused="SYMMETRY_PLANE.TOL"),
     Proof("BOUNDARY_PRESCRIBED_MOTION_SET: ID DOF VAD LCID SF", deck(cube(), EVERYTHING, MOVE.format(dof=2, vad=0, sf=40.0, more=""), CONSTANT),
           [("momentum_y", ALL, 40.0 * CUBE_MASS, 1e-9)], "a velocity"),
     *(Proof("BOUNDARY_PRESCRIBED_MOTION_SET: LCID; DEFINE_CURVE: SIDR", deck(cube(), EVERYTHING, MOVE.format(dof=dof, vad=0, sf=1.0, more=""), "\n" * (dof > 9), curve(7, (0, 1.0), (1, 1.0), more=",1")),

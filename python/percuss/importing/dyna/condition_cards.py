@@ -1,5 +1,7 @@
 """*BOUNDARY_SPC, *CONSTRAINED_GLOBAL, TC and RC of *NODE: what holds nodes, and through them rigid bodies."""
 
+import math
+
 from ..fields import Row
 from ..ledger import Place
 from ..model import Deck
@@ -11,6 +13,7 @@ from .windows import Window, switch
 
 AXES = ("x", "y", "z")
 CODES = {0: (), 1: ("x",), 2: ("y",), 3: ("z",), 4: ("x", "y"), 5: ("y", "z"), 6: ("x", "z"), 7: AXES}
+SHELL_REACH = 0.2  # from a plane of symmetry, by default
 DIRECTIONS = {1: "x", 2: "y", 3: "z", 5: "rx", 6: "ry", 7: "rz"}
 
 
@@ -79,6 +82,42 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.translated(card.keyword, row.place, "conditions: fixed, of the nodes on the plane")
         elif not nodes:
             deck.ledger.ignored(card.keyword, row.place, "no node lies on the plane")
+
+
+def read_symmetry_plane(deck: KeywordDeck, card: Card) -> None:
+    """*BOUNDARY_SPC_SYMMETRY_PLANE, _SET: nodes of parts within TOL of a plane stay in it, and turn about its normal alone."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("IDSP~label ID X Y Z VX VY VZ")
+        reach = reader.row("TOL").number("TOL")
+        default = SHELL_REACH * card.change.factor_of(card.keyword, "TOL")
+        normal, id = row.numbers("VX", "VY", "VZ"), row.integer("ID")
+        across = [d for d in range(3) if abs(normal[d]) > (1 - 1e-9) * math.hypot(*normal)]
+        parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("_SET") else [id]
+        is_solid = any(deck.elements[part].solids for part in parts if deck.find_part(part, row.place) and part in deck.elements)
+        if not any(normal):
+            row.fail("VX", "the normal of the plane has no direction")
+        if not across:
+            deck.ledger.refuse(f"{card.keyword}.VX", row.place, "a plane of symmetry across none of the axes of space", "it is left out")
+            continue
+        if reach <= 0 and is_solid:
+            deck.ledger.refuse(f"{card.keyword}.TOL", row.place, "solids without TOL, whose default is that of shells", "it is 0.2")
+        distance = row.numbers("X", "Y", "Z")[across[0]]
+        nodes = dict.fromkeys(node for part in parts for node in deck.nodes_of_part(part))
+        hold_plane(deck, row, across[0], [node for node in nodes if abs(deck.nodes[node][across[0]] - distance) <= (reach if reach > 0 else default)])
+
+
+def hold_plane(deck: KeywordDeck, row: Row, axis: int, nodes: list[int]) -> None:
+    """Nodes on a plane of symmetry across an axis."""
+    found = sort_nodes(deck, nodes, row.place)
+    directions = [AXES[axis], *(f"r{a}" for a in AXES if a != AXES[axis])]
+    hold_bodies(deck, found.of_bodies, dict.fromkeys(directions), row.place, row.card)
+    name = deck.make_node_set(f"symmetry_{AXES[axis]}", found.free, row.place)
+    if name:
+        add_fixed(deck, name, directions, deck.model.node_sets[name])
+        deck.ledger.translated(row.card, row.place, "conditions: fixed, of the nodes on the plane")
+    elif not nodes:
+        deck.ledger.ignored(f"{row.card}.none", row.place, "no node of its parts lies on the plane")
 
 
 def find_factors(deck: KeywordDeck, row: Row, direction: str) -> dict[str, float]:

@@ -188,7 +188,7 @@ def check_shells(deck: KeywordDeck, card: Card) -> None:
 
 
 def apply_relaxation(deck: KeywordDeck, card: Card) -> None:
-    """Explicit dynamic relaxation. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
+    """Explicit dynamic relaxation; *CONTROL_DAMPING is another name of the card. DRFCTR, EDTTL and DRTERM steer a damping that percuss finds by itself."""
     row = card.reader().row("NRCYCK~damping=250 DRTOL=0.001 DRFCTR~damping=0.995 DRTERM~damping TSSFDR~damping IRELAL~damping EDTTL~damping=0.04 IDRFLG")
     flag, tolerance = row.integer("IDRFLG"), row.number("DRTOL") or 0.001
     row.finish(deck.ledger)
@@ -245,14 +245,20 @@ def read_solid_control(deck: KeywordDeck, card: Card) -> None:
     row = reader.row("ESORT~solids FMATRX~solids NIPTETS~solids=4 SWLOCL~solids=1 PSFAIL T10JTOL~solids ICOH~solids TET13K~implicit")
     names = " ".join(f"PM{i}" for i in range(1, 11))
     order = reader.row(names, (8,) * 10)
-    if order.numbers(*names.split()) in ([float(i) for i in range(1, 11)], [0.0] * 10):
-        order.skip(*names.split())
-    elif deck.ledger.refuse("CONTROL_SOLID.PM1", order.place, "another order of the nodes of tetrahedra", "the usual order is read"):
-        order.skip(*names.split())
+    more = reader.row("TET13V~solids RINRT~solids COHEQC")
+    given = order.numbers(*names.split())
+    if given not in ([float(i) for i in range(1, 11)], [0.0] * 10):
+        wrong = next((i for i, value in enumerate(given, 1) if value not in (0.0, i)), next(i for i, value in enumerate(given, 1) if value))
+        deck.ledger.refuse("CONTROL_SOLID.PM1", order.place, f"another order of the nodes of tetrahedra (PM{wrong} is {given[wrong - 1]:g})", "the usual order is read")
+    order.skip(*names.split())
     if row.integer("PSFAIL"):
         deck.eroded_when_inverted = row.integer("PSFAIL")
         deck.ledger.approximated("CONTROL_SOLID.PSFAIL", row.place, "failure.inverted of these parts")
-    row.finish(deck.ledger, "it is left out")
+    if more.integer("COHEQC") % 10 == 2:
+        deck.ledger.refuse("CONTROL_SOLID.COHEQC", more.place, "COHEQC: cohesive elements of poor shape are deleted at the start", "they are kept")
+    more.skip("COHEQC")  # other values are about messages
+    for found in (row, more):
+        found.finish(deck.ledger, "it is left out")
     deck.ledger.ignored(card.keyword, card.place, "numerics of solids")
 
 

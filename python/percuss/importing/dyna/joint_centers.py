@@ -19,7 +19,7 @@ def center_bodies(deck: KeywordDeck, joint: JointCard, entry: Deck, extent: floa
     held = {body: find_held(deck, body) for body in entry["bodies"]}
     if abs(axis[k]) < 1 - ROUND_OFF or not all(set(AXES) - {AXES[k]} <= directions for directions in held.values()):
         return ""
-    for body in (body for body, directions in held.items() if f"r{AXES[k]}" not in directions):
+    for body in (body for body in held if f"r{AXES[k]}" not in find_fixed(deck, body)):
         blocks = list_blocks(deck, body)
         center = deck.body_centers.get(body) or find_center(deck, blocks)
         if not blocks or center is None:
@@ -44,6 +44,12 @@ def find_held(deck: KeywordDeck, body: str) -> set[str]:
         if condition.get("body") == body:
             held.update(condition.get("fixed", []), condition.get("velocity", {}), condition.get("displacement", {}))
     return held
+
+
+def find_fixed(deck: KeywordDeck, body: str) -> set[str]:
+    """Directions in which a body never moves; one that is driven turns."""
+    conditions = [condition for condition in deck.model.deck.get("conditions", []) if condition.get("body") == body]
+    return {*deck.held_of_body.get(body, []), *(direction for condition in conditions for direction in condition.get("fixed", []))}
 
 
 def list_blocks(deck: KeywordDeck, body: str) -> list[Block]:

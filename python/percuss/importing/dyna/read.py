@@ -97,9 +97,9 @@ DEFINITIONS: dict[str, Handler] = {
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
-    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation,
+    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_CHECK_SHELL": check_shells, "CONTROL_DYNAMIC_RELAXATION": apply_relaxation, "CONTROL_DAMPING": apply_relaxation,
     "CONTROL_": read_other_control,
-    "CONSTRAINED_BEAM_IN_SOLID": read_beams_in_solids, "CONSTRAINED_LAGRANGE_IN_SOLID": read_bars_in_solids, "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc,
+    "CONSTRAINED_BEAM_IN_SOLID": read_beams_in_solids, "CONSTRAINED_LAGRANGE_IN_SOLID": read_bars_in_solids, "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_SPC_SYMMETRY_PLANE": conditions.read_symmetry_plane,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,

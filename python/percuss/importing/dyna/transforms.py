@@ -47,6 +47,7 @@ SHIFTS = {
 ID_OF_CARDS = {
     "CONSTRAINED_EXTRA_NODES_NODE": "IDNOFF", "CONSTRAINED_EXTRA_NODES_SET": "IDSOFF", "ELEMENT_MASS": "IDNOFF", "ELEMENT_MASS_NODE_SET": "IDSOFF",
     "ELEMENT_MASS_PART": "IDPOFF", "ELEMENT_MASS_PART_SET": "IDSOFF", "BOUNDARY_SPC_NODE": "IDNOFF", "BOUNDARY_SPC_SET": "IDSOFF",
+    "BOUNDARY_SPC_SYMMETRY_PLANE": "IDPOFF", "BOUNDARY_SPC_SYMMETRY_PLANE_SET": "IDSOFF",
     "BOUNDARY_SPC_NODE_BIRTH_DEATH": "IDNOFF", "BOUNDARY_SPC_SET_BIRTH_DEATH": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_NODE": "IDNOFF",
     "BOUNDARY_PRESCRIBED_MOTION_SET": "IDSOFF", "BOUNDARY_PRESCRIBED_MOTION_RIGID": "IDPOFF", "LOAD_NODE_POINT": "IDNOFF", "LOAD_NODE_SET": "IDSOFF",
     "LOAD_SEGMENT_SET": "IDSOFF", "LOAD_SHELL_SET": "IDSOFF", "LOAD_SHELL_ELEMENT": "IDEOFF", "DAMPING_PART_MASS": "IDPOFF",
@@ -94,8 +95,8 @@ class FileChange:
         """Refuses cards of the file with places, ids or numbers that are not changed with it."""
         kind = card.keyword
         is_directed = self.transform[0] == SAME[0] and (kind.startswith(DIRECTED) or kind in ALONE)
-        has_places = kind.startswith(MOVABLE) and "INERTIA" in kind  # centres and axes
-        if self.transform != SAME and not (is_directed or (kind.startswith(MOVABLE) and not has_places)):
+        has_places = "INERTIA" in kind or "SYMMETRY_PLANE" in kind  # centres and axes, points
+        if self.transform != SAME and (has_places or not (is_directed or kind.startswith(MOVABLE))):
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved", "it acts where it stands")
         if self.offsets and not kind.startswith(SHIFTED) and kind not in ALONE:
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file whose ids get offsets", "its ids stay as they are")
