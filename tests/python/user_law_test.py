@@ -204,7 +204,9 @@ class UserLaws(LawTest):
         oriented = deck.replace("MATERIAL=rubber\n", "MATERIAL=rubber, ORIENTATION=o\n").replace("*MATERIAL, NAME", "*ORIENTATION, NAME=o\n1., 0., 0., 0., 1., 0.\n*MATERIAL, NAME")
         for wrong, word in ((oriented, "orientation of user code"), (deck.replace("CONSTANTS=2", "CONSTANTS=²"), "is not a number"),
                             (deck.replace("*DEPVAR", "*DEPVAR, DELETE=2"), "is none of 1 state variables"),
-                            (deck.replace("CONSTANTS=2", "CONSTANTS=2, TYPE=THERMAL"), "of the type THERMAL")):
+                            (deck.replace("CONSTANTS=2", "CONSTANTS=2, TYPE=THERMAL"), "of the type THERMAL"),
+                            (deck.replace("*STEP", "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.5\n*STEP", 1), "state variables of user code at the start"),
+                            (deck.replace("*STEP", "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nall, 300.\n*STEP", 1), "a temperature that user code gets")):
             with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
                 file.write(wrong)
             refused = take("--allow-library", "law.so")
@@ -215,7 +217,7 @@ class UserLaws(LawTest):
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn("add --allow-library", refused.stderr)
         with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
-            file.write(deck.replace("CONSTANTS=2", "CONST=2").replace(f"{NU}\n", f"{NU},\n"))
+            file.write(deck.replace("CONSTANTS=2", "CONST=10").replace(f"{NU}\n", f"{NU}\n1., 2.,\n").replace("*STEP", "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.\n*STEP", 1))
         done = take("--allow-library", "law.so")
         self.assertEqual(done.returncode, 0, done.stderr)
         run = subprocess.run([PERCUSS, "run", "model/deck.yaml", "--quiet", "--allow-library", "law.so", "--out", "out"], cwd=self.folder,

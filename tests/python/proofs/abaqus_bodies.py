@@ -15,6 +15,10 @@ DRIVEN = "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 40.\n9, 2, 6, 0.\n"
 SKIN = "*SURFACE, NAME=skin, TYPE=NODE\nall,\n"
 
 
+PULLED = "*NODE, NSET=ref\n9, {}\n*RIGID BODY, REF NODE=9, ELSET=cube\n"
+PULL = "*BOUNDARY, TYPE=VELOCITY\n9, 3, 3, 100.\n*CLOAD\n8, 1, 2.\n*OUTPUT, HISTORY, TIME INTERVAL=1e-5\n*NODE OUTPUT, NSET=ref\nRF3\n"
+
+
 def pushed(bodies: str, step: str = "*CLOAD\n9, 1, 2.\n", end: float = T, **more) -> str:
     return abaqus(abaqus_cube(), bodies, end=end, step=step, **more)
 
@@ -117,6 +121,12 @@ def swept(profile: str, step: str = "", speed: float = -2000.0) -> str:
 BOUNCED = [(lambda h: float(h["momentum_z"][-1] > 0.3 * 2000 * CUBE_MASS), LAST, 1.0, 1e-9)]
 
 PROOFS = [
+    Proof("BOUNDARY; RIGID BODY: REF_NODE", abaqus(abaqus_cube(), PULLED.format("5., 5., 35."), step=PULL),
+          [("momentum_z", LAST, 100.0 * CUBE_MASS, 1e-9), ("momentum_x", LAST, 2.0 * T / 10, 6e-2), ("internal", ALL, 0.0, 1e-15)],
+          "a body whose reference node above its centre moves along z at 100 mm/s is free along x"),
+    Proof("BOUNDARY; COUPLING: REF_NODE SURFACE; KINEMATIC", abaqus(abaqus_cube(), "*NODE\n9, 5., 5., 35.\n*SURFACE, NAME=s\ncube, S2\n*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=s\n*KINEMATIC\n", step=PULL.partition("*CLOAD")[0]),
+          [("momentum_z", FIRST, 50.0 * CUBE_MASS, 1e-6)], "the upper face, half of a cube, moves at once"),
+    Proof("BOUNDARY", abaqus(abaqus_cube(), PULLED.format("6., 5., 35."), step=PULL), refused="a reference node away from the centre"),
     Proof("RIGID BODY: REF_NODE ELSET; CLOAD", pushed(RIGID), [("momentum_x", LAST, 2.0 * T, 1e-2), ("angular_y", LAST, 2.0 * 10.0 * T, 2e-2), ("internal", ALL, 0.0, 1e-15)],
           "2 N at 10 mm above the centre"),
     Proof("RIGID BODY: REF_NODE; CLOAD", pushed(RIGID, "*CLOAD\n9, 5, 7.\n"), [("angular_y", LAST, 7.0 * T, 1e-2), ("momentum_x", LAST, 0.0, 1e-15)], "a moment of 7 N mm"),

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from ..ledger import BadInput, Ledger, Place
 from ..model import Deck
 from .deck import AbaqusDeck, RigidGroup
+from .levers import MOST, find_lever
 from .lines import Block
 from .mesh import BodyCard, Scope
 from .surfaces import add_wall, finish_wall
@@ -198,15 +199,31 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
         deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
         return
     if not (TURNS <= rest or group.at_center or not group.held.keys() & set(WAYS)):
-        text = "a reference node away from the centre of its body with only some directions held or moved"
-        deck.ledger.refuse("BOUNDARY.reference", group.place, text, "they are those of the centre")
+        tell_reference(deck, group)
     if rest:
         group.keys["fixed"] = [d for d in (*WAYS, "rx", "ry", "rz") if d in rest]
     if not moved:
         return
-    which = {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)} if TURNS <= rest else {"body": group.name}
+    which = {"body": group.name} if moves_body(group) else {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)}
     for motion in moved.values():
         deck.model.add("conditions", {**which, **motion})
+
+
+def moves_body(group: RigidGroup) -> bool:
+    """Whether its motions are those of a body that may turn, not of all its nodes alike."""
+    motions = {direction: motion for direction, (_, motion) in group.held.items()}
+    return any(motions.values()) and not all(turn in motions and motions[turn] is None for turn in TURNS)
+
+
+def tell_reference(deck: AbaqusDeck, group: RigidGroup) -> None:
+    """What acts on a node away from the centre acts on the centre."""
+    lever = find_lever(deck, group)
+    if lever <= MOST:
+        text = f"held or moved at the mass centre, on the same line within {lever:.1g} of the body's reach: turns change its place to the second order"
+        deck.ledger.approximated("BOUNDARY.reference", group.place, text)
+        return
+    text = "a reference node away from the centre of its body with only some directions held or moved"
+    deck.ledger.refuse("BOUNDARY.reference", group.place, text, "they are those of the centre")
 
 
 def make_joint(deck: AbaqusDeck, group: RigidGroup, rest: set[str]) -> Deck | None:

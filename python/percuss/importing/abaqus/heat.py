@@ -7,6 +7,7 @@ from ..model import Block as ModelBlock
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
+from .user_code import has_user_code
 
 CONDUCTING = "DYNAMIC TEMPERATURE-DISPLACEMENT"
 KEYWORDS = ("INELASTIC HEAT FRACTION", "SPECIFIC HEAT", "CONDUCTIVITY", "EXPANSION")
@@ -59,6 +60,8 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
     warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] == "johnson_cook"]
     nodes = {node for block in warm for _, corners in block.elements() for node in corners}
     values = {deck.temperatures.get(node, 0.0) for node in nodes}  # 0 in Abaqus where none is given
+    if has_user_code(deck) and any(deck.temperatures.values()):
+        deck.ledger.refuse("INITIAL CONDITIONS.user", place, "a temperature that user code gets", "it gets 0")
     if not warm:
         deck.ledger.ignored("INITIAL CONDITIONS", place, "a temperature, on which no law depends")
         return

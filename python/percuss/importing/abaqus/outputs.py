@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from ..fields import clip
 from ..laws import has
 from ..model import Deck
+from .bodies import moves_body
 from .deck import AbaqusDeck
 from .lines import Block
 
@@ -169,6 +170,8 @@ class Writer:
             self._add_force(f"force_{name}", {"wall": wall}, block)
         elif not any(id in held for id in ids):
             self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, "nothing holds these nodes, so there is no force")
+        elif groups and moves_body(groups[0]):
+            self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, "the body moves along its directions and turns: percuss has no force of such a motion")
         elif groups and groups[0].nodes:
             nodes = self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), groups[0].nodes)
             self._add_force(f"force_{name}", {"support": nodes}, block)

@@ -18,10 +18,7 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
         return None
     if user.option("TYPE") not in ("", "MECHANICAL"):
         ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}", "it is taken as mechanical")
-    lines = [line for line in user.lines if any(line[1])]
-    constants = [user.number(line, i) for line in lines for i in range(min(8, len(line[1])))]
-    if lines and not lines[-1][1][-1]:  # what follows the last comma is no constant
-        constants = constants[: len(constants) - 1]
+    constants = read_constants(user)
     wanted = parse_integer(user.option("CONSTANTS"))
     if wanted is None:
         raise BadInput(user.place, f"CONSTANTS={clip(user.option('CONSTANTS'))} of *USER MATERIAL is not a number: correct it")
@@ -49,12 +46,26 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
     return law
 
 
+def read_constants(user: Block) -> list[float]:
+    """Eight a line: what a line lacks is 0, but for the last one, where a comma may follow the last constant."""
+    constants = [user.number(line, i) for line in user.lines for i in range(8)]
+    last = user.lines[-1][1][:8] if user.lines else []
+    while last and not last[-1]:
+        last = last[:-1]
+    return constants[: len(constants) - 8 + len(last)] if constants else []
+
+
 def read_deletion(states: Block, count: int) -> int:
     """Which state variable deletes elements."""
     number = parse_integer(states.option("DELETE"))
     if number is None or not 1 <= number <= count:
         raise BadInput(states.place, f"DELETE={clip(states.option('DELETE'))} of *DEPVAR is none of {count} state variables: correct it")
     return number
+
+
+def has_user_code(deck: AbaqusDeck) -> bool:
+    """Whether a part has a law of user code."""
+    return any(law["model"] == "user" for law in deck.model.materials.values())
 
 
 def is_user_code(material: MaterialBlocks) -> bool:
