@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/verification/support/run_deck.hpp"
 
@@ -143,6 +146,25 @@ output: {history: {every: 1e-4, nodes: [{name: m, near: [0, 0.01, 0.0105]}]}}
   EXPECT_NEAR(run_deck(text + steel).history.last("m_z"), 0.009, 1e-7);
 }
 
+// At a wall a bar rests at its radius where the wall includes thicknesses, else with its axis on the wall.
+TEST(BeamContact, ABarRestsOnAWallAtItsRadiusOrAtItsAxis) {
+  for (const char* const thickness : {"included", "ignored"}) {
+    const HistoryTable h = run_deck(fmt::format(R"yaml(
+time: {{end: 0.02}}
+parts: {{bar: {{line: {{from: [-0.1, 0, 0.006], to: [0.1, 0, 0.006], cells: 4}}, section: {{round: {{radius: 0.005}}}}, material: steel}}}}
+walls: [{{point: [0, 0, 0], normal: z, thickness: {}}}]
+initial: [{{part: bar, velocity: [0, 0, -1]}}]
+loads: {{gravity: [0, 0, -9.81]}}
+contact: {{surfaces: all, beams: true}}
+output: {{history: {{every: 1e-3, nodes: [{{name: m, near: [0, 0, 0.006]}}]}}}}
+)yaml",
+                                                thickness) +
+                                    steel)
+                               .history;
+    EXPECT_NEAR(h.last("m_z"), std::string(thickness) == "included" ? 0.005 : 0, 1e-9) << thickness;
+  }
+}
+
 // Friction slows a bar by mu g, across its axis and along it.
 TEST(BeamContact, ABarThatSlidesIsSlowedByFriction) {
   for (const char axis : {'x', 'y'})
@@ -187,6 +209,48 @@ output: {{history: {{every: 5e-4, parts: all, forces: [{{name: f, contact: [bar,
       EXPECT_NEAR(h.last(fmt::format("momentum_{}", axis)), mass * 0.5 - 0.3 * pressed, 0.01 * 0.3 * pressed)
           << axis << enforcement;
     }
+}
+
+// A rope slides over half of a drum that is held: what pulls it is exp(mu pi) times what holds it back (Euler, 1769).
+TEST(BeamContact, ARopeOverADrumHoldsByTheExponentialOfTheAngle) {
+  constexpr int around = 40, hanging = 12;
+  constexpr double area = 1e-5, tail = 0.096, held_back = 20, friction = 0.2;
+  const double radius = 0.1 + std::sqrt(area / pi);
+  std::vector<std::array<double, 2>> ends;
+  ends.reserve(2 * hanging + around + 1);
+  for (int i = 0; i < hanging; ++i) ends.push_back({-radius, -tail * (hanging - i) / hanging});
+  for (int i = 0; i <= around; ++i)
+    ends.push_back({-radius * std::cos(pi * i / around), radius * std::sin(pi * i / around)});
+  for (int i = 1; i <= hanging; ++i) ends.push_back({radius, -tail * i / hanging});
+  std::string parts;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    parts += fmt::format(
+        "  r{}: {{line: {{from: [{:.12g}, 0, {:.12g}], to: [{:.12g}, 0, {:.12g}], cells: 1}}, section: {{truss: "
+        "{{area: "
+        "{}}}}}, material: rope}}\n",
+        i, ends[i - 1][0], ends[i - 1][1], ends[i][0], ends[i][1], area);
+  const std::string left = "r1/start", right = fmt::format("r{}/end", ends.size() - 1);
+  const HistoryTable h = run_deck(fmt::format(R"yaml(
+time: {{end: 0.06}}
+parts:
+  drum: {{tube: {{inner_radius: 0.08, outer_radius: 0.1, length: 0.06, cells: [1, 96, 2]}}, at: [0, 0.03, 0], axis: -y, material: steel, rigid: {{}}}}
+{0}join: true
+materials:
+  steel: {{model: elastic, density: 7800, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+  rope: {{model: elastic, density: 1500, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+conditions:
+  - {{body: drum, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {2}, fixed: [x]}}
+  - {{nodes: {2}, velocity: {{z: {{table: [[0, 0], [0.015, 0], [0.025, -0.25], [1, -0.25]]}}}}}}
+loads: {{nodal: [{{nodes: {1}, force: {{z: {{table: [[0, 0], [0.01, {3}], [1, {3}]]}}}}}}]}}
+damping: [{{nodes: all, coefficient: 50}}]
+contact: {{surfaces: all, beams: true, friction: {4}}}
+output: {{history: {{every: 1e-4, forces: [{{name: pull, support: {2}}}]}}}}
+)yaml",
+                                              parts, left, right, -held_back, friction))
+                             .history;
+  const double pulled = held_back * std::exp(friction * pi);
+  EXPECT_NEAR(-h.mean(0.04, 0.06, "fz:pull"), pulled, 0.015 * pulled);
 }
 
 // A bar lies across two that are held, with its middle at a third of the span: they carry two thirds and one third.
