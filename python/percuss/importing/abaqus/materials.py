@@ -295,10 +295,20 @@ def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
                                 "grueneisen": block.number(line, 2)}  # fmt: skip
 
 
+def refuse_test_data(deck: AbaqusDeck, block: Block) -> bool:
+    """Rubber and foam that Abaqus fits to tests have no constants, and so no data line."""
+    if not {"TEST DATA INPUT", "MARLOW"} & block.options.keys():
+        return False
+    text = "constants fitted to test data: give those that Abaqus has found, which its .dat file lists"
+    deck.ledger.refuse(block.keyword, block.place, text, "the parts made of it are left out")
+    return True
+
+
 def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     """NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE or OGDEN with constants: K = 2 / D1."""
-    line = require_line(block)
-    found = None if "TEST DATA INPUT" in block.options else read_rubber(block, line)
+    if refuse_test_data(deck, block):
+        return None
+    found = read_rubber(block, require_line(block))
     if found is None:
         order = f" (N={block.option('N')})" if block.option("N") else ""
         text = f"rubber{order} that is not NEO HOOKE, MOONEY-RIVLIN, YEOH, ARRUDA-BOYCE (constants, the first and the shear modulus above 0) or OGDEN (constants, D1 alone)"
@@ -343,8 +353,10 @@ def read_terms(block: Block) -> tuple[list[list[float]], list[float]] | None:
 
 def translate_hyperfoam(deck: AbaqusDeck, block: Block) -> Deck | None:
     """Constants with one Poisson's ratio."""
+    if refuse_test_data(deck, block):
+        return None
     require_line(block)
-    found = None if "TEST DATA INPUT" in block.options or "POISSON" in block.options else read_terms(block)
+    found = None if "POISSON" in block.options else read_terms(block)
     if found is None or len(set(found[1])) > 1 or not -1 / 3 < found[1][0] < 0.5:
         text = "foam that is not of constants with exponents other than 0 and one Poisson's ratio for all terms"
         deck.ledger.refuse("HYPERFOAM", block.place, text, "the parts made of it are left out")
