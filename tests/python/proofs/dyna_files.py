@@ -102,7 +102,7 @@ PROOFS = [
     Proof("RIGIDWALL_PLANAR: TITLE", deck(cube(), "*RIGIDWALL_PLANAR_ID\n1,R&D wall\n0\n0,0,-1,0,0,0\n", velocity(3.0)),
           [("momentum_x", FIRST, 3.0 * CUBE_MASS, 1e-9)], "'&' in a heading is no parameter"),
     Proof("NODE", deck(cube(), "*NODE_MERGE\n1\n"), refused="NODE_MERGE"),
-    Proof("MAT_ADD_DAMAGE_GISSMO", deck(cube(), "*MAT_ADD_DAMAGE_GISSMO\n1\n"), refused="MAT_ADD_DAMAGE_GISSMO"),
+    Proof("MAT_ADD_DAMAGE_GISSMO", deck(cube(), "*MAT_ADD_DAMAGE_GISSMO\n1,,1\n17\n"), refused="MAT_ADD_DAMAGE_GISSMO"),
     Proof("LOAD_NODE_SET_ONCE", deck(cube(), "*LOAD_NODE_SET_ONCE\n1,3,7,2.0\n"), refused="option ONCE"),
     Proof("INITIAL_VELOCITY_GENERATION_START_TIME", deck(cube(), "*INITIAL_VELOCITY_GENERATION_START_TIME\n1e-6\n"), refused="option START_TIME"),
 ]  # fmt: skip

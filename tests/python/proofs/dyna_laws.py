@@ -457,6 +457,13 @@ def eroding(first, second="0", material="", ratio=UP):
     return stretched((material or elastic(1, DENSITY, YOUNG, POISSON)) + f"*MAT_ADD_EROSION\n1,0,{first}\n{second}\n", ratio, rows=1000)
 
 
+CURVES_OF_FAILURE = curve(17, (-1.0, 0.008), (2.0, 0.008)) + curve(18, (1.0, 0.5), (100.0, 0.5)) + curve(19, (-1.0, 0.0), (2.0, 0.008))
+
+
+def gissmo(fields):
+    return stretched(m24() + CURVES_OF_FAILURE + f"*MAT_ADD_DAMAGE_GISSMO\n1,,1\n{fields}\n", UP, rows=1000)
+
+
 STIFF = BULK + 4 / 3 * SHEAR
 EROSION = [
     Proof("MAT_ADD_EROSION: MID SIGP1", eroding("0", "0,3000.0"), [(erosion_time, LAST, time_of(UP, 3000.0 / STIFF), 2e-2)], "the largest stress reaches 3000"),
@@ -472,8 +479,22 @@ EROSION = [
     Proof("MAT_ADD_EROSION: VOLEPS", eroding("0,0,0,-0.012"), [("eroded_elements", LAST, 0.0, 0.0)], "which a tension does not reach"),
     Proof("MAT_ADD_EROSION: SIGP1", eroding("0", "0,-7.0"), refused="SIGP1"),
     Proof("MAT_ADD_EROSION: EFFEPS", eroding("0,0,0.1"), refused="EFFEPS"),
-    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic() + "*MAT_ADD_DAMAGE_GISSMO\n1\n", UP), refused="MAT_ADD_DAMAGE_GISSMO"),
-    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_DAMAGE_GISSMO\n1\n", 1.001),
+    *(Proof(proves, law, [(erosion_time, LAST, time_of(UP, (strain * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR)), 1e-2)], why) for proves, law, strain, why in (
+        ("MAT_ADD_DAMAGE_GISSMO: MID DTYP LCSDG DMGEXP", gissmo("17,0,2,1.0"), 0.008, "the failure strain of all stress states is 0.008"),
+        ("MAT_ADD_DAMAGE_GISSMO: DCRIT LCREGD", gissmo("17,0,1,1.0,1,18"), 0.004, "half of it for cubes of 10 mm"),
+        ("MAT_ADD_EROSION: IDAM DMGTYP LCSDG DCRIT DMGEXP", eroding("0", "0\n1,1,17,0,2,1.0", m24() + CURVES_OF_FAILURE), 0.008, "IDAM of 1"),
+        ("MAT_ADD_EROSION: LCREGD", eroding("0", "0\n1,1,17,0,2,1.0,1,18", m24() + CURVES_OF_FAILURE), 0.004, "half of it for cubes of 10 mm"),
+    )),
+    Proof("MAT_ADD_DAMAGE_GISSMO: DTYP", gissmo("17,0,2,1.0").replace("1,,1", "1,,0"), [(EPS, LAST, plastic_strain(STRAIN, 300.0, HARDENING), 2e-3)], "the damage is output alone: 0.008 is passed"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: ECRIT", gissmo("17,0.004,2"), refused="takes stress before failure"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: DCRIT FADEXP", gissmo("17,0,2,0.5,1.5"), refused="takes stress before failure"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: LCREGD", gissmo("17,0,2,1.0,1,-18"), refused="over size and triaxiality"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: LCSRS", gissmo("17,0,2,1.0\n18"), refused="LCSRS"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: LCSDG", gissmo("19,0,2,1.0"), refused="not positive"),
+    Proof("MAT_ADD_EROSION: ECRIT FADEXP", eroding("0", "0\n1,1,17,0.004,2,0,1.5", m24() + CURVES_OF_FAILURE), refused="takes stress before failure"),
+    Proof("MAT_ADD_EROSION: IDAM", eroding("0", "0\n-1,1,17,0,2,1.0", m24() + CURVES_OF_FAILURE), refused="other than GISSMO"),
+    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic() + "*MAT_ADD_DAMAGE_GISSMO\n1,,1\n17\n", UP), refused="MAT_ADD_DAMAGE_GISSMO"),
+    Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_DAMAGE_GISSMO\n1,,1\n17\n", 1.001),
           [(ZZ, LAST, STIFF * 0.001, 2e-3)], "without it the material is that of its own card", allow="MAT_ADD_DAMAGE_GISSMO"),
     Proof("MAT_NONLOCAL", stretched(elastic() + "*MAT_NONLOCAL\n1\n", UP), refused="MAT_NONLOCAL"),
 ]  # fmt: skip
@@ -513,7 +534,8 @@ LAYERS = [
         ("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "NUMINT", m123("0,0,0,0,0,0,0,{}").replace("300.0,2000.0\n", "300.0,2000.0,0.005\n")),
         ("MAT_PLASTICITY_WITH_DAMAGE", "NUMINT", m123("0,0,0,0,0.005,0,0,{}", word="MAT_PLASTICITY_WITH_DAMAGE").replace("300.0,2000.0\n", "300.0,2000.0,0.004\n")),
         ("MAT_JOHNSON_COOK", "NUMINT", f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r},{E_NU}\n300.0,0,1.0,0,1.0,1e9,300.0,1.0\n0,0,0,0,0.005\n0,0,0,0,{{}}\n"),
-        ("MAT_ADD_EROSION", "NUMFIP", elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_EROSION\n1,0,0,0,0,0,{}\n0,1500.0\n"))
+        ("MAT_ADD_EROSION", "NUMFIP", elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_EROSION\n1,0,0,0,0,0,{}\n0,1500.0\n"),
+        ("MAT_ADD_DAMAGE_GISSMO", "NUMFIP", m24() + curve(17, (-1.0, 0.004), (2.0, 0.004)) + "*MAT_ADD_DAMAGE_GISSMO\n1,,1,0,{}\n17,0,1,1.0\n"))
     for layers, gone in ((1, 1.0), (2, 0.0), (-50, 1.0), (-60, 0.0))
 ]  # fmt: skip
 CONSTANT_RATE = [

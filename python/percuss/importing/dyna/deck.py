@@ -217,6 +217,7 @@ class KeywordDeck:
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
+        self.gissmos: dict[int, Card] = {}
         self.additions: list[Card] = []  # other cards that add to a material
         self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
         self.units_of_tables: dict[int, Factors] = {}

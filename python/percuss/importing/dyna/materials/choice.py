@@ -17,6 +17,7 @@ from .crushable import CRUSHABLE
 from .elastic import ELASTIC
 from .erosion import add_erosion
 from .foam_rates import FOAM_RATES
+from .gissmo import add_gissmo
 from .metals import METALS
 from .names import SPRINGS, name_law
 from .orthotropic import ORTHOTROPIC
@@ -38,14 +39,16 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "heat conduction", "it is left out")
         return
     card.keyword = "MAT_" + name_law(card.keyword)
-    if card.keyword.startswith(ADDITIONS) and not card.keyword.startswith("MAT_ADD_EROSION"):
+    kinds = {"MAT_ADD_EROSION": deck.erosions, "MAT_ADD_DAMAGE_GISSMO": deck.gissmos}
+    read = next((cards for name, cards in kinds.items() if card.keyword.startswith(name)), None)
+    if card.keyword.startswith(ADDITIONS) and read is None:
         deck.additions.append(card)
         return
-    if card.keyword.startswith("MAT_ADD_EROSION"):
+    if read is not None:
         reader = card.reader()
         if card.has_title:
             reader.take()
-        deck.erosions[card.row(reader.take(), "MID").integer("MID")] = card
+        read[card.row(reader.take(), "MID").integer("MID")] = card
         return
     is_logarithmic = card.keyword == f"MAT_PIECEWISE_LINEAR_PLASTICITY{LOG_OPTION}"
     card.keyword = card.keyword.removesuffix(LOG_OPTION) if is_logarithmic else card.keyword
@@ -65,7 +68,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
 
 
 def tell_additions(deck: KeywordDeck) -> None:
-    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION."""
+    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO."""
     for card in deck.additions:
         reader = card.reader()
         if card.has_title:
@@ -75,7 +78,7 @@ def tell_additions(deck: KeywordDeck) -> None:
             deck.ledger.refuse(card.keyword, card.place, f"what it adds to material {id}", "the material is that of its own card alone")
         else:
             deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
-    for id, card in deck.erosions.items():
+    for id, card in [*deck.erosions.items(), *deck.gissmos.items()]:
         if ("material", id) not in deck.used:
             deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
 
@@ -180,6 +183,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
     deck.turns[part.material, block.id] = use.turn
     add_erosion(deck, part.material, law, use)
+    add_gissmo(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
     if use.is_beam and "failure" in law:
         keep_limits_of_beams(deck, card, law, use)

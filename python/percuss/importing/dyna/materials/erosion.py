@@ -6,9 +6,9 @@ from ... import laws
 from ...fields import Row
 from ...model import Deck
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, set_failure
+from .gissmo import add_idam
+from .shared import Use, finish_lines, set_failure, set_layers
 
-POINTS = 1  # NUMFIP where it is 0
 FIRST_FIBRE = 1e-3  # of the area of a section: less than any fibre has
 MOST_VOLUME_STRAIN = 30.0  # beyond it nothing fails, and the exponential is no sound number
 
@@ -57,6 +57,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     if use.is_beam and strain < 0:
         set_first_fibre(deck, law, row)
     row.finish(deck.ledger)
+    add_idam(deck, law, reader, use)
     finish_lines(deck, card, reader)
     deck.ledger.translated("MAT_ADD_EROSION", card.place, "failure of the material")
 
@@ -76,15 +77,3 @@ def set_first_fibre(deck: KeywordDeck, law: Deck, row: Row) -> None:
     if row.number("NUMFIP") not in (0, 1):
         deck.ledger.refuse("MAT_ADD_EROSION.NUMFIP", row.place, "several points of beams that must fail", "beams fail with the first")
     law["failure"]["layers"] = FIRST_FIBRE
-
-
-def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:
-    """NUMFIP: how many points of a shell must fail, or below 0 their share in percent. own: the share that the law has for its own criteria."""
-    count = row.number("NUMFIP") or POINTS
-    share = min(count / use.points if count > 0 else -count / 100, 1.0)
-    if own is not None and own != share:
-        text = f"NUMFIP: {share:.3g} of the points must fail, and {own:.3g} by the law's own criteria"
-        deck.ledger.refuse("MAT_ADD_EROSION.NUMFIP", row.place, text, "the smaller share counts for both")
-        share = min(own, share)
-    if share < 1:
-        law["failure"]["layers"] = share

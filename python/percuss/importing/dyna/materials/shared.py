@@ -159,3 +159,15 @@ def set_failure(law: Deck, **limits: float) -> None:
     for name, value in limits.items():
         if 0 < value < NEVER:
             law.setdefault("failure", {})[name] = value
+
+
+def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:
+    """NUMFIP: how many points of a shell must fail, or below 0 their share in percent. own: the share that the law has for its own criteria."""
+    count = row.number("NUMFIP") or 1
+    share = min(count / use.points if count > 0 else -count / 100, 1.0)
+    if own is not None and own != share:
+        text = f"NUMFIP: {share:.3g} of the points must fail, and {own:.3g} by the law's own criteria"
+        deck.ledger.refuse(f"{row.card}.NUMFIP", row.place, text, "the smaller share counts for both")
+        share = min(own, share)
+    if share < 1:
+        law["failure"]["layers"] = share
