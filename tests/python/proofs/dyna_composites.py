@@ -167,6 +167,13 @@ def across(modulus):
     return [("internal", LAST, 100.0 * 5 / 6 * modulus * 1e-8 / 2, TOLERANCE)]
 
 
+def own_axes(text, lines):
+    """A deck with axes of its one solid."""
+    first, second = text.split("*ELEMENT_SOLID\n")
+    element, rest = second.split("\n", 1)
+    return f"{first}*ELEMENT_SOLID_ORTHO\n{element}\n{lines}{rest}"
+
+
 SOLIDS = [
     Proof("MAT_ORTHOTROPIC_ELASTIC: EA EB EC PRBA PRCA PRCB", pushed(1, ""), answers((0, (0, 1, 2))), "a along x"),
     Proof("MAT_ORTHOTROPIC_ELASTIC: EC PRCA PRCB", pushed(3, ""), answers((2, (0, 1, 2))), "the third axis"),
@@ -174,6 +181,9 @@ SOLIDS = [
     Proof("MAT_ORTHOTROPIC_ELASTIC: AOPT", pushed(2, "", aopt="0.0"), answers((1, (0, 1, 2))), "a from node 1 to 2"),
     Proof("MAT_ORTHOTROPIC_ELASTIC: AOPT", pushed(2, "", aopt="-5").replace("*BOUNDARY_SPC", "*DEFINE_COORDINATE_VECTOR\n5,0,1.0,0,0,0,1.0\n*BOUNDARY_SPC"), answers((0, (2, 0, 1))), "x of a system is y"),
     Proof("MAT_ORTHOTROPIC_ELASTIC: AOPT", pushed(1, "", aopt="3.0"), refused="AOPT = 3 of solids"),
+    Proof("ELEMENT_SOLID_ORTHO; MAT_ORTHOTROPIC_ELASTIC: AOPT", own_axes(pushed(1, "", aopt="0.0"), "0,0,2.0\n3.0,0,1.0\n"), answers((1, (1, 2, 0))), "a along z, b along x"),
+    Proof("ELEMENT_SOLID_ORTHO", own_axes(pushed(1, "", aopt="0.0"), "0,0,2.0\n0,0,1.0\n"), refused="AOPT"),
+    Proof("ELEMENT_SOLID_ORTHO", own_axes(pushed(1, ""), "0,0,2.0\n3.0,0,1.0\n"), refused="beside *ELEMENT_SOLID_ORTHO"),
     Proof("MAT_ORTHOTROPIC_ELASTIC: BETA", pushed(1, "", aopt="0.0", vectors="0,0,0,0,0,0,25.0\n"), refused="or of solids"),
     Proof("MAT_ORTHOTROPIC_ELASTIC: MACF", pushed(1, "", point="0,0,0,1.0,0,0,2\n"), refused="MACF"),
     *[row for word, last in (("MAT_COMPOSITE_DAMAGE", "{}\n"), ("MAT_ENHANCED_COMPOSITE_DAMAGE", "0\n{}\n")) for row in (

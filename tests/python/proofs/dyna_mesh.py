@@ -56,7 +56,7 @@ PROOFS = [
     Proof("ELEMENT_SOLID", solid("1,1,1,2,4,5,5,5,5,5\n"), volume(1.0 / 6), "a tetrahedron is a sixth of the cube"),
     Proof("ELEMENT_SOLID", solid("1,1\n1,2,4,5,11,12,13,14,15,16\n", (11, 5.0, 0.0, 0.0), (12, 5.0, 5.0, 0.0), (13, 0.0, 5.0, 0.0),
                                  (14, 0.0, 0.0, 5.0), (15, 5.0, 0.0, 5.0), (16, 0.0, 5.0, 5.0)), volume(1.0 / 6), "of ten nodes likewise"),
-    Proof("ELEMENT_SOLID_ORTHO", deck(cube().replace("ELEMENT_SOLID", "ELEMENT_SOLID_ORTHO")), refused="ELEMENT_SOLID_ORTHO"),
+    Proof("ELEMENT_SOLID_ORTHO", solid("1,1\n1,2,4,4,5,6,8,8\n0,0,1.0\n1.0,0,0\n").replace("ELEMENT_SOLID", "ELEMENT_SOLID_ORTHO"), volume(1.0 / 2), "axes that an isotropic law does not see, of a wedge"),
     Proof("ELEMENT_SHELL: EID PID N1 N2 N3 N4", deck(shell(), velocity(2.0)), mass(SHELL_MASS), "density, area, thickness 1 mm"),
     Proof("ELEMENT_SHELL", deck(shell().replace("1,1,1,2,3,4\n", "1,1,1,2,3,3\n"), velocity(2.0)), mass(SHELL_MASS / 2), "a triangle is half of it"),
     Proof("ELEMENT_SHELL_THICKNESS: T1 T2 T3 T4 BETA", thick("_THICKNESS", "1.0,2.0,3.0,6.0,30.0\n"), mass(3.0 * SHELL_MASS), "the mean of the corners is 3 mm"),

@@ -227,6 +227,7 @@ class KeywordDeck:
         self.shell_form = 2  # THEORY: where a section says nothing
         self.keeps_eroded_nodes = False  # ENMASS
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
+        self.solid_axes: dict[int, tuple[Vector, Vector]] = {}  # of *ELEMENT_SOLID_ORTHO: a, and d in the plane of a and b
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4
         self.folded_shells = 0  # PSNFAIL: a set of the parts for which they count; 0: all
         self.eroded_when_inverted = 0  # PSFAIL: a set of parts

@@ -16,7 +16,7 @@ OPTIONS: dict[str, str] = {
     "TITLE": "",
     "NODE": "",
     "NODE_TRANSFORM": "",
-    "ELEMENT_SOLID": "",
+    "ELEMENT_SOLID": "ORTHO",
     "ELEMENT_SHELL": "THICKNESS BETA MCID OFFSET",
     "ELEMENT_MASS": "NODE_SET PART PART_SET",
     "ELEMENT_DISCRETE": "",

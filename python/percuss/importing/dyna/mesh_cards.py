@@ -2,6 +2,7 @@
 
 from ..fields import MOST_ID, Row, clip, parse_integer, parse_real, shift_hint
 from ..ledger import BadInput, Place
+from ..model import Vector
 from ..solids import collapse
 from .cards import Card, Lines
 from .deck import Element, Elements, KeywordDeck
@@ -90,10 +91,7 @@ def elements_of(deck: KeywordDeck, part: int, place: Place) -> Elements:
 
 
 def read_solids(deck: KeywordDeck, card: Card) -> None:
-    """EID PID N1-N8 on one line, or EID PID and N1-N10 on two."""
-    if card.keyword != "ELEMENT_SOLID":
-        deck.ledger.refuse(card.keyword, card.place, "this form of solid elements", "these elements are left out")
-        return
+    """EID PID N1-N8 on one line, or EID PID and N1-N10 on two. _ORTHO: two more lines with the axes of the material."""
     reader = card.reader()
     while reader.skip_blank():
         line = reader.take()
@@ -103,8 +101,16 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         corners = [to_id(card, line[0], text, "node", True) for text in texts[2:12]]
         corners = [c for c in corners if c]
+        if card.keyword == "ELEMENT_SOLID_ORTHO":
+            deck.solid_axes[id] = read_direction(card, reader, "A"), read_direction(card, reader, "D")
         add_solid(deck, card, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
     deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
+
+
+def read_direction(card: Card, reader: Lines, name: str) -> Vector:
+    line = reader.take()
+    texts = card.split(line, (16, 16, 16)) + [""] * 3
+    return tuple(to_real(card, line[0], text, f"{name}{i}") for i, text in enumerate(texts[:3], 1))  # type: ignore[return-value]
 
 
 def turn_over(corners: list[int]) -> list[int]:

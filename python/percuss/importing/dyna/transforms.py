@@ -95,7 +95,7 @@ class FileChange:
         """Refuses cards of the file with places, ids or numbers that are not changed with it."""
         kind = card.keyword
         is_directed = self.transform[0] == SAME[0] and (kind.startswith(DIRECTED) or kind in ALONE)
-        has_places = "INERTIA" in kind or "SYMMETRY_PLANE" in kind  # centres and axes, points
+        has_places = any(word in kind for word in ("INERTIA", "SYMMETRY_PLANE", "SOLID_ORTHO"))  # centres, axes and points
         if self.transform != SAME and (has_places or not (is_directed or kind.startswith(MOVABLE))):
             ledger.refuse(f"INCLUDE_TRANSFORM.{kind}", card.place, "a card in a file that is moved", "it acts where it stands")
         if self.offsets and not kind.startswith(SHIFTED) and kind not in ALONE:

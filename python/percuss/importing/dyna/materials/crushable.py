@@ -141,7 +141,7 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     first, second, third, shear = (curves.integer(name) for name in ("LCA", "LCB", "LCC", "LCS"))
     ids = [first, second or first, third or first, *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
     is_along = axes.numbers("A1", "A2", "A3") == [1, 0, 0] and plane.numbers("D1", "D2", "D3") == [0, 1, 0]
-    if moduli.number("AOPT") != 2 or not is_along:
+    if moduli.number("AOPT") != 2 or not is_along or any(id in deck.solid_axes for id, _ in use.solids):
         deck.ledger.refuse(
             f"{card.keyword}.AOPT", moduli.place, "material axes other than the global axes", "the global axes are used"
         )

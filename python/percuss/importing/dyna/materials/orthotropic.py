@@ -6,6 +6,7 @@ from ...fields import Row
 from ...laminates import find_crack_energy, find_element_axes, find_size
 from ...ledger import missing
 from ...model import Deck, Vector
+from ...shapes import cross
 from ..cards import Card
 from ..deck import KeywordDeck
 from ..transforms import apply
@@ -98,12 +99,21 @@ def add_solid_axes(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: tu
     elif option < 0:
         axes = find_system(deck, card, options)[:2]
     elif option == 0:
-        axes = find_element_axes(deck.model, use.solids)
+        axes = find_own_axes(deck, use) if any(id in deck.solid_axes for id, _ in use.solids) else find_element_axes(deck.model, use.solids)
+    if option and any(id in deck.solid_axes for id, _ in use.solids):
+        deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, f"AOPT = {option:g} beside *ELEMENT_SOLID_ORTHO", "the axes are those of AOPT")
     if axes is None:
         text = "axes that differ between its elements" if option == 0 else f"AOPT = {option:g} of solids"
         deck.ledger.refuse(f"{card.keyword}.AOPT", options.place, text, "the axes are those of space")
         return
     law["first_axis"], law["second_axis"] = list(axes[0]), list(axes[1])
+
+
+def find_own_axes(deck: KeywordDeck, use: Use) -> tuple[Vector, Vector] | None:
+    """Those of *ELEMENT_SOLID_ORTHO, where all elements have the same."""
+    found = [deck.solid_axes.get(id) for id, _ in use.solids]
+    axes = found[0]
+    return axes if axes and all(other == axes for other in found) and any(cross(*axes)) else None
 
 
 def read_constants(card: Card, row: Row, shear: Row, use: Use) -> Deck:
