@@ -217,7 +217,7 @@ class UserLaws(LawTest):
         self.assertEqual(refused.returncode, 2, refused.stderr)
         self.assertIn("add --allow-library", refused.stderr)
         with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
-            file.write(deck.replace("CONSTANTS=2", "CONST=10").replace(f"{NU}\n", f"{NU}\n1., 2.,\n").replace("*STEP", "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.\n*STEP", 1))
+            file.write(deck.replace("CONSTANTS=2", "CONST=24").replace(f"{NU}\n", f"{NU}\n1., 2.,\n, , ,\n").replace("*STEP", "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.\n*STEP", 1))
         done = take("--allow-library", "law.so")
         self.assertEqual(done.returncode, 0, done.stderr)
         run = subprocess.run([PERCUSS, "run", "model/deck.yaml", "--quiet", "--allow-library", "law.so", "--out", "out"], cwd=self.folder,

@@ -22,7 +22,7 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
     wanted = parse_integer(user.option("CONSTANTS"))
     if wanted is None:
         raise BadInput(user.place, f"CONSTANTS={clip(user.option('CONSTANTS'))} of *USER MATERIAL is not a number: correct it")
-    if 0 <= wanted - len(constants) < 8:  # blanks at the end of the last line are zeros
+    if 0 <= wanted - len(constants) <= 8:  # blanks at the end of the last line are zeros
         constants += [0.0] * (wanted - len(constants))
     count = 0
     if states is not None and states.lines:
