@@ -93,6 +93,7 @@ void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
   space.surface = surface;
   space.pairs.num_pairs = 0;
   space.pairs.num_edges = 0;
+  space.near.forget();
   space.still.forget();
   const auto edges = static_cast<std::size_t>(surface.num_edges);
   if (space.state.boxes.extent(0) < edges) space.state.boxes = Boxes("contact::edge_step_boxes", edges);
@@ -102,13 +103,39 @@ void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
     space.state.faces = Array<EdgeFaces>("contact::edge_faces", edges);
 }
 
+void NearEdges::ask(double travel) {
+  is_used_ = false;
+  travel_ = travel;
+  is_due_ = travel > 0 && turns_to_pass_ == 0;
+  if (travel > 0 && turns_to_pass_ > 0) --turns_to_pass_;
+}
+
+void NearEdges::make(const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& all) {
+  constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
+  constexpr int pause = 7;          // where it is not worth it, the next is made after so many that are not
+  is_due_ = false;
+  run_where_it_pays(all.num_pairs / 4, [&](const auto& where) {
+    is_used_ =
+        list_near_edges(where, {surface, motion, {}, {}}, all, {travel_, worth_it * all.num_pairs}, scratch_, near_);
+    where.fence();
+  });
+  near_.list = std::min(near_.list, -1) - 1;  // no search has such numbers
+  if (!is_used_) turns_to_pass_ = pause;
+}
+
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space) {
   space.touches.count = space.touches.num_new = 0;
   space.still.begin(space.keeps_still, space.surface.num_edges);
-  if (space.pairs.num_pairs == 0) return 0;
-  run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
-    update_edges(where, space.surface, motion, space.pairs, space.still, space.state);
-    find_edge_touches(where, {space.surface, motion, space.state, history}, space.pairs, space.still, space.touches);
+  if (space.checked_pairs().num_pairs == 0) return 0;
+  run_where_it_pays(space.checked_pairs().num_pairs, [&](const auto& where) {
+    update_edges(where, space.surface, motion, space.checked_pairs(), space.still, space.state);
+    where.fence();
+  });
+  if (space.near.is_asked()) space.near.make(space.surface, motion, space.pairs);
+  if (space.checked_pairs().num_pairs == 0) return 0;
+  run_where_it_pays(space.checked_pairs().num_pairs, [&](const auto& where) {
+    find_edge_touches(where, {space.surface, motion, space.state, history}, space.checked_pairs(), space.still,
+                      space.touches);
   });
   return space.touches.count;
 }
@@ -120,7 +147,7 @@ void append_edge_touches(const EdgeSpace& space, int count, Array<RowTouch>& tou
     using Space = std::decay_t<decltype(where)>;
     keep_and_reserve(where, touches, count, count + added);
     const EdgeSurface s = space.surface;
-    const Array<const int> a = space.pairs.a, b = space.pairs.b, list = space.touches.list;
+    const Array<const int> a = space.checked_pairs().a, b = space.checked_pairs().b, list = space.touches.list;
     const Array<const EdgeTouch> by_pair = space.touches.by_pair;
     const Array<RowTouch> out = touches;
     Kokkos::parallel_for(

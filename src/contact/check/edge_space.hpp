@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/contact/check/edge_touches.hpp"
+#include "kernels/contact/check/near_edges.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/edge_search.hpp"
 #include "src/contact/surface/surface_share.hpp"
@@ -42,14 +43,41 @@ bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, do
 EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Rows2<const int>& ends,
                                 const std::vector<char>& points_of);
 
+/// The pairs of edges that are near enough to be checked, where there are many others: NearPairs for edges, with one
+/// list.
+class NearEdges {
+ public:
+  /// The pairs are others now, and all of them are checked.
+  void forget() { is_used_ = is_due_ = false; }
+
+  /// Those near enough for this travel of any node are to be listed at the next check; 0: all are checked.
+  void ask(double travel);
+  bool is_asked() const { return is_due_; }
+
+  /// Lists them; motion: of the edges of all pairs.
+  void make(const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& all);
+
+  const EdgePairs& checked_pairs(const EdgePairs& all) const { return is_used_ ? near_ : all; }
+
+ private:
+  EdgePairs near_;
+  NearEdgeScratch scratch_;
+  double travel_ = 0;
+  bool is_used_ = false, is_due_ = false;
+  int turns_to_pass_ = 0;
+};
+
 /// Edges with their pairs and the memory of checking them.
 struct EdgeSpace {
   EdgeSurface surface;
-  EdgePairs pairs;
+  EdgePairs pairs;  // of the last search
+  NearEdges near;
   EdgeState state;
   StillEdges still;
   bool keeps_still = true;  // what the last check found of pairs that are at rest
   EdgeTouchTable touches;
+
+  const EdgePairs& checked_pairs() const { return near.checked_pairs(pairs); }
 
   /// Whether all that the last check found was found by the one before it as well, and is at rest.
   bool has_found_nothing_new() const { return touches.num_new == 0; }
@@ -64,7 +92,7 @@ inline void forget_touches(EdgeSpace& space) {
   space.still.forget();
 }
 
-/// The detailed check of all pairs; returns the number of touches.
+/// The detailed check of the pairs that are near; returns the number of touches.
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space);
 
 /// The touches of the last check as rows need them, after the first `count` of `touches`. The rows of the motion are

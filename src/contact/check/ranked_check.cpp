@@ -115,17 +115,20 @@ void RankedCheck::begin_pairs(std::int64_t total_pairs) {
   space_.near.forget();
   read_ = base_ = &of_all_;
   asked_ = {};
-  if (total_pairs_ > 0) of_all_ = select(space_.candidates);
+  if (total_pairs_ > 0) of_all_ = select(space_.candidates, nullptr);
 }
 
-/// Requests from the FE owners the input of the check of a list of pairs. Collective.
-RankedCheck::CheckPart RankedCheck::select(const CandidateList& pairs) {
+/// Requests from the FE owners the input of the check of a list of pairs. among: of a list that contains it; null:
+/// none. Collective.
+RankedCheck::CheckPart RankedCheck::select(const CandidateList& pairs, const CheckPart* among) {
   reserve(wanted_, space_.surface.num_nodes);
   run_where_it_pays(space_.surface.num_nodes / 10,
                     [&](const auto& space) { mark_read_nodes(space, space_.surface, pairs, wanted_); });
   const auto marks = to_host(wanted_);
   CheckPart part;
-  part.motion = motion_.select(data_, {marks.data(), marks.data() + space_.surface.num_nodes});
+  const std::vector<char> is_read(marks.data(), marks.data() + space_.surface.num_nodes);
+  part.motion =
+      among != nullptr ? MotionCopy::select_among(among->motion, data_, is_read) : motion_.select(data_, is_read);
   const auto nodes = to_host(pairs.nodes);
   std::vector<char> is_checked;
   is_checked.reserve(known_.searched_nodes.size());
@@ -134,7 +137,8 @@ RankedCheck::CheckPart RankedCheck::select(const CandidateList& pairs) {
     is_checked.push_back(next < pairs.num_nodes && nodes(next) == n ? 1 : 0);
     next += is_checked.back();
   }
-  part.history = history_.select(history_data_, is_checked);
+  part.history = among != nullptr ? RemoteItems::select_among(among->history, history_data_, is_checked)
+                                  : history_.select(history_data_, is_checked);
   const auto list_rows = [&](const std::vector<int>& searched) {
     std::vector<int> rows;
     rows.reserve(searched.size());
@@ -160,11 +164,11 @@ void RankedCheck::narrow(const NearWay& way) {
 void RankedCheck::request_near_pairs() {
   if (total_pairs_ == 0 || asked_.near <= 0) return;
   if (asked_.search > 0) {
-    of_reachable_ = select(space_.reachable_pairs());
+    of_reachable_ = select(space_.reachable_pairs(), &of_all_);
     base_ = &of_reachable_;
   }
   read_ = base_;
-  of_near_ = select(space_.checked_pairs());
+  of_near_ = select(space_.checked_pairs(), base_);
   read_ = &of_near_;
   asked_ = {};
 }

@@ -73,7 +73,7 @@ class RankedCheck {
     Array<int> published_history;                     // contact nodes of the share
   };
 
-  CheckPart select(const CandidateList& pairs);
+  CheckPart select(const CandidateList& pairs, const CheckPart* among);
   SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   std::vector<TouchRecord> list_touches() const;
   template <class Record>

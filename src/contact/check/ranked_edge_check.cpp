@@ -41,11 +41,15 @@ RankedEdgeCheck::RankedEdgeCheck(const ContactRanks& ranks, const SurfaceShare& 
 void RankedEdgeCheck::take_pairs(const std::vector<EdgeTopology>& edges, std::int64_t total_pairs,
                                  UnstructuredExchange& exchange, DataExchange& data) {
   total_pairs_ = total_pairs;
+  space_.near.forget();
+  asked_ = false;
+  read_ = &of_all_;
   if (total_pairs_ == 0) return;
   const std::vector<std::int64_t> nodes = keep_paired_edges(edges);
   motion_.name(ranks_, exchange, data, nodes);
-  read_ = motion_.all();
+  num_nodes_ = nodes.size();
   name_history(exchange, data);
+  of_all_ = {motion_.all(), history_.all()};
 }
 
 /// Keeps of the edges of a search those in pairs and numbers the pairs by them. Returns the numbers of their nodes,
@@ -99,6 +103,39 @@ void RankedEdgeCheck::name_history(UnstructuredExchange& exchange, DataExchange&
   });
 }
 
+void RankedEdgeCheck::narrow(const NearWay& way) {
+  space_.near.ask(way.near);
+  asked_ = way.near > 0;
+  read_ = &of_all_;
+}
+
+/// All ranks come here in the same step, also those that have not found their list worth it.
+void RankedEdgeCheck::request_near_pairs(DataExchange& data) {
+  if (total_pairs_ == 0 || !asked_) return;
+  of_near_ = select(data);
+  read_ = &of_near_;
+  asked_ = false;
+}
+
+/// Requests what the check of the pairs that are near reads.
+RankedEdgeCheck::EdgePart RankedEdgeCheck::select(DataExchange& data) const {
+  const EdgePairs& near = space_.checked_pairs();
+  const auto edges = to_host(near.edges), near_a = to_host(near.a), a = to_host(space_.pairs.a);
+  const auto ends = to_host(space_.surface.ends);
+  const auto wings = to_host(space_.surface.wings);
+  std::vector<char> is_read(num_nodes_, 0), is_checked;
+  for (int i = 0; i < near.num_edges; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) is_read[at(ends(edges(i), k))] = 1;
+    for (std::size_t k = 0; k < 4; ++k) is_read[at(wings(edges(i), k))] = 1;
+  }
+  for (int p = 0, next = 0; p < space_.pairs.num_pairs; ++p) {  // named as in name_history()
+    if (p > 0 && a(p) == a(p - 1)) continue;
+    while (next < near.num_pairs && near_a(next) < a(p)) ++next;
+    is_checked.push_back(next < near.num_pairs && near_a(next) == a(p) ? 1 : 0);
+  }
+  return {motion_.select(data, is_read), history_.select(data, is_checked)};
+}
+
 /// Contact history of the paired edges from their homes: names, marks and normals.
 EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExchange& data) {
   const auto a = to_host(history.a), b = to_host(history.b);
@@ -112,7 +149,7 @@ EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExc
          r < history.count && a(r) == number; ++r)
       if (holds(r) != 0) items.push_back({a(r), b(r), {normal(r, 0), normal(r, 1), normal(r, 2)}});
   };
-  const ItemPart& part = history_.all();
+  const ItemPart& part = read_->history;
   const ExchangePlan answer = reverse(part.request);
   std::vector<int> counts;
   for (const PeerRun& run : answer.to) {
@@ -144,7 +181,8 @@ EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExc
 
 /// Results to the homes of their edges A.
 template <class Record>
-std::vector<Record> RankedEdgeCheck::send_results_to_homes(DataExchange& data, std::vector<Record> records) const {
+std::vector<Record> RankedEdgeCheck::send_results_to_homes(const EdgePart& part, DataExchange& data,
+                                                           std::vector<Record> records) const {
   std::vector<int> homes;
   homes.reserve(records.size());
   for (const Record& record : records) {
@@ -153,14 +191,15 @@ std::vector<Record> RankedEdgeCheck::send_results_to_homes(DataExchange& data, s
     homes.push_back(edge->home);
   }
   std::vector<Record> received =
-      send_to_partners(data, ranks_.ranks.rank(), history_.all().request, homes, std::move(records));
+      send_to_partners(data, ranks_.ranks.rank(), part.history.request, homes, std::move(records));
   std::sort(received.begin(), received.end(), comes_before<Record>);
   return received;
 }
 
 /// The touches of the last check, by paired edge.
 std::vector<RankedEdgeCheck::TouchRecord> RankedEdgeCheck::list_touches() const {
-  const auto list = to_host(space_.touches.list), a = to_host(space_.pairs.a), b = to_host(space_.pairs.b);
+  const EdgePairs& pairs = space_.checked_pairs();
+  const auto list = to_host(space_.touches.list), a = to_host(pairs.a), b = to_host(pairs.b);
   const auto touches = to_host(space_.touches.by_pair);
   const auto friction = to_host(share_.pair_friction);
   const auto pair_number = to_host(share_.pair_number);
@@ -202,12 +241,12 @@ void RankedEdgeCheck::check(const SurfaceMotion& motion, const EdgeHistory& hist
   if (total_pairs_ == 0)
     forget_touches(space_);
   else
-    check_edge_pairs(motion_.receive(data, read_, motion), receive_history(history, data), space_);
+    check_edge_pairs(motion_.receive(data, read_->motion, motion), receive_history(history, data), space_);
 }
 
 void RankedEdgeCheck::append_touches(const EdgeHistory& history, DataExchange& data, std::vector<RowTouch>& touches) {
   if (total_pairs_ == 0) return;
-  const std::vector<TouchRecord> records = send_results_to_homes(data, list_touches());
+  const std::vector<TouchRecord> records = send_results_to_homes(*read_, data, list_touches());
   int foreign = 0;
   for (const RowTouch& touch : touches)
     foreign += static_cast<int>(std::count_if(touch.node, touch.node + touch.count, [](int n) { return n < 0; }));
@@ -227,7 +266,8 @@ void RankedEdgeCheck::append_touches(const EdgeHistory& history, DataExchange& d
 
 std::vector<EdgePenetration> RankedEdgeCheck::find_penetrations(const SurfaceMotion& motion, DataExchange& data) {
   if (total_pairs_ == 0) return {};
-  return send_results_to_homes(data, measure_edge_pairs(motion_.receive(data, read_, motion), space_));
+  return send_results_to_homes(of_all_, data,
+                               measure_edge_pairs(motion_.receive(data, of_all_.motion, motion), space_));
 }
 
 }  // namespace percuss

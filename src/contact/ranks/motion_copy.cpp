@@ -8,8 +8,11 @@ namespace percuss {
 namespace {
 
 MotionPart to_views(const ItemPart& part) {
-  return {part.request, to_view("contact::motion_rows", part.asked),
-          to_view("contact::published_nodes", part.published), to_view("contact::own_rows", part.own),
+  return {part,
+          part.request,
+          to_view("contact::motion_rows", part.asked),
+          to_view("contact::published_nodes", part.published),
+          to_view("contact::own_rows", part.own),
           to_view("contact::own_nodes", part.own_places)};
 }
 
@@ -27,6 +30,9 @@ void MotionCopy::name(const ContactRanks& ranks, UnstructuredExchange& exchange,
 MotionPart MotionCopy::all() const { return to_views(nodes_.all()); }
 MotionPart MotionCopy::select(DataExchange& data, const std::vector<char>& is_wanted) const {
   return to_views(nodes_.select(data, is_wanted));
+}
+MotionPart MotionCopy::select_among(const MotionPart& part, DataExchange& data, const std::vector<char>& is_wanted) {
+  return to_views(RemoteItems::select_among(part.items, data, is_wanted));
 }
 
 void MotionCopy::begin(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion) {

@@ -13,6 +13,7 @@ namespace percuss {
 
 /// Nodes whose motion is requested.
 struct MotionPart {
+  ItemPart items;  // the same on the host
   ExchangePlan request;
   Array<int> rows, published;      // in messages: rows of the copy, mesh nodes of this rank
   Array<int> own_rows, own_nodes;  // of this rank itself
@@ -25,9 +26,11 @@ class MotionCopy {
   void name(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
             const std::vector<std::int64_t>& numbers);
 
-  /// All of them, and those requested: [named nodes]. select() is collective.
+  /// All of them, those requested: [named nodes], and those of a part that holds all that is wanted. The latter two are
+  /// collective.
   MotionPart all() const;
   MotionPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
+  static MotionPart select_among(const MotionPart& part, DataExchange& data, const std::vector<char>& is_wanted);
 
   /// Starts getting the motion of a part. motion: of this rank's mesh nodes. Collective.
   void begin(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion);

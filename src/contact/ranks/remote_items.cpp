@@ -28,23 +28,23 @@ WantedRuns keep_wanted(const std::vector<PeerRun>& runs, const std::vector<int>&
 
 }  // namespace
 
-ItemPart RemoteItems::select(DataExchange& data, const std::vector<char>& is_wanted) const {
+ItemPart RemoteItems::select_among(const ItemPart& part, DataExchange& data, const std::vector<char>& is_wanted) {
   std::vector<char> flags;
-  flags.reserve(all_.asked.size());
-  for (const int item : all_.asked) flags.push_back(is_wanted[at(item)]);
-  const std::vector<char> of_others = data.exchange(all_.request, flags);
-  WantedRuns asked = keep_wanted(all_.request.to, all_.asked, flags);
-  WantedRuns published = keep_wanted(all_.request.from, all_.published, of_others);
-  ItemPart part;
-  part.request = {std::move(asked.runs), std::move(published.runs)};
-  part.asked = std::move(asked.items);
-  part.published = std::move(published.items);
-  for (std::size_t i = 0; i < all_.own.size(); ++i) {
-    if (is_wanted[at(all_.own[i])] == 0) continue;
-    part.own.push_back(all_.own[i]);
-    part.own_places.push_back(all_.own_places[i]);
+  flags.reserve(part.asked.size());
+  for (const int item : part.asked) flags.push_back(is_wanted[at(item)]);
+  const std::vector<char> of_others = data.exchange(part.request, flags);
+  WantedRuns asked = keep_wanted(part.request.to, part.asked, flags);
+  WantedRuns published = keep_wanted(part.request.from, part.published, of_others);
+  ItemPart chosen;
+  chosen.request = {std::move(asked.runs), std::move(published.runs)};
+  chosen.asked = std::move(asked.items);
+  chosen.published = std::move(published.items);
+  for (std::size_t i = 0; i < part.own.size(); ++i) {
+    if (is_wanted[at(part.own[i])] == 0) continue;
+    chosen.own.push_back(part.own[i]);
+    chosen.own_places.push_back(part.own_places[i]);
   }
-  return part;
+  return chosen;
 }
 
 }  // namespace percuss

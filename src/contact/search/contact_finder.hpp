@@ -31,8 +31,7 @@ class ContactFinder {
   /// many there are on all ranks. Throws RunError, on all ranks, if they are absurdly many.
   std::int64_t search(const SurfaceMotion& motion, double margin);
 
-  /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node has used up
-  /// its travel.
+  /// From the next check on leaves out the pairs that it cannot accept before some node has used up its travel.
   virtual void narrow(const NearWay& way) = 0;
 
   /// Steps (5.6), the detailed check, and (5.7), of the candidate pairs of the last search. history: of the last step.

@@ -37,6 +37,7 @@ std::int64_t LocalEdges::find_candidates(const SurfaceMotion& motion, double mar
     hits = find_edge_pairs(space, space_.surface, query, limit, scratch_, space_.pairs);
   });
   refuse_too_many_pairs(hits, limit, margin);
+  space_.near.forget();
   return space_.pairs.num_pairs;
 }
 

@@ -17,6 +17,9 @@ class LocalEdges {
   /// many.
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin);
 
+  /// ContactFinder::narrow() for edges.
+  void narrow(const NearWay& way) { space_.near.ask(way.near); }
+
   /// The detailed check of these pairs; returns the number of touches.
   int check(const SurfaceMotion& motion, const EdgeHistory& history) {
     return check_edge_pairs(motion, history, space_);

@@ -15,7 +15,10 @@ class LocalFinder : public ContactFinder {
  public:
   LocalFinder(const SurfaceShare& share, const ContactDeck& deck);
 
-  void narrow(const NearWay& way) override { check_.near.ask(way); }
+  void narrow(const NearWay& way) override {
+    check_.near.ask(way);
+    edges_.narrow(way);
+  }
   bool has_found_nothing_new() const override {
     return check_.has_found_nothing_new() && edges_.has_found_nothing_new();
   }

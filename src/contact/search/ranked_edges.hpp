@@ -26,6 +26,13 @@ class RankedEdges {
   /// Returns how many pairs there are on all ranks. Throws RunError, on all ranks, if they are absurdly many.
   std::int64_t find_candidates(double margin);
 
+  /// ContactFinder::narrow() for edges. Not collective.
+  void narrow(const NearWay& way) { check_.narrow(way); }
+  /// ContactFinder::request_near_pairs() for edges.
+  void request_near_pairs() {
+    if (data_) check_.request_near_pairs(*data_);
+  }
+
   void check(const SurfaceMotion& motion, const EdgeHistory& history) {
     if (data_) check_.check(motion, history, *data_);
   }

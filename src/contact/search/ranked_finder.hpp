@@ -17,7 +17,10 @@ class RankedFinder : public ContactFinder {
  public:
   RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 
-  void narrow(const NearWay& way) override { check_.narrow(way); }
+  void narrow(const NearWay& way) override {
+    check_.narrow(way);
+    edges_.narrow(way);
+  }
   bool has_found_nothing_new() const override {
     return check_.space().has_found_nothing_new() && edges_.has_found_nothing_new();
   }
@@ -46,7 +49,10 @@ class RankedFinder : public ContactFinder {
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
   void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) override;
   int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
-  void request_near_pairs() override { check_.request_near_pairs(); }
+  void request_near_pairs() override {
+    check_.request_near_pairs();
+    edges_.request_near_pairs();
+  }
 
   Phase decompose() { return {"percuss::contact_rcb", decomposition_clock_}; }
   void redefine_surface();

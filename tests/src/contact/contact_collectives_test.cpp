@@ -62,6 +62,14 @@ parts:
 contact: {surfaces: all}
 )";
 
+/// Two bricks that the search pairs, but out of reach of the check.
+const std::string apart = R"(
+parts:
+  low: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, material: m}
+  high: {box: {size: [1, 1, 0.4], cells: [4, 4, 2]}, at: [0, 0, 0.52], material: m}
+contact: {surfaces: all}
+)";
+
 /// The scene, in which each step presses `high` on `low` from the same places.
 struct Scene {
   explicit Scene(const std::string& text)
@@ -134,6 +142,17 @@ TEST(ContactCollectives, AreTwoAStepWhereNothingTouches) {
   ASSERT_EQ(report.interactions, 0);
   if (scene.world.size() == 1 || report.searched) return;
   EXPECT_LE(find_most(counted.collectives), 2);
+}
+
+// Nodes, faces and edges alike: what is out of reach until surfaces have moved costs no message.
+TEST(ContactCollectives, NothingIsSentForPairsOutOfReach) {
+  Scene scene(apart);
+  for (int i = 0; i < 3; ++i) scene.step();
+  const ContactReport report = scene.step();
+  ASSERT_FALSE(report.searched);
+  ASSERT_GT(report.candidates, 0);
+  EXPECT_EQ(find_most(counted.sends), 0);
+  EXPECT_EQ(find_most(counted.collectives), scene.world.size() > 1 ? 2 : 0);
 }
 
 }  // namespace percuss::test
