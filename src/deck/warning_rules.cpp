@@ -21,6 +21,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"idle_mass_scaling", "mass scaling that adds nothing"},
       {"cowper_symonds", "constants of Cowper and Symonds that are swapped, or an exponent without its rate"},
       {"damage_sign", "constant d3 of Johnson and Cook's failure with the sign of another convention"},
+      {"softening_size", "damage whose energy is less than what an element holds"},
       {"failure_size", "limit of strain or stress of elements of very different size"},
       {"poissons_ratio", "Poisson's ratio below 0, or so near 0.5 that the bulk modulus dominates"},
       {"hardening_strain", "hardening table with strains in percentages"},

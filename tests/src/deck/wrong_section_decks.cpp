@@ -360,11 +360,11 @@ std::vector<WrongDeck> at_odds() {
       {"GlueWithoutEnergy",
        append("contact: {ties: [{a: rod/x_min, b: rod/x_max, cohesive: {normal_stiffness: 1e10, normal_strength: 2e6, "
               "shear_strength: 2e6, normal_energy: 100, shear_energy: 300}}]}"),
-       "6:135", "must be above 200, which is stored when the strength is reached"},
+       "6:140", "must be above 200, which is stored when the strength is reached"},
       {"GlueWithTwoCurves",
        append("contact: {ties: [{a: rod/x_min, b: rod/x_max, cohesive: {normal_stiffness: 1e10, normal_strength: 2e6, "
               "shear_strength: 2e6, normal_energy: 900, shear_energy: 900, plateau: 0.5, softening: exponential}}]}"),
-       "6:174", "stands beside softening: exponential"},
+       "6:173", "stands beside softening: exponential"},
       {"TiesWithSprings", append("contact: {enforcement: penalty, ties: [{a: rod/x_min, b: rod/x_max}]}"), "6:39",
        "ties cannot be held by contact.enforcement: penalty"},
       {"JoinIsAWord", append("join: yes_please"), "6:7", "(must be true | false or a list of maps)"},
