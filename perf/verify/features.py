@@ -26,6 +26,8 @@ FEATURES = [
     ("ties", "reflected share of a wave, 2 x 2 on 3 x 3", "tied_bars", "kinematic, 2 x 2 on 3 x 3: stress that comes back, over rho c v"),
     ("welds", "deflection of a lap joint, shells of 5 mm", "lap_weld", "shells of 5.0 mm: deflection"),
     ("failure: spall", "time of failure, 100 elements", "spall", "100 elements: time"),
+    ("failure: damage that evolves", "energy by area, a cube of 2 mm", "softening", "cube of 2 mm, energy: energy after the onset, by area"),
+    ("glue", "energy of a crack, elements of 0.5 mm", "glued_beams", "0.5 mm, 4.5 ms: energy of the crack"),
     ("failure: perforation", "speed behind the plate, 303.5 m/s before", "plug", "303.5 m/s: speed behind the plate"),
     ("materials: Johnson-Cook", "foot diameter of a Taylor bar, 3840 elements", "johnson_cook", "foot diameter, against the middle of the range"),
     ("materials: strain rates", "stress at 10 / s, between two curves, one element", "rate_table", "hexahedra, 10 / s, logarithmic"),
