@@ -28,8 +28,6 @@ MATERIALS = {
     "rubber_mr": {"model": "mooney_rivlin", "density": 1100.0, "c10": 1e6, "c01": 0.3e6, "bulk_modulus": 50e6},
     "foam": {"model": "low_density_foam", "density": 80.0, "youngs_modulus": 5e6,
              "compression": [[0, 0], [0.05, 0.2e6], [0.6, 0.3e6], [0.8, 2e6]]},
-    "rate_foam": {"model": "rate_table_foam", "density": 80.0, "youngs_modulus": 5e6, "hysteretic_unloading": 0.3, "unloading_shape": 2.0,
-                  "compression_at_rates": [[0.01, [[0, 0], [0.05, 0.1e6], [0.6, 0.2e6], [0.8, 2e6]]], [100, [[0, 0], [0.05, 0.2e6], [0.6, 0.3e6], [0.8, 3e6]]]]},
     "soil": {"model": "soil_and_foam", "density": 1800.0, "shear_modulus": 50e6, "unloading_bulk_modulus": 500e6, "a0": 1e8,
              "a1": 5e3, "a2": 0.1, "compaction": [[0, 0], [0.05, 5e6], [0.2, 60e6]]},
 }
