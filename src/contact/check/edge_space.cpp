@@ -112,7 +112,7 @@ void NearEdges::ask(double travel) {
 
 void NearEdges::make(const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& all) {
   constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
-  constexpr int pause = 7;          // where it is not worth it, the next is made after so many that are not
+  constexpr int pause = 31;         // where it is not worth it, the next is made after so many that are not
   is_due_ = false;
   run_where_it_pays(all.num_pairs / 4, [&](const auto& where) {
     is_used_ =
