@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
 
 namespace percuss {
