@@ -106,9 +106,7 @@ void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
                   deck.where(part.place), material.name, part.name, criterion, topology.name));
 }
 
-bool depends_on_size(const FailureDeck& deck) {
-  return !deck.size.empty() || (deck.evolution && !deck.evolution->plastic_strain);
-}
+bool evolves_by_size(const FailureDeck& deck) { return deck.evolution && !deck.evolution->plastic_strain; }
 
 /// Appends the limits of each element of a chunk, whose strains and growth of damage depend on its size.
 void add_limits_by_size(const FailureDeck& deck, const FailureLimits& material, const ChunkedMesh& chunked,
@@ -118,7 +116,7 @@ void add_limits_by_size(const FailureDeck& deck, const FailureLimits& material, 
     const auto element = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(e);
     const double size = find_element_size(chunked.mesh, element, find_element_volume(chunked.mesh, element));
     limits.push_back(deck.size.empty() ? material : material.scale_strains(factor(size).y));
-    if (deck.evolution && !deck.evolution->plastic_strain) {
+    if (evolves_by_size(deck)) {
       limits.back().evolution.by_strain *= size;
       limits.back().evolution.by_work *= size;
     }
@@ -185,7 +183,7 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));
     list.push_back(static_cast<int>(c));
     const FailureDeck& failure = *deck.materials[static_cast<std::size_t>(material)].failure;
-    if (depends_on_size(failure)) {
+    if (!failure.size.empty() || evolves_by_size(failure)) {
       const FailureLimits of_material = limits[static_cast<std::size_t>(row.back())];
       row.back() = static_cast<int>(limits.size());
       add_limits_by_size(failure, of_material, chunked, chunked.chunks[c], limits);

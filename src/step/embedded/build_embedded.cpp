@@ -43,13 +43,25 @@ bool is_before(const Host& a, const Host& b) {
 class Cells {
  public:
   Cells(const std::vector<Item>& items, double size) : size_(size) {
-    for (std::size_t i = 0; i < items.size(); ++i) cells_[find_cell(items[i].place)].push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const Cell cell = find_cell(items[i].place);
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k] = i == 0 ? cell[k] : std::min(low_[k], cell[k]);
+        high_[k] = i == 0 ? cell[k] : std::max(high_[k], cell[k]);
+      }
+      cells_[cell].push_back(static_cast<int>(i));
+    }
   }
 
-  /// visit(item) for all in a box, and some beside it.
+  /// visit(item) for all in a box, and some beside it. A solid far larger than the others looks at no empty cells
+  /// beyond.
   template <class Visit>
   void visit(const Vec3& low, const Vec3& high, const Visit& visit_item) const {
-    const Cell first = find_cell(low), last = find_cell(high);
+    Cell first = find_cell(low), last = find_cell(high);
+    for (std::size_t k = 0; k < 3; ++k) {
+      first[k] = std::max(first[k], low_[k]);
+      last[k] = std::min(last[k], high_[k]);
+    }
     Cell cell = first;
     for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0])
       for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
@@ -67,6 +79,7 @@ class Cells {
   }
 
   double size_;
+  Cell low_{}, high_{-1, -1, -1};  // of all nodes; without nodes no cell
   std::map<Cell, std::vector<int>> cells_;
 };
 
