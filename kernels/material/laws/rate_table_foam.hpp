@@ -1,6 +1,8 @@
 #pragma once
 // Foam with curves for several rates: each principal stretch has its own stress, less of it on the way back.
 
+#include <limits>
+
 #include "kernels/material/foam_stress.hpp"
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/principal_stretches.hpp"
@@ -69,7 +71,7 @@ struct RateTableFoam {
     const int first = compression.first[k], last = compression.first[k + 1] - 1;
     ValueAndSlope<T> line{T(0), T(0)};
     for (int i = first; i < last; ++i) {
-      const auto past = i == first ? strain == strain : strain >= T(compression.x[i]);
+      const auto past = strain >= T(i == first ? -std::numeric_limits<double>::infinity() : compression.x[i]);
       if (!any(past)) break;
       const double slope = (compression.y[i + 1] - compression.y[i]) / (compression.x[i + 1] - compression.x[i]);
       line.value = select(past, T(compression.y[i]) + T(slope) * (strain - T(compression.x[i])), line.value);
