@@ -35,12 +35,7 @@ MARGINS = (0.03, 0.13, 0.05, 0.09)  # left, right (colour bar), bottom, top (tit
 
 def render(arguments):
     frames, shots = prepare(arguments)
-    folder = arguments.out or os.path.dirname(os.path.abspath(shots[0].fields.path))
-    os.makedirs(folder, exist_ok=True)
-    prefix = f"{arguments.fields}_" if arguments.fields else ""
-    paths = {frame: os.path.join(folder, f"{prefix}frame_{frame:04d}.png") for frame in frames}
-    is_film = arguments.frame is None and len(frames) > 1
-    films = {kind: os.path.join(folder, f"{prefix}animation.{kind}") for kind in ["gif", *dict.fromkeys(arguments.video)] if is_film}
+    paths, films = choose_paths(arguments, frames, os.path.dirname(os.path.abspath(shots[0].fields.path)))
     for path in [*paths.values(), *films.values()]:
         check_target(path, "render", arguments.force)
     images = []
@@ -59,6 +54,31 @@ def render(arguments):
         film = encode_animation([shrink(image) for image in images], arguments.fps) if kind == "gif" else encode_video(images, arguments.fps, kind)
         write_file(path, film, "render", arguments.force)
         tell(f"render: {path}")
+
+
+def choose_paths(arguments, frames, folder):
+    """({frame: path of its picture}, {"gif": path, ...}), in --out or else in the folder of the run; --out FILE.png is the one picture."""
+    out = arguments.out or folder
+    if is_picture(out):
+        if len(frames) != 1:
+            raise BadChoice(f"--out {out} is one picture, and there are {len(frames)} frames: choose one with --frame, or give a folder")
+        return {frames[0]: out}, {}
+    os.makedirs(out, exist_ok=True)
+    prefix = f"{arguments.fields}_" if arguments.fields else ""
+    is_film = arguments.frame is None and len(frames) > 1
+    kinds = ["gif", *dict.fromkeys(arguments.video)] if is_film else []
+    return ({frame: os.path.join(out, f"{prefix}frame_{frame:04d}.png") for frame in frames},
+            {kind: os.path.join(out, f"{prefix}animation.{kind}") for kind in kinds})
+
+
+def is_picture(out):
+    """Whether --out names a file; pictures of another kind are refused."""
+    ending = os.path.splitext(out)[1].lower()
+    if os.path.isdir(out) or ending not in (".png", ".gif", ".jpg", ".jpeg", ".svg", ".mp4", ".webm"):
+        return False
+    if ending != ".png":
+        raise BadChoice(f"--out {out} is neither a folder nor a .png: a picture is a PNG, and films go into a folder (--video)")
+    return True
 
 
 def prepare(arguments):

@@ -38,7 +38,7 @@ def parse_arguments(words):
         description="Renders DIR/fields.vtkhdf to DIR/frame_0000.png ... and DIR/animation.gif.")
     add = parser.add_argument
     add("dir", metavar="DIR", help="the output folder of a run (or a fields.vtkhdf)")
-    add("--out", metavar="FOLDER", help="where the pictures go (default: DIR)")
+    add("--out", metavar="FOLDER", help="where the pictures go (default: DIR); with one --frame also a FILE.png")
     add("--from", dest="fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
         "are NAME_frame_0000.png ... (default: those of output.fields)")
     add("--field", metavar="NAME", help="what the colours show: a vector by its magnitude, a stress by von Mises' value; "

@@ -75,6 +75,16 @@ class Render(unittest.TestCase):
         with Image.open(os.path.join(self.out.name, name)) as image:
             return np.asarray(image.convert("RGB")).astype(int)
 
+    def test_one_picture_has_the_name_that_is_given(self):
+        done = self.render("--frame", "-1", "--out", os.path.join(self.out.name, "last.png"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.picture("last.png").shape, (180, 320, 3))
+        for name, words in (("all.png", "choose one with --frame"), ("film.mp4", "neither a folder nor a .png")):
+            done = self.render("--out", os.path.join(self.out.name, name))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(os.listdir(self.out.name), ["last.png"])
+
     def test_makes_every_frame_and_an_animation_that_move(self):
         alone = {name: value for name, value in os.environ.items() if name not in (OTHER, "DISPLAY", "XAUTHORITY")}
         done = self.render(env=alone)
