@@ -82,7 +82,7 @@ PROOFS = [
     Proof("INTEGRATION_BEAM: IRID ICST D1", ruled("*INTEGRATION_BEAM\n7,0,0.0,8\n0.6\n"), [momentum(math.pi * 0.36), *rests(0.6)], "a circle of radius D1"),
     Proof("INTEGRATION_BEAM: ICST D1 D2", ruled("*INTEGRATION_BEAM\n7,0,0.0,9\n0.6,0.5\n"), [momentum(math.pi * 0.11), *rests(0.6)], "a tube of the radii D1 and D2"),
     Proof("INTEGRATION_BEAM: ICST D1 D2", ruled("*INTEGRATION_BEAM\n7,0,0.0,11\n1.2,3.0\n"), [momentum(3.6), *rests(0.6)], "a rectangle D1 by D2"),
-    Proof("INTEGRATION_BEAM: ICST", ruled("*INTEGRATION_BEAM\n7,0,0.0,1\n1.2,3.0,0.1,0.1\n"), refused="ICST 1 (I)"),
+    Proof("INTEGRATION_BEAM: ICST", ruled("*INTEGRATION_BEAM\n7,0,0.0,2\n1.2,3.0,0.1,0.1\n"), refused="ICST 2 (channel)"),
     Proof("INTEGRATION_BEAM: NIP RA", ruled("*INTEGRATION_BEAM\n7,1,1.0,0\n0.0,0.0,1.0\n"), refused="points of its own"),
     Proof("INTEGRATION_BEAM: SREF TREF", ruled("*INTEGRATION_BEAM\n7,0,0.0,8\n0.6,0,0,0,1.0,0\n"), refused="in the middle of the section"),
     Proof("MAT_NULL: RO", edged("*SET_PART_LIST\n7\n1,2,3\n*CONTACT_AUTOMATIC_GENERAL\n7,0,2\n0\n\n"),

@@ -106,6 +106,24 @@ def thinning_energy(ratio):
     return 100.0 * 2 * modulus * ((strain / rate - 1 / rate**2) * math.exp(rate * strain) + 1 / rate**2)
 
 
+# Width 3, flanges of 0.5, depth 4, webs of 0.2: area, moments of inertia about s and t, torsion.
+WALLS = "*SECTION_BEAM\n1,1,1.0,-7,0\n0,0\n*INTEGRATION_BEAM\n7,0,0.0,{shape}\n3.0,0.5,4.0,0.2\n"
+WALLED = [
+    (1, "an I", 3.6, (3 * 64 - 2.8 * 27) / 12, (2 * 0.5 * 27 + 3 * 0.2**3) / 12, (2 * 3 * 0.5**3 + 3.5 * 0.2**3) / 3),
+    (5, "a box", 4.2, (3 * 64 - 2.6 * 27) / 12, (2 * 0.5 * 27 + 3 * (27 - 2.6**3)) / 12, 2 * (2.8 * 3.5) ** 2 / (2.8 / 0.5 + 3.5 / 0.2)),
+]
+
+
+def prove_walls(shape, name, area, about_s, about_t, torsion):
+    section, fields = WALLS.format(shape=shape), "INTEGRATION_BEAM: ICST D1 D2 D3 D4"
+    return [
+        Proof(fields, beam(section, FLYING), [("momentum_x", FIRST, 100.0 * DENSITY * area * 10.0, 1e-9)], f"area of {name}"),
+        Proof(fields, beam(section, ABOUT_Y, end=END), [(largest_moment, LAST, YOUNG * about_t * 2 * TURN / 10.0, 1e-2)], "y is t, along the depth"),
+        Proof(fields, beam(section, ABOUT_Z, end=END), [(largest_moment, LAST, YOUNG * about_s * 2 * TURN / 10.0, 1e-2)], "z is s, along the width"),
+        Proof(fields, beam(section, TWISTED, end=END), [(magnitude("element_1_torque"), LAST, SHEAR * torsion * 2 * TURN / 10.0, 1e-2)], "thin walls"),
+    ]
+
+
 SECTIONS = [
     Proof("SECTION_SHELL: SECID T1; PART: SECID", plate(shell_section(1, 1.5)), [("momentum_x", FIRST, 150.0 * PLATE_MASS, 1e-9)], "mass of the thickness"),
     Proof("SECTION_SHELL: T1 T2 T3 T4", plate("*SECTION_SHELL\n1,2\n1.0,2.0,3.0,4.0\n"), [("momentum_x", FIRST, 250.0 * PLATE_MASS, 1e-9)], "the mean of the corners"),
@@ -128,6 +146,9 @@ SECTIONS = [
           [(largest_moment, LAST, YOUNG * 7.0 * 2 * TURN / 10.0, 1e-2)], "about z, which is s"),
     Proof("SECTION_BEAM: J", beam("*SECTION_BEAM\n1,2\n5.0,7.0,11.0,13.0,4.0\n", TWISTED, end=END),
           [(magnitude("element_1_torque"), LAST, SHEAR * 13.0 * 2 * TURN / 10.0, 1e-2)], "G J times the twist"),
+    *(row for shape, name, *values in WALLED for row in prove_walls(shape, name, *values)),
+    Proof("INTEGRATION_BEAM: ICST D1 D2 D3 D4", beam(WALLS.format(shape=5).replace("0.2\n", "0.5\n"), FLYING), [("momentum_x", FIRST, 100.0 * DENSITY * 60.0, 1e-9)], "a box with walls of one thickness"),
+    Proof("INTEGRATION_BEAM: D3", beam(WALLS.format(shape=1).replace("4.0,", "1.0,"), FLYING), refused="a depth above two of them"),
     *(Proof(word, beam("*SECTION_BEAM\n1,2\n2.0,3.0,3.0\n", FLYING).replace("*ELEMENT_BEAM\n1,1,1,2,3\n", f"*{word}\n1,1,1,2,3\n7,8\n{line}"),
             [("momentum_x", FIRST, 100.0 * 2.0 * 10.0 * DENSITY, 1e-6)], "PID1 and PID2 say what a spot weld holds")
       for word, line in (("ELEMENT_BEAM_PID", ""), ("ELEMENT_BEAM_PID_ORIENTATION", "0,0,1.0\n"))),

@@ -83,34 +83,62 @@ def read_rules(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("IRID NIP RA ICST K~unused")
         shape, points = row.integer("ICST"), row.integer("NIP")
         row.skip("RA", "K")
-        deck.rules[row.integer("IRID")] = row, reader.row("D1 D2 D3~unused D4~unused SREF TREF D5~unused D6~unused") if shape else None
+        deck.rules[row.integer("IRID")] = row, reader.row("D1 D2 D3 D4 SREF TREF D5~unused D6~unused") if shape else None
         for _ in range(points if reader else 0):
             reader.take()
 
 
 def make_ruled(deck: KeywordDeck, card: Card, section: Row) -> Deck | None:
-    """The section of a rule: a circle, a tube or a rectangle of the standard shapes."""
+    """The section of a rule: one of the standard shapes whose middle is their centroid."""
     id = -section.integer("QR")
     if id not in deck.rules:
         raise BadInput(section.place, missing(f"*INTEGRATION_BEAM {id}, of section {section.integer('SECID')}"))
     row, sizes = deck.rules[id]
     shape = row.integer("ICST")
     name = SHAPES[shape] if 0 <= shape < len(SHAPES) else "unknown shape"
-    if row.integer("NIP") or sizes is None or name not in ("circle", "tube", "rectangle"):
+    if row.integer("NIP") or sizes is None or name not in ("circle", "tube", "rectangle", "I", "box"):
         what = "points of its own" if sizes is None or row.integer("NIP") else f"the shape of ICST {shape} ({name})"
-        deck.ledger.refuse("INTEGRATION_BEAM.ICST", row.place, f"a section of beams with {what}: circle, tube and rectangle are read", LEFT_OUT)
+        deck.ledger.refuse("INTEGRATION_BEAM.ICST", row.place, f"a section of beams with {what}: circle, tube, rectangle, box and I are read", LEFT_OUT)
         return None
     first, second = sizes.numbers("D1", "D2")
     if any(sizes.numbers("SREF", "TREF")):
         deck.ledger.refuse("INTEGRATION_BEAM.SREF", sizes.place, "nodes that are not in the middle of the section", "they are")
     section.skip("SECID", "SHRF", "QR", "CST", "NSM")
     section.finish(deck.ledger, "it is left out")
+    if name in ("I", "box"):
+        return make_walls(deck, row, sizes, name)
+    sizes.skip("D3", "D4")
     deck.ledger.translated("INTEGRATION_BEAM", row.place, f"section: {name}")
     if first <= 0 or (name == "rectangle" and second <= 0) or (name == "tube" and not 0 < second < first):
         sizes.fail("D1", "positive sizes, or an outer radius above the inner one, are expected")
     if name == "rectangle":
         return {"rectangle": {"size": [first, second]}}
     return {"round": {"radius": first}} if name == "circle" else {"tube": {"outer_radius": first, "inner_radius": second}}
+
+
+def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
+    """An I or a box: width along s, thickness of its flanges, depth along t, thickness of its web or webs."""
+    width, flange, depth, web = sizes.numbers("D1", "D2", "D3", "D4")
+    webs = 1 if name == "I" else 2
+    if min(width, flange, depth, web) <= 0 or 2 * flange >= depth or webs * web >= width:
+        sizes.fail("D1", "a width, the thickness of flanges, a depth above two of them and the thickness of webs are expected")
+    if name == "box" and flange == web:
+        deck.ledger.translated("INTEGRATION_BEAM", row.place, "section: box")
+        return {"box": {"size": [width, depth], "wall": flange}}
+    high = depth - 2 * flange
+    across = [(webs * web, high), (width, 2 * flange)]  # breadth along s, height along t
+    about_s = (width * depth**3 - (width - webs * web) * high**3) / 12
+    about_t = (2 * flange * width**3 + high * (web**3 if name == "I" else width**3 - (width - 2 * web) ** 3)) / 12
+    if name == "I":
+        torsion = (2 * width * flange**3 + (depth - flange) * web**3) / 3
+    else:
+        torsion = 2 * ((width - web) * (depth - flange)) ** 2 / ((width - web) / flange + (depth - flange) / web)
+    text = f"section: general constants of {'an I' if name == 'I' else 'a box'} with thin walls; shear in flanges along s, in webs along t"
+    deck.ledger.approximated("INTEGRATION_BEAM", row.place, text)
+    return {
+        "general": {"area": sum(a * b for a, b in across), "inertia_y": about_s, "inertia_z": about_t, "torsion": torsion,
+                    "shear_area_y": 2 * width * flange * 5 / 6, "shear_area_z": webs * web * depth}
+    }  # fmt: skip
 
 
 def make_weld(deck: KeywordDeck, reader: Lines) -> Deck | None:
@@ -175,7 +203,7 @@ def width_of_section(section: Deck) -> float:
 def has_axes(section: Deck) -> bool:
     """As percuss judges whether it matters how a section is turned."""
     general = section.get("general")
-    return "rectangle" in section or (general is not None and general["inertia_y"] != general["inertia_z"])
+    return "rectangle" in section or "box" in section or (general is not None and general["inertia_y"] != general["inertia_z"])
 
 
 def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], name: str, next_id: int) -> list[Block]:
