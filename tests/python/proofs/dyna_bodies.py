@@ -43,7 +43,16 @@ def spins(axis: str, inertia: float) -> list:
     return [(f"body_w{axis}:part_1", LAST, 2.0 * END / inertia, 2e-3)]
 
 
+MERGED = two_cubes(0.02) + "*SET_NODE_LIST\n4\n5,6,7,8,11,12,13,14\n*NODE_MERGE_SET\n4\n"
+
+
 PROOFS = [
+    Proof("NODE_MERGE_SET: NSID; NODE_MERGE_TOLERANCE: TOLR", deck(MERGED, "*NODE_MERGE_TOLERANCE\n0.03\n", velocity(100.0), "*BOUNDARY_SPC_SET\n4,0,1\n"),
+          [("summary:nodes", LAST, 12.0, 0.0), ("momentum_x", FIRST, 100.1 * CUBE_MASS, 1e-9)], "four nodes are shared, so that the set holds half of the mass; the upper cube is 0.02 higher"),
+    Proof("NODE_MERGE_TOLERANCE: TOLR", deck(MERGED, "*NODE_MERGE_TOLERANCE\n0.01\n"), [("summary:nodes", LAST, 16.0, 0.0)], "they lie farther apart"),
+    Proof("NODE_MERGE_SET: NSID", deck(MERGED), [("summary:nodes", LAST, 16.0, 0.0)], "farther than the usual tolerance"),
+    Proof("NODE_MERGE_SET: NSID", deck(MERGED.replace("10.02", "10.0")), [("summary:nodes", LAST, 12.0, 0.0)], "at one place"),
+    Proof("NODE_MERGE_SET", deck(MERGED, "*NODE_MERGE_TOLERANCE\n0.03\n*LOAD_NODE_POINT\n11,1,7,3.0\n", CONSTANT), refused="node 11"),
     Proof("LOAD_NODE_POINT: ID DOF LCID SF; CONSTRAINED_NODAL_RIGID_BODY: PID NSID",
           deck(cube(), NODAL_BODY, "*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT, end=10 * END),
           [("momentum_x", LAST, 30.0 * END, 1e-2), ("angular_y", LAST, 600.0 * END, 1e-2)],

@@ -279,6 +279,8 @@ class KeywordDeck:
         self.start_members: dict[str, set[int]] = {}  # nodes of the names in `initial`
         self.nodal_bodies: dict[int, NodalBody] = {}
         self.joints: list[JointCard] = []
+        self.merged_sets: list[Row] = []
+        self.merge_tolerance = 0.0  # 0: none is given
         self.blasts: dict[int, dict] = {}  # entries `blast` of loads.pressure, by id
         self.body_names: dict[int, str] = {}  # in the deck of percuss, by the part that leads the body
         self.used: set[tuple[str, int]] = set()
@@ -345,6 +347,10 @@ class KeywordDeck:
             known = list(self.nodes) if kind == "NODE" else list(self.parts) if kind == "PART" else self.list_elements(kind)
             self._sorted[kind] = sorted(known)
         return self._sorted[kind]
+
+    def forget_sorted(self) -> None:
+        """After nodes have gone."""
+        self._sorted.clear()
 
     def list_elements(self, kind: str) -> list[int]:
         if kind == "SHELL":

@@ -16,6 +16,8 @@ OPTIONS: dict[str, str] = {
     "TITLE": "",
     "NODE": "",
     "NODE_TRANSFORM": "",
+    "NODE_MERGE_SET": "",
+    "NODE_MERGE_TOLERANCE": "",
     "ELEMENT_SOLID": "ORTHO",
     "ELEMENT_SHELL": "THICKNESS BETA MCID OFFSET",
     "ELEMENT_MASS": "NODE_SET PART PART_SET",
