@@ -56,7 +56,7 @@ PROOFS = [
           ("*LOAD_SEGMENT\n7,2.0,0,5,6,7,8\n", [(force("z"), LAST, 2 * -200.0, 1e-4)], "on a face of each"),
           ("*INITIAL_VELOCITY_NODE\n3,0.0,0.0,5.0\n", [("momentum_z", FIRST, 2 * 5.0 * CUBE_MASS / 8, 1e-9)], "one node of each starts with 5 mm/s"),
           ("*INITIAL_VELOCITY\n4\n0.0,0.0,5.0\n", [("momentum_z", FIRST, 2 * 5.0 * CUBE_MASS / 2, 1e-9)], "four nodes of each start with 5 mm/s"))),
-    Proof("INCLUDE_TRANSFORM: FCTMAS FCTTIM FCTLEN", twice("100,100,100,100,0,0,0\n100", "1e-3,1e-3,1e-1").replace("TRANSL,0,0,30", "TRANSL,0,0,20"),
+    Proof("INCLUDE_TRANSFORM: FCTMAS FCTTIM FCTLEN FCTTEM", twice("100,100,100,100,0,0,0\n100", "1e-3,1e-3,1e-1,1.0").replace("TRANSL,0,0,30", "TRANSL,0,0,20"),
           [("momentum_x", ALL, 7.0 * CUBE_MASS * 1e-3, 1e-9)], "density and volume in other units: mass times 1e-3", files=CENTER),
     Proof("INCLUDE_TRANSFORM", moved("ROTATE,0,0,1,0,0,0,90\n"), refused="LOAD_BODY_Z",
           files={"part.k": BLOCK.replace("*END", "*LOAD_BODY_Z\n7,1.0\n*DEFINE_CURVE\n7\n0,1\n1,1\n*END")}),

@@ -254,7 +254,7 @@ def read_include(card: "Card", known: dict[int, Transformation], nodes: dict[int
     offsets = {kind: ids.integer(kind) for kind in ("IDNOFF", "IDEOFF", "IDPOFF", "IDMOFF", "IDSOFF", "IDFOFF", "IDDOFF")}
     offsets["IDROFF"] = others.integer("IDROFF")
     others.skip("PREFIX", "SUFFIX")
-    units = reader.row("FCTMAS=1 FCTTIM=1 FCTLEN=1 FCTTEM INCOUT1~output")
+    units = reader.row("FCTMAS=1 FCTTIM=1 FCTLEN=1 FCTTEM=1 INCOUT1~output")
     factors = tuple(units.number(kind) or 1.0 for kind in ("FCTMAS", "FCTLEN", "FCTTIM"))
     units.finish(ledger, "temperatures stay as they are")
     last = reader.row("TRANID")
