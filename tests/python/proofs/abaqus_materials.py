@@ -94,6 +94,16 @@ PRONY = "*VISCOELASTIC, TIME=PRONY\n0.4, 0., 1e-7\n"
 HOT = ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n"
 HEATED = [("internal", LAST, 1000 * (100 * DENSITY * 1e7) * (1 - math.exp(-300 * (strain() - 150 / (3 * SHEAR)) / (100 * DENSITY * 1e7))), 3e-2)]
 
+
+def conducting(share: float) -> str:
+    """Diffusivity times the time of the run is this share of the square of an edge."""
+    return f"*CONDUCTIVITY\n{share * 100 / END * DENSITY * 1e7!r},\n"
+
+
+# A second cube, which rests.
+SECOND = ("*NODE\n" + "".join(f"{i}, {10.0 * x}, {10.0 * y}, {50.0 + 10.0 * z}\n" for i, (x, y, z) in enumerate(CORNERS, 11))
+          + "*ELEMENT, TYPE=C3D8R, ELSET=cube\n2, 11, 12, 13, 14, 15, 16, 17, 18\n")  # fmt: skip
+
 PROOFS = [
     Proof("ELASTIC: TYPE", driven(ELASTIC, 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "half of (lambda + 2 mu) e^2"),
     Proof("ELASTIC: TYPE", driven("*ELASTIC, TYPE=ANISOTROPIC\n1e5, 1e5, 1e5, 0.3, 0.3, 0.3, 4e4, 4e4\n4e4\n", 1e-4, 0.0, 0.0), refused="ANISOTROPIC"),
@@ -127,7 +137,10 @@ PROOFS = [
             "the stress of the driven element does not depend on the mass that is added")
       for card, field, text in (("FIXED MASS SCALING", "DT TYPE", "DT=4e-6, TYPE=BELOW MIN"), ("FIXED MASS SCALING", "FACTOR", "FACTOR=5."),
                                 ("VARIABLE MASS SCALING", "DT TYPE FREQUENCY", "DT=4e-6, TYPE=BELOW MIN, FREQUENCY=1"))],
-    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT", stretched(ELASTIC + PLASTIC).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), refused="conduction of heat"),
+    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT; CONDUCTIVITY", stretched(HOT + conducting(0.1), before=SECOND).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), refused="moves by 0.32 of the shortest edge"),
+    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT; CONDUCTIVITY", stretched(HOT + conducting(0.005), before=SECOND).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "heat hardly moves"),
+    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT; CONDUCTIVITY", stretched(HOT + conducting(0.1)).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "one element has one temperature"),
+    Proof("DYNAMIC TEMPERATURE-DISPLACEMENT", stretched(HOT).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "nothing conducts"),
     Proof("HYPERELASTIC: NEO_HOOKE", stretched(rubber("NEO HOOKE", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "C10 (I1 - 3) of a motion that keeps the volume"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "C10 (I1 - 3) + C01 (I2 - 3)"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, -0.1, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 - 100.0 * I2, 3e-2)], "a negative C01"),

@@ -12,7 +12,7 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
 from .amplitudes import Amplitude
 from .lines import Block
-from .mesh import PLANES, SHELLS, SIDES, SOLIDS, BodyCard, Instance, Scope
+from .mesh import PLANES, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
 from .timeline import StepTime, Timeline, shift_points
 
 T = TypeVar("T")
@@ -95,7 +95,9 @@ class AbaqusDeck:
         self.excluded: list[frozenset[str]] = []  # pairs of parts
         self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
         self.step_scale = 0.0  # 0: percuss' own
+        self.twins: dict[int, int] = {}  # of nodes of plane strain: those of the other plane
         self.heats = False  # plastic work changes temperatures
+        self.conducting_place: Place | None = None  # of a step that conducts heat
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
         self.pair_frictions: list[Deck] = []  # rows of contact.friction.pairs
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
@@ -157,7 +159,8 @@ class AbaqusDeck:
         return [id + fits[0]]
 
     def nodes_of(self, name: str, place: Place) -> list[int]:
-        return self.list_ids(self.mesh.node_sets, self.mesh.nodes, name, place, "node set")
+        nodes = self.list_ids(self.mesh.node_sets, self.mesh.nodes, name, place, "node set")
+        return nodes + [self.twins[node] for node in nodes if node in self.twins] if self.twins else nodes
 
     def elements_of(self, name: str, place: Place) -> list[int]:
         return self.list_ids(self.mesh.element_sets, self.mesh.elements, name, place, "element set")
@@ -311,7 +314,7 @@ class AbaqusDeck:
             ids = [id for id in self.elements_of(name, place) if id in self.blocks_of_elements]
             faces: list[tuple[int, ...]] = []
             for id in ids:
-                is_solid = self.mesh.elements[id][0].startswith("C3D")
+                is_solid = self.mesh.elements[id][0] in SOLIDS
                 if is_solid == (label != "P") and self.mesh.elements[id][0] in (*SOLIDS, *SHELLS):
                     faces += self._list_faces(id, label if is_solid else "SNEG", place, False)
             self._names[key] = self.model.names.take(f"{name}_{label}", "faces") if faces else ""
@@ -350,13 +353,14 @@ class AbaqusDeck:
         if kind in PLANES:
             self.ledger.refuse("SURFACE.plane", place, "a surface of plane elements, whose faces are edges", "it is left out")
             return []
-        if not kind.startswith(("C3D", "COH3D")):
+        if not kind.startswith(("C3D", "COH3D")) and kind not in STRAINED:
             both = [corners, corners[::-1]]
             if of_contact or label not in ("SPOS", "SNEG", "S1", "S2"):
                 return both
             return both[:1] if label in ("SPOS", "S2") else both[1:]
         table = SIDES.get(len(corners), ())
         number = int(label[1:]) if label[:1] in ("S", "P") and label[1:].isdigit() and len(label) == 2 else 0
+        number += 2 if kind in STRAINED and 1 <= number <= STRAINED[kind] else 0  # behind the faces of its planes
         if not 1 <= number <= len(table):
             raise BadInput(place, f"element {id} has no face '{clip(label)}'")
         face = tuple(dict.fromkeys(corners[i] for i in table[number - 1]))  # of a hexahedron with collapsed edges once

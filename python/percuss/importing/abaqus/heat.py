@@ -1,6 +1,7 @@
 """Temperatures: of Johnson and Cook's law alone, heated by plastic work without conduction."""
 
 import math
+from itertools import combinations
 
 from ..ledger import Place
 from ..model import Block as ModelBlock
@@ -11,13 +12,15 @@ from .user_code import has_user_code
 
 CONDUCTING = "DYNAMIC TEMPERATURE-DISPLACEMENT"
 KEYWORDS = ("INELASTIC HEAT FRACTION", "SPECIFIC HEAT", "CONDUCTIVITY", "EXPANSION")
+WARM = ("johnson_cook",)
+MOST_DIFFUSION = 0.0625  # diffusivity times the time of the run, over the square of an edge: a quarter of it, which no mesh resolves
 NO_STEP = "no temperature changes: the step is not ADIABATIC"
 
 
 def read_procedure(deck: AbaqusDeck, block: Block) -> None:
     """Whether plastic work heats, and what of the heat is not computed."""
     if block.keyword == CONDUCTING:
-        deck.ledger.refuse(CONDUCTING, block.place, "conduction of heat", "plastic work heats each point alone, as with ADIABATIC")
+        deck.conducting_place = deck.conducting_place or block.place
     deck.heats = deck.heats or block.keyword == CONDUCTING or "ADIABATIC" in block.options
 
 
@@ -25,7 +28,7 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     """Keys of heating of a material; returns the keywords that are done with."""
     found = {block.keyword: block for block in blocks if block.keyword in KEYWORDS}
     share, capacity = found.get("INELASTIC HEAT FRACTION"), found.get("SPECIFIC HEAT")
-    is_warm = law["model"] == "johnson_cook"
+    is_warm = law["model"] in WARM
     for keyword, block in found.items():
         if not deck.heats:
             deck.ledger.ignored(keyword, block.place, NO_STEP)
@@ -43,6 +46,45 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     return set(found)
 
 
+def check_conduction(deck: AbaqusDeck) -> None:
+    """Conduction is left out where heat hardly moves in the time of the run; otherwise it is refused."""
+    place = deck.conducting_place
+    if place is None:
+        return
+    shares = [share for material, names in deck.names_of_laws.items() for share in find_diffusion(deck, material, set(names))]
+    worst = max(shares, default=0.0)
+    if worst == 0:
+        deck.ledger.ignored(CONDUCTING, place, "no heat moves from element to element that changes a stress")
+    elif worst <= MOST_DIFFUSION:
+        text = f"each point keeps its heat: it would move by {math.sqrt(worst):.2g} of the shortest edge (the root of diffusivity times time)"
+        deck.ledger.approximated(CONDUCTING, place, text)
+    else:
+        what = f"conduction of heat, which moves by {math.sqrt(worst):.2g} of the shortest edge in the time of the run (up to {math.sqrt(MOST_DIFFUSION):g} it is left out)"
+        deck.ledger.refuse(CONDUCTING, place, what, "plastic work heats each point alone, as with ADIABATIC")
+
+
+def find_diffusion(deck: AbaqusDeck, material: str, names: set[str]) -> list[float]:
+    """Of the parts of a material: diffusivity times the time of the run, over the square of the shortest edge."""
+    parts = deck.materials[material.upper()].parts if material.upper() in deck.materials else []
+    values = {block.keyword: [block.number(line, 0) for line in block.lines] for block in parts}
+    conductivity = max(values.get("CONDUCTIVITY", []), default=0.0)
+    capacity = min(values.get("SPECIFIC HEAT", []), default=0.0) * min(values.get("DENSITY", []), default=0.0)
+    has_one_element = sum(len(part.elements()) for part in deck.model.blocks) == 1  # which has one temperature
+    if conductivity <= 0 or has_one_element:
+        return []
+    laws = deck.model.materials
+    of_material = [part for part in deck.model.blocks if part.keys["material"] in names and laws[part.keys["material"]]["model"] in WARM]
+    if capacity <= 0:
+        return [math.inf for _ in of_material]
+    return [conductivity / capacity * deck.end_time / find_shortest_edge(deck, part) ** 2 for part in of_material]
+
+
+def find_shortest_edge(deck: AbaqusDeck, part: ModelBlock) -> float:
+    """The least distance of two corners of an element that are apart."""
+    lengths = (math.dist(deck.mesh.nodes[a], deck.mesh.nodes[b]) for _, corners in part.elements() for a, b in combinations(corners, 2))
+    return min((length for length in lengths if length > 0), default=math.inf)
+
+
 def read_temperature(deck: AbaqusDeck, block: Block) -> None:
     """*INITIAL CONDITIONS, TYPE=TEMPERATURE: of nodes; apply_temperatures() does the rest."""
     for line in block.lines:
@@ -57,7 +99,7 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
     if place is None:
         return
     materials = deck.model.materials
-    warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] == "johnson_cook"]
+    warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] in WARM]
     nodes = {node for block in warm for _, corners in block.elements() for node in corners}
     values = {deck.temperatures.get(node, 0.0) for node in nodes}  # 0 in Abaqus where none is given
     if has_user_code(deck) and any(deck.temperatures.values()):

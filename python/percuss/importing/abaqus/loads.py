@@ -73,7 +73,8 @@ def read_node_force(deck: AbaqusDeck, block: Block) -> None:
         for ref in refs:
             act(deck, block, line, (f"node {ref}", dof), block.number(line, 2), write_body_load(deck, ref, dof, place))
         if used:
-            act(deck, block, line, (name.upper(), dof), block.number(line, 2), write_node_load(deck, name, used, dof, place))
+            share = 0.5 if any(node in deck.twins for node in used) else 1.0  # of both planes of plane strain
+            act(deck, block, line, (name.upper(), dof), share * block.number(line, 2), write_node_load(deck, name, used, dof, place))
 
 
 def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, place: Place) -> Callable:

@@ -149,7 +149,8 @@ class Writer:
         bodies = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref and id not in self.deck.used_nodes()]
         if bodies:
             self.deck.ledger.translated(block.keyword, block.place, "columns of its rigid body in the history (body_x:NAME and so on)")
-        ids = [id for id in ids if id in self.deck.used_nodes()]
+        of_second_plane = set(self.deck.twins.values())  # of plane strain, which move as the first
+        ids = [id for id in ids if id in self.deck.used_nodes() and id not in of_second_plane]
         if len(ids) > MOST_FOLLOWED:
             self.deck.ledger.approximated(block.keyword, block.place, f"the first {MOST_FOLLOWED} of {len(ids)} nodes")
         for id in ids[:MOST_FOLLOWED]:

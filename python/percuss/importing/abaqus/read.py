@@ -16,6 +16,7 @@ from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_
 from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze, tell_lost
 from .orientations import read_orientation
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section, read_transverse_shear
+from .plane_strain import extrude, hold_layers
 from .planes import hold_planes
 from .springs import add_springs, read_spring
 from .timeline import StepTime
@@ -335,6 +336,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     if deck.end_time <= 0:
         hint = suggest_place("DYNAMIC", reader.unknown)
         raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): {hint or 'add *DYNAMIC, EXPLICIT'}")
+    extrude(deck)
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)
@@ -434,7 +436,8 @@ def finish(reader: Reader) -> None:
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
         (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
-        (hold_planes, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
+        (heat.check_conduction, heat.CONDUCTING),
+        (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

@@ -7,6 +7,7 @@ from ..model import Block as ModelBlock
 from ..model import Model
 from .deck import AbaqusDeck
 from .lines import Block
+from .mesh import SOLIDS
 
 STRESSES = "stress_xx,stress_yy,stress_zz,stress_xy,stress_yz,stress_zx"
 MATERIAL = "INITIAL CONDITIONS.material"
@@ -66,7 +67,7 @@ def has_ten_nodes(deck: AbaqusDeck, id: int) -> bool:
 def list_solids(deck: AbaqusDeck, block: Block, line: Line, counts: bool) -> list[int]:
     """Solids that are written; stresses of others have axes of their own."""
     ids = [id for id in deck.elements_of(block.text(line, 0), block.at(line[0])) if id in deck.blocks_of_elements]
-    solids = [id for id in ids if deck.mesh.elements[id][0].startswith("C3D") and not has_ten_nodes(deck, id)]
+    solids = [id for id in ids if deck.mesh.elements[id][0] in SOLIDS and not has_ten_nodes(deck, id)]
     if counts and len(solids) < len(ids):
         deck.ledger.refuse(
             "INITIAL CONDITIONS.elements",
