@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/internal_force.hpp"
 
 namespace percuss {

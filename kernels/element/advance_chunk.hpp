@@ -9,6 +9,7 @@
 #include "kernels/element/chunk_rest.hpp"
 #include "kernels/element/chunk_sums.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/living_lanes.hpp"
 

@@ -1,6 +1,7 @@
 #include "kernels/element/elastic_operator.hpp"
 
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 
 namespace percuss {
 

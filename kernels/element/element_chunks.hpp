@@ -12,7 +12,7 @@
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/element_lives.hpp"
-#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/material/point_step.hpp"
 
 namespace percuss {
 
@@ -74,34 +74,5 @@ struct ChunkFields {
   ChunkResults results;      // out; work is added to
   Rows3<double> slot_moment{};  // out: of moments likewise; of shells only
 };
-
-/// Points with stress and history of their own.
-template <HexKind Kind>
-inline constexpr int hex_points = Kind == HexKind::full ? 8 : 1;
-
-/// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), in float the rest of R (9), stress (6)
-/// by point, then hourglass forces (12), in float the rests of the stress, the volumes of points at the start (8), then
-/// history: scalar i of point p at history + points i + p, in float followed by its rests.
-struct HexRecord {
-  static constexpr int rest = is_single_precision ? 1 : 0;
-  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17 + 9 * rest;
-  template <HexKind Kind>
-  static constexpr bool keeps_hourglass = Kind == HexKind::assumed_strain || Kind == HexKind::stiffness;
-  template <HexKind Kind>
-  static constexpr int point_volumes = stress + 6 * hex_points<Kind>*(1 + rest) + (keeps_hourglass<Kind> ? 12 : 0);
-  template <HexKind Kind, class Material>
-  static constexpr int history = point_volumes<Kind> + (keeps_point_volumes<Material, Kind> ? 8 : 0);
-
-  /// Scalars that a record holds if its points have so many history variables.
-  template <HexKind Kind, class Material>
-  static constexpr int find_size(int count) {
-    return history<Kind, Material> + hex_points<Kind> * (1 + rest) * count;
-  }
-};
-
-/// Scalars that one element's record holds, without and with one history variable: assumed strain and stiffness 35, 36;
-/// viscous 23, 24; 2x2x2 points 73, 73. In float 50, 52; 38, 40; 130, 138.
-template <class Material, HexKind Kind>
-inline constexpr int hex_record_size = HexRecord::find_size<Kind, Material>(Material::history_count);
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 
 #include "kernels/element/dying_lanes.hpp"
 #include "kernels/element/failure_criteria.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 
 namespace percuss {
 

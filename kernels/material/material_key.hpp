@@ -40,15 +40,15 @@ using VumatFunction = void (*)(const int* points, const int* direct, const int* 
                                double* state_new, double* energy_new, double* dissipated_new, std::size_t name_length);
 }
 
-/// Code of a user, as src/deck/user_code.hpp loads it.
+/// Code of a user, as src/deck/laws/user_code.hpp loads it.
 struct UserCode {
   VumatFunction vumat = nullptr;
   double density = 0;                  // of the material at the start
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
 };
 
-/// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/law_code.hpp makes
-/// them.
+/// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/laws/law_code.hpp
+/// makes them.
 struct LawLibrary;
 struct MadeLaw {
   const LawLibrary* entry = nullptr;

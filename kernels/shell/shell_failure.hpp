@@ -5,7 +5,9 @@
 // of the thickness that the deck gives, all of it by default (docs/theory_failure.md).
 
 #include "kernels/element/failure.hpp"
-#include "kernels/shell/shell_force.hpp"
+#include "kernels/shell/layer_lives.hpp"
+#include "kernels/shell/shell_record.hpp"
+#include "kernels/shell/thickness_points.hpp"
 
 namespace percuss {
 

@@ -16,6 +16,7 @@
 #include "perf/micro/operation_counts.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/state.hpp"
 
 namespace {
@@ -63,7 +64,7 @@ struct Block {
   }
 
   void advance(double dt) {
-    advance_elements(ExecSpace(), model.chunks, model.others.hexahedra, {state.x, state.v, dt}, state.chunk_fields());
+    advance_elements(ExecSpace(), model.chunks, model.others->hexahedra, {state.x, state.v, dt}, state.chunk_fields());
   }
 };
 

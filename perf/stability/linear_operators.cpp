@@ -7,6 +7,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 
@@ -74,9 +75,9 @@ class RestingElements {
     Kokkos::deep_copy(state_.elements, rest_);
     state_.x = to_rows("stability::x", x);
     state_.v = to_rows("stability::v", v);
-    advance_elements(ExecSpace(), model_.chunks, model_.others.hexahedra, {state_.x, state_.v, dt},
+    advance_elements(ExecSpace(), model_.chunks, model_.others->hexahedra, {state_.x, state_.v, dt},
                      state_.chunk_fields());
-    advance_one_points(ExecSpace(), model_.chunks, model_.others.one_point, {state_.x, state_.v, dt},
+    advance_one_points(ExecSpace(), model_.chunks, model_.others->one_point, {state_.x, state_.v, dt},
                        state_.chunk_fields());
     assemble_slots(ExecSpace(), model_.nodes_to_slots, state_.slot_force, state_.force);
     const auto force = to_host(state_.force);

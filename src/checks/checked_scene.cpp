@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/deck/rigid_bodies.hpp"
 
 namespace percuss {

@@ -281,7 +281,7 @@ struct MaterialDeck {
   std::optional<LawDeck> equation_of_state;
   Place place;
   std::optional<FailureDeck> failure;
-  std::vector<LaminatePly> plies;  // of a laminate (src/deck/laminates.hpp); density: their mean
+  std::vector<LaminatePly> plies;  // of a laminate (src/deck/laws/laminates.hpp); density: their mean
 };
 
 // --- where a condition acts

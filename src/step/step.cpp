@@ -288,12 +288,12 @@ void Stepper::compute_forces(State& state, double dt) {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
     const ElementInput input = find_input(state, dt);
     elements_.prepare(state, input.motion);
-    elements_.advance(state, model_.sending, input);
+    elements_.advance(state, *model_.sending, input);
     for (Action* const action : order_) action->advance(state, dt);
     add_forces(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
-    elements_.advance(state, model_.others, input);
+    elements_.advance(state, *model_.others, input);
   }
   const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();

@@ -9,15 +9,13 @@
 
 #include "kernels/element/hex8/gauss_points.hpp"
 #include "kernels/element/hex8/hex8.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/material/stretch.hpp"
 
 namespace percuss {
 
-/// Whether an element has room for the volumes of its points at the start.
-template <class Material, HexKind Kind>
-inline constexpr bool keeps_point_volumes = (Kind == HexKind::full) && has_own_moduli<Material>;
-
-/// Whether they count: where stress is elastic, or follows from an energy, so that the material may be stretched far.
+/// Whether the volumes of its points at the start count: where stress is elastic, or follows from an energy, so that
+/// the material may be stretched far.
 template <class Material>
 PERCUSS_FORCE_INLINE bool counts_point_volumes([[maybe_unused]] const Material& material) {
   if constexpr (is_called<Material>)

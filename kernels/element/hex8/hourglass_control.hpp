@@ -5,6 +5,7 @@
 
 #include "kernels/element/hex8/assumed_strain.hpp"
 #include "kernels/element/hex8/bulk_viscosity.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/hourglass.hpp"
 #include "kernels/element/hex8/kinematics.hpp"
 #include "kernels/element/hex8/material_point.hpp"
@@ -21,9 +22,6 @@ struct SolidParameters {
   BulkViscosity viscosity;
   double time = 0;  // at n+1; set for each step
 };
-
-/// What is compiled for each material: the one-point element with one of three hourglass controls, or 2x2x2 points.
-enum class HexKind { assumed_strain, stiffness, viscous, full };
 
 /// The motion over the step as hourglass control sees it.
 template <class T>

@@ -2,6 +2,7 @@
 // The materials as an element sees them: their history at its points, and the update of their stress.
 
 #include "kernels/core/widen.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/modes.hpp"
 #include "kernels/material/laws/called_material.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
@@ -50,16 +51,6 @@ template <class T>
 struct ElasticResponse {
   Moduli<T> moduli;
 };
-
-template <class Material>
-inline constexpr bool is_elastic = std::is_same_v<Material, Elastic>;
-
-/// Whether the moduli change, lane by lane.
-template <class Material>
-inline constexpr bool has_own_moduli = std::is_same_v<Material, CalledMaterial> || is_elastic<Material>;
-
-template <class Material>
-inline constexpr bool is_called = std::is_same_v<Material, CalledMaterial>;
 
 /// Whether the state can change although the element rests.
 template <class Material>

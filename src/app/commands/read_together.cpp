@@ -7,10 +7,10 @@
 #include "comm/agreement.hpp"
 #include "src/app/process/external_files.hpp"
 #include "src/app/process/memory_check.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
+#include "src/deck/laws/user_code.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/text/deck_text.hpp"
-#include "src/deck/user_code.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 

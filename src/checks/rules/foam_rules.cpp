@@ -2,8 +2,9 @@
 
 #include <optional>
 
+#include "kernels/material/laws/rate_table_foam.hpp"
 #include "src/checks/rules.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/make_law.hpp"
 
 namespace percuss {
 namespace {

@@ -8,7 +8,7 @@
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/unit_systems.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 
 namespace percuss {
 namespace {

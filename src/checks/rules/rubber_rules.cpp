@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "src/checks/rules.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/make_material.hpp"
 
 namespace percuss {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {

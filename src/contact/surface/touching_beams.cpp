@@ -7,7 +7,7 @@
 
 #include "comm/exchange/item_exchange.hpp"
 #include "src/deck/embedded_parts.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/deck/keys/key_documentation.hpp"
-#include "src/deck/law_traits.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 
 namespace percuss {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "src/deck/laminates.hpp"
+#include "src/deck/laws/laminates.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/deck/yaml/deck_json.hpp"

@@ -1,7 +1,7 @@
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/orthotropic.hpp"  // first: its names would hide those of keys/values.hpp
 
-#include "src/deck/laminates.hpp"
+#include "src/deck/laws/laminates.hpp"
 #include "src/deck/sections/field_keys.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/keys/foreign_names.hpp"
 #include "src/deck/keys/table_value.hpp"
-#include "src/deck/law_code.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/law_code.hpp"
+#include "src/deck/laws/make_material.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 
 namespace percuss {

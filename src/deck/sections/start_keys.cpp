@@ -1,7 +1,6 @@
 // `start`: relaxation, preloads and fields of files.
 
-#include "src/deck/law_traits.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 
 namespace percuss {

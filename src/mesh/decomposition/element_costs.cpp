@@ -1,6 +1,6 @@
 #include "src/mesh/decomposition/element_costs.hpp"
 
-#include "src/deck/law_traits.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/index.hpp"
 
 namespace percuss {

@@ -16,6 +16,7 @@
 #include "src/step/elements/build_tets.hpp"
 #include "src/step/embedded/build_embedded.hpp"
 #include "src/step/glue/build_glue.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
@@ -68,7 +69,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
   const auto first_slot = to_host(model.chunks.first_slot);
   const std::vector<char> sends =
       mark_sending_chunks(halo.plan, {first_slot.data(), first_slot.data() + first_slot.extent(0)});
-  ElementBlocks::visit_pairs(model.others, model.sending,
+  ElementBlocks::visit_pairs(*model.others, *model.sending,
                              [&](auto& block, auto& sending) { split_block(sends, block, sending); });
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};

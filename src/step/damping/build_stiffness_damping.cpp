@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/law_traits.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/law_traits.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
+#include "src/step/model/element_blocks.hpp"
 
 namespace percuss {
 namespace {
@@ -112,13 +113,13 @@ void build_stiffness_damping(const Deck& deck, const ChunkedMesh& chunked, Model
   const auto points = to_host(model.chunks.points);
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) list_chunk(deck, chunked, points(c), c, lists);
   model.stiffness_damping = to_view("percuss::stiffness_damping", lists.factor);
-  model.others.damped_solids = {
+  model.others->damped_solids = {
       to_view("percuss::damped_solids", lists.solids), to_view("percuss::damping_lambda", lists.lambda),
       to_view("percuss::damping_mu", lists.mu), to_view("percuss::has_full_damping", lists.is_full)};
-  model.others.damped_shells = {to_view("percuss::damped_shells", lists.shells),
-                                to_view("percuss::damped_sections", lists.sections), lists.has_triangles};
-  model.others.damped_beams = {to_view("percuss::damped_beams", lists.beams), model.stiffness_damping,
-                               model.others.beams.parameters};
+  model.others->damped_shells = {to_view("percuss::damped_shells", lists.shells),
+                                 to_view("percuss::damped_sections", lists.sections), lists.has_triangles};
+  model.others->damped_beams = {to_view("percuss::damped_beams", lists.beams), model.stiffness_damping,
+                                model.others->beams.parameters};
 }
 
 }  // namespace percuss

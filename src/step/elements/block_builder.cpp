@@ -1,6 +1,6 @@
 #include "src/step/elements/block_builder.hpp"
 
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/make_material.hpp"
 
 namespace percuss {
 namespace {

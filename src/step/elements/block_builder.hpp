@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/material/laws/call_material.hpp"
+#include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/tet/tet_chunks.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/elements/build_shells.hpp"

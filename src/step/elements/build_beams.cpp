@@ -7,11 +7,14 @@
 #include <map>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/law_traits.hpp"
-#include "src/deck/make_material.hpp"
+#include "kernels/material/laws/j2_plasticity.hpp"
+#include "src/deck/laws/law_traits.hpp"
+#include "src/deck/laws/make_law.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -130,8 +133,8 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRecords
     records.parameters[c] = row->second;
     describe_records(c, rows[static_cast<std::size_t>(row->second)].fibres.count, records);
   }
-  model.others.beams.chunks = to_view("percuss::chunks_of_beams", chunks);
-  model.others.beams.parameters = to_view("percuss::beam_parameters", rows);
+  model.others->beams.chunks = to_view("percuss::chunks_of_beams", chunks);
+  model.others->beams.parameters = to_view("percuss::beam_parameters", rows);
 }
 
 /// The axis of the scene that lies most across a line.

@@ -8,14 +8,15 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
-#include "src/deck/laminates.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/laminates.hpp"
+#include "src/deck/laws/make_material.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/elements/block_builder.hpp"
 #include "src/step/elements/build_beams.hpp"
 #include "src/step/elements/build_shells.hpp"
+#include "src/step/model/element_blocks.hpp"
 
 namespace percuss {
 namespace {
@@ -170,9 +171,9 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        std::vector<std::size_t>(count),
                        empty,
                        {}};
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.hexahedra);
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.tetrahedra);
-  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others.one_point);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others->hexahedra);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others->tetrahedra);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.others->one_point);
   build_shell_blocks(deck, chunked,
                      {builder.record_size, builder.history, builder.points, builder.rule, builder.parameters,
                       builder.scalars, builder.first_start, builder.start_count, builder.start_values},

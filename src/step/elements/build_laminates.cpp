@@ -8,9 +8,9 @@
 
 #include "kernels/shell/layer_of_law.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
-#include "src/deck/laminates.hpp"
-#include "src/deck/law_traits.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/laminates.hpp"
+#include "src/deck/laws/law_traits.hpp"
+#include "src/deck/laws/make_material.hpp"
 
 namespace percuss {
 namespace {

@@ -11,13 +11,14 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/layer_of_law.hpp"
-#include "src/deck/laminates.hpp"
-#include "src/deck/law_traits.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/laminates.hpp"
+#include "src/deck/laws/law_traits.hpp"
+#include "src/deck/laws/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/elements/build_laminates.hpp"
+#include "src/step/model/element_blocks.hpp"
 
 namespace percuss {
 
@@ -230,7 +231,7 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
   check_materials(deck, chunked.mesh);
   std::vector<ThicknessPoints> rules = list_thickness_rules();
   fail_together(model.ranks, [&] {
-    std::apply([&](auto&... block) { (build_block(deck, chunked, records, rules, block), ...); }, model.others.shells);
+    std::apply([&](auto&... block) { (build_block(deck, chunked, records, rules, block), ...); }, model.others->shells);
   });
   std::vector<double> thickness;
   for (std::size_t e = 0; e < chunked.mesh.elements.size(); ++e) thickness.push_back(chunked.mesh.thickness_of(e));

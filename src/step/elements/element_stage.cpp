@@ -3,12 +3,16 @@
 #include "kernels/beam/beam_failure.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/elements/tet_stage.hpp"
+#include "src/step/model/element_blocks.hpp"
 
 namespace percuss {
 
 ElementStage::ElementStage(const Model& model) : model_(model), damping_factor_(to_host(model.stiffness_damping)) {
-  if (model.has_small_solids) tets_.emplace(model);
+  if (model.has_small_solids) tets_ = std::make_unique<TetStage>(model);
 }
+
+ElementStage::~ElementStage() = default;
 
 void ElementStage::prepare(const State& state, const ElementMotion& motion) {
   if (tets_) tets_->prepare(state, motion);
@@ -23,6 +27,12 @@ void ElementStage::advance(const State& state, const ElementBlocks& blocks, cons
   if (model_.has_beams) advance_beams(space_, model_.chunks, blocks.beams, find_beam_step(state, input), fields);
   if (damping_factor_.extent(0) > 0) damp(state, blocks, input);
 }
+
+double ElementStage::find_step(std::size_t chunk, double bound) const {
+  return damping_factor_.extent(0) > 0 ? find_damped_step(bound, damping_factor_(chunk)) : bound;
+}
+
+Traffic ElementStage::traffic() const { return tets_ ? tets_->traffic() : Traffic{}; }
 
 /// Adds forces to the slots, and their work to the viscous work of the chunks.
 void ElementStage::damp(const State& state, const ElementBlocks& blocks, const ElementInput& input) const {
@@ -55,7 +65,7 @@ FailureCounts ElementStage::judge(const State& state, double dt, double time) co
   const FailureCounts of_shells =
       find_shell_failures(space_, model_.chunks, elements, model_.thickness_rules, dt, state.results);
   if (model_.has_beams)
-    find_beam_failures(space_, model_.chunks, {model_.others.beams.parameters, time}, elements, state.results);
+    find_beam_failures(space_, model_.chunks, {model_.others->beams.parameters, time}, elements, state.results);
   return {counts.failing + of_shells.failing, counts.died + of_shells.died};
 }
 

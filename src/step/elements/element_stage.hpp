@@ -1,14 +1,19 @@
 #pragma once
 // The elements of a step, family by family: (1.3) to (1.5) of all, what failed, and what they ask of the step.
 
-#include <optional>
+#include <memory>
 
+#include "comm/exchange/data_exchange.hpp"
+#include "kernels/element/element_motion.hpp"
 #include "kernels/element/failure.hpp"
-#include "src/step/elements/tet_stage.hpp"
 #include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
+
+class TetStage;
+struct BeamStep;
+struct ShellMotion;
 
 /// What the elements see of a step besides the state.
 struct ElementInput {
@@ -20,6 +25,7 @@ class ElementStage {
  public:
   /// Collective. The model outlives this.
   explicit ElementStage(const Model& model);
+  ~ElementStage();
 
   /// What comes before the forces: the stresses that wedges, pyramids and tetrahedra average over nodes. Collective.
   void prepare(const State& state, const ElementMotion& motion);
@@ -31,12 +37,10 @@ class ElementStage {
   FailureCounts judge(const State& state, double dt, double time) const;
 
   /// The step that a chunk allows with its damping. bound: without it.
-  double find_step(std::size_t chunk, double bound) const {
-    return damping_factor_.extent(0) > 0 ? find_damped_step(bound, damping_factor_(chunk)) : bound;
-  }
+  double find_step(std::size_t chunk, double bound) const;
 
   /// What this rank has sent of rates and stresses.
-  Traffic traffic() const { return tets_ ? tets_->traffic() : Traffic{}; }
+  Traffic traffic() const;
 
  private:
   ShellMotion find_shell_motion(const State& state, const ElementInput& input) const;
@@ -45,7 +49,7 @@ class ElementStage {
 
   const Model& model_;
   ExecSpace space_;
-  std::optional<TetStage> tets_;  // only with wedges, pyramids or tetrahedra
+  std::unique_ptr<TetStage> tets_;  // only with wedges, pyramids or tetrahedra
   HostMirror<Array<double>> damping_factor_;
 };
 

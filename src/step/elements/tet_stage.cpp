@@ -1,5 +1,7 @@
 #include "src/step/elements/tet_stage.hpp"
 
+#include "src/step/model/element_blocks.hpp"
+
 namespace percuss {
 
 TetStage::TetStage(const Model& model)
@@ -11,14 +13,14 @@ TetStage::TetStage(const Model& model)
 void TetStage::prepare(const State& state, const ElementMotion& motion) {
   if (!model_.mixes_solids) return;
   const TetStep step{motion, launch_};
-  sum_rates(state, model_.sending, step);
+  sum_rates(state, *model_.sending, step);
   rates_.begin(space_, launch_.passes.slot_rates);
-  sum_rates(state, model_.others, step);
+  sum_rates(state, *model_.others, step);
   rates_.end();
   average_tet_rates(space_, launch_);
-  advance_stresses(state, model_.sending, step);
+  advance_stresses(state, *model_.sending, step);
   stresses_.begin(space_, launch_.passes.slot_stresses);
-  advance_stresses(state, model_.others, step);
+  advance_stresses(state, *model_.others, step);
   stresses_.end();
   average_tet_stresses(space_, launch_);
 }

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "kernels/element/element_records.hpp"
-#include "kernels/shell/shell_force.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/shell/shell_geometry.hpp"
+#include "kernels/shell/shell_hourglass.hpp"
+#include "kernels/shell/shell_record.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 

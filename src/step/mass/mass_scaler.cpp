@@ -8,6 +8,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/audit/books.hpp"

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kernels/element/element_motion.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/step/model/model.hpp"
 

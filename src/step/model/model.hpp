@@ -7,30 +7,26 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "comm/communicator.hpp"
 #include "comm/halo/halo_plan.hpp"
-#include "kernels/beam/beam_damping.hpp"
-#include "kernels/beam/beam_force.hpp"
 #include "kernels/core/views.hpp"
-#include "kernels/element/internal_force.hpp"
-#include "kernels/element/stiffness_damping.hpp"
+#include "kernels/element/element_chunks.hpp"
+#include "kernels/element/element_lives.hpp"
 #include "kernels/node/conditions.hpp"
 #include "kernels/node/damped_nodes.hpp"
 #include "kernels/node/motion.hpp"
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
-#include "kernels/one_point/one_point_chunks.hpp"
 #include "kernels/rigid/spin_inertia.hpp"
-#include "kernels/shell/shell_damping.hpp"
-#include "kernels/shell/shell_force.hpp"
-#include "kernels/tet/tet_force.hpp"
+#include "kernels/shell/thickness_points.hpp"
+#include "kernels/tet/tet_nodes.hpp"
 #include "src/deck/deck.hpp"
 #include "src/deck/switches.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/step/model/boxed.hpp"
 #include "src/step/model/glue_model.hpp"
 #include "src/step/model/rigid_model.hpp"
 #include "src/step/model/spring_model.hpp"
@@ -66,34 +62,7 @@ struct AddedMass {
   double least_bound = 0;                 // smallest step bound before
 };
 
-/// What the launchers need of some chunks, family by family.
-struct ElementBlocks {
-  HexBlocks hexahedra;
-  TetBlocks tetrahedra;
-  OnePointBlocks one_point;  // wedges and pyramids
-  ShellBlocks shells;
-  BeamBlock beams;
-  DampedSolids damped_solids;  // in proportion to stiffness
-  DampedShells damped_shells;
-  DampedBeams damped_beams;
-
-  /// visit(block of a, same block of b), for each block of every family.
-  template <class Visit>
-  static void visit_pairs(ElementBlocks& a, ElementBlocks& b, const Visit& visit) {
-    const auto visit_tuple = [&](auto& of_a, auto& of_b) {
-      std::apply([&](auto&... block_a) { std::apply([&](auto&... block_b) { (visit(block_a, block_b), ...); }, of_b); },
-                 of_a);
-    };
-    visit_tuple(a.hexahedra, b.hexahedra);
-    visit_tuple(a.tetrahedra, b.tetrahedra);
-    visit_tuple(a.one_point, b.one_point);
-    visit_tuple(a.shells, b.shells);
-    visit(a.beams, b.beams);
-    visit(a.damped_solids, b.damped_solids);
-    visit(a.damped_shells, b.damped_shells);
-    visit(a.damped_beams, b.damped_beams);
-  }
-};
+struct ElementBlocks;  // src/step/model/element_blocks.hpp
 
 struct Model {
   // Not inline: every source would compile them, which takes longer than the rest of this header.
@@ -109,9 +78,9 @@ struct Model {
   int element_count = 0;              // of this rank
 
   ElementChunks chunks;
-  ElementBlocks sending;       // chunks whose forces other ranks need, and wait for
-  ElementBlocks others;        // the other chunks
-  std::size_t state_size = 0;  // scalars of all element records
+  Boxed<ElementBlocks> sending;  // chunks whose forces other ranks need, and wait for
+  Boxed<ElementBlocks> others;   // the other chunks
+  std::size_t state_size = 0;    // scalars of all element records
   StartHistory start_history;
   Array<int> is_rigid_chunk;  // [chunks] 1: of a rigid part, which no block has; empty without rigid bodies
   FailingChunks failing;      // those whose material can fail

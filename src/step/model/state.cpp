@@ -6,7 +6,9 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/streamed_view.hpp"
 
 namespace percuss {
@@ -305,7 +307,8 @@ State make_initial_state(const Model& model) {
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
-  std::apply([&](const auto&... block) { (set_point_volumes(model, block, s.elements), ...); }, model.others.hexahedra);
+  std::apply([&](const auto&... block) { (set_point_volumes(model, block, s.elements), ...); },
+             model.others->hexahedra);
   start_shells(model, s.elements);
   start_beams(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));

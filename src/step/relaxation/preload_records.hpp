@@ -4,7 +4,9 @@
 
 #include "kernels/beam/beam_force.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/shell/shell_force.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/shell/shell_record.hpp"
+#include "kernels/shell/thickness_points.hpp"
 
 namespace percuss {
 

@@ -10,10 +10,11 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/relaxation/preload_records.hpp"
 
 namespace percuss {
@@ -246,7 +247,7 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
   Kokkos::parallel_for("percuss::add_preload", Range(ExecSpace(), 0, static_cast<int>(layer.chunks.extent(0))),
                        ShortenLayer{{model_.chunks, state.elements},
                                     {model_.chunks, state.x},
-                                    model_.others.beams.parameters,
+                                    model_.others->beams.parameters,
                                     model_.thickness_rules,
                                     layer.chunks,
                                     layer.first,
@@ -261,7 +262,7 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
 double PreloadStage::shorten_beams(const Layer& layer, double force, State& state) const {
   const RecordLanes lanes{model_.chunks, state.elements};
   const CornerPositions places{model_.chunks, state.x};
-  const auto beams = model_.others.beams.parameters;
+  const auto beams = model_.others->beams.parameters;
   const auto chunks = layer.chunks, first = layer.first, elements = layer.elements;
   const ChunkResults results = state.results;
   const double gain = gain_;

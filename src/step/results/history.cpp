@@ -11,7 +11,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/asked_for.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/files/atomic_file.hpp"

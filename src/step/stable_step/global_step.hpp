@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "kernels/element/element_motion.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/stable_step/mesh_eigenvalue.hpp"
 

@@ -5,6 +5,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/element/elastic_operator.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/stable_step/lanczos.hpp"
 
 namespace percuss {
@@ -74,9 +75,9 @@ void MeshEigenvalue::apply(const State& state, double step) {
   const ElasticProbe probe{state.x, vector_, step, coarse_ratio * step};
   const ChunkFields fields{state.elements, slots_, state.results};
   const ExecSpace space;
-  apply_elastic_operator(space, model_.chunks, model_.sending.hexahedra, probe, fields);
+  apply_elastic_operator(space, model_.chunks, model_.sending->hexahedra, probe, fields);
   halo_.begin(space, slots_);
-  apply_elastic_operator(space, model_.chunks, model_.others.hexahedra, probe, fields);
+  apply_elastic_operator(space, model_.chunks, model_.others->hexahedra, probe, fields);
   halo_.end();
 }
 

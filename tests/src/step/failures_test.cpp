@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "kernels/element/hex8/hex_record.hpp"
 #include "src/error.hpp"
 #include "src/output/vtkhdf/describe_fields.hpp"
 #include "src/step/run/run.hpp"

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/results/fields/element_fields.hpp"
 #include "tests/kernels/element/random_element.hpp"
 #include "tests/src/step/scene.hpp"
@@ -163,7 +164,7 @@ void compare_steps(const std::string& elements) {
     const double dt = 2e-5;
     move_nodes(ExecSpace(), scene.state.v, dt, scene.state.x);
     const std::vector<Vec3> expected = one_by_one.advance(dt);
-    advance_elements(ExecSpace(), scene.model.chunks, scene.model.others.hexahedra, {scene.state.x, scene.state.v, dt},
+    advance_elements(ExecSpace(), scene.model.chunks, scene.model.others->hexahedra, {scene.state.x, scene.state.v, dt},
                      scene.state.chunk_fields());
     assemble_slots(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, force);
     const auto host = to_host(force);

@@ -16,6 +16,7 @@
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
 #include "src/step/audit/audit.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run.hpp"
@@ -147,7 +148,7 @@ TEST(ModelOnRanks, OwnsEveryNodeOnceAndComputesEveryChunkOnce) {
   const auto count = [&](const auto&... block) {
     return (0 + ... + static_cast<std::int64_t>(block.chunks.extent(0)));
   };
-  sums[2] = std::apply(count, model.others.hexahedra) + std::apply(count, model.sending.hexahedra);
+  sums[2] = std::apply(count, model.others->hexahedra) + std::apply(count, model.sending->hexahedra);
   EXPECT_EQ(sums[2], model.chunks.count);
   MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
   const std::int64_t nodes = scene.chunked.numbering.node_count();

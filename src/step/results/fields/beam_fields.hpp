@@ -2,6 +2,7 @@
 // Reads the records of beams for output. Internal to element_fields.cpp.
 
 #include "kernels/element/element_records.hpp"
+#include "src/step/model/element_blocks.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 
@@ -12,7 +13,7 @@ struct BeamTables {
   Rows3<const double> x;
   Kokkos::View<BeamParameters*, MemSpace> parameters;
 
-  BeamTables(const Model& model, const State& state) : x(state.x), parameters(model.others.beams.parameters) {}
+  BeamTables(const Model& model, const State& state) : x(state.x), parameters(model.others->beams.parameters) {}
 };
 
 /// Unit vector along element e of chunk c, from its first node to its second.

@@ -4,6 +4,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
 #include "src/step/results/fields/shell_fields.hpp"
 

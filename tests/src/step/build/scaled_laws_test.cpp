@@ -10,6 +10,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/hex8/hex_record.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

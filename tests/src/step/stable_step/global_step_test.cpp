@@ -2,6 +2,7 @@
 // central differences are stable if and only if M - dt C / 2 - dt^2 K / 4 is positive definite (docs/stability.md).
 
 #include "src/step/stable_step/global_step.hpp"
+#include "src/step/model/element_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +65,7 @@ struct SmallMesh {
   void find_forces(const Rows3<double>& v, double dt) {
     const State fresh = make_initial_state(model);
     Kokkos::deep_copy(state.elements, fresh.elements);
-    advance_elements(ExecSpace(), model.chunks, model.others.hexahedra, {state.x, v, dt, false, 0, watch},
+    advance_elements(ExecSpace(), model.chunks, model.others->hexahedra, {state.x, v, dt, false, 0, watch},
                      state.chunk_fields());
     assemble_slots(ExecSpace(), model.nodes_to_slots, state.slot_force, state.force);
   }

@@ -1,11 +1,11 @@
-#include "src/deck/laminates.hpp"
+#include "src/deck/laws/laminates.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "kernels/shell/thickness_points.hpp"
-#include "src/deck/law_traits.hpp"
+#include "src/deck/laws/law_traits.hpp"
 
 namespace percuss {
 namespace {

@@ -1,10 +1,10 @@
-#include "src/deck/law_traits.hpp"
+#include "src/deck/laws/law_traits.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 #include "kernels/shell/layer_of_law.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/make_material.hpp"
 
 namespace percuss {
 namespace {

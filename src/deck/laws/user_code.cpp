@@ -1,4 +1,4 @@
-#include "src/deck/user_code.hpp"
+#include "src/deck/laws/user_code.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>

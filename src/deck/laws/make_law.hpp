@@ -1,14 +1,19 @@
 #pragma once
-// From the constants that a deck gives to the materials of the kernels.
+// A law, or an equation of state, with the constants that a deck gives.
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
 
-#include "kernels/material/laws/materials.hpp"
-#include "kernels/material/pressure/equations_of_state.hpp"
+#include "kernels/material/material_key.hpp"
 #include "src/deck/deck.hpp"
-#include "src/deck/law_code.hpp"
-#include "src/deck/user_code.hpp"
+#include "src/deck/laws/law_code.hpp"
+#include "src/deck/laws/material_properties.hpp"
+#include "src/deck/laws/user_code.hpp"
 
 namespace percuss {
 
@@ -23,9 +28,6 @@ inline MaterialTable make_table(const std::vector<std::array<double, 2>>& rows) 
   }
   return table;
 }
-
-/// The name by which a LawDeck has curve k of a key, among its tables, and its rate, among its numbers.
-inline std::string name_curve(const std::string& key, int k) { return key + "." + std::to_string(k); }
 
 /// The curves of a key as kernels hold them.
 inline RateCurves make_curves(const LawDeck& law, const std::string& key) {
@@ -63,13 +65,6 @@ constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
     if (key.*member != nullptr) return true;
   }
   return false;
-}
-
-/// The file of a material's compiled code; empty: it has none.
-inline std::string find_code_file(const LawDeck& law) {
-  for (const char* key : {"vumat", "law"})
-    if (const auto file = law.texts.find(key); file != law.texts.end()) return file->second;
-  return {};
 }
 
 /// A constant of a law with code of a user, if it is one of the kinds that only such laws have.
@@ -124,42 +119,5 @@ M make_law(const LawDeck& law) {
     return M::make(constants);
   }
 }
-
-template <class... M, class F>
-void visit_law_of(TypeList<M...>, const LawDeck& law, const F& f) {
-  const bool found = ((law.model == M::name ? (f(make_law<M>(law)), true) : false) || ...);
-  if (!found) throw std::logic_error("no law is called '" + law.model + "' (the deck reader lets it through)");
-}
-
-/// Whether an equation of state may take the place of a law's own pressure, and whether one must.
-template <class Law>
-inline constexpr bool takes_equation_of_state = requires {
-  requires Law::takes_equation_of_state;
-};
-template <class Law>
-inline constexpr bool needs_equation_of_state = requires {
-  requires Law::needs_equation_of_state;
-};
-
-/// Calls f with the equation of state, one of EquationsOfState.
-template <class F>
-void visit_state(const LawDeck& state, const F& f) {
-  visit_law_of(EquationsOfState(), state, f);
-}
-
-/// Calls f with the law of a material, one of Materials.
-template <class F>
-void visit_law(const MaterialDeck& material, const F& f) {
-  visit_law_of(Materials(), material.law, f);
-}
-
-/// Whether the history of a material has a scalar of this name.
-bool has_scalar(const MaterialDeck& material, HistoryScalar name);
-
-/// How many state variables a law of a user keeps.
-int count_state_variables(const MaterialDeck& material);
-
-/// Elastic moduli at the start [stress].
-LameConstants find_moduli(const MaterialDeck& material);
 
 }  // namespace percuss

@@ -1,4 +1,4 @@
-#include "src/deck/law_code.hpp"
+#include "src/deck/laws/law_code.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 #include <set>
 
 #include "kernels/material/laws/library_law.hpp"
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/make_law.hpp"
+#include "src/deck/laws/user_code.hpp"
 #include "src/deck/range.hpp"
-#include "src/deck/user_code.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -1,5 +1,8 @@
-#include "src/deck/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 
+#include <limits>
+
+#include "src/deck/laws/make_material.hpp"
 #include "src/deck/range.hpp"
 
 namespace percuss {
@@ -27,6 +30,12 @@ const Range& find_range(KeyRange range) {
       break;
   }
   return any_number;
+}
+
+std::string find_code_file(const LawDeck& law) {
+  for (const char* key : {"vumat", "law"})
+    if (const auto file = law.texts.find(key); file != law.texts.end()) return file->second;
+  return {};
 }
 
 bool has_scalar(const MaterialDeck& material, HistoryScalar name) {

@@ -1,0 +1,31 @@
+#pragma once
+// What the launchers of solids see of a step.
+
+#include "kernels/core/precision.hpp"
+#include "kernels/core/views.hpp"
+#include "kernels/element/element_lives.hpp"
+
+namespace percuss {
+
+/// Follows how the step bounds of the elements change, for a step that is longer than they are.
+struct StepWatch {
+  Array<Real> bound;      // [packs x W] of each element at n; empty: nobody watches
+  Array<Real> reference;  // [packs x W] the same when the step was estimated
+  Array<double> growth;   // [chunks] largest of (reference / bound)^2 - 1, in proportion to what the element counts
+  double step = 0;        // the bound that was estimated; 0: none has been yet
+};
+
+/// The motion that the elements see: positions at n+1, velocities at n+1/2, the step between n and n+1; and which of
+/// them live.
+struct ElementMotion {
+  Rows3<const double> x;
+  Rows3<const double> v;
+  double dt = 0;
+  bool skips_rest = false;  // chunks that rest and are settled are left as they are, which changes no bit
+  double time = 0;          // at n+1
+  StepWatch watch = {};
+  FailingChunks failing{};
+  ElementLives lives{};  // forces and work of the chunks that can fail count by these; work is added to
+};
+
+}  // namespace percuss
