@@ -99,28 +99,20 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
   check.still.forget();
 }
 
-void NearPairs::PartList::ask() {
-  is_due = turns_to_pass == 0;
-  if (!is_due) --turns_to_pass;
-}
-
 void NearPairs::ask(const NearWay& way) {
-  near_.is_used = near_.is_due = reachable_.is_due = false;
-  reachable_.is_used = reachable_.is_used && way.keeps_first;
   way_ = way;
-  if (way.search > 0) reachable_.ask();
-  if (way.near > 0) near_.ask();
+  reachable_.ask(way.search > 0, way.keeps_first);
+  near_.ask(way.near > 0, false);
 }
 
-void NearPairs::fill(const CheckInputs& inputs, const CandidateList& of, double travel, PartList& part) {
-  constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
-  constexpr int pause = 7;          // where it is not worth it, the next is made after so many that are not
-  if (!part.is_due) return;
-  part.is_due = false;
-  run_where_it_pays(inputs.surface.num_faces / 2, [&](const auto& space) {
-    part.is_used = list_near_pairs(space, inputs, of, {travel, worth_it * of.num_pairs}, scratch_, part.list);
+void NearPairs::fill(const CheckInputs& inputs, const CandidateList& of, double travel, NearList<CandidateList>& part) {
+  part.make(of, [&](double most_pairs, CandidateList& list) {
+    bool is_listed = false;
+    run_where_it_pays(inputs.surface.num_faces / 2, [&](const auto& space) {
+      is_listed = list_near_pairs(space, inputs, of, {travel, most_pairs}, scratch_, list);
+    });
+    return is_listed;
   });
-  if (!part.is_used) part.turns_to_pass = pause;
 }
 
 void NearPairs::make(const CheckInputs& inputs, const CandidateList& all) {

@@ -9,6 +9,7 @@
 #include "kernels/contact/check/penetration.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/contact/search/near_pairs.hpp"
+#include "src/contact/check/near_list.hpp"
 #include "src/contact/surface/surface_share.hpp"
 
 namespace percuss {
@@ -39,44 +40,33 @@ class NearPairs {
  public:
   /// The candidate pairs are others now, and all of them are checked.
   void forget() {
-    reachable_.is_used = near_.is_used = false;
-    reachable_.is_due = near_.is_due = false;
+    reachable_.forget();
+    near_.forget();
   }
 
   /// They are to be listed at the next check, or none are.
   void ask(const NearWay& way);
-  bool is_asked() const { return reachable_.is_due || near_.is_due; }
+  bool is_asked() const { return reachable_.is_due() || near_.is_due(); }
 
   /// Lists them; inputs: of read_pairs().
   void make(const CheckInputs& inputs, const CandidateList& all);
 
   /// Those that can come near before the next search, where these are listed.
-  const CandidateList& reachable_pairs(const CandidateList& all) const {
-    return reachable_.is_used ? reachable_.list : all;
-  }
+  const CandidateList& reachable_pairs(const CandidateList& all) const { return reachable_.choose(all); }
 
   /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
-  const CandidateList& checked_pairs(const CandidateList& all) const {
-    return near_.is_used ? near_.list : reachable_pairs(all);
-  }
+  const CandidateList& checked_pairs(const CandidateList& all) const { return near_.choose(reachable_pairs(all)); }
   const CandidateList& read_pairs(const CandidateList& all) const {
     return is_asked() ? reachable_pairs(all) : checked_pairs(all);
   }
 
  private:
-  /// A list that is made where it leaves out enough.
-  struct PartList {
-    CandidateList list;
-    bool is_used = false, is_due = false;
-    int turns_to_pass = 0;
+  static constexpr int pause = 7;
 
-    void ask();
-  };
-
-  void fill(const CheckInputs& inputs, const CandidateList& of, double travel, PartList& part);
+  void fill(const CheckInputs& inputs, const CandidateList& of, double travel, NearList<CandidateList>& part);
 
   NearWay way_;
-  PartList reachable_, near_;
+  NearList<CandidateList> reachable_{pause}, near_{pause};
   NearScratch scratch_;
 };
 

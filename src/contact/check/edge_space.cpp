@@ -103,24 +103,16 @@ void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
     space.state.faces = Array<EdgeFaces>("contact::edge_faces", edges);
 }
 
-void NearEdges::ask(double travel) {
-  is_used_ = false;
-  travel_ = travel;
-  is_due_ = travel > 0 && turns_to_pass_ == 0;
-  if (travel > 0 && turns_to_pass_ > 0) --turns_to_pass_;
-}
-
 void NearEdges::make(const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& all) {
-  constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
-  constexpr int pause = 31;         // where it is not worth it, the next is made after so many that are not
-  is_due_ = false;
-  run_where_it_pays(all.num_pairs / 4, [&](const auto& where) {
-    is_used_ =
-        list_near_edges(where, {surface, motion, {}, {}}, all, {travel_, worth_it * all.num_pairs}, scratch_, near_);
-    where.fence();
+  near_.make(all, [&](double most_pairs, EdgePairs& list) {
+    bool is_listed = false;
+    run_where_it_pays(all.num_pairs / 4, [&](const auto& where) {
+      is_listed = list_near_edges(where, {surface, motion, {}, {}}, all, {travel_, most_pairs}, scratch_, list);
+      where.fence();
+    });
+    list.list = std::min(list.list, -1) - 1;  // no search has such numbers
+    return is_listed;
   });
-  near_.list = std::min(near_.list, -1) - 1;  // no search has such numbers
-  if (!is_used_) turns_to_pass_ = pause;
 }
 
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space) {

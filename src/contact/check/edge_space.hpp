@@ -9,6 +9,7 @@
 #include "kernels/contact/check/near_edges.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/edge_search.hpp"
+#include "src/contact/check/near_list.hpp"
 #include "src/contact/surface/surface_share.hpp"
 
 namespace percuss {
@@ -43,28 +44,30 @@ bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, do
 EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const Rows2<const int>& ends,
                                 const std::vector<char>& points_of);
 
-/// The pairs of edges that are near enough to be checked, where there are many others: NearPairs for edges, with one
-/// list.
+/// The pairs of edges that are near enough to be checked, where there are many others.
 class NearEdges {
  public:
   /// The pairs are others now, and all of them are checked.
-  void forget() { is_used_ = is_due_ = false; }
+  void forget() { near_.forget(); }
 
   /// Those near enough for this travel of any node are to be listed at the next check; 0: all are checked.
-  void ask(double travel);
-  bool is_asked() const { return is_due_; }
+  void ask(double travel) {
+    travel_ = travel;
+    near_.ask(travel > 0, false);
+  }
+  bool is_asked() const { return near_.is_due(); }
 
   /// Lists them; motion: of the edges of all pairs.
   void make(const EdgeSurface& surface, const SurfaceMotion& motion, const EdgePairs& all);
 
-  const EdgePairs& checked_pairs(const EdgePairs& all) const { return is_used_ ? near_ : all; }
+  const EdgePairs& checked_pairs(const EdgePairs& all) const { return near_.choose(all); }
 
  private:
-  EdgePairs near_;
+  static constexpr int pause = 31;
+
+  NearList<EdgePairs> near_{pause};
   NearEdgeScratch scratch_;
   double travel_ = 0;
-  bool is_used_ = false, is_due_ = false;
-  int turns_to_pass_ = 0;
 };
 
 /// Edges with their pairs and the memory of checking them.

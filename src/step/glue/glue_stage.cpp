@@ -39,25 +39,7 @@ Point3 GlueStage::place_of(int node) const {
 
 void GlueStage::gather(const State& state) {
   const std::vector<double> before = rows_;
-  const auto x = state.x, inverse_mass = state.inverse_mass;
-  const auto mass = state.mass;
-  const auto node = model_.glue.owned_node;
-  const auto own = own_rows_;
-  const bool may_free = model_.switches.switches_conditions;  // what is held now may move in the next step
-  const Array<const int> body_of_node = model_.rigid.body_of_node;
-  Kokkos::parallel_for(
-      "percuss::gather_glued_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = node(i);
-        double mobility = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-          own(i, NodeRow::place + k) = x(n, k);
-          mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
-        }
-        if (may_free && mass(n) > 0 && !RigidModel::holds(body_of_node, n)) mobility = 1 / mass(n);
-        own(i, NodeRow::mobility) = mobility;
-      });
-  gather_rows(model_.ranks, own_rows_, model_.glue.owned_place, NodeRow::count, rows_);
+  gather_forced_nodes<false>(model_, state, {model_.glue.owned_node, model_.glue.owned_place}, own_rows_, rows_);
   for (std::size_t n = 0; n < moves_.size(); ++n) {
     const auto move = [&](std::size_t k) { return value(n, k) - before[n * NodeRow::count + k]; };
     moves_[n] = {move(NodeRow::place), move(NodeRow::place + 1), move(NodeRow::place + 2)};
@@ -187,8 +169,9 @@ std::vector<double> GlueStage::find_mobilities(const State& state) const {
   std::vector<double> mobilities;
   for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
     const Point3 place = place_of(static_cast<int>(n));
-    mobilities.push_back(
-        find_mobility(model_, state, body_of_node_[n], {{place.x, place.y, place.z}, value(n, NodeRow::mobility)}));
+    mobilities.push_back(find_mobility(
+        model_, state, body_of_node_[n],
+        {{place.x, place.y, place.z}, std::max(value(n, NodeRow::mobility), 0.0)}));  // a node that is gone has none
   }
   return mobilities;
 }

@@ -10,6 +10,7 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/deck/deck.hpp"
 #include "src/step/model/action.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 
@@ -28,10 +29,7 @@ class GlueStage : public Action {
   std::vector<Warning> take_warnings() override;
 
  private:
-  /// What the owner of a node tells.
-  struct NodeRow {
-    enum : std::size_t { place, mobility = place + 3, count };
-  };
+  using NodeRow = ForcedRow<false>;
 
   double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
   Point3 place_of(int node) const;
@@ -54,7 +52,7 @@ class GlueStage : public Action {
   std::vector<Point3> forces_;         // [GlueModel::nodes] at n
   std::vector<Point3> forces_before_;  // at n-1
   std::vector<Warning> warnings_;
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+  OwnRows own_rows_;
   Rows3<double> own_forces_;
 };
 

@@ -50,6 +50,41 @@ struct JoinedNodes {
   Array<const int> owned_node, owned_place;
 };
 
+/// What the owner of a node tells where forces act on it; the place of each in a row of `count` numbers.
+template <bool with_velocity>
+struct ForcedRow {
+  enum : std::size_t { place, velocity = place + 3, mobility = with_velocity ? velocity + 3 : velocity, count };
+  static constexpr double gone = -1;  // mobility of a node that has vanished
+};
+
+/// The rows of all nodes with forces, on every rank; with the largest inverse mass in a direction as mobility. own:
+/// scratch, [owned nodes][count]; rows: out, [all nodes][count]. Collective.
+template <bool with_velocity>
+void gather_forced_nodes(const Model& model, const State& state, const JoinedNodes& nodes, const OwnRows& own,
+                         std::vector<double>& rows) {
+  using Row = ForcedRow<with_velocity>;
+  const auto x = state.x, v = state.v, inverse_mass = state.inverse_mass;
+  const auto mass = state.mass;
+  const auto node = nodes.owned_node;
+  const OwnRows out = own;
+  const bool may_free = model.switches.switches_conditions;  // what is held now may move in the next step
+  const Array<const int> body_of_node = model.rigid.body_of_node;
+  Kokkos::parallel_for(
+      "percuss::gather_forced_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = node(i);
+        double mobility = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          out(i, Row::place + k) = x(n, k);
+          if (with_velocity) out(i, Row::velocity + k) = v(n, k);
+          mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
+        }
+        if (may_free && mass(n) > 0 && !RigidModel::holds(body_of_node, n)) mobility = 1 / mass(n);
+        out(i, Row::mobility) = mass(n) > 0 ? mobility : Row::gone;
+      });
+  gather_rows(model.ranks, own, nodes.owned_place, Row::count, rows);
+}
+
 /// The rows of all joined nodes, on every rank. own: scratch, [owned nodes][NodeRow::count]; rows: out, [all
 /// nodes][NodeRow::count]. Collective.
 inline void gather_nodes(const Model& model, const State& state, const JoinedNodes& nodes, const OwnRows& own,

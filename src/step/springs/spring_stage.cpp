@@ -19,30 +19,6 @@ SpringStage::SpringStage(const Model& model)
       own_rows_("percuss::spring_rows", model.springs.owned_node.extent(0), NodeRow::count),
       own_forces_("percuss::spring_forces", model.springs.owned_node.extent(0)) {}
 
-/// Each value is known to one rank; the others give zeros, and bits are added up.
-void SpringStage::gather(const State& state) {
-  const auto x = state.x, v = state.v, inverse_mass = state.inverse_mass;
-  const auto mass = state.mass;
-  const auto node = model_.springs.owned_node;
-  const auto own = own_rows_;
-  const bool may_free = model_.switches.switches_conditions;  // what is held now may move in the next step
-  const Array<const int> body_of_node = model_.rigid.body_of_node;
-  Kokkos::parallel_for(
-      "percuss::gather_spring_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = node(i);
-        double mobility = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-          own(i, NodeRow::place + k) = x(n, k);
-          own(i, NodeRow::velocity + k) = v(n, k);
-          mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
-        }
-        if (may_free && mass(n) > 0 && !RigidModel::holds(body_of_node, n)) mobility = 1 / mass(n);
-        own(i, NodeRow::mobility) = mass(n) > 0 ? mobility : NodeRow::gone;
-      });
-  gather_rows(model_.ranks, own_rows_, model_.springs.owned_place, NodeRow::count, rows_);
-}
-
 SpringEnds SpringStage::find_ends(const Spring& spring) const {
   SpringEnds ends;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -59,7 +35,7 @@ bool SpringStage::has_lost_a_node(const Spring& spring) const {
 
 // A force does the work of its mean over the step along the change of length, as elements do theirs.
 void SpringStage::advance(State& state, double dt) {
-  gather(state);
+  gather_forced_nodes<true>(model_, state, {model_.springs.owned_node, model_.springs.owned_place}, own_rows_, rows_);
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     const Spring& spring = model_.springs.springs[s];
     const SpringLaw& law = model_.springs.laws[at(spring.law)];
@@ -83,7 +59,7 @@ void SpringStage::drop_vanished(State& state) {
     const SpringEnds ends = find_ends(model_.springs.springs[s]);
     changes.push_back(state.dt * dot(state.springs[s].axis, ends.velocity[1] - ends.velocity[0]));
   }
-  gather(state);
+  gather_forced_nodes<true>(model_, state, {model_.springs.owned_node, model_.springs.owned_place}, own_rows_, rows_);
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     SpringState& spring = state.springs[s];
     if (spring.is_broken != 0 || !has_lost_a_node(model_.springs.springs[s])) continue;

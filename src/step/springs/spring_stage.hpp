@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/step/model/action.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 #include "src/step/springs/spring_law.hpp"
 
 namespace percuss {
@@ -26,11 +27,8 @@ class SpringStage : public Action {
   void archive(CheckpointArchive& archive, State& state) override;
 
  private:
-  /// What the owner of a node tells.
-  struct NodeRow {
-    enum : std::size_t { place, velocity = place + 3, mobility = velocity + 3, count };
-    static constexpr double gone = -1;
-  };
+  using NodeRow = ForcedRow<true>;
+
   /// What all springs are bounded by, and the one that alone allows the shortest step.
   struct StiffestSpring {
     SpringRates rates;  // the largest of all
@@ -42,7 +40,6 @@ class SpringStage : public Action {
   Vector3<double> vector(std::size_t node, std::size_t first) const {
     return {value(node, first), value(node, first + 1), value(node, first + 2)};
   }
-  void gather(const State& state);
   SpringEnds find_ends(const Spring& spring) const;
   bool has_lost_a_node(const Spring& spring) const;
   std::vector<double> find_mobilities(const State& state) const;
@@ -50,8 +47,8 @@ class SpringStage : public Action {
 
   const Model& model_;
   std::vector<int> body_of_node_;  // [SpringModel::nodes] rigid; -1: none
-  std::vector<double> rows_;       // [SpringModel::nodes][NodeRow::count] of the last gather()
-  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> own_rows_;
+  std::vector<double> rows_;       // [SpringModel::nodes][NodeRow::count] at n
+  OwnRows own_rows_;
   Rows3<double> own_forces_;
 };
 
