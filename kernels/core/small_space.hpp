@@ -13,6 +13,13 @@
 #define PERCUSS_SMALL_SPACE 1
 #endif
 
+/// Repeats what a macro has for a space, as the explicit instantiations of a source, for each space that there is.
+#if defined(PERCUSS_SMALL_SPACE)
+#define PERCUSS_IN_EACH_SPACE(MACRO) MACRO(ExecSpace) MACRO(SmallSpace)
+#else
+#define PERCUSS_IN_EACH_SPACE(MACRO) MACRO(ExecSpace)
+#endif
+
 namespace percuss {
 
 #if defined(PERCUSS_SMALL_SPACE)

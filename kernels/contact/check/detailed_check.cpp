@@ -391,10 +391,7 @@ void find_touches(const Space& space, const CheckInputs& inputs, const Candidate
   template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
                              const StillFaces&, const FaceState&);                                            \
   template void find_touches(const Space&, const CheckInputs&, const CandidateList&, StillFaces&, TouchTable&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -161,10 +161,7 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
                                   EdgeTouchTable&);                                                                 \
   template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,          \
                                  EdgeTouchTable&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

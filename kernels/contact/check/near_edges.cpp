@@ -78,10 +78,7 @@ bool list_near_edges(const Space& space, const EdgeCheckInputs& inputs, const Ed
 #define PERCUSS_INSTANTIATE(Space)                                                                         \
   template bool list_near_edges(const Space&, const EdgeCheckInputs&, const EdgePairs&, const NearLimits&, \
                                 NearEdgeScratch&, EdgePairs&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -170,10 +170,7 @@ void find_gaps(const Space& space, const ContactSurface& surface, const SurfaceM
                                   const FaceState&, PenetrationTable&);                                            \
   template void find_gaps(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&,         \
                           const FaceState&, Array<double>&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -322,10 +322,7 @@ CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt,
 
 #define PERCUSS_INSTANTIATE(Space) \
   template void set_impulses(const Space&, const std::vector<RowImpulse>&, const RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

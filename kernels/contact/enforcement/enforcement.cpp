@@ -33,10 +33,7 @@ void find_corrections(const Space& space, const RowSystem& system) {
 #define PERCUSS_INSTANTIATE(Space)                                                           \
   template PredictedGaps find_predicted_gaps(const Space&, const RowSystem&, RowSumMemory&); \
   template void find_corrections(const Space&, const RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -273,10 +273,7 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
   template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,             \
                               Array<AreaSums>&);                                                                    \
   template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

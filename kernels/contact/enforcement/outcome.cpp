@@ -333,10 +333,7 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
   template WallMeeting sum_wall_meeting(const Space&, int, const WallPairs&, const RowInputs&, RowSumMemory&);        \
   template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
   template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

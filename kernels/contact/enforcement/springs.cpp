@@ -228,10 +228,7 @@ void book_springs(const Space& space, const SpringTimes& times, const RowSystem&
   template double push_springs(const Space&, double, const SpringTimes&, const RowSystem&); \
   template double settle_springs(const Space&, const SpringTimes&, const RowSystem&);       \
   template void book_springs(const Space&, const SpringTimes&, const RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -242,10 +242,7 @@ void move_body_places(const Space& space, const RowSystem& system) {
   template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                     \
   template void move_packed_body_places(const Space&, double, const RowSystem&);                  \
   template void move_body_places(const Space&, const RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

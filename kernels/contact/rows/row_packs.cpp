@@ -262,10 +262,7 @@ void unpack_rows(const Space& space, const RowSystem& system) {
   template PassSums correct_rows(const Space&, const PassQuery&, const RowSystem&, RowSumMemory&); \
   template void straighten_gaps(const Space&, const RowSystem&);                                   \
   template void unpack_rows(const Space&, const RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -103,10 +103,7 @@ void sum_stiffness(const Space& space, RowSystem& system) {
 #define PERCUSS_INSTANTIATE(Space)                                  \
   template void share_coefficients(const Space&, const RowSystem&); \
   template void sum_stiffness(const Space&, RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

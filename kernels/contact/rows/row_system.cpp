@@ -383,10 +383,7 @@ void sum_coefficients(const Space& space, RowSystem& system) {
   template void get_sent_shares(const Space&, const RowSystem&, const Rows3<double>&);                           \
   template void place_remote_shares(const Space&, const RowSystem&);                                             \
   template void sum_coefficients(const Space&, RowSystem&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -75,10 +75,7 @@ void WallSleep::enter_step(const WallWays& ways, const Rows3<const double>& x, W
 #define PERCUSS_INSTANTIATE(Space)                                                                     \
   template int list_pairs_in_reach(const Space&, const WallPairs&, const Rows3<const double>&, double, \
                                    const Array<int>&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -380,10 +380,7 @@ std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, co
                                             BlockScratch&, CandidateList&);                                     \
   template std::int64_t find_hits_by_blocks(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
                                             BlockScratch&, CandidateList&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -46,10 +46,7 @@ void refit(const Space& space, const BlockTree& tree) {
 }
 
 #define PERCUSS_INSTANTIATE(Space) template void refit(const Space&, const BlockTree&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

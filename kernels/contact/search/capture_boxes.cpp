@@ -124,10 +124,7 @@ void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMot
   template void store_places(const Space&, const Array<const int>&, const Rows3<const double>&, const Rows3<double>&); \
   template ExactSum sum_shortest_edges(const Space&, const Rows4<const int>&, const Rows3<const double>&);             \
   template void bound_faces(const Space&, const BoundedFaces&, const SurfaceMotion&, double, const Boxes&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -157,10 +157,7 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   template void bound_edges(const Space&, const Rows2<const int>&, const SurfaceMotion&, const Point3&, const Boxes&); \
   template std::int64_t find_edge_pairs(const Space&, const EdgeSurface&, const EdgeQuery&, std::int64_t,              \
                                         EdgeSearchScratch&, EdgePairs&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

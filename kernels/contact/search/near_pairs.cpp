@@ -264,10 +264,7 @@ bool list_near_pairs(const Space& space, const CheckInputs& inputs, const Candid
 #define PERCUSS_INSTANTIATE(Space)                                                                         \
   template bool list_near_pairs(const Space&, const CheckInputs&, const CandidateList&, const NearLimits&, \
                                 NearScratch&, CandidateList&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -74,10 +74,7 @@ void list_concerned(const Space& space, const ContactSurface& surface, Concerned
   template std::int64_t find_hits(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, SearchScratch&,  \
                                   CandidateList&);                                                                     \
   template void list_concerned(const Space&, const ContactSurface&, ConcernedScratch&, CandidateList&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

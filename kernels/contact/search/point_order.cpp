@@ -111,10 +111,9 @@ void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch&
       });
 }
 
-template void rank_points(const ExecSpace&, const PointsAlongAxis&, SortScratch&, const Array<int>&, const Array<int>&);
-#if defined(PERCUSS_SMALL_SPACE)
-template void rank_points(const SmallSpace&, const PointsAlongAxis&, SortScratch&, const Array<int>&,
-                          const Array<int>&);
-#endif
+#define PERCUSS_INSTANTIATE(Space) \
+  template void rank_points(const Space&, const PointsAlongAxis&, SortScratch&, const Array<int>&, const Array<int>&);
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
+#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -142,10 +142,7 @@ std::int64_t find_hits_by_points_in_box(const Space& space, const PointQuery& qu
                                                    RankedListScratch&, CandidateList&);                                \
   template std::int64_t find_hits_by_points_in_box(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
                                                    RankedListScratch&, CandidateList&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -208,9 +208,8 @@ std::vector<ContactImpulse> ContactForces::take(const AreaNodes& nodes) {
   return taken;
 }
 
-template void ContactForces::book(const ExecSpace&, const SolvedRows&);
-#if defined(PERCUSS_SMALL_SPACE)
-template void ContactForces::book(const SmallSpace&, const SolvedRows&);
-#endif
+#define PERCUSS_INSTANTIATE(Space) template void ContactForces::book(const Space&, const SolvedRows&);
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
+#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -173,10 +173,7 @@ void MovingWalls::archive(CheckpointArchive& archive) {
   template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
   template WallWork MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,     \
                                              RowSumMemory&);
-PERCUSS_INSTANTIATE(ExecSpace)
-#if defined(PERCUSS_SMALL_SPACE)
-PERCUSS_INSTANTIATE(SmallSpace)
-#endif
+PERCUSS_IN_EACH_SPACE(PERCUSS_INSTANTIATE)
 #undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss
