@@ -93,7 +93,10 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
     const int p = surface.wings(edge, 2 * f), q = surface.wings(edge, 2 * f + 1);
     found.wedge.inward[f] = find_inward(Point3{}, along_end, end(p), end(q));
     const Point3 sides[3] = {start(p), start(q) - along, start(q) - start(p)};
-    for (const Point3& side : sides) shortest = dot(side, side) < shortest ? dot(side, side) : shortest;
+    for (const Point3& side : sides) {
+      const double square = dot(side, side);
+      if (square > 0 && square < shortest) shortest = square;  // both wings of a triangle are one node
+    }
   }
   found.size = std::sqrt(shortest);
   const double thickness = 2 * find_edge_offset(surface, edge);
@@ -145,6 +148,21 @@ KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a
   return limits::crossed_depth + (surface.has_springs ? limits::spring_cushion : 0);
 }
 
+/// How far the ridge across a warped face lies before the fan of the face at the predicted place: the diagonal through
+/// the corners that stand out, over the mean of all four. 0 of other edges. place: 0 to 1; normal: of the push.
+KOKKOS_INLINE_FUNCTION double find_dip(const EdgeSurface& surface, const SurfaceMotion& motion, int edge, double place,
+                                       const Point3& normal) {
+  if (find_bluntness(surface, edge) != warped_ridge) return 0;
+  const auto find_end = [&](int row) { return load_row(motion.x, row) + motion.dt * load_row(motion.v, row); };
+  const Point3 first = find_end(surface.ends(edge, 0));
+  const auto relative = [&](int row) { return find_end(row) - first; };
+  const Point3 along = relative(surface.ends(edge, 1));
+  const Point3 low = relative(surface.wings(edge, 0)) + relative(surface.wings(edge, 2));
+  const double dip = 0.25 * dot(along - low, normal), beside = 2 * place - 1;
+  const double share = 1 - (beside < 0 ? -beside : beside);
+  return share > 0 ? share * (dip < 0 ? -dip : dip) : 0;
+}
+
 /// Whether wedges that a plane parts but for `reach` may push each other. has_crossed: they were in contact, or have
 /// crossed.
 KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool has_crossed) {
@@ -153,7 +171,8 @@ KOKKOS_INLINE_FUNCTION bool are_parted(double reach, bool has_crossed) {
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
-/// known: they were in contact, and may be past an end; offset: the distance that the lines keep.
+/// known: they were in contact, and may be past an end; offset: the distance that the lines keep, or go beyond one
+/// another.
 KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end, bool known,
                                       double offset) {
   if (!start.crosses || !end.crosses) return false;
@@ -214,6 +233,7 @@ struct PairInReach {
   const MovingPair& pair;
   const Crossing &start, &end;
   double offset;  // what the shells of both edges take of the gap between the lines
+  double dip;     // of warped faces: how far their ridges are before them
   bool known;     // a contact with history
   bool flips;     // the normal is against a x b
 };
@@ -227,7 +247,7 @@ KOKKOS_INLINE_FUNCTION double find_edge_row_gap(bool known, double size) {
 /// through. In: touch with its gaps between the lines; false if it does not touch.
 KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
   namespace limits = contact_limits;
-  const double reach = limits::capture * touch.size + p.offset;
+  const double reach = limits::capture * touch.size + p.offset + p.dip;
   const bool is_deep = touch.gap_end < -reach;
   if (!is_deep && is_inside(p.end, p.known ? 0 : limits::end_band)) return true;
   const EdgePair end_places = p.pair.at(1);
@@ -256,7 +276,9 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
   if (!end.crosses) return false;  // most pairs are parallel
   const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
   const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
-  if (!may_touch(pair, start, end, known, offset)) return false;
+  const double dip =
+      find_dip(surface, edges.motion, a, end.s, end.normal) + find_dip(surface, edges.motion, b, end.t, end.normal);
+  if (!may_touch(pair, start, end, known, offset + dip)) return false;
   const EdgeFaces of_a = edges.load_faces(a), of_b = edges.load_faces(b);
   const Point3 along_cross = end.normal;
   // Edges that turn over through being parallel are left to the next step.
@@ -264,7 +286,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double reach = orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end);
   const bool has_crossed = known || end.gap - offset < -contact_limits::crossed_depth * h;
-  const double crossed = find_least_depth(surface, a, b) * h;
+  const double crossed = find_least_depth(surface, a, b) * h + dip;
   if (!known && crossed > 0 && end.gap - offset >= -crossed) return false;
   if (!are_parted(reach, has_crossed)) return false;
   touch.normal = end.normal;
@@ -277,9 +299,10 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
   if (touch.gap_end > find_edge_row_gap(known, h)) return false;
   const double cushion =
       crossed > 0 ? crossed - contact_limits::crossed_depth * h : find_beam_cushion(surface, a, b) * h;
-  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h + cushion;
+  const double deepest =
+      known ? contact_limits::history_depth * h + offset + dip : contact_limits::new_depth * h + cushion;
   if (touch.gap_start < -deepest) return false;
-  return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
+  return find_place({pair, start, end, offset, dip, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
@@ -298,7 +321,8 @@ KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const 
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
   const double gap = c.gap - offset, half = deepest * touch.size;
-  const double least = find_least_depth(surface, a, b) * touch.size;
+  const double least = find_least_depth(surface, a, b) * touch.size + find_dip(surface, motion, a, c.s, c.normal) +
+                       find_dip(surface, motion, b, c.t, c.normal);
   return gap < -least && gap > -(offset > half ? offset : half) ? -gap : 0;
 }
 

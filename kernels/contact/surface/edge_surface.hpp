@@ -17,7 +17,8 @@ using Rows2 = Kokkos::View<T* [2], Kokkos::LayoutRight, MemSpace>;
 /// Which feature edges pass between the nodes of which lines.
 struct EdgeScale {
   int part = 0;
-  double length = 0;  // of a feature at the start; of a line, what features that pass between its nodes are longer than
+  double length = 0;  // of a feature at the start; of a line, what features that pass between its nodes are longer
+                      // than; of a ridge 0
 };
 
 struct EdgeSurface {
@@ -33,7 +34,8 @@ struct EdgeSurface {
   Array<const int> pair_number;       // likewise: which of the deck's pairs
   Array<const double> offset;         // [edges] half the thickness of its shells, radius of a beam; empty: all are 0
   Array<const int> is_blunt;          // [edges] 1: touches only what has crossed it; 2: likewise, and only features, as
-                                      // a line of a smooth surface; empty: the scene has none
+                                      // a line of a smooth surface; 3: likewise, the ridge across a warped face (both
+                                      // wings of a side are the corner there); empty: the scene has none
   Array<const EdgeScale> scale;       // [edges] empty: the scene has no lines of smooth surfaces
   bool has_springs = false;           // contacts give way (penalty)
 };
@@ -68,14 +70,22 @@ KOKKOS_INLINE_FUNCTION bool is_blunt_pair(const EdgeSurface& surface, int a, int
   return surface.is_blunt.extent(0) > 0 && (surface.is_blunt(a) != 0 || surface.is_blunt(b) != 0);
 }
 
-/// Whether two edges may meet: lines of smooth surfaces are kept apart by nodes and faces, and from edges of their own
-/// part and shorter ones as well.
+inline constexpr int blunt_edge = 1, smooth_line = 2, warped_ridge = 3;  // EdgeSurface::is_blunt
+
+/// EdgeSurface::is_blunt, 0 for a feature.
+KOKKOS_INLINE_FUNCTION int find_bluntness(const EdgeSurface& surface, int edge) {
+  return surface.is_blunt.extent(0) > 0 ? surface.is_blunt(edge) : 0;
+}
+
+/// Whether two edges may meet: lines of smooth surfaces and ridges of faces are kept apart by nodes and faces, and from
+/// edges of their own part as well, lines from shorter ones too.
 KOKKOS_INLINE_FUNCTION bool may_meet(const EdgeSurface& surface, int a, int b) {
   if (surface.is_blunt.extent(0) == 0) return true;
   const int kind = surface.is_blunt(a), other = surface.is_blunt(b);
-  if (kind + other > 2) return false;
-  if (surface.scale.extent(0) == 0 || (kind != 2 && other != 2)) return true;
-  const EdgeScale line = surface.scale(kind == 2 ? a : b), feature = surface.scale(kind == 2 ? b : a);
+  const bool is_line = kind >= smooth_line, is_other = other >= smooth_line;
+  if ((is_line || is_other) && kind != 0 && other != 0) return false;
+  if (surface.scale.extent(0) == 0 || (!is_line && !is_other)) return true;
+  const EdgeScale line = surface.scale(is_line ? a : b), feature = surface.scale(is_line ? b : a);
   return feature.part != line.part && feature.length > line.length;
 }
 

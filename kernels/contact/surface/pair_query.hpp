@@ -98,7 +98,7 @@ struct NodeFaceRule {
 
 /// Which points of edges make pairs with which edges, as far as is seen at a glance; edges may still be joined.
 struct EdgePairRule {
-  static constexpr int line = 2;  // EdgeSurface::is_blunt: lines never meet
+  static constexpr int line = smooth_line;  // lines and ridges never meet
 
   EdgeSurface surface;
   Array<const int> edge_of_point;
@@ -114,9 +114,10 @@ struct EdgePairRule {
     return a < b && !(find_kind(a) == line && find_kind(b) == line) && find_edge_friction(surface, a, b) >= 0;
   }
 
-  /// EdgeSurface::is_blunt
+  /// EdgeSurface::is_blunt, of ridges that of lines.
   KOKKOS_FORCEINLINE_FUNCTION int find_kind(int edge) const {
-    return surface.is_blunt.extent(0) > 0 ? surface.is_blunt(edge) : 0;
+    const int kind = find_bluntness(surface, edge);
+    return kind < line ? kind : line;
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void load(int lane, int point, int, Lanes& lanes) const {

@@ -29,7 +29,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
     scales.push_back(edge.scale);
   }
   if (std::count(blunt.begin(), blunt.end(), 0) == static_cast<std::ptrdiff_t>(blunt.size())) blunt.clear();
-  if (std::count(blunt.begin(), blunt.end(), 2) == 0) scales.clear();
+  if (std::none_of(blunt.begin(), blunt.end(), [](int kind) { return kind >= smooth_line; })) scales.clear();
   EdgeSurface surface;
   surface.num_edges = static_cast<int>(edges.size());
   surface.numbers = to_view("contact::edge_numbers", numbers);

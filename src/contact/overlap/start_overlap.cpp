@@ -325,7 +325,8 @@ std::vector<std::int64_t> list_fresh_edges(const EdgeChange& change) {
   };
   std::vector<Known> before;
   for (const EdgeTopology& edge : change.before)
-    for (int blunt = edge.is_blunt; blunt < 3; ++blunt) before.push_back({{edge.ends[0], edge.ends[1]}, blunt});
+    for (int blunt = edge.is_blunt; blunt <= warped_ridge; ++blunt)
+      before.push_back({{edge.ends[0], edge.ends[1]}, blunt});
   std::sort(before.begin(), before.end());
   const auto& released = change.released_nodes;
   const auto is_released = [&](std::int64_t node) {

@@ -34,6 +34,9 @@ struct EdgeSide {
   bool is_shell() const { return offset > 0; }
 };
 
+/// Whether warping makes a ridge of a diagonal of the face.
+inline bool has_diagonals(const FaceTopology& face) { return !(face.offset > 0) && count_corners(face.corners) == 4; }
+
 /// Whether faces with these normals may meet at an edge that is sharper than `cosine`.
 inline bool are_at_angle(const Point3& normal, const Point3& other, double cosine) {
   return dot(normal, other) < cosine;

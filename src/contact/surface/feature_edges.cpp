@@ -10,6 +10,7 @@
 #include "src/contact/surface/edge_sides.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
+#include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -91,8 +92,33 @@ void refuse_crowded_node(std::size_t num_edges) {
       "it, or set contact.edges: false");
 }
 
-/// Numbers beams behind the edges of faces that have the same lower node, and adds them to these. beams: of the lower
-/// nodes of this rank, in any order; edges: by lower node.
+/// Of this rank's faces, the diagonals that are among the folds.
+void list_ridges(const Mesh& mesh, const SurfaceShare& share, const std::vector<EdgeEnds>& folds, int rank,
+                 std::vector<FoundEdge>& ridges) {
+  if (folds.empty()) return;
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    const FaceTopology& face = share.faces[f];
+    if (!has_diagonals(face)) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const FaceDiagonal diagonal = find_diagonal(face.corners, k);
+      const auto [p, q] = diagonal.ends;
+      if (!std::binary_search(folds.begin(), folds.end(), EdgeEnds{face.corners[p], face.corners[q]})) continue;
+      FoundEdge& found = ridges.emplace_back();
+      found.edge.ends[0] = face.corners[p];
+      found.edge.ends[1] = face.corners[q];
+      for (std::size_t i = 0; i < 4; ++i) found.edge.wings[i] = face.corners[diagonal.wings[i / 2]];
+      found.edge.elements[0] = found.edge.elements[1] = find_element_of_face(face.number);
+      found.edge.home = rank;
+      found.edge.is_blunt = warped_ridge;
+      found.face_classes[0] = found.face_classes[1] = face.surface_class;
+      found.part = face.part;
+      found.length = find_distance(mesh.nodes[at(share.face_corners[f][p])], mesh.nodes[at(share.face_corners[f][q])]);
+    }
+  }
+}
+
+/// Numbers beams and ridges behind the edges of faces that have the same lower node, and adds them to these. beams: of
+/// the lower nodes of this rank, in any order; edges: by lower node.
 void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
   std::sort(beams.begin(), beams.end(), [](const FoundEdge& a, const FoundEdge& b) {
     const EdgeTopology &p = a.edge, &q = b.edge;
@@ -110,7 +136,7 @@ void add_beams(std::vector<FoundEdge> beams, std::vector<FoundEdge>& edges) {
       const auto [first, last] = std::equal_range(lower_of_faces.begin(), lower_of_faces.end(), lower);
       next = at(last - first);
     }
-    beam.edge.scale = {beam.part, beam.length};
+    beam.edge.scale = {beam.part, beam.edge.is_blunt == warped_ridge ? 0 : beam.length};
     beam.edge.number = (lower << edge_place_bits) + static_cast<std::int64_t>(next++);
     refuse_crowded_node(next);
     edges.push_back(beam);
@@ -158,8 +184,9 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const Surf
   const Communicator& ranks = exchange.ranks();
   const ToldSides sides(chunked, share.faces, share.face_corners, ranks);
   const std::vector<double> passing = find_passing_lengths(sides, chunked.mesh, share.beams, ranks);
-  std::vector<FoundEdge> beams;
-  if (share.has_beams) beams = send_to_lower_nodes(share.beams, chunked.numbering, ranks);
+  std::vector<FoundEdge> beams = share.beams;
+  list_ridges(chunked.mesh, share, folds, ranks.rank(), beams);
+  if (share.has_beams || !folds.empty()) beams = send_to_lower_nodes(beams, chunked.numbering, ranks);
   std::vector<FoundEdge> numbered;
   fail_together(ranks, [&] {
     numbered = number_edges(sides, chunked.mesh, {folds, passing});
@@ -201,7 +228,7 @@ double divide_edges(const Communicator& ranks, const std::vector<double>& length
     }
   } sums;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const bool is_line = edges[e].is_blunt == 2;
+    const bool is_line = edges[e].is_blunt >= smooth_line;
     (is_line ? sums.of_lines : sums.length).add(lengths[e]);
     ++(is_line ? sums.lines : sums.count);
   }

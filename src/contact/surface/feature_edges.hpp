@@ -26,8 +26,8 @@ struct EdgeTopology {
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
   int pieces = 1;              // that search sees, each as a point
   double offset = 0;           // half the thickness of its shells, radius of a beam, 0 of solids [length]
-  int is_blunt = 0;            // 1: touches only what has crossed it; 2: likewise, and only features
-  EdgeScale scale{};           // by which features pass between the nodes of lines (is_blunt 2)
+  int is_blunt = 0;            // EdgeSurface::is_blunt
+  EdgeScale scale{};           // by which features pass between the nodes of lines (is_blunt 2), and across ridges (3)
 };
 
 /// An edge of the surface by the numbers of its nodes.
@@ -46,8 +46,9 @@ struct FoundEdge {
 };
 
 /// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of smooth
-/// surfaces between whose nodes a longer feature edge of another part can pass, and with beams that touch. share:
-/// with its faces and beams; folds: edges that have become sharp in the run, of all ranks, ascending. Throws
+/// surfaces between whose nodes a longer feature edge of another part can pass, with the ridges across faces that have
+/// warped, and with beams that touch. share: with its faces and beams; folds: edges that have become sharp in the run,
+/// and diagonals of warped faces, of all ranks, ascending. Throws
 /// InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds);

@@ -35,14 +35,18 @@ KOKKOS_INLINE_FUNCTION FoldChange find_change(const SideShape& a, const SideShap
   return level < rule.fast ? FoldChange::fast : FoldChange::slow;
 }
 
-FoldRule make_rule(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, bool is_fold) {
+/// start: angle at the start, negative where it is concave.
+FoldRule make_rule(const FoldAngles& angles, double start, bool is_solid, bool is_fold) {
   constexpr double degree = 0.017453292519943295, feature = 30 * degree;  // contact_limits::feature
+  const double sharp = std::clamp(start + angles.bend * degree, angles.least * degree, feature);
+  return {is_solid ? 1 : 0, is_fold ? 1 : 0, std::cos(sharp), std::cos(sharp + angles.fast * degree),
+          std::cos(sharp - angles.slack * degree)};
+}
+
+FoldRule make_rule(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, bool is_fold) {
   const double level = -dot(a.inward, b.inward), angle = std::acos(std::clamp(level, -1.0, 1.0));
   const bool is_solid = kind == EdgeKind::solid;
-  const double start = is_solid && dot(a.normal, b.inward) > 0 ? -angle : angle;
-  const double sharp = std::clamp(start + fold_angles.bend * degree, fold_angles.least * degree, feature);
-  return {is_solid ? 1 : 0, is_fold ? 1 : 0, std::cos(sharp), std::cos(sharp + fold_angles.fast * degree),
-          std::cos(sharp - fold_angles.slack * degree)};
+  return make_rule(fold_angles, is_solid && dot(a.normal, b.inward) > 0 ? -angle : angle, is_solid, is_fold);
 }
 
 WatchedSide make_watched(const SurfaceShare& share, const ToldSides::OwnSide& own) {
@@ -52,6 +56,16 @@ WatchedSide make_watched(const SurfaceShare& share, const ToldSides::OwnSide& ow
   const int wing_p = nodes[find_previous_corner(corners, p)], wing_q = nodes[find_next_corner(corners, q)];
   if (corners[q] < corners[p]) return {{nodes[q], nodes[p]}, {wing_q, wing_p}, -1};
   return {{nodes[p], nodes[q]}, {wing_p, wing_q}, 1};
+}
+
+/// A diagonal of a face of solids: a ridge once the face has warped.
+WatchedEdge make_diagonal(const SurfaceShare& share, std::size_t face, std::size_t which) {
+  const std::array<int, 4>& nodes = share.face_corners[face];
+  const auto [ends, wings, turn] = find_diagonal(share.faces[face].corners, which);
+  const auto make_side = [&](std::size_t wing, int side_turn) {
+    return WatchedSide{{nodes[ends[0]], nodes[ends[1]]}, {nodes[wing], nodes[wing]}, side_turn};
+  };
+  return {make_side(wings[0], -turn), make_side(wings[1], turn), make_rule(ridge_angles, 0, true, false)};
 }
 
 /// [classes] whether it may touch any.
@@ -97,6 +111,7 @@ void FoldWatch::list_edges(const SurfaceShare& share) {
   for (std::size_t node = 0; node < told.node_count(); ++node)
     told.visit_edges(node, around,
                      [&](const EdgeSide* first, const EdgeSide* last) { visit_meetings(first, last, list); });
+  list_diagonals(share, touches);
   const int num_sides = static_cast<int>(sides.size());
   for (SharedEdge& edge : shared_) {
     if (edge.side < 0) edge.side = num_sides - 1 - edge.side;
@@ -104,6 +119,20 @@ void FoldWatch::list_edges(const SurfaceShare& share) {
   }
   own_edges_ = to_view("contact::watched_edges", own_);
   sides_ = to_view("contact::watched_sides", sides);
+}
+
+/// Of faces that edges of other parts may cross.
+void FoldWatch::list_diagonals(const SurfaceShare& share, const std::vector<char>& touches) {
+  if (chunked_.mesh.parts.size() < 2) return;
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    const FaceTopology& face = share.faces[f];
+    if (!has_diagonals(face) || touches[at(face.surface_class)] == 0) continue;
+    for (std::size_t which = 0; which < 2; ++which) {
+      const auto [p, q] = find_diagonal(face.corners, which).ends;
+      own_.push_back(make_diagonal(share, f, which));
+      own_.back().rule.is_fold = is_fold({face.corners[p], face.corners[q]}) ? 1 : 0;
+    }
+  }
 }
 
 /// Appends the edges that have changed; returns how many have at least by so much.

@@ -1,5 +1,6 @@
 #pragma once
-// Edges of a smooth surface that become sharp in the run: where faces fold, edges touch edges from then on.
+// Edges of a smooth surface that become sharp in the run: where faces fold, edges touch edges from then on. So do the
+// ridges across faces that warp.
 //
 // All edges are looked at in every so many steps, whatever else happens: which edges are folds depends only on the
 // states at these steps.
@@ -24,6 +25,9 @@ struct FoldAngles {
   double fast;   // more by this than what makes it a fold, it folds fast
 };
 constexpr FoldAngles fold_angles{10, 5, 5, 10};
+/// The same of diagonals of a face, which get rows only where its fan is crossed. At 10 degrees the fan is 0.03 of an
+/// element behind its ridge.
+constexpr FoldAngles ridge_angles{5, 5, 3, 5};
 
 /// When an edge changes.
 struct FoldRule {
@@ -41,7 +45,7 @@ struct WatchedSide {
   int turn;               // 1 if the face runs from end 0 to end 1, else -1
 };
 
-/// An edge where two faces meet that are both this rank's.
+/// An edge where two faces meet that are both this rank's, or a diagonal of one.
 struct WatchedEdge {
   WatchedSide side, other;
   FoldRule rule;
@@ -77,6 +81,7 @@ class FoldWatch {
   };
 
   void list_edges(const SurfaceShare& share);
+  void list_diagonals(const SurfaceShare& share, const std::vector<char>& touches);
   bool is_fold(const EdgeEnds& ends) const { return std::binary_search(folds_.begin(), folds_.end(), ends); }
   std::int64_t look_at_own(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
   std::int64_t look_at_shared(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;

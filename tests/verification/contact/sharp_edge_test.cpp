@@ -75,6 +75,48 @@ output:
   EXPECT_NEAR(0.5 * (run.history.last("a_z") + run.history.last("b_z")), -0.03, 2e-3);
 }
 
+// Two bars cross edge on edge, each edge 0.1 long: the upper one falls by 0.01 and rests on the lower one. Both sides
+// of an edge are triangles, or one is.
+TEST(SharpEdges, OfTrianglesRestOnEachOther) {
+  for (const char* const elements : {"tetrahedra", "wedges"}) {
+    const Outcome run = run_deck(fmt::format(R"yaml(
+time: {{end: 0.15}}
+parts:
+  low: {{box: {{size: [0.3, 0.1, 0.1], cells: [3, 1, 1]}}, elements: {0}, rotate: [{{axis: x, angle: 45}}], at: [-0.16, 0, -0.141421356], material: m, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
+  high: {{box: {{size: [0.3, 0.1, 0.1], cells: [3, 1, 1]}}, elements: {0}, rotate: [{{axis: x, angle: 45}}, {{axis: z, angle: 90}}], at: [0, -0.16, 0.01], material: m, rigid: {{fixed: [x, y, rx, ry, rz]}}}}
+materials: {{m: {{model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}}}
+loads: {{gravity: [0, 0, -9.81]}}
+contact: {{surfaces: all, restitution: 0}}
+output: {{history: {{every: 5e-3, nodes: [{{name: a, near: [0, 0, 0.01], part: high}}]}}}}
+)yaml",
+                                             elements));
+    EXPECT_NEAR(run.history.last("a_z"), 0, 1e-6) << elements;
+  }
+}
+
+// A face warps until its corners are 0.025 above and below its middle, which stays at z = 0. Then the edge of a prism
+// falls across the ridge, over the two low corners: it rests on the middle of the fan, where no node and no side of the
+// face is, within the depth at which ridges touch (5e-3 of an element, 0.0005) and what gravity presses in.
+TEST(SharpEdges, RestOnTheMiddleOfAWarpedFace) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.25}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.1], cells: [1, 1, 1]}, at: [0, 0, -0.1], material: m}
+  prism: {box: {size: [0.3, 0.1, 0.1], cells: [1, 1, 1]}, rotate: [{axis: x, angle: 45, center: [0, 0, 0]}, {axis: z, angle: -45, center: [0, 0, 0]}], at: [-0.056066, 0.156066, 0.05], material: m, rigid: {fixed: [x, y, rx, ry, rz]}}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+loads: {gravity: [0, 0, -9.81]}
+conditions:
+  - {nodes: low/z_min, fixed: [x, y, z]}
+  - {nodes: {name: low, inside: [[-0.01, -0.01, -0.01], [0.01, 0.01, 0.01]]}, displacement: {x: 0, y: 0, z: {table: [[0, 0], [0.02, 0.025]]}}}
+  - {nodes: {name: low, inside: [[0.09, 0.09, -0.01], [0.11, 0.11, 0.01]]}, displacement: {x: 0, y: 0, z: {table: [[0, 0], [0.02, 0.025]]}}}
+  - {nodes: {name: low, inside: [[0.09, -0.01, -0.01], [0.11, 0.01, 0.01]]}, displacement: {x: 0, y: 0, z: {table: [[0, 0], [0.02, -0.025]]}}}
+  - {nodes: {name: low, inside: [[-0.01, 0.09, -0.01], [0.01, 0.11, 0.01]]}, displacement: {x: 0, y: 0, z: {table: [[0, 0], [0.02, -0.025]]}}}
+contact: {surfaces: all}
+output: {history: {every: 5e-3, nodes: [{name: a, near: [-0.056, 0.156, 0.05], part: prism}]}}
+)yaml");
+  EXPECT_NEAR(run.history.last("a_z"), 0, 5e-4);
+}
+
 namespace {
 
 /// What missed_contact says of a body that is moved by 0.05 into a block, over a gap of 0.01, in one step, and out of

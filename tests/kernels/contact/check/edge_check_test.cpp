@@ -84,6 +84,22 @@ struct Roofs {
     blunt(0) = 1;
     surface.is_blunt = blunt;
   }
+  /// B, moved along itself by `aside`, is the ridge of a face between its wings at x = 1 and -1.
+  void set_ridge(double aside) {
+    set_blunt();
+    const Array<int> kinds("test::ridge", 2);
+    kinds(1) = warped_ridge;
+    surface.is_blunt = kinds;
+    surface.wings = to_rows4({{4, 5, 6, 7}, {12, 12, 13, 13}});
+    std::vector<Point3> x, v;
+    for (int n = 0; n < 12; ++n) {
+      x.push_back(load_row(motion.x, n) + (n == 2 || n == 3 ? Point3{0, aside, 0} : Point3{}));
+      v.push_back(load_row(motion.v, n));
+    }
+    x.insert(x.end(), {{1, aside, -1}, {-1, aside, -1}});
+    v.resize(x.size());
+    motion = {to_rows(x), to_rows(v), motion.dt};
+  }
   bool check(const Point3* last = nullptr) {
     return check_edge_pair({surface, motion, faces, {0, 1}, last}, load_moving_pair(surface, motion, 0, 1), touch);
   }
@@ -176,6 +192,42 @@ TEST(EdgeCheck, BluntEdgesOverlapAtTheStartOnceTheyWouldTouch) {
   EXPECT_EQ(depth(-0.6, false), 0);
   EXPECT_EQ(depth(-0.054, true), 0);
   EXPECT_NEAR(depth(-0.056, true), 0.056, tight);
+}
+
+// B is the diagonal of a face whose other corners are at z = -1: the fan of the face is 0.5 below its middle, and a
+// share of this beside it.
+TEST(EdgeCheck, RidgesOfWarpedFacesTouchOnlyOnceTheirFanIsCrossed) {
+  const auto touches = [](double height, double fall, double aside = 0) {
+    Roofs r(height, fall);
+    r.set_ridge(aside);
+    return r.check();
+  };
+  EXPECT_FALSE(touches(-0.49, 0.014));
+  EXPECT_TRUE(touches(-0.49, 0.016));
+  EXPECT_FALSE(touches(-0.24, 0.014, 0.25));
+  EXPECT_TRUE(touches(-0.24, 0.016, 0.25));
+  EXPECT_FALSE(touches(-0.53, 0.01));  // began deep inside
+  EXPECT_TRUE(touches(0.3, 50));
+}
+
+TEST(EdgeCheck, ARidgeOfAWarpedFaceIsRememberedAsDeepBelowItsFanAsOthers) {
+  const Point3 up{0, 0, 1};
+  const auto touches = [&](double height) {
+    Roofs r(height, 0.001);
+    r.set_ridge(0);
+    return r.check(&up);
+  };
+  EXPECT_TRUE(touches(-0.74));
+  EXPECT_FALSE(touches(-0.76));
+}
+
+// Both wings of a triangle are one node.
+TEST(EdgeCheck, TheSizeOfTrianglesIsTheirShortestEdge) {
+  Roofs r(0.01, 0.02);
+  r.set_ridge(0);
+  r.surface.is_blunt = Array<int>("test::sharp", 0);
+  ASSERT_TRUE(r.check());
+  EXPECT_NEAR(r.touch.size, 1, tight);
 }
 
 TEST(EdgeCheck, EndsBelongToNodesAndFaces) {

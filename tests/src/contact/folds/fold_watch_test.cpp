@@ -59,6 +59,18 @@ struct Strip {
     return watch.look(share, x, slow_fold_steps);
   }
 
+  /// Lifts nodes of the lowest unit cube by x y times this. Whether folds changed.
+  bool twist(double lift) {
+    const Rows3<double> x("x", chunked.mesh.nodes.size());
+    const auto host = Kokkos::create_mirror_view(x);
+    for (std::size_t n = 0; n < chunked.mesh.nodes.size(); ++n) {
+      const Vec3& at = chunked.mesh.nodes[n];
+      for (std::size_t d = 0; d < 3; ++d) host(n, d) = at[d] + (d == 2 && at[2] < 2 ? lift * at[0] * at[1] : 0);
+    }
+    Kokkos::deep_copy(x, host);
+    return watch.look(share, x, slow_fold_steps);
+  }
+
   Communicator ranks;
   Deck deck;
   ChunkedMesh chunked;
@@ -69,6 +81,9 @@ struct Strip {
 
 const std::string two_elements = "box: {size: [2, 1, 1], cells: [2, 1, 1]}";
 const std::string long_strip = "box: {size: [40, 4, 1], cells: [40, 4, 1]}";
+const std::string two_cubes =
+    "box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}, b: {at: [0, 0, 5], box: {size: [1, 1, 1], cells: [1, 1, "
+    "1]}";
 const std::string shell_strip = "shell_plate: {size: [2, 1], cells: [2, 1]}, thickness: 0.01";
 
 }  // namespace
@@ -95,6 +110,24 @@ TEST(FoldWatch, SlowFoldsWaitForALookAtAll) {
   EXPECT_EQ(strip.watch.folds().size(), 1U);
   EXPECT_FALSE(strip.bend(0, fold_steps));
   EXPECT_TRUE(strip.bend(0));
+}
+
+// The triangles beside a diagonal are at the angle of cosine 1 / (1 + lift^2).
+TEST(FoldWatch, TheDiagonalThatStandsOutOfAWarpedFaceIsAnEdge) {
+  Strip strip(two_cubes, Communicator(MPI_COMM_SELF));
+  const auto before = strip.share.total_edges;
+  EXPECT_FALSE(strip.twist(0.061));
+  ASSERT_TRUE(strip.twist(0.063));
+  ASSERT_EQ(strip.watch.folds().size(), 2U);  // of the top and, across it, of the bottom
+  EXPECT_FALSE(strip.twist(0.026));
+  const TiedSurfaces ties = find_ties(strip.chunked, strip.deck, strip.ranks);
+  EXPECT_TRUE(change_folds(strip.chunked, strip.deck, ties, strip.exchange, strip.watch.folds(), strip.share));
+  EXPECT_EQ(strip.share.total_edges, before + 2);
+  EXPECT_EQ(std::count_if(strip.share.edges.begin(), strip.share.edges.end(),
+                          [](const EdgeTopology& edge) { return edge.is_blunt == warped_ridge; }),
+            2);
+  EXPECT_TRUE(strip.twist(0.024));
+  EXPECT_TRUE(strip.watch.folds().empty());
 }
 
 TEST(FoldWatch, AFoldIsAnEdgeOfTheSurface) {
