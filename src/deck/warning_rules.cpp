@@ -124,6 +124,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"weld_distance", "weld whose point lies far from the faces that it holds"},
       {"weld_rim", "weld whose region lies partly beyond the rim of its faces"},
       {"weld_failure", "weld that has failed"},
+      {"joint_start", "joint whose bodies begin with velocities that part them"},
       {"missed_contact", "nodes and edges inside another body that no contact holds"},
       {"tie_failure", "ties whose nodes have let go"},
       {"unsettled_welds", "welds in a chain whose nodes do not yet move as one"},

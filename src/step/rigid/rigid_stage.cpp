@@ -18,11 +18,14 @@ namespace percuss {
 
 namespace {
 
-[[noreturn]] void refuse_start(const Joint& joint) {
-  throw InputError(
-      fmt::format("{}: error: joint '{}' parts at the start (its bodies begin to move apart there): give all that it "
-                  "joins velocities that fit, for example one entry of initial",
-                  joint.place, joint.name));
+double find_kinetic_energy(const Model& model, const std::vector<RigidState>& bodies) {
+  double energy = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const RigidState& body = bodies[b];
+    energy +=
+        0.5 * model.rigid.bodies[b].mass * dot(body.velocity, body.velocity) + 0.5 * dot(body.spin_momentum, body.spin);
+  }
+  return energy;
 }
 
 [[noreturn]] void refuse_step(const Joint& joint, const State& state) {
@@ -108,13 +111,26 @@ void RigidStage::start(State& state) {
   }
   if (joints_.any()) {
     joints_.begin_step(state);
+    const double before = find_kinetic_energy(model_, state.bodies);
     const int parting = joints_.settle(state, state.bodies);
-    if (parting >= 0) refuse_start(model_.rigid.joints[static_cast<std::size_t>(parting)]);
+    if (parting >= 0)
+      warn_of_start(model_.rigid.joints[static_cast<std::size_t>(parting)], before,
+                    find_kinetic_energy(model_, state.bodies));
   }
   next_ = state.bodies;
   upload(state, 0);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
   set_spins(state);
+}
+
+void RigidStage::warn_of_start(const Joint& joint, double before, double after) {
+  warnings_.push_back({"joint_start",
+                       fmt::format("the bodies of joint '{}' begin with velocities that part them there (a joint lets "
+                                   "none do so): they begin with those after an impulse of the joints, by which the "
+                                   "kinetic energy of the rigid bodies changes from {:.4g} to {:.4g}; give all that "
+                                   "it joins velocities that fit, if this is not meant",
+                                   joint.name, before, after),
+                       joint.place});
 }
 
 /// The bodies between now and next for the kernels.

@@ -4,6 +4,7 @@
 // Every rank moves all bodies, from sums that are the same on each, and its own nodes of them. kernels/rigid has the
 // scheme.
 
+#include <utility>
 #include <vector>
 
 #include "kernels/contact/rows/row_bodies.hpp"
@@ -19,8 +20,8 @@ class RigidStage : public Action {
   /// damping outlive this.
   RigidStage(const Model& model, const std::vector<double>& damping, double end);
 
-  /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest. Throws InputError, the
-  /// same on all ranks, where bodies part at a joint.
+  /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest. Bodies that would part
+  /// at a joint begin with the velocities after its impulse, which is told.
   void start(State& state) override;
 
   /// Velocities of bodies and their nodes at n+1/2 without contact. Throws RunError, the same on all ranks, where a
@@ -46,6 +47,7 @@ class RigidStage : public Action {
   void set_switches(State& state) override;
   void archive(CheckpointArchive& archive, State& state) override;
   bool comes_between() const override { return true; }
+  std::vector<Warning> take_warnings() override { return std::exchange(warnings_, {}); }
 
  private:
   /// contact: what each body got from it; empty: nothing.
@@ -57,6 +59,7 @@ class RigidStage : public Action {
   void book_grounded_joints(State& state) const;
   void book_joined_contact(State& state, const std::vector<RigidState>& predicted) const;
   void move_bodies(State& state, double dt);
+  void warn_of_start(const Joint& joint, double before, double after);
   void upload(const State& state, double dt);
 
   const Model& model_;
@@ -73,6 +76,7 @@ class RigidStage : public Action {
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;
   BodyInputs inputs_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace percuss
