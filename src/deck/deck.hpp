@@ -521,6 +521,7 @@ struct Deck {
   std::vector<ConstraintDeck> constraints;
   std::vector<EmbeddedDeck> embedded;
   std::vector<JointDeck> joints;
+  std::vector<TurnSpringDeck> turn_springs;
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;

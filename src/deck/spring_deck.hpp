@@ -99,6 +99,28 @@ struct JointDeck {
   Place place;
 };
 
+/// About one axis of a turn spring. Angles in radians.
+struct TurnLawDeck {
+  std::optional<double> stiffness;                    // [moment / angle]
+  std::vector<std::array<double, 2>> table;           // instead: angle, moment; straight on beyond the ends
+  double damping = 0;                                 // [moment x time / angle]
+  std::vector<std::array<double, 2>> damping_table;   // instead: rate, moment; likewise
+  std::optional<double> friction;                     // moment at which it slips
+  std::vector<std::array<double, 2>> friction_table;  // instead: angle, moment
+  std::optional<double> least, most;                  // angles of stops
+  std::optional<double> hold_stiffness;               // of friction that sticks, and of stops [moment / angle]
+};
+
+/// What resists the turn of a second rigid body against a first one, by three angles.
+struct TurnSpringDeck {
+  std::string name;
+  std::vector<std::string> bodies;
+  std::array<Vec3, 2> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}};  // x and y on the first body at time 0, perpendicular units
+  std::optional<std::array<Vec3, 2>> second_axes;          // on the second one; none: the same
+  std::optional<TurnLawDeck> x, y, z;
+  Place place;
+};
+
 /// A kind of joint by its word, and what it keeps.
 struct JointTraits {
   enum class Point { all, across, along };  // which ways of the point: all, those across the axis, that along it

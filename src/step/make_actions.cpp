@@ -9,6 +9,7 @@
 #include "src/step/mass/mass_scaler.hpp"
 #include "src/step/springs/spring_stage.hpp"
 #include "src/step/springs/weld_stage.hpp"
+#include "src/step/turn_springs/turn_spring_stage.hpp"
 
 namespace percuss {
 namespace {
@@ -34,6 +35,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
   if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
   if (model.springs.any()) add(std::make_unique<SpringStage>(model));
+  if (!model.turn_springs.empty()) add(std::make_unique<TurnSpringStage>(model));
   if (model.glue.any()) add(std::make_unique<GlueStage>(deck, model, contact));
   add(std::make_unique<LoadStage>(deck, model));
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));

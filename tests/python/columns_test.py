@@ -74,6 +74,7 @@ parts:
   b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 2], material: hard, rigid: true}
 materials: {hard: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
 joints: {hinge: {kind: revolute, bodies: [a, b], at: [0, 0, 1.5], axis: x}}
+turn_springs: {twist: {bodies: [a, b], x: {stiffness: 1}, y: {damping: 1}, z: {friction: 1, hold_stiffness: 1}}}
 initial: [{part: a, velocity: [0, 0, 1]}, {part: b, velocity: [0, 0, 1]}]
 sensors: {soon: {value: kinetic, rises_above: 1e9}}
 output: {history: {motion: all}}
@@ -140,7 +141,7 @@ def generalise(name):
 
 def shorten(words):
     """'force' of "force in x of 'hit'": without its owner and its axis."""
-    words = re.sub(r" of (part |block |pair |wall |spring |weld |constraint |sensor |joint |accelerometer |rigid body )?'[^']*'", "", words)
+    words = re.sub(r" of (part |block |pair |wall |spring |turn spring |weld |constraint |sensor |joint |accelerometer |rigid body )?'[^']*'", "", words)
     return re.sub(r" (in [xyz]|about [xyz]|along [xyz]|q[0-3]|xx|yy|zz|xy|yz|zx)$", "", words)
 
 

@@ -29,6 +29,7 @@ ORDER = (
     "constraints",
     "embedded",
     "joints",
+    "turn_springs",
     "join",
     "initial",
     "start",

@@ -122,14 +122,14 @@ std::string name_controller(const ChunkedMesh& chunked, const Model& model, cons
                             const Stepper& stepper) {
   if (const Approach* const approach = stepper.find_limiting_approach(state))
     return describe_approach(*approach, chunked.mesh);
-  return model.springs.has(state.bound.spring) ? name_spring(model.springs, state.bound.spring)
-                                               : describe_element(chunked, state.bound.element);
+  const std::string spring = name_limiting_spring(model, state.bound.spring);
+  return spring.empty() ? describe_element(chunked, state.bound.element) : spring;
 }
 
 /// The first step if nothing were damped in proportion to its stiffness; 0 where that makes no difference. Collective.
 double find_undamped_step(const Deck& deck, const State& state, const Stepper& stepper) {
   const double bound = stepper.find_undamped_bound(state);
-  if (stepper.find_limiting_approach(state) != nullptr || state.bound.spring >= 0) return 0;
+  if (stepper.find_limiting_approach(state) != nullptr || state.bound.spring != -1) return 0;
   const double step = std::min({deck.time.step_scale * bound, deck.time.max_step.value_or(HUGE_VAL), deck.time.end});
   return step > state.next_dt ? step : 0;
 }

@@ -276,6 +276,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_places(deck, reading);
   check_rigid(deck, root, reading);
   check_joints(deck, root, reading);
+  check_turn_springs(deck, root, reading);
   check_body_names(deck, reading);
   check_start(deck, root, reading);
   check_curves(deck, reading);

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/deck/keys/strength_keys.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 #include "src/deck/sections/sensor_keys.hpp"
-#include "src/deck/sections/strength_keys.hpp"
 #include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {

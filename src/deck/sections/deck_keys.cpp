@@ -303,6 +303,7 @@ const Keys<Deck>& deck_keys() {
       may("constraints", &Deck::constraints, constraints_value()),
       may("embedded", &Deck::embedded, embedded_value()),
       may("joints", &Deck::joints, joints_value()),
+      may("turn_springs", &Deck::turn_springs, turn_springs_value()),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),

@@ -53,6 +53,7 @@ MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
 NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();
 NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value();
+NamedMapValue<TurnSpringDeck, MapValue<TurnSpringDeck>> turn_springs_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.
 struct ContactValue {
@@ -80,6 +81,7 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading);
 
 /// Joints between bodies that exist.
 void check_joints(const Deck& deck, const Node& root, Reading& reading);
+void check_turn_springs(const Deck& deck, const Node& root, Reading& reading);
 
 /// Loads and conditions of bodies that exist.
 void check_body_names(const Deck& deck, Reading& reading);

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "src/deck/keys/force_table_value.hpp"
+#include "src/deck/keys/strength_keys.hpp"
 #include "src/deck/sections/deck_keys.hpp"
-#include "src/deck/sections/strength_keys.hpp"
 
 namespace percuss {
 namespace {
@@ -45,29 +46,6 @@ struct SpringEndValue {
   Form form() const { return any_form({SelectorValue{}.form(), form_of(end_keys())}); }
 };
 
-/// Rows [elongation, force], at least two, elongations ascending.
-struct ForceTableValue {
-  bool read(const Reader& reader, const std::string& name, const Node& node,
-            std::vector<std::array<double, 2>>& out) const {
-    std::vector<std::array<double, 2>> rows;
-    if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
-    if (rows.size() < 2) {
-      reader.refuse(node, name, "at least two rows [elongation, force]");
-      return false;
-    }
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      if (rows[i][0] > rows[i - 1][0]) continue;
-      reader.error(node.items[i].spot, fmt::format("{}.{} has elongation {} after {} (elongations must ascend)", name,
-                                                   i, rows[i][0], rows[i - 1][0]));
-      return false;
-    }
-    out = std::move(rows);
-    return true;
-  }
-  std::string takes() const { return "rows [elongation, force], elongations ascending"; }
-  Form form() const { return list_form(TupleValue<NumberValue, 2>{}.form(), 2); }
-};
-
 const Keys<SpringDeck>& spring_failure_keys() {
   static const Keys<SpringDeck> keys = {
       may("force", &SpringDeck::largest_force, NumberValue{positive}),
@@ -81,7 +59,7 @@ const Keys<SpringDeck>& spring_keys() {
   static const Keys<SpringDeck> keys = {
       need("between", &SpringDeck::between, TupleValue<SpringEndValue, 2>{}),
       may("stiffness", &SpringDeck::stiffness, NumberValue{positive}),
-      may("table", &SpringDeck::table, ForceTableValue{}),
+      may("table", &SpringDeck::table, ForceTableValue{"elongation", "force"}),
       may("damping", &SpringDeck::damping, NumberValue{positive}),
       may("acts", &SpringDeck::acts,
           ChoiceValue<Acts>{{{"both", Acts::both}, {"tension", Acts::tension}, {"compression", Acts::compression}}}),

@@ -21,6 +21,7 @@
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "src/step/springs/build_welds.hpp"
+#include "src/step/turn_springs/build_turn_springs.hpp"
 
 namespace percuss {
 
@@ -113,6 +114,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
   build_rigid_bodies(deck, chunked, rigid, find_rigid_masses(deck, chunked, mass, model), model);
   build_joints(deck, model);
+  build_turn_springs(deck, model);
   build_welds(deck, chunked, model);
   build_spin_tensors(deck, chunked, model);
   build_switches(deck, model);

@@ -170,8 +170,10 @@ Audit::Totals Audit::sum_all(const State& state) {
   constexpr int first_work = S::work;
   if (model_.ranks.rank() == 0) {  // what all ranks know
     sums[at(first_work + WorkKind::internal)].add(state.books.spring_work);
+    sums[at(first_work + WorkKind::internal)].add(state.books.turn_work);
     sums[at(first_work + WorkKind::internal)].add(state.books.glue_work);
     sums[at(first_work + WorkKind::viscous)].add(state.books.damper_work);
+    sums[at(first_work + WorkKind::viscous)].add(state.books.turn_loss);
     sums[at(first_work + WorkKind::viscous)].add(-state.books.weld_work);
     sums[at(first_work + WorkKind::viscous)].add(-state.books.equal_work);
   }

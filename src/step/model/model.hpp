@@ -30,6 +30,7 @@
 #include "src/step/model/glue_model.hpp"
 #include "src/step/model/rigid_model.hpp"
 #include "src/step/model/spring_model.hpp"
+#include "src/step/model/turn_spring_model.hpp"
 
 namespace percuss {
 
@@ -146,6 +147,7 @@ struct Model {
   bool is_driven = false;       // whether held nodes may move: by a prescribed motion, or when a sensor has them held
   RigidModel rigid;
   SpringModel springs;
+  std::vector<TurnSpring> turn_springs;
   WeldModel welds;
   GlueModel glue;
   ConstraintModel constraints;
@@ -153,6 +155,13 @@ struct Model {
 
   Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
 };
+
+/// "spring 'strap_3'" of StepBound::spring; empty: it is none.
+inline std::string name_limiting_spring(const Model& model, std::int64_t spring) {
+  if (model.springs.has(spring)) return name_spring(model.springs, spring);
+  const std::int64_t turn = find_turn_spring(spring);
+  return turn < 0 ? "" : "turn spring '" + model.turn_springs[static_cast<std::size_t>(turn)].name + "'";
+}
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the
 /// same on all ranks: unknown sets, contradicting conditions.

@@ -130,6 +130,7 @@ void start_damping(const Model& model, State& s) {
 
 void start_connections(const Model& model, State& s) {
   s.springs.resize(model.springs.springs.size());
+  s.turn_springs.resize(model.turn_springs.size());
   s.glue_damage.assign(model.glue.points.size(), 0);
   const auto nodes = static_cast<std::size_t>(model.node_count);
   if (model.ties_rotations) s.tie_moment = Rows3<double>("percuss::tie_moment", nodes);

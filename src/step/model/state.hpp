@@ -25,6 +25,8 @@ struct Books {
   ExactSum damping_work;       // of damping in proportion to mass; negative: dissipated
   double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
   double damper_work = 0;      // of all ranks: what their dampers have taken
+  double turn_work = 0;        // of all ranks: what turn springs and their stops have stored
+  double turn_loss = 0;        // of all ranks: what their dampers and their friction have taken
   double glue_work = 0;        // of all ranks: what glue has stored and dissipated
   double glue_dissipated = 0;  // of it, by damage and failure
   double glue_failed = 0;      // area of glue that has failed
@@ -43,7 +45,8 @@ struct StepBound {
   std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
   std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
   bool died = false;                 // whether an element lost the last of its force in the step
-  std::int64_t spring = -1;          // that asks for a shorter step than all else, by its place in the model, -1: none
+  std::int64_t spring = -1;          // that asks for a shorter step than all else, by its place in the model, -1: none;
+                                     // below that: a turn spring
 };
 
 struct State {
@@ -99,6 +102,7 @@ struct State {
   std::vector<RigidState> bodies;  // rigid ones
   std::vector<JointState> joints;  // between them
   std::vector<SpringState> springs;
+  std::vector<TurnSpringState> turn_springs;
   std::vector<double> glue_damage;  // [GlueModel::points] at n; 1: failed, or gone with an element
   std::vector<WeldState> welds;
   std::vector<ConstraintState> constraints;

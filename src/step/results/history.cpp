@@ -130,6 +130,7 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   add(list_body_columns(deck));
   add(list_joint_columns(deck));
   add(list_spring_columns(model.springs));
+  add(list_turn_spring_columns(model.turn_springs));
   add(list_glue_columns(model.glue));
   add(list_weld_columns(model.welds));
   add(list_constraint_columns(model.constraints, model.constraints.any() || model.embedded.any()));
@@ -297,6 +298,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   bodies_.append(model, state, row);
   append_joints(model, state, row);
   append_springs(model.springs, state, row);
+  append_turn_springs(model.turn_springs, state, row);
   append_glue(model.glue, state, row);
   append_welds(model.welds, state, row);
   append_constraints(model.constraints, model.constraints.any() || model.embedded.any(), state, row);

@@ -45,6 +45,40 @@ void append_springs(const SpringModel& springs, const State& state, std::vector<
   }
 }
 
+std::vector<HistoryColumn> list_turn_spring_columns(const std::vector<TurnSpring>& springs) {
+  if (springs.empty()) return {};
+  std::vector<HistoryColumn> columns = {
+      {"turn_work", dimensions::energy, "energy of turn springs and their stops, part of internal"},
+      {"turn_loss", dimensions::energy, "energy taken by dampers and friction of turn springs, part of viscous"}};
+  for (const TurnSpring& spring : springs) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!spring.laws[k]) continue;
+      columns.push_back({fmt::format("turn_angle_{}:{}", "xyz"[k], spring.name),
+                         {},
+                         fmt::format("angle about {} of turn spring '{}', of its second body", "xyz"[k], spring.name)});
+      columns.push_back(
+          {fmt::format("turn_moment_{}:{}", "xyz"[k], spring.name), dimensions::energy,
+           fmt::format("moment about {} of turn spring '{}', against a positive angle", "xyz"[k], spring.name),
+           HistoryColumn::Kind::moment});
+    }
+  }
+  return columns;
+}
+
+void append_turn_springs(const std::vector<TurnSpring>& springs, const State& state, std::vector<double>& row) {
+  if (springs.empty()) return;
+  row.push_back(state.books.turn_work);
+  row.push_back(state.books.turn_loss);
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const TurnSpringState& now = state.turn_springs[s];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!springs[s].laws[k]) continue;
+      row.push_back(now.angle[k]);
+      row.push_back(now.elastic[k] + now.damping[k] + now.friction[k]);
+    }
+  }
+}
+
 std::vector<HistoryColumn> list_glue_columns(const GlueModel& glue) {
   if (!glue.any()) return {};
   return {{"glue_work", dimensions::energy, "energy of cohesive ties, part of internal"},

@@ -15,6 +15,12 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 /// Appends the values of those columns to a row.
 void append_springs(const SpringModel& springs, const State& state, std::vector<double>& row);
 
+/// Energy of all turn springs and what they took, angle and moment about each axis that has a law; none without any.
+std::vector<HistoryColumn> list_turn_spring_columns(const std::vector<TurnSpring>& springs);
+
+/// Their values, in the same order.
+void append_turn_springs(const std::vector<TurnSpring>& springs, const State& state, std::vector<double>& row);
+
 /// Energy of all glue, what of it is dissipated, and the area that has failed; none without glue.
 std::vector<HistoryColumn> list_glue_columns(const GlueModel& glue);
 

@@ -1,6 +1,7 @@
 #include "src/step/rigid/rigid_forces.hpp"
 
 #include "comm/exact_reduction.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 
@@ -20,6 +21,11 @@ std::vector<Wrench> RigidForces::operator()(const Model& model, const State& sta
       forces[b].impulse = forces[b].impulse + on.force;
       forces[b].moment = forces[b].moment + on.moment + cross(on.arm, on.force);
     }
+  }
+  for (std::size_t s = 0; s < state.turn_springs.size(); ++s) {
+    const auto [first, second] = model.turn_springs[s].body;
+    forces[at(first)].moment = forces[at(first)].moment - state.turn_springs[s].moment;
+    forces[at(second)].moment = forces[at(second)].moment + state.turn_springs[s].moment;
   }
   return forces;
 }

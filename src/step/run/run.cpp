@@ -379,7 +379,7 @@ void Run::archive(CheckpointArchive& archive) {
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
-  if (model_.springs.any()) archive.number("run/limiting_spring", limiting_spring_);
+  if (model_.springs.any() || !model_.turn_springs.empty()) archive.number("run/limiting_spring", limiting_spring_);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
   archive_relaxation(archive);

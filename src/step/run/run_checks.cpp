@@ -58,8 +58,8 @@ std::string describe_fast_approach(const CheckedRun& run) {
 /// "spring 'strap_3'" or the element, with its place: what limits the step.
 std::string describe_controller(const CheckedRun& run) {
   const StepBound& bound = run.state.bound;
-  if (run.model.springs.has(bound.spring)) return name_spring(run.model.springs, bound.spring);
-  return describe_element(run, bound.element);
+  const std::string spring = name_limiting_spring(run.model, bound.spring);
+  return spring.empty() ? describe_element(run, bound.element) : spring;
 }
 
 std::string describe_failed_element(const CheckedRun& run) {
@@ -161,7 +161,7 @@ void check_elements(const CheckedRun& run) {
 void check_step(const CheckedRun& run, double first_dt) {
   const double least = run.deck.time.collapse_ratio * first_dt;
   if (run.state.next_dt >= least || run.deck.time.step_scale * run.state.bound.step >= least) return;
-  const bool is_spring = run.model.springs.has(run.state.bound.spring);
+  const bool is_spring = run.state.bound.spring != -1;
   throw RunError(
       fmt::format("the time step has collapsed to {:.3g} (it began at {:.3g}) {}; {} controls it; try {}, or lower "
                   "time.collapse_ratio (now {:g}) to continue",

@@ -31,6 +31,8 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   summary.error = error;
   summary.dt.last = state_.dt;
   summary.dt.element = limiting_element_id_;
+  if (const std::int64_t turn = find_turn_spring(limiting_spring_); turn >= 0)
+    summary.dt.spring = model_.turn_springs[at(turn)].name;
   if (model_.springs.has(limiting_spring_)) summary.dt.spring = model_.springs.springs[at(limiting_spring_)].name;
   summary.dt.approach = limiting_approach_;
   summary.loop_s = find_seconds(loop_start_);

@@ -1,6 +1,8 @@
 """Rigid bodies: their masses, the nodes that belong to them, loads, supports, motions and joints."""
 
-from . import ALL, FIRST, LAST, Proof
+import math
+
+from . import ALL, FIRST, LAST, MAX, MIN, Proof
 from .pieces import CUBE_MASS, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, rigid, solid_section, two_cubes, velocity
 
 END = 1e-5
@@ -38,6 +40,54 @@ def held_screw(off: float, moved: str = "") -> str:
                 "*CONSTRAINED_EXTRA_NODES_SET\n1,7\n2,8\n*CONSTRAINED_JOINT_SCREW\n90,91,92,93,94,95\n2.0\n", moved or PUSH.format(id=2, dof=3), end=END)
 
 
+STIFF = "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED"
+# y, z and x as axes of a system; and those of space turned by -0.25 about y.
+SYSTEMS = f"*DEFINE_COORDINATE_VECTOR\n3,0.0,1.0,0.0,0.0,0.0,1.0\n4,{math.cos(0.25)!r},0.0,{math.sin(0.25)!r},0.0,1.0,0.0\n"
+TURN_SPEED, TURN_END, TURN_STIFF, TURN_DAMP, HOLD, SLIPS = 100.0, 1e-3, 20.0, 0.065, 1e4, 5.0
+
+
+def turned(curves="0", holds="0", stops="0", axis=0, speed=TURN_SPEED, bodies="1,2", systems="0,0"):
+    """A held cube, part 1, and a free one that turns about its centre."""
+    parts = TWO_RIGID.replace("part_1\n1,1,1", "part_1\n1,1,2") + rigid(2, 1, 7, 7)
+    spin = ",".join(repr(speed if k == axis else 0.0) for k in range(3))
+    laws = curve(7, (-1.0, -TURN_STIFF), (1.0, TURN_STIFF)) + curve(8, (-1.0, -TURN_DAMP), (1.0, TURN_DAMP)) + curve(9, (-1.0, SLIPS), (1.0, SLIPS))
+    return deck(parts, f"*INITIAL_VELOCITY_RIGID_BODY\n2,0.0,0.0,0.0,{spin}\n", SYSTEMS, f"*{STIFF}\n5,{bodies},{systems}\n{curves}\n{holds}\n{stops}\n", laws, end=TURN_END)
+
+
+def place(axis: int, text: str, stride: int = 1) -> str:
+    """A line with a field of an angle, whose fields stand so far apart."""
+    return "0," * (axis * stride) + text
+
+
+def angle(axis: int, when, value: float, tolerance: float):
+    return [(f"turn_angle_{'xyz'[axis]}:turn_spring_5", when, value, tolerance)]
+
+
+TURN_RATE = math.sqrt(TURN_STIFF / SPIN)
+SPRUNG = TURN_SPEED / TURN_RATE * math.sin(TURN_RATE * TURN_END)
+DAMPED = TURN_SPEED * SPIN / TURN_DAMP * (1 - math.exp(-TURN_DAMP * TURN_END / SPIN))
+BEYOND = TURN_SPEED * math.sqrt(SPIN / HOLD)  # way into a stop
+SLIPPED = TURN_SPEED * TURN_END - 0.5 * SLIPS / SPIN * TURN_END**2
+ENDS = ("PH", "T", "PS")
+STIFFNESSES = [
+    *(row for k, name in enumerate(ENDS) for row in (
+        Proof(f"{STIFF}: PIDA PIDB LCID{name}", turned(place(k, "7"), axis=k), angle(k, LAST, SPRUNG, 1e-3), "a torsion pendulum"),
+        Proof(f"{STIFF}: DLCID{name}", turned(place(k + 3, "8"), axis=k), angle(k, LAST, DAMPED, 1e-3), "decay by a damper"),
+        Proof(f"{STIFF}: ES{name} FM{name}", turned("0", place(k, f"{HOLD},{SLIPS}", 2), axis=k), angle(k, LAST, SLIPPED, 5e-3), "friction slows it down"),
+        Proof(f"{STIFF}: FM{name}", turned("0", place(k, f"{HOLD},-9", 2), axis=k), angle(k, LAST, SLIPPED, 5e-3), "friction by a curve over the angle"),
+        Proof(f"{STIFF}: PSA{name} ES{name}", turned("0", place(k, str(HOLD), 2), place(k, "3.0,2.0", 2), axis=k), angle(k, MAX, math.radians(2.0) + BEYOND, 1e-3), "the stop is a spring"),
+        Proof(f"{STIFF}: NSA{name} ES{name}", turned("0", place(k, str(HOLD), 2), place(k, "3.0,2.0", 2), axis=k, speed=-TURN_SPEED), angle(k, MIN, -math.radians(3.0) - BEYOND, 1e-3), "likewise below"),
+        Proof(f"{STIFF}: ES{name}", turned(place(k, "7"), place(k, f"0,{SLIPS}", 2), place(k, "3.0,2.0", 2), axis=k), angle(k, LAST, SPRUNG, 1e-3), "without a stiffness neither acts"),
+    )),
+    Proof(f"{STIFF}: JSID PIDA PIDB", turned("7", bodies="2,1"), angle(0, LAST, -SPRUNG, 1e-3), "of A against B"),
+    Proof(f"{STIFF}: CIDA", turned("7", axis=1, systems="3,0"), angle(0, LAST, SPRUNG, 1e-3), "phi is about y, x of the system of both bodies"),
+    Proof(f"{STIFF}: CIDB", turned("0,7", axis=1, speed=0.0, systems="0,4"), angle(1, FIRST, -0.25, 1e-9), "the angle between both systems at the start"),
+    Proof(f"{STIFF}: CIDA", turned("7", systems="6,0"), refused="axes of system 6"),
+    Proof(f"{STIFF}: PIDB", deck(cube(rigid()), SOFT, f"*{STIFF}\n5,1,2\n7\n0\n0\n", curve(7, (-1.0, -1.0), (1.0, 1.0))), refused="part 2, which is no rigid body"),
+    Proof("CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL", turned("7").replace("_GENERALIZED", "_TRANSLATIONAL"), refused="CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL"),
+]  # fmt: skip
+
+
 def spins(axis: str, inertia: float) -> list:
     """Of a moment of 2 about an axis."""
     return [(f"body_w{axis}:part_1", LAST, 2.0 * END / inertia, 2e-3)]
@@ -53,6 +103,7 @@ PROOFS = [
     Proof("NODE_MERGE_SET: NSID", deck(MERGED), [("summary:nodes", LAST, 16.0, 0.0)], "farther than the usual tolerance"),
     Proof("NODE_MERGE_SET: NSID", deck(MERGED.replace("10.02", "10.0")), [("summary:nodes", LAST, 12.0, 0.0)], "at one place"),
     Proof("NODE_MERGE_SET", deck(MERGED, "*NODE_MERGE_TOLERANCE\n0.03\n*LOAD_NODE_POINT\n11,1,7,3.0\n", CONSTANT), refused="node 11"),
+    *STIFFNESSES,
     Proof("LOAD_NODE_POINT: ID DOF LCID SF; CONSTRAINED_NODAL_RIGID_BODY: PID NSID",
           deck(cube(), NODAL_BODY, "*LOAD_NODE_POINT\n50,1,7,3.0\n", CONSTANT, end=10 * END),
           [("momentum_x", LAST, 30.0 * END, 1e-2), ("angular_y", LAST, 600.0 * END, 1e-2)],

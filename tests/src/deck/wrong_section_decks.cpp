@@ -481,6 +481,37 @@ std::vector<WrongDeck> joined_bodies() {
        change("material: steel}", "material: steel, rigid: true}") +
            "joints: {pin: {kind: universal, bodies: [rod], at: [0, 0, 0], axis: x, second_axis: [1, 1, 0]}}\n",
        "6:72", "joint 'pin' has axes whose angle is 45 degrees (those of a cross are perpendicular)"},
+      {"TurnSpringOfAnUnknownBody",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], x: {stiffness: 1}}}\n",
+       "6:34", "turn spring 't' is to act on 'rods', which is no rigid body (did you mean 'rod'?)"},
+      {"TurnSpringOfOneBody",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod], x: {stiffness: 1}}}\n",
+       "6:28", "must name two bodies"},
+      {"TurnSpringOfNothing",
+       change("material: steel}", "material: steel, rigid: true}") + "turn_springs: {t: {bodies: [rod, rods]}}\n",
+       "6:19", "does nothing (must have x, y or z)", 2},
+      {"TurnSpringOnOneLine",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], axes: [x, -x], x: {stiffness: 1}}}\n",
+       "6:47", "has two directions on one line", 2},
+      {"TurnSpringTwice",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], x: {stiffness: 1, table: [[0, 0], [1, 1]]}}}\n",
+       "6:59", "has both stiffness and table (must have one of them)", 2},
+      {"TurnSpringWithoutHold",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], x: {friction: 1}}}\n",
+       "6:44", "has friction or stops, but no hold_stiffness", 2},
+      {"TurnSpringStops",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], x: {least: 1, most: 0, hold_stiffness: 1}}}\n",
+       "6:61", "(must be above least, 1)", 2},
+      {"TurnSpringTable",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "turn_springs: {t: {bodies: [rod, rods], x: {table: [[0, 0], [0, 1]]}}}\n",
+       "6:61", "has angle 0 after 0 (angles must ascend)", 2},
       {"JointTwice",
        change("material: steel}", "material: steel, rigid: true}") +
            "joints: {a: {kind: spherical, bodies: [rod], at: [1, 0, 0]}, b: {kind: revolute, bodies: [rod], at: [1, 0, "

@@ -146,6 +146,17 @@ class JointCard:
 
 
 @dataclass
+class TurnSpringCard:
+    """*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED: its bodies and axes, and the lines of its laws."""
+
+    title: str
+    row: Row
+    curves: Row
+    holds: Row
+    stops: Row
+
+
+@dataclass
 class Elements:
     """Elements of one part."""
 
@@ -215,6 +226,7 @@ class KeywordDeck:
         self.node_transforms: list[Row] = []
         self.boxes: dict[int, Box] = {}
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
+        self.moving_systems: dict[int, tuple[Vector, Vector, Vector]] = {}  # at the start, of those that move with nodes
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
         self.gissmos: dict[int, Card] = {}
@@ -279,6 +291,7 @@ class KeywordDeck:
         self.start_members: dict[str, set[int]] = {}  # nodes of the names in `initial`
         self.nodal_bodies: dict[int, NodalBody] = {}
         self.joints: list[JointCard] = []
+        self.turn_springs: list[TurnSpringCard] = []
         self.merged_sets: list[Row] = []
         self.merge_tolerance = 0.0  # 0: none is given
         self.blasts: dict[int, dict] = {}  # entries `blast` of loads.pressure, by id

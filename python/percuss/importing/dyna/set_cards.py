@@ -162,7 +162,11 @@ def read_axes(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     elif form == "NODES":
         row = reader.row("CID N1 N2 N3 FLAG DIR")
         points = [deck.nodes.get(row.integer(name)) for name in ("N1", "N2", "N3")]
-        if None in points or row.text("DIR").upper() not in ("", "X") or row.integer("FLAG"):
+        is_read = None not in points and row.text("DIR").upper() in ("", "X")
+        if is_read and row.integer("FLAG"):
+            x, xy = subtract(points[1], points[0]), subtract(points[2], points[0])  # type: ignore[arg-type]
+            deck.moving_systems[row.integer("CID")] = make_axes(row, x, xy)
+        if not is_read or row.integer("FLAG"):
             deck.ledger.ignored(card.keyword, card.place, "not of fixed axes; a card that uses it is refused")
             return
         x, xy = subtract(points[1], points[0]), subtract(points[2], points[0])  # type: ignore[arg-type]

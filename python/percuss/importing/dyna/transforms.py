@@ -40,9 +40,9 @@ ALONE = ("INITIAL_VELOCITY",)  # without what else begins so
 # Which offset of *INCLUDE_TRANSFORM a field gets, by its name; ID and N1 to N8 by their card.
 SHIFTS = {
     **dict.fromkeys(("NID", "NID1", "NID2", "NID3", *(f"N{i}" for i in range(1, 9)), "PNODE"), "IDNOFF"),
-    "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC"), "IDPOFF"), **dict.fromkeys(("MID", "MID1", "MID2", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
-    **dict.fromkeys(("LCID", "LCIDDR", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC", "LCCA"), "IDFOFF"),
-    **dict.fromkeys(("BOXID", "VID", "CID", "ICID"), "IDDOFF"), **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
+    "EID": "IDEOFF", **dict.fromkeys(("PID", "PIDL", "PIDC", "PIDA", "PIDB"), "IDPOFF"), **dict.fromkeys(("MID", "MID1", "MID2", "EOSID"), "IDMOFF"), **dict.fromkeys(("SID", "NSID", "NSIDEX"), "IDSOFF"),
+    **dict.fromkeys(("LCID", "LCIDDR", "LCSS", "LCSR", "LCD", "LCR", "TBID", "LCA", "LCB", "LCC", "LCS", "LCAB", "LCBC", "LCCA", "LCIDPH", "LCIDT", "LCIDPS", "DLCIDPH", "DLCIDT", "DLCIDPS"), "IDFOFF"),
+    **dict.fromkeys(("BOXID", "VID", "CID", "ICID", "CIDA", "CIDB"), "IDDOFF"), **dict.fromkeys(("SECID", "HGID"), "IDROFF"),
 }  # fmt: skip
 ID_OF_CARDS = {
     "CONSTRAINED_EXTRA_NODES_NODE": "IDNOFF", "CONSTRAINED_EXTRA_NODES_SET": "IDSOFF", "ELEMENT_MASS": "IDNOFF", "ELEMENT_MASS_NODE_SET": "IDSOFF",
