@@ -40,11 +40,34 @@ using VumatFunction = void (*)(const int* points, const int* direct, const int* 
                                double* state_new, double* energy_new, double* dissipated_new, std::size_t name_length);
 }
 
-/// Code of a user, as src/deck/laws/user_code.hpp loads it.
+/// The entry of `subroutine vuhard`: yield stress and its slopes by the temperature, and by the plastic strain and its
+/// rate (a second row).
+extern "C" {
+using VuhardFunction = void (*)(const int* points, const int* elements, const int* point, const int* layer,
+                                const int* section_point, const int* anneal, const double* step_time,
+                                const double* total_time, const double* dt, const char* name, const int* states,
+                                const int* fields, const int* constants, const double* constant,
+                                const double* temperature_old, const double* temperature_new, const double* field_old,
+                                const double* field_new, const double* state_old, const double* strain,
+                                const double* rate, double* yield, double* by_temperature, double* by_strain,
+                                double* state_new, std::size_t name_length);
+}
+
+/// State variables that code of a user may keep at a point.
+inline constexpr int most_user_states = 1000;
+/// Numbers that any law may keep at a point: elements have room for so many, in which a device calls no code.
+#ifdef PERCUSS_ON_DEVICE
+inline constexpr int most_law_history = 72;
+#else
+inline constexpr int most_law_history = most_user_states + 24;
+#endif
+
+/// Code of a user, as src/deck/laws/user_code.hpp loads it: one of the two entries.
 struct UserCode {
   VumatFunction vumat = nullptr;
   double density = 0;                  // of the material at the start
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
+  VuhardFunction vuhard = nullptr;
 };
 
 /// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/laws/law_code.hpp

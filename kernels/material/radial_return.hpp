@@ -111,6 +111,12 @@ KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resis
   });
 }
 
+/// The stress after a rise of temperature, which strains by `expansion` a degree what may move.
+template <class T>
+KOKKOS_INLINE_FUNCTION void expand(const LameConstants& c, double expansion, const T& rise, Symmetric3<T>& stress) {
+  if (expansion > 0) stress = add_pressure(stress, T(-expansion * (3 * c.lambda + 2 * c.mu)) * rise);
+}
+
 /// Sets the stress and what the element has to know from the trial and dp.
 template <class T>
 KOKKOS_INLINE_FUNCTION void return_stress(const ElasticTrial<T>& trial, double resistance, const T& dp,

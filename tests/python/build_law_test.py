@@ -177,7 +177,7 @@ class LawsOfLibraries(LawTest):
         for text, words in (("struct A {};", "no struct with keys()"), (None, "cannot read"),
                             ("struct A { static int keys(); };\nstruct B { static int keys(); };", "name its struct with --law"),
                             (KINDS.replace("BODY", "nonsense"), "does not compile"),
-                            (KINDS.replace("BODY", "").replace("history_count = 2", "history_count = 73"), "at most 72 numbers a point")):
+                            (KINDS.replace("BODY", "").replace("history_count = 2", "history_count = 1025"), "at most 1024 numbers a point")):
             source = "none.hpp" if text is None else self.write("law.hpp", text)
             done = self.build(source)
             self.assertEqual((done.returncode, words in done.stderr), (2, True), done.stderr)

@@ -8,6 +8,7 @@ import math
 import multiprocessing
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -48,8 +49,18 @@ def write(folder, proof, text=None):
     return path
 
 
-def run_deck(folder):
-    words = [PERCUSS, "run", "m/deck.yaml", "--out", "r", "--quiet"]
+def compile_code(proof, folder):
+    """The options that allow the user code of a row."""
+    if not proof.code:
+        return []
+    with open(os.path.join(folder, "law.c"), "w", encoding="utf-8") as file:
+        file.write(proof.code)
+    subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", "law.so", "law.c", "-lm"], cwd=folder, check=True)
+    return ["--allow-library", "law.so"]
+
+
+def run_deck(folder, allowed=()):
+    words = [PERCUSS, "run", "m/deck.yaml", "--out", "r", "--quiet", *allowed]
     done = subprocess.run(words, capture_output=True, text=True, errors="replace", timeout=120, cwd=folder, check=False)
     return done.returncode, done.stdout + done.stderr
 
@@ -62,8 +73,10 @@ def prove_row(number):
 
 def prove(proof, folder):
     """Imports, runs and compares; what is wrong, or an empty text."""
-    path = write(folder, proof)
-    options = [*(["--allow", proof.allow] if proof.allow else []), *(["--case", proof.case] if proof.case else []), *([] if proof.refused else ["--no-check"])]  # the run checks
+    if proof.code and not shutil.which("cc"):
+        return ""
+    path, allowed = write(folder, proof), compile_code(proof, folder)
+    options = [*allowed, *(["--allow", proof.allow] if proof.allow else []), *(["--case", proof.case] if proof.case else []), *([] if proof.refused else ["--no-check"])]  # the run checks
     done = call_command([os.path.basename(path), "--out", "m", "--quiet", *options], folder)
     code, text = done.returncode, done.stdout + done.stderr
     if proof.refused:
@@ -73,7 +86,7 @@ def prove(proof, folder):
         return f"import ends with {code} and {count} errors, and should say '{proof.refused}':\n{text}"
     if code:
         return f"import ends with {code}:\n{text}"
-    code, text = run_deck(folder)
+    code, text = run_deck(folder, allowed)
     if (code, proof.fails in text) != ((3, True) if proof.fails else (0, True)):
         return f"run ends with {code}:\n{text}"
     history = read_history(folder)
@@ -175,7 +188,7 @@ class Layouts:
 
 def read_in_process(proof, folder, text=None):
     """Model or error, and the ledger, without a process."""
-    ledger = Ledger(allowed=[word.strip().upper() for word in proof.allow.split(",") if word.strip()], case=proof.case)
+    ledger = Ledger(allowed=[word.strip().upper() for word in proof.allow.split(",") if word.strip()], case=proof.case, user_code="law.so" if proof.code else "")
     reader = abaqus.read_abaqus_deck if proof.is_abaqus() else dyna.read_keyword_deck
     try:
         reader(write(folder, proof, text), ledger)

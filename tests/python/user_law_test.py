@@ -54,8 +54,8 @@ void vumat_(const int* points, const int* ndir, const int* nshr, const int* stat
 class UserLaws(LawTest):
     PERCUSS = PERCUSS
 
-    def compile_fortran(self):
-        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", EXAMPLE, "-o", "law.so", os.path.join(EXAMPLE, "neo_hookean.f")],
+    def compile_fortran(self, name="neo_hookean.f"):
+        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", EXAMPLE, "-o", "law.so", os.path.join(EXAMPLE, name)],
                        cwd=self.folder, check=True)
 
     def compile_c(self, body, text=C_LAW):
@@ -148,6 +148,101 @@ class UserLaws(LawTest):
         wrong = self.call(write_cube(law.replace("delete_variable: 2", "delete_variable: 3"), 2e-3, motion))
         self.assertEqual((wrong.returncode, "raise state_variables" in wrong.stderr), (2, True), wrong.stderr)
 
+    def test_hundreds_of_state_variables_are_kept_over_restarts(self):
+        # State i grows by i times the strain, and the last one softens the law.
+        self.compile_c("for (int s = 0; s < *states; ++s) next[s * n + i] = state[s * n + i] + (s + 1) * trace;\n"
+                       "for (int k = 0; k < 6; ++k) out[k * n + i] *= 1 - 1e-4 * fabs(next[(*states - 1) * n + i]);")
+        law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], state_variables: 1000"
+        more = "initial: [{nodes: cube/x_max, velocity: [-5, 1, 0]}]\n"
+        deck = write_cube(law, 4e-2, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=2, more=more).replace("output: {", "output: {fields: {every: 1, write: [state_variable_72]}, ")
+        rows, book = self.run_deck(deck, out="whole")
+        np.testing.assert_allclose(rows["all_state_1000"], 1000 * rows["all_state_1"], rtol=1e-9, atol=1e-12)
+        self.assertGreater(np.max(np.abs(rows["all_state_1"])), 1e-3)
+        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
+        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["state_hash"], book["state_hash"])
+        wrong = self.call(deck.replace("state_variables: 1000", "state_variables: 1001"))
+        self.assertEqual((wrong.returncode, "must be at most 1000" in wrong.stderr), (2, True), wrong.stderr)
+
+    def test_state_variables_begin_with_those_of_the_deck(self):
+        self.compile_c("next[n + i] = state[n + i] + 1;")
+        law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], state_variables: 3, start_states: [0.5, 7]"
+        rows, _ = self.run_deck(write_cube(law, 1e-3, UNIAXIAL), "--set", "time.max_steps=5", "--set", "time.max_step=1e-6")
+        self.assertEqual([rows[f"all_state_{i}"][-1] for i in (1, 2, 3)], [0.5, 12.0, 0.0])
+        wrong = self.call(write_cube(law.replace("variables: 3", "variables: 1"), 1e-3, UNIAXIAL))
+        self.assertEqual((wrong.returncode, "more start_states than state_variables" in wrong.stderr), (2, True), wrong.stderr)
+
+    def test_temperatures_reach_the_code_and_its_inelastic_energy_heats(self):
+        # Moduli times the temperature at the start, and a constant power of 5e4 by mass. Half of it heats: 50 degrees a second.
+        self.compile_c("for (int k = 0; k < 6; ++k) out[k * n + i] = stress[k * n + i] + t0[i] * (out[k * n + i] - stress[k * n + i]);\nd1[i] = d0[i] + 5e4 * *dt;")
+        law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], start_temperature: 2, specific_heat: 500, heating_share: 0.5"
+        rows, _ = self.run_deck(write_cube(law, 1e-4, UNIAXIAL), "--set", "time.max_step=1e-6")
+        np.testing.assert_allclose(rows["all_temperature"], 2 + 50 * rows["time"], rtol=1e-12)
+        np.testing.assert_allclose(rows["all_stress_xx"][-1], 2 * (LAMBDA + 2 * MU) * math.log(1.01), rtol=5e-3)
+        held = ["{nodes: cube, fixed: [x, y, z]}"]
+        rows, _ = self.run_deck(write_cube(law + ", thermal_expansion: 1e-2", 1e-4, held), "--set", "time.max_step=1e-6")
+        np.testing.assert_allclose(rows["all_stress_yy"][-1], -2 * (3 * LAMBDA + 2 * MU) * 1e-2 * (50 * 1e-4), rtol=2e-2)
+        cold = self.call(write_cube(law.replace("specific_heat: 500, heating_share: 0.5", "thermal_expansion: 1e-5"), 1e-4, held))
+        self.assertEqual((cold.returncode, "no specific_heat" in cold.stderr), (2, True), cold.stderr)
+
+    def test_hardening_in_fortran_has_its_closed_form(self):
+        # A stretch at a constant rate that keeps the volume: Y = Y0(p) exp(-(k / span) Y0's integral), k = share / (rho cp), with m = 1.
+        self.compile_fortran("johnson_cook.f")
+        a, b, power, c, melt, room, share, capacity, density, young = 200e6, 400e6, 0.5, 0.02, 800.0, 300.0, 0.9, 50.0, 8000.0, 200e9
+        law = (f"model: user_hardening, density: {density}, youngs_modulus: {young}, poissons_ratio: 0.3, vuhard: law.so, state_variables: 1, "
+               f"constants: [{a}, {b}, {power}, {c}, 1, {melt}, {room}, 10], start_temperature: {room}, specific_heat: {capacity}")
+        motion = ["{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/y_min, fixed: [y]}", "{nodes: cube/z_min, fixed: [z]}",
+                  *(f"{{nodes: cube/{axis}_max, displacement: {{{axis}: {{expression: \"exp({rate} * t) - 1\"}}}}}}" for axis, rate in (("x", 100), ("y", -50), ("z", -50)))]
+        rows, _ = self.run_deck(write_cube(law, 3e-3, motion), "--set", "time.max_step=2e-6")
+        stress = rows["all_stress_xx"] - rows["all_stress_yy"]
+        plastic = 100 * rows["time"] - stress / (3 * young / 2.6)
+        faster = 1 + c * math.log(10)
+        work = faster * (a * plastic + b * plastic ** (power + 1) / (power + 1))
+        colder = np.exp(-share / (density * capacity) / (melt - room) * work)
+        exact = faster * (a + b * plastic**power) * colder
+        late = rows["time"] > 1e-4
+        self.assertLess(colder[-1], 0.7)
+        np.testing.assert_allclose(stress[late], exact[late], rtol=5e-3)
+        np.testing.assert_allclose(rows["all_temperature"][late], room + (melt - room) * (1 - colder[late]), rtol=5e-3)
+        np.testing.assert_allclose(rows["all_state_1"][late], (rows["all_temperature"][late] - room) / (melt - room), rtol=1e-9)
+        ours = law[law.index("youngs_modulus"):law.index(", vuhard")]
+        ours = f"model: johnson_cook, density: {density}, {ours}, a: {a}, b: {b}, n: {power}, c: {c}, melt_temperature: {melt}, room_temperature: {room}, reference_rate: 10, start_temperature: {room}, specific_heat: {capacity}"
+        same, _ = self.run_deck(write_cube(ours, 3e-3, motion), "--set", "time.max_step=2e-6", out="ours")
+        np.testing.assert_allclose(stress[late], (same["all_stress_xx"] - same["all_stress_yy"])[late], rtol=1e-3)
+
+    def test_hardening_has_the_same_bits_over_ranks_and_restarts(self):
+        self.compile_fortran("johnson_cook.f")
+        law = ("model: user_hardening, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, vuhard: law.so, state_variables: 1, "
+               "constants: [2e8, 4e8, 0.5, 0.02, 1, 800, 300, 10], start_temperature: 300, specific_heat: 50, thermal_expansion: 1e-5, failure: {plastic_strain: 0.3}")
+        deck = write_cube(law, 2e-3, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4, more="initial: [{nodes: cube/x_max, velocity: [-300, 50, 0]}]\n")
+        book = self.run_deck(deck, out="whole")[1]
+        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
+        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["state_hash"], book["state_hash"])
+        if MPIEXEC:
+            self.assertEqual(self.run_deck(deck, out="ranks", launcher=[*MPIEXEC, "2"])[1]["state_hash"], book["state_hash"])
+
+    def test_hardening_that_is_none_is_refused_with_its_place(self):
+        self.compile_fortran("johnson_cook.f")
+        law = ("model: user_hardening, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, vuhard: law.so, "
+               "constants: [2e8, 4e8, 0.5, 0.02, 1, 800, 300, 10], start_temperature: 300")
+        for old, new, words in (("[2e8,", "[-2e8,", "is no yield stress"), ("start_temperature: 300", "start_temperature: 900", "is no yield stress"),
+                                ("vuhard: law.so", "vumat: law.so", "a key of model user"),
+                                ("start_temperature: 300", "failure: {johnson_cook: {d1: 1, d5: 1}}", "give melt_temperature"),
+                                ("start_temperature: 300", "equation_of_state: {kind: linear, bulk_modulus: 1e9}", "does not take")):
+            done = self.call(write_cube(law.replace(old, new), 1e-3, UNIAXIAL), "--quiet", "--force", "--out", "out")
+            self.assertEqual((done.returncode, words in done.stderr, "deck.yaml:3" in done.stderr), (2, True, True), done.stderr)
+        shells = write_cube(law, 1e-3, ["{nodes: cube, fixed: [x]}"]).replace("box: {size: [1, 1, 1], cells: [1, 1, 1]}", "shell_plate: {size: [1, 1], cells: [1, 1]}, thickness: 0.1")
+        done = self.call(shells, command="check")
+        self.assertEqual((done.returncode, "shells support" in done.stderr), (2, True), done.stderr)
+        self.compile_fortran()
+        done = self.call(write_cube(law, 1e-3, UNIAXIAL))
+        self.assertEqual((done.returncode, "no entry vuhard_" in done.stderr), (2, True), done.stderr)
+
     def test_no_deck_loads_a_library_by_itself(self):
         self.compile_c("", C_LAW + '\n#include <stdio.h>\n__attribute__((constructor)) static void begin(void) { fclose(fopen("ran", "w")); }\n')
         deck = write_cube(USER, 1e-3, UNIAXIAL)
@@ -205,8 +300,7 @@ class UserLaws(LawTest):
         for wrong, word in ((oriented, "orientation of user code"), (deck.replace("CONSTANTS=2", "CONSTANTS=²"), "is not a number"),
                             (deck.replace("*DEPVAR", "*DEPVAR, DELETE=2"), "is none of 1 state variables"),
                             (deck.replace("CONSTANTS=2", "CONSTANTS=2, TYPE=THERMAL"), "of the type THERMAL"),
-                            (deck.replace("*STEP", "*INITIAL CONDITIONS, TYPE=SOLUTION\ncube, 0.5\n*STEP", 1), "state variables of user code at the start"),
-                            (deck.replace("*STEP", "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nall, 300.\n*STEP", 1), "a temperature that user code gets")):
+                            (deck.replace("*DEPVAR\n1,", "*DEPVAR\n1001,"), "at most 200 and 1000")):
             with open(os.path.join(self.folder, "model.inp"), "w", encoding="utf-8") as file:
                 file.write(wrong)
             refused = take("--allow-library", "law.so")

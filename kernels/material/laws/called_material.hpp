@@ -6,6 +6,7 @@
 // call_material.hpp and the code that makes a material include the lists.
 
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/material_key.hpp"
 #include "kernels/material/point_step.hpp"
 #include "kernels/material/type_list.hpp"
 
@@ -15,7 +16,7 @@ namespace percuss {
 /// takes in the next step, then that of the law, then that of the equation of state, then the element's own mass where
 /// its mass is scaled.
 struct CalledMaterial {
-  static constexpr int history_count = 80;  // room for the longest; a record has count_history()
+  static constexpr int history_count = most_law_history + 8;  // room for the longest; a record has count_history()
   static constexpr bool can_yield = true;
   static constexpr int law_place = 1;
 

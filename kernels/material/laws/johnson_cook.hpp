@@ -19,6 +19,7 @@ struct JohnsonCook {
   double start_temperature = 293.15, room_temperature = 293.15, melt_temperature = 0;
   double specific_heat = 0, heating_share = 0.9;
   double absolute_zero = 0;
+  double thermal_expansion = 0;
 
   static constexpr auto keys() {
     using M = JohnsonCook;
@@ -39,7 +40,9 @@ struct JohnsonCook {
         may("heating_share", &M::heating_share, KeyRange::share, "-", "Share of the plastic work that heats."),
         may("absolute_zero", &M::absolute_zero, KeyRange::any, "temperature",
             "Absolute zero, -273.15 where temperatures are in degrees Celsius; compression under an equation of state "
-            "heats from there."));
+            "heats from there."),
+        may("thermal_expansion", &M::thermal_expansion, KeyRange::not_negative, "1 / temperature",
+            "Strain of a length by a degree."));
   }
 
   /// What is wrong between constants; empty: nothing.
@@ -51,6 +54,7 @@ struct JohnsonCook {
   /// Likewise with an equation of state. The limit is below what anyone cools to, and above Celsius' rooms.
   const char* find_fault_with_state() const {
     constexpr double coldest = 70;
+    if (thermal_expansion > 0) return "a thermal_expansion beside an equation_of_state, which expands by itself";
     return start_temperature - absolute_zero > coldest
                ? ""
                : "a start_temperature less than 70 above its absolute_zero, from which an equation_of_state heats by "
@@ -106,7 +110,9 @@ struct JohnsonCook {
 
   template <class T>
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
+    const T before = step.history[1];
     return_by_isotropic_hardening(*this, step);
+    expand(moduli(), thermal_expansion, step.history[1] - before, step.stress);
   }
 
   /// The temperature after a change of volume under an equation of state: that of the isentrope, exactly where dp/de is

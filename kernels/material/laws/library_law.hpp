@@ -23,7 +23,7 @@ struct LibraryLaw {
                       may_have_constants<L>("constants", "The constants of the law by their names.")};
   }
 
-  static constexpr int history_count = 72;  // at most
+  static constexpr int history_count = most_law_history;  // at most
   int count_history() const { return made.entry->history_count; }
   // A call: where a list of laws holds another, GCC 12 inlines this with an empty law and warns.
   [[gnu::noinline]] void start(double* history) const { made.entry->start(made.law, history); }

@@ -22,6 +22,7 @@
 #include "kernels/material/laws/soil_and_foam.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "kernels/material/laws/tabulated_rubber.hpp"
+#include "kernels/material/laws/user_hardening.hpp"
 #include "kernels/material/laws/user_law.hpp"
 #include "kernels/material/laws/viscoelastic.hpp"
 #include "kernels/material/laws/voce_plasticity.hpp"
@@ -30,9 +31,10 @@
 
 namespace percuss {
 
-using Materials = TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity,
-                           RateTablePlasticity, CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh,
-                           ArrudaBoyce, Ogden, TabulatedRubber, Viscoelastic, SoilAndFoam, Honeycomb, Orthotropic,
-                           AnisotropicPlasticity, LowDensityFoam, RateTableFoam, Hyperfoam, Fluid, UserLaw, LibraryLaw>;
+using Materials =
+    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, RateTablePlasticity,
+             CombinedHardening, JohnsonCook, NeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Ogden, TabulatedRubber,
+             Viscoelastic, SoilAndFoam, Honeycomb, Orthotropic, AnisotropicPlasticity, LowDensityFoam, RateTableFoam,
+             Hyperfoam, Fluid, UserLaw, LibraryLaw, UserHardening>;
 
 }  // namespace percuss

@@ -4,26 +4,29 @@
 
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/lane_copies.hpp"
 #include "kernels/material/material_key.hpp"
+#include "kernels/material/radial_return.hpp"
 #include "kernels/material/stretch.hpp"
 
 namespace percuss {
 
 /// Input and output of the user's code for W points. What the code may write ends with numbers that it must not change.
-template <int W, int MostStates>
+template <int W>
 struct VumatBlock {
   static constexpr int guard = 2 * W;
   static constexpr double mark = -7.0539e212;  // no law gives it
 
-  double places[3 * W] = {}, length[W], density[W], strain[6 * W], spin[3 * W] = {}, none[W] = {};
+  double places[3 * W] = {}, length[W], density[W], strain[6 * W], spin[3 * W] = {}, none[W] = {}, temperature[W] = {};
   double stretch_old[6 * W], stretch_new[6 * W], gradient_old[9 * W] = {}, gradient_new[9 * W] = {};
-  double stress_old[6 * W], energy_old[W], dissipated_old[W], state_old[MostStates * W] = {};
-  double stress_new[6 * W + guard], energy_new[W + guard], dissipated_new[W + guard], state_new[MostStates * W + guard];
+  double stress_old[6 * W], energy_old[W], dissipated_old[W], state_old[most_user_states * W];
+  double stress_new[6 * W + guard], energy_new[W + guard], dissipated_new[W + guard],
+      state_new[most_user_states * W + guard];
 
+  VumatBlock() { state_old[0] = 0; }
   void mark_ends(int states) {
     for (int i = 0; i < guard; ++i)
       stress_new[6 * W + i] = energy_new[W + i] = dissipated_new[W + i] = state_new[states * W + i] = mark;
@@ -38,41 +41,66 @@ struct VumatBlock {
 };
 
 /// Stress from the user's code. The frame is the one that turns with the material (Green and Naghdi), in which the
-/// gradient of the deformation is the stretch U. History: U, internal and dissipated energy by mass, the user's states.
+/// gradient of the deformation is the stretch U. History: U, internal and dissipated energy by mass, the temperature if
+/// it is ever another than 0, its rise in the last step if it expands, the user's states.
 struct UserLaw {
   static constexpr const char* name = "user";
   using Constants = UserLaw;
-  static constexpr int most_states = 64;
 
   UserCode code;
-  MaterialNumbers constants;
+  MaterialNumbers constants, start_states;
   MaterialText called;
   int states = 0;
   int deletes = 0;  // which of the states; 0: none
+  double start_temperature = 0, specific_heat = 0, heating_share = 0.9, thermal_expansion = 0;
 
   static constexpr auto keys() {
     using M = UserLaw;
     return std::array{
         need("vumat", &M::code, "The shared library with the compiled VUMAT; --allow-library must name it too."),
         may("constants", &M::constants, "PROPS of the VUMAT, in their order."),
-        may("state_variables", &M::states, most_states, "NSTATEV of the VUMAT; they begin with 0."),
-        may("delete_variable", &M::deletes, most_states,
+        may("state_variables", &M::states, most_user_states, "NSTATEV of the VUMAT; they begin with 0."),
+        may("start_states", &M::start_states, "State variables at the start, from the first; the others begin with 0."),
+        may("delete_variable", &M::deletes, most_user_states,
             "The state variable, counted from 1, that the VUMAT sets to 0 to delete a point; it begins with 1."),
-        may("vumat_name", &M::called, "CMNAME of the VUMAT, in capitals: for code with several laws.")};
+        may("vumat_name", &M::called, "CMNAME of the VUMAT, in capitals: for code with several laws."),
+        may("start_temperature", &M::start_temperature, KeyRange::any, "temperature",
+            "Temperature at the start, which the VUMAT gets."),
+        may("specific_heat", &M::specific_heat, KeyRange::not_negative, "energy / mass / temperature",
+            "Heat that a unit of mass takes for a degree; 0: inelastic energy does not heat."),
+        may("heating_share", &M::heating_share, KeyRange::share, "-",
+            "Share of the inelastic energy of the VUMAT that heats."),
+        may("thermal_expansion", &M::thermal_expansion, KeyRange::not_negative, "1 / temperature",
+            "Strain of a length by a degree, which the VUMAT does not get.")};
   }
 
-  static constexpr int own_history = StretchHistory::count + 2;
-  static constexpr int history_count = own_history + most_states;
+  /// What is wrong between constants; empty: nothing.
+  const char* find_fault() const {
+    if (start_states.count > states) return "more start_states than state_variables";
+    return thermal_expansion > 0 && specific_heat == 0 ? "a thermal_expansion and no specific_heat, by which it heats"
+                                                       : "";
+  }
+
+  static constexpr int history_count = most_law_history;
   static constexpr bool changes_at_rest = true;  // the code gets the time
-  int count_history() const { return own_history + states; }
+  /// Where the temperature is kept, in the history of the law; -1: it is 0 for good.
+  int find_temperature() const { return start_temperature != 0 || specific_heat > 0 ? StretchHistory::count + 2 : -1; }
+  int find_scalar(HistoryScalar scalar) const { return scalar == HistoryScalar::temperature ? find_temperature() : -1; }
+  /// Of the rise of temperature in the last step, whose expansion the code has yet to get, behind the temperature.
+  bool keeps_rise() const { return thermal_expansion > 0; }
+  int first_state() const {
+    return StretchHistory::count + 2 + (find_temperature() >= 0 ? 1 : 0) + (keeps_rise() ? 1 : 0);
+  }
+  int count_states() const { return states; }
+  int count_history() const { return first_state() + states; }
   void start(double* history) const {
     StretchHistory::start(history);
+    if (find_temperature() >= 0) history[find_temperature()] = start_temperature;
+    for (int i = 0; i < start_states.count; ++i) history[first_state() + i] = start_states.value[i];
     if (deletes > 0) history[find_deletion()] = 1;
   }
-  int first_state() const { return own_history; }
-  int count_states() const { return states; }
   /// Place of the state that deletes a point, in the history of the law; -1: none.
-  int find_deletion() const { return deletes > 0 ? own_history + deletes - 1 : -1; }
+  int find_deletion() const { return deletes > 0 ? first_state() + deletes - 1 : -1; }
 
   /// Moduli at the start, from the answer to a small strain at time 0.
   LameConstants moduli() const {
@@ -101,7 +129,7 @@ struct UserLaw {
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
 #ifndef PERCUSS_ON_DEVICE
     if (!(sum_lanes(step.motion.dt) > 0)) return;  // the forces at the start: the code may divide by the step
-    const Symmetric3<T> old = step.stress, de = step.motion.de;
+    const Symmetric3<T> old = step.stress, de = find_mechanical_strain(step);
     call(step);
     set_moduli(old, de, step);
 #else
@@ -110,29 +138,11 @@ struct UserLaw {
   }
 
  private:
+  /// Without the expansion by the heat of the step before.
   template <class T>
-  static constexpr int lanes = static_cast<int>(sizeof(T) / sizeof(double));
-
-  template <class T>
-  static void put(const T& value, double* to) {
-    std::memcpy(to, static_cast<const void*>(&value), sizeof value);
-  }
-  template <class T>
-  static T take(const double* from) {
-    T value;
-    std::memcpy(static_cast<void*>(&value), from, sizeof value);
-    return value;
-  }
-  template <class T>
-  static void put(const Symmetric3<T>& a, double* to) {
-    const T component[6] = {a.xx, a.yy, a.zz, a.xy, a.yz, a.zx};
-    for (int k = 0; k < 6; ++k) put(component[k], to + k * lanes<T>);
-  }
-  template <class T>
-  static Symmetric3<T> take_tensor(const double* from) {
-    T a[6];
-    for (int k = 0; k < 6; ++k) a[k] = take<T>(from + k * lanes<T>);
-    return {a[0], a[1], a[2], a[3], a[4], a[5]};
+  Symmetric3<T> find_mechanical_strain(const PointStep<T>& step) const {
+    if (!keeps_rise()) return step.motion.de;
+    return add_pressure(step.motion.de, T(-thermal_expansion) * step.history[find_temperature() + 1]);
   }
 
   /// In the frame that turns with the material the gradient is U: its nine components, xx to zx, then yx, zy, xz.
@@ -144,22 +154,23 @@ struct UserLaw {
 
   template <class T, class Block>
   void fill(const PointStep<T>& step, const Symmetric3<T>& stretch, Block& block) const {
-    constexpr int w = lanes<T>;
+    constexpr int w = lane_count<T>;
     const T* const own = step.history + StretchHistory::count;
     const T half = step.motion.volume_ratio - T(0.5) * step.motion.change.growth;
-    put(T(step.density) / half, block.density);
-    put(step.motion.length, block.length);
-    put(step.motion.de, block.strain);
-    put(StretchHistory::load(step.history), block.stretch_old);
-    put(stretch, block.stretch_new);
+    write_lanes(T(step.density) / half, block.density);
+    write_lanes(step.motion.length, block.length);
+    write_lanes(find_mechanical_strain(step), block.strain);
+    write_lanes(StretchHistory::load(step.history), block.stretch_old);
+    write_lanes(stretch, block.stretch_new);
     copy_gradient<w>(block.stretch_old, block.gradient_old);
     copy_gradient<w>(block.stretch_new, block.gradient_new);
-    put(step.stress, block.stress_old);
-    put(own[0], block.energy_old);
-    put(own[1], block.dissipated_old);
-    for (int i = 0; i < states; ++i) put(own[2 + i], block.state_old + i * w);
+    write_lanes(step.stress, block.stress_old);
+    write_lanes(own[0], block.energy_old);
+    write_lanes(own[1], block.dissipated_old);
+    if (find_temperature() >= 0) write_lanes(step.history[find_temperature()], block.temperature);
+    for (int i = 0; i < states; ++i) write_lanes(step.history[first_state() + i], block.state_old + i * w);
     // Code that leaves an output as it is keeps the old value.
-    put(step.stress, block.stress_new);
+    write_lanes(step.stress, block.stress_new);
     for (int i = 0; i < w; ++i) block.energy_new[i] = block.energy_old[i];
     for (int i = 0; i < w; ++i) block.dissipated_new[i] = block.dissipated_old[i];
     for (int i = 0; i < states * w; ++i) block.state_new[i] = block.state_old[i];
@@ -168,38 +179,43 @@ struct UserLaw {
 
   template <class T>
   PERCUSS_NO_INLINE void call(PointStep<T>& step) const {
-    constexpr int w = lanes<T>;
+    constexpr int w = lane_count<T>;
     const Symmetric3<T> stretch = advance_stretch(StretchHistory::load(step.history), step.motion);
-    VumatBlock<w, most_states> block;
+    VumatBlock<w> block;
     fill(step, stretch, block);
     const int points = w, direct = 3, shear = 3, none = 0;
     double dt[w];
-    put(step.motion.dt, dt);
+    write_lanes(step.motion.dt, dt);
     code.vumat(&points, &direct, &shear, &states, &none, &constants.count, &none, &step.motion.time, &step.motion.time,
                dt, called.text, block.places, block.length, constants.value, block.density, block.strain, block.spin,
-               block.none, block.stretch_old, block.gradient_old, block.none, block.stress_old, block.state_old,
-               block.energy_old, block.dissipated_old, block.none, block.stretch_new, block.gradient_new, block.none,
-               block.stress_new, block.state_new, block.energy_new, block.dissipated_new, MaterialText::most);
+               block.temperature, block.stretch_old, block.gradient_old, block.none, block.stress_old, block.state_old,
+               block.energy_old, block.dissipated_old, block.temperature, block.stretch_new, block.gradient_new,
+               block.none, block.stress_new, block.state_new, block.energy_new, block.dissipated_new,
+               MaterialText::most);
     T* const own = step.history + StretchHistory::count;
     StretchHistory::store(stretch, step.history);
-    step.stress = take_tensor<T>(block.stress_new);
-    own[0] = take<T>(block.energy_new);
-    own[1] = take<T>(block.dissipated_new);
-    const T before = deletes > 0 ? own[1 + deletes] : T(1);
-    for (int i = 0; i < states; ++i) own[2 + i] = take<T>(block.state_new + i * w);
-    if (deletes > 0) end_deleted(before, own[1 + deletes], step.stress);
+    step.stress = read_tensor_lanes<T>(block.stress_new);
+    own[0] = read_lanes<T>(block.energy_new);
+    own[1] = read_lanes<T>(block.dissipated_new);
+    heat(block, step);
+    T* const state = step.history + first_state();
+    const T before = deletes > 0 ? state[deletes - 1] : T(1);
+    for (int i = 0; i < states; ++i) state[i] = read_lanes<T>(block.state_new + i * w);
+    if (deletes > 0) end_deleted(before, state[deletes - 1], step.stress);
     if (block.has_kept_ends(states)) return;
     __atomic_store_n(code.has_written_outside, 1, __ATOMIC_RELAXED);
     step.stress.xx = T(std::numeric_limits<double>::quiet_NaN());  // ends the run
   }
 
-  /// A deleted point stays so, and has no stress.
-  template <class T>
-  static void end_deleted(const T& before, T& remains, Symmetric3<T>& stress) {
-    const auto is_left = (before > T(0)) & (remains > T(0));
-    remains = select(is_left, remains, T(0));
-    for (T* const component : {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.zx})
-      *component = select(is_left, *component, T(0));
+  /// By the inelastic energy of a unit of mass that the code reports.
+  template <class T, class Block>
+  void heat(const Block& block, PointStep<T>& step) const {
+    if (!(specific_heat > 0)) return;
+    T& temperature = step.history[find_temperature()];
+    const T rise =
+        T(heating_share / specific_heat) * (read_lanes<T>(block.dissipated_new) - read_lanes<T>(block.dissipated_old));
+    temperature = temperature + rise;
+    if (keeps_rise()) step.history[find_temperature() + 1] = rise;
   }
 
   /// Moduli of the answer to the strain of this step where it is large enough, and not below those at the start: bounds

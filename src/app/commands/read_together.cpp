@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "comm/agreement.hpp"
 #include "src/app/process/external_files.hpp"
@@ -17,9 +19,21 @@
 namespace percuss {
 namespace {
 
+/// Throws InputError if the first yield stress of the code, for a law that asks it for one, is not positive.
+void check_first_yield(const Deck& deck, const MaterialDeck& material, const std::string& library) {
+  const std::vector<double> yields = find_yields_of_code(material);
+  if (yields.empty() || (yields[0] > 0 && std::isfinite(yields[0]) && std::isfinite(yields[1]))) return;
+  throw InputError(fmt::format(
+      "{}: error: material '{}' has the code of {}, which is no yield stress (at time 0 and the temperature "
+      "at the start it answers with {:.3g} at a plastic strain and a rate of 0, with {:.3g} at 1e-3 and 1): "
+      "correct the code, its constants, state_variables or start_temperature",
+      deck.where(material.law.place), material.name, library, yields[0], yields[1]));
+}
+
 /// Throws InputError if the code does not answer to a small strain as a solid does.
 void check_answer(const Deck& deck, const MaterialDeck& material, const std::string& library) {
   const LameConstants c = find_moduli(material);
+  check_first_yield(deck, material, library);
   const bool is_solid = std::isfinite(c.lambda) && std::isfinite(c.mu) && c.mu > 0 && c.lambda + 2.0 / 3.0 * c.mu > 0;
   if (is_solid && !has_written_outside(library)) return;
   const std::string why = has_written_outside(library)

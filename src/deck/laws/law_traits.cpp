@@ -29,7 +29,9 @@ LawTraits find_traits_of() {
   traits.is_of_beams = LawOfFibres<Law>;
   traits.is_compiled_in = requires { requires Law::is_compiled_in; };
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
-  traits.has_temperature = remembers<Law>(HistoryScalar::temperature);
+  traits.has_temperature = remembers<Law>(HistoryScalar::temperature) || requires(const Law& law) {
+    law.find_temperature();
+  };
   traits.has_axes = requires { &Law::Constants::follows_elements; };
   return traits;
 }

@@ -71,7 +71,7 @@ constexpr bool has_key(Member MaterialKey<typename M::Constants>::*member) {
 template <class C>
 void set_user_constant(const LawDeck& law, const MaterialKey<C>& key, C& constants) {
   if (key.code != nullptr) {
-    constants.*key.code = load_user_code(law.texts.at(key.name));
+    constants.*key.code = load_user_code(law.texts.at(key.name), key.name);
     (constants.*key.code).density = law.numbers.at("density");
   }
   if (key.list != nullptr && law.lists.count(key.name) == 1) constants.*key.list = make_numbers(law.lists.at(key.name));

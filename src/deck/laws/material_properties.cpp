@@ -33,7 +33,7 @@ const Range& find_range(KeyRange range) {
 }
 
 std::string find_code_file(const LawDeck& law) {
-  for (const char* key : {"vumat", "law"})
+  for (const char* key : {"vumat", "vuhard", "law"})
     if (const auto file = law.texts.find(key); file != law.texts.end()) return file->second;
   return {};
 }
@@ -55,6 +55,15 @@ int count_state_variables(const MaterialDeck& material) {
     if constexpr (requires { law.count_states(); }) count = law.count_states();
   });
   return count;
+}
+
+std::vector<double> find_yields_of_code(const MaterialDeck& material) {
+  std::vector<double> yields;
+  visit_law(material, [&]([[maybe_unused]] const auto& law) {
+    if constexpr (requires { law.find_first_yield(0.0, 0.0); })
+      yields = {law.find_first_yield(0, 0), law.find_first_yield(1e-3, 1)};
+  });
+  return yields;
 }
 
 LameConstants find_moduli(const MaterialDeck& material) {

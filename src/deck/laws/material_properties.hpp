@@ -2,6 +2,7 @@
 // What the law of a material has, without its type.
 
 #include <string>
+#include <vector>
 
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/point_step.hpp"
@@ -20,6 +21,10 @@ bool has_scalar(const MaterialDeck& material, HistoryScalar name);
 
 /// How many state variables a law of a user keeps.
 int count_state_variables(const MaterialDeck& material);
+
+/// Yield stresses that code of a user tells at the start: at no plastic strain, and at 1e-3 with a rate of 1. Empty:
+/// the law asks for none.
+std::vector<double> find_yields_of_code(const MaterialDeck& material);
 
 /// Elastic moduli at the start [stress].
 LameConstants find_moduli(const MaterialDeck& material);

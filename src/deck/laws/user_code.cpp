@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -70,12 +71,22 @@ LoadedLibrary load_library(const std::string& file) {
   return {handle, &library.has_written_outside};
 }
 
-UserCode load_user_code(const std::string& file) {
+UserCode load_user_code(const std::string& file, const std::string& subroutine) {
   const LoadedLibrary library = load_library(file);
-  for (const char* name : {"vumat_", "vumat", "VUMAT"})  // as Fortran and C compilers call it
-    if (void* const entry = ::dlsym(library.handle, name))
-      return {reinterpret_cast<VumatFunction>(entry), 0, library.has_written_outside};
-  refuse_library(file, "it has no entry vumat_", "name its subroutine VUMAT");
+  std::string capitals = subroutine;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  for (const std::string& name : {subroutine + "_", subroutine, capitals}) {  // as Fortran and C compilers call it
+    void* const entry = ::dlsym(library.handle, name.c_str());
+    if (entry == nullptr) continue;
+    UserCode code{nullptr, 0, library.has_written_outside, nullptr};
+    if (subroutine == "vuhard")
+      code.vuhard = reinterpret_cast<VuhardFunction>(entry);
+    else
+      code.vumat = reinterpret_cast<VumatFunction>(entry);
+    return code;
+  }
+  refuse_library(file, fmt::format("it has no entry {}_", subroutine), fmt::format("name its subroutine {}", capitals));
 }
 
 bool has_written_outside(const std::string& file) {

@@ -1,6 +1,6 @@
 #pragma once
-// Code of users: shared libraries with a VUMAT or a law. A library runs with all rights of the program, so none is
-// loaded that the command line has not named.
+// Code of users: shared libraries with a VUMAT, a VUHARD or a law. A library runs with all rights of the program, so
+// none is loaded that the command line has not named.
 
 #include <string>
 #include <vector>
@@ -27,8 +27,8 @@ LoadedLibrary load_library(const std::string& file);
 /// Throws InputError: this library is no law.
 [[noreturn]] void refuse_library(const std::string& file, const std::string& why, const std::string& remedy);
 
-/// The VUMAT of a library. Throws InputError as load_library() does, and if there is none.
-UserCode load_user_code(const std::string& file);
+/// A subroutine of a library, "vumat" or "vuhard". Throws InputError as load_library() does, and if there is none.
+UserCode load_user_code(const std::string& file, const std::string& subroutine);
 
 /// Whether a law of this library was found to write outside its arrays.
 bool has_written_outside(const std::string& file);

@@ -6,6 +6,7 @@
 #include "src/deck/keys/table_value.hpp"
 #include "src/deck/laws/law_code.hpp"
 #include "src/deck/laws/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/deck/sections/deck_keys.hpp"
 
 namespace percuss {
@@ -174,6 +175,18 @@ struct Model {
   std::string (*find_fault_with_state)(const LawDeck&);  // likewise, only with an equation of state
 };
 
+/// The constants of a law with code of a user, which is not loaded before the command has allowed it.
+template <class Law>
+typename Law::Constants find_constants_without_code(const LawDeck& law) {
+  typename Law::Constants constants{};
+  for (auto key : Law::keys()) {
+    if (key.number != nullptr && law.numbers.count(key.name) == 1) constants.*key.number = law.numbers.at(key.name);
+    key.code = nullptr;
+    set_user_constant(law, key, constants);
+  }
+  return constants;
+}
+
 template <class Law>
 Model make_model() {
   constexpr Model::State state = needs_equation_of_state<Law>   ? Model::State::must
@@ -182,7 +195,10 @@ Model make_model() {
   Model model{Law::name, state, {}, {}, {}};
   model.find_fault = [](const LawDeck& law) {
     if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
-      return std::string(find_constants<Law>(law).find_fault());
+      if constexpr (has_key<Law>(&MaterialKey<typename Law::Constants>::code))
+        return std::string(find_constants_without_code<Law>(law).find_fault());
+      else
+        return std::string(find_constants<Law>(law).find_fault());
     }
     return std::string();
   };
@@ -394,7 +410,7 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   const OtherKeys others{{"model"},
                          [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
   const bool is_read = read_keys(reader, node, keys, out, others);
-  if (out.law.texts.count("vumat") == 1) out.law.numbers["density"] = out.density;  // which the code gets
+  if (!find_code_file(out.law).empty()) out.law.numbers["density"] = out.density;  // which the code gets
   const bool good = is_read && check_rate(reader, node, out.law) && check_constants_in_vain(reader, node, out.law) &&
                     check_deletion(reader, node, out);
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);

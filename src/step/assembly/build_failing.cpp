@@ -43,11 +43,11 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   if (const auto& d = deck.johnson_cook) {
     limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
   }
-  if (has_scalar(material, HistoryScalar::temperature)) {
-    const auto& numbers = material.law.numbers;  // those that the deck gives
+  const auto& numbers = material.law.numbers;  // those that the deck gives
+  if (const auto melt = numbers.find("melt_temperature"); melt != numbers.end() && melt->second > 0) {
     const auto room = numbers.find("room_temperature");
     limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
-    limits.melt_temperature = numbers.at("melt_temperature");
+    limits.melt_temperature = melt->second;
   }
   if (const auto& evolution = deck.evolution) {  // by length of what depends on the size of elements
     if (evolution->plastic_strain) limits.evolution.by_strain = 1 / *evolution->plastic_strain;
@@ -70,6 +70,14 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
                                 : !failure.triaxiality.empty() ? "triaxiality"
                                 : failure.yield_time           ? "yield_time"
                                                                : nullptr;
+  const auto melt = material.law.numbers.find("melt_temperature");
+  const bool never_melts = melt == material.law.numbers.end() || melt->second == 0;
+  if (failure.johnson_cook && failure.johnson_cook->d5 != 0 && never_melts &&
+      has_scalar(material, HistoryScalar::temperature))
+    throw InputError(
+        fmt::format("{}: error: material '{}' has the failure criterion johnson_cook with d5 (code of a user tells no "
+                    "melting temperature): give melt_temperature, or set d5 to 0",
+                    deck.where(material.place), material.name));
   if (can_yield || criterion == nullptr) return;
   throw InputError(
       fmt::format("{}: error: material '{}' has the failure criterion {} (its model never yields): choose a model that "

@@ -78,6 +78,9 @@ std::string find_fault(const MaterialDeck& material) {
   const std::string known = name_laws(&LawTraits::is_of_shells);
   if (material.equation_of_state || !find_traits(material).is_of_shells)
     return fmt::format("shells support {}, without an equation of state", known);
+  if (const auto found = material.law.numbers.find("thermal_expansion");
+      found != material.law.numbers.end() && found->second > 0)
+    return "which has a thermal_expansion, and shells do not expand";
   return is_laminate(material) ? find_laminate_fault(material) : "";
 }
 

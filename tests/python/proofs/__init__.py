@@ -20,6 +20,7 @@ HOW TO ADD A ROW. Go to the module of the family (dyna_loads.py, abaqus_loads.py
 - `refused`: for a row of what must be refused: words of the message, such as the name of the field. It has no rights. `messages`: how many.
 - `fails`: for a row whose run must end with exit code 3: words of its message, beside or in place of rights.
 - `allow`: patterns for --allow. `case`: for --case. `files`: further files of the deck, by name.
+- `code`: user code in C, which is compiled and allowed; without a compiler the row is not tried.
 
 A row of a keyword deck runs once more with its deck in a file of *INCLUDE_TRANSFORM in other units, and must give the same values. A field with
 a dimension therefore stands in python/percuss/importing/dyna/dimensions.py; a card that is not there is refused in such a file.
@@ -59,6 +60,7 @@ class Proof:
     allow: str = ""
     case: str = ""
     files: dict[str, str] = field(default_factory=dict)
+    code: str = ""
     family: str = ""
 
     def list_proven(self) -> list[str]:

@@ -95,6 +95,7 @@ HOT = ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 100., 0.\n*
 HEATED = [("internal", LAST, 1000 * (100 * DENSITY * 1e7) * (1 - math.exp(-300 * (strain() - 150 / (3 * SHEAR)) / (100 * DENSITY * 1e7))), 3e-2)]
 
 
+
 def conducting(share: float) -> str:
     """Diffusivity times the time of the run is this share of the square of an edge."""
     return f"*CONDUCTIVITY\n{share * 100 / END * DENSITY * 1e7!r},\n"
@@ -103,6 +104,23 @@ def conducting(share: float) -> str:
 # A second cube, which rests.
 SECOND = ("*NODE\n" + "".join(f"{i}, {10.0 * x}, {10.0 * y}, {50.0 + 10.0 * z}\n" for i, (x, y, z) in enumerate(CORNERS, 11))
           + "*ELEMENT, TYPE=C3D8R, ELSET=cube\n2, 11, 12, 13, 14, 15, 16, 17, 18\n")  # fmt: skip
+EXPANSION = 1e-4
+EXPANDING = f"*EXPANSION\n{EXPANSION!r},\n"
+
+
+def confined_work(yielding: float) -> float:
+    """Of 1000 mm3 that are stretched along x alone: K e - 3 K alpha T + 2/3 of von Mises' stress, which heats."""
+    steps, start = 2000, yielding / (2 * SHEAR)
+    de, work = strain() / steps, 0.0
+    for i in range(steps):
+        e = (i + 0.5) * de
+        warm = yielding * 2 / 3 * max(e - start, 0.0) / (DENSITY * 1e7)
+        stress = BULK * e - 3 * BULK * EXPANSION * warm + 2 / 3 * min(2 * SHEAR * e, yielding)
+        work += 1000 * stress * math.exp(e) * de
+    return work
+
+
+CONFINED = confined_work(300.0)
 
 PROOFS = [
     Proof("ELASTIC: TYPE", driven(ELASTIC, 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "half of (lambda + 2 mu) e^2"),
@@ -141,6 +159,9 @@ PROOFS = [
     Proof("DYNAMIC TEMPERATURE-DISPLACEMENT; CONDUCTIVITY", stretched(HOT + conducting(0.005), before=SECOND).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "heat hardly moves"),
     Proof("DYNAMIC TEMPERATURE-DISPLACEMENT; CONDUCTIVITY", stretched(HOT + conducting(0.1)).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "one element has one temperature"),
     Proof("DYNAMIC TEMPERATURE-DISPLACEMENT", stretched(HOT).replace("*DYNAMIC,", "*DYNAMIC TEMPERATURE-DISPLACEMENT,"), HEATED, "nothing conducts"),
+    Proof("EXPANSION", driven(HOT.replace("100., 0.", "1e6, 0.") + EXPANDING, 0.02, 0.0, 0.0, dynamic=", ADIABATIC"), [("internal", LAST, CONFINED, 2e-2)], "the work of a body that cannot expand"),
+    Proof("EXPANSION: TYPE", stretched(HOT + "*EXPANSION, TYPE=ORTHO\n1e-5, 1e-5, 1e-5\n", dynamic=", ADIABATIC"), refused="by directions"),
+    Proof("EXPANSION", stretched(HOT + EXPANDING), [("internal", LAST, plastic_work(300.0), 1e-2)], "a step that does not heat"),
     Proof("HYPERELASTIC: NEO_HOOKE", stretched(rubber("NEO HOOKE", "0.5, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1, 3e-2)], "C10 (I1 - 3) of a motion that keeps the volume"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, 0.2, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 + 200.0 * I2, 3e-2)], "C10 (I1 - 3) + C01 (I2 - 3)"),
     Proof("HYPERELASTIC: MOONEY-RIVLIN", stretched(rubber("MOONEY-RIVLIN", "0.5, -0.1, 0.02"), LARGE - 1), [("internal", LAST, 500.0 * I1 - 100.0 * I2, 3e-2)], "a negative C01"),

@@ -63,6 +63,8 @@ def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, starts: list[Block], 
         deck.ledger.refuse("DAMAGE INITIATION", start.place, what, NEVER_FAILS)
         return
     failure |= kinds[kind]()
+    if kind == "JOHNSON COOK" and law["model"] == "user_hardening":
+        add_melting(law, start)
     if failure:
         failure["evolution"] = ends[0]  # for finish_failure, which knows the elements
         deck.ledger.translated("DAMAGE INITIATION", start.place, "failure of an element")
@@ -76,6 +78,13 @@ def read_johnson(block: Block) -> Deck:
     if block.number(line, 7):
         keys["reference_rate"] = block.number(line, 7)
     return {"johnson_cook": keys}
+
+
+def add_melting(law: Deck, block: Block) -> None:
+    """The temperatures of the criterion, which user code does not tell."""
+    melt, room = (block.number(need_line(block), i) for i in (5, 6))
+    if melt > room:
+        law |= {"room_temperature": room, "melt_temperature": melt}
 
 
 def read_strains(deck: AbaqusDeck, block: Block, sign: float) -> Deck:

@@ -95,6 +95,8 @@ class AbaqusDeck:
         self.excluded: list[frozenset[str]] = []  # pairs of parts
         self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
         self.step_scale = 0.0  # 0: percuss' own
+        self.states: dict[int, tuple[float, ...]] = {}  # of user code at the start, by element
+        self.states_place: Place | None = None
         self.twins: dict[int, int] = {}  # of nodes of plane strain: those of the other plane
         self.heats = False  # plastic work changes temperatures
         self.conducting_place: Place | None = None  # of a step that conducts heat

@@ -1,4 +1,4 @@
-"""Temperatures: of Johnson and Cook's law alone, heated by plastic work without conduction."""
+"""Temperatures: of Johnson and Cook's law and of user code, heated by plastic work without conduction."""
 
 import math
 from itertools import combinations
@@ -8,11 +8,11 @@ from ..model import Block as ModelBlock
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
-from .user_code import has_user_code
+from .user_code import LAWS
 
 CONDUCTING = "DYNAMIC TEMPERATURE-DISPLACEMENT"
 KEYWORDS = ("INELASTIC HEAT FRACTION", "SPECIFIC HEAT", "CONDUCTIVITY", "EXPANSION")
-WARM = ("johnson_cook",)
+WARM = ("johnson_cook", *LAWS)
 MOST_DIFFUSION = 0.0625  # diffusivity times the time of the run, over the square of an edge: a quarter of it, which no mesh resolves
 NO_STEP = "no temperature changes: the step is not ADIABATIC"
 
@@ -29,21 +29,48 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     found = {block.keyword: block for block in blocks if block.keyword in KEYWORDS}
     share, capacity = found.get("INELASTIC HEAT FRACTION"), found.get("SPECIFIC HEAT")
     is_warm = law["model"] in WARM
+    gets_warm = is_warm and share is not None and capacity is not None
     for keyword, block in found.items():
         if not deck.heats:
             deck.ledger.ignored(keyword, block.place, NO_STEP)
         elif keyword == "CONDUCTIVITY":
             deck.ledger.ignored(keyword, block.place, "the report says of the step that heat is not conducted")
         elif keyword == "EXPANSION":
-            deck.ledger.refuse(keyword, block.place, "thermal expansion", "there is none")
+            add_expansion(deck, law, block, gets_warm)
         elif is_warm:
-            deck.ledger.translated(keyword, block.place, "specific_heat and heating_share of johnson_cook")
+            deck.ledger.translated(keyword, block.place, f"specific_heat and heating_share of {law['model']}")
         else:
             deck.ledger.ignored(keyword, block.place, "the law does not depend on the temperature")
     if deck.heats and is_warm and share and capacity and share.lines and capacity.lines:
         law |= {"specific_heat": capacity.number(capacity.lines[0], 0), "heating_share": share.number(share.lines[0], 0, 0.9)}
         law["start_temperature"] = 0.0  # of Abaqus, where *INITIAL CONDITIONS gives none
+        if law["model"] == "user":
+            text = "the heat of the inelastic energy that the VUMAT reports (enerInelasNew), at the end of a step"
+            deck.ledger.approximated("INELASTIC HEAT FRACTION", share.place, text)
     return set(found)
+
+
+def add_expansion(deck: AbaqusDeck, law: Deck, block: Block, gets_warm: bool) -> None:
+    """*EXPANSION: one coefficient, from the temperature at the start on."""
+    if block.option("TYPE") not in ("", "ISO") or len(block.lines) != 1 or "USER" in block.options:
+        deck.ledger.refuse("EXPANSION", block.place, "thermal expansion by a table, by directions or by user code", "there is none")
+    elif not gets_warm:
+        deck.ledger.ignored("EXPANSION", block.place, "no temperature changes: the material has no plastic work that heats")
+    elif "equation_of_state" in law:
+        deck.ledger.refuse("EXPANSION", block.place, "thermal expansion beside *EOS", "there is none")
+    elif block.number(block.lines[0], 0) < 0:
+        deck.ledger.refuse("EXPANSION", block.place, "a material that shrinks where it gets warm", "there is no expansion")
+    else:
+        law["thermal_expansion"] = block.number(block.lines[0], 0)
+        deck.ledger.translated("EXPANSION", block.place, "thermal_expansion")
+
+
+def keep_shells(deck: AbaqusDeck, law: Deck, place: Place) -> Deck:
+    """The law of shells, which do not expand."""
+    if not law.get("thermal_expansion"):
+        return law
+    deck.ledger.refuse("EXPANSION.shells", place, "thermal expansion of shells", "they do not expand")
+    return {key: value for key, value in law.items() if key != "thermal_expansion"}
 
 
 def check_conduction(deck: AbaqusDeck) -> None:
@@ -102,22 +129,22 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
     warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] in WARM]
     nodes = {node for block in warm for _, corners in block.elements() for node in corners}
     values = {deck.temperatures.get(node, 0.0) for node in nodes}  # 0 in Abaqus where none is given
-    if has_user_code(deck) and any(deck.temperatures.values()):
-        deck.ledger.refuse("INITIAL CONDITIONS.user", place, "a temperature that user code gets", "it gets 0")
     if not warm:
         deck.ledger.ignored("INITIAL CONDITIONS", place, "a temperature, on which no law depends")
         return
     for block in warm:
         law = materials[block.keys["material"]]
-        law["start_temperature"] = limit_temperature(deck, law, min(values), place)
-    deck.ledger.translated("INITIAL CONDITIONS", place, "start_temperature of johnson_cook")
+        lowest = min(values) if law["model"] == "johnson_cook" else min(values) or max(values)  # of 0 user code keeps none
+        law["start_temperature"] = limit_temperature(deck, law, lowest, place)
+    models = sorted({materials[block.keys["material"]]["model"] for block in warm})
+    deck.ledger.translated("INITIAL CONDITIONS", place, f"start_temperature of {', '.join(models)}")
     if len(values) > 1:
         add_element_temperatures(deck, warm, place)
 
 
 def limit_temperature(deck: AbaqusDeck, law: Deck, value: float, place: Place) -> float:
     """A law begins below its melting temperature: otherwise with the temperature of its constants."""
-    melt = law["melt_temperature"]
+    melt = law.get("melt_temperature", math.inf)  # user code tells none
     if value < melt:
         return value
     deck.ledger.refuse(
@@ -133,7 +160,7 @@ def add_element_temperatures(deck: AbaqusDeck, warm: list[ModelBlock], place: Pl
         for id, corners in block.elements():
             if len(corners) == 10:
                 deck.ledger.refuse(
-                    "INITIAL CONDITIONS.ten_nodes", place, "temperatures that differ, of tetrahedra of ten nodes", "the lowest is used"
+                    "INITIAL CONDITIONS.ten_nodes", place, "temperatures that differ, of tetrahedra of ten nodes", "that of the material is used"
                 )
                 continue
             value = math.fsum(deck.temperatures.get(node, 0.0) for node in corners) / len(corners)

@@ -1,6 +1,6 @@
 """*INITIAL CONDITIONS: velocities at the start, and what else a run begins with."""
 
-from ..fields import clip, parse_real
+from ..fields import clip
 from ..ledger import BadInput
 from ..model import Deck
 from ..shapes import normalise, subtract
@@ -9,7 +9,7 @@ from .deck import AbaqusDeck
 from .heat import read_temperature
 from .lines import Block
 from .stresses import read_hardening, read_stresses
-from .user_code import has_user_code
+from .user_code import read_solution
 
 INSTEAD = "it is left out"
 
@@ -22,18 +22,6 @@ def read_initial(deck: AbaqusDeck, block: Block) -> None:
         read_solution(deck, block)
     else:
         deck.ledger.refuse("INITIAL CONDITIONS", block.place, f"initial conditions of type {clip(kind)}", INSTEAD)
-
-
-def read_solution(deck: AbaqusDeck, block: Block) -> None:
-    """State variables of user code, which begin with 0."""
-    words = [word for _, line in block.lines for word in line][1:]  # behind the name of the elements
-    values = [parse_real(word) for word in words if word]
-    if any(values) and has_user_code(deck):
-        deck.ledger.refuse("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code at the start", "they begin with 0")
-    elif has_user_code(deck):
-        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code begin with 0")
-    else:
-        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code: the laws that are read have none")
 
 
 def read_velocity(deck: AbaqusDeck, block: Block) -> None:

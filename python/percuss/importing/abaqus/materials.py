@@ -13,7 +13,7 @@ from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
 from .plies import COUNTS, read_constants
-from .user_code import is_user_code, translate_user_code
+from .user_code import is_user_code, is_user_hardening, translate_hardening, translate_user_code
 
 INSTEAD = "it is left out"
 NEVER = 1e15
@@ -103,6 +103,8 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     if len(elastic.lines) > 1 or len(density_lines(material)) > 1:
         deck.ledger.refuse("ELASTIC", elastic.place, "moduli or a density that depend on the temperature", "the first row is used")
     plastic = find(material, "PLASTIC")
+    if plastic and is_user_hardening(plastic):
+        return add_user_hardening(deck, name, law, plastic, material)
     if plastic:
         add_plastic(deck, law, plastic)
         add_rate(deck, law, find(material, "RATE DEPENDENT"))
@@ -113,6 +115,15 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     if relaxing:
         return relax(deck, law, elastic, relaxing)
     return law
+
+
+def add_user_hardening(deck: AbaqusDeck, name: str, law: Deck, plastic: Block, material: MaterialBlocks) -> Deck | None:
+    """*PLASTIC, HARDENING=USER: the code knows the rate; nothing else changes the yield stress."""
+    for keyword in ("RATE DEPENDENT", "POTENTIAL", "EOS", "VISCOELASTIC"):
+        block = find(material, keyword)
+        if block:
+            deck.ledger.refuse(f"{keyword}.user", block.place, f"*{keyword} with hardening by user code", INSTEAD)
+    return translate_hardening(deck, name, law, plastic, find(material, "DEPVAR"))
 
 
 def add_potential(deck: AbaqusDeck, law: Deck, block: Block | None, state: Block | None) -> None:
@@ -200,12 +211,11 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
                 "specific_heat": NEVER}  # fmt: skip
         deck.ledger.translated("PLASTIC", block.place, "johnson_cook; heat needs an ADIABATIC step and *INELASTIC HEAT FRACTION")
         return
+    if is_user_hardening(block):  # its lines are constants of a subroutine
+        deck.ledger.refuse("PLASTIC.HARDENING", block.place, "hardening by a subroutine of the user beside *EOS", "the material is elastic")
+        return
     if kind not in ("", "ISOTROPIC", "KINEMATIC"):
-        is_user = kind == "USER"  # its lines are constants of a subroutine
-        text = "hardening by a subroutine of the user" if is_user else f"hardening of type {clip(kind)}"
-        deck.ledger.refuse("PLASTIC.HARDENING", block.place, text, "the material is elastic" if is_user else "isotropic hardening is used")
-        if is_user:
-            return
+        deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {clip(kind)}", "isotropic hardening is used")
     points = [(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)]
     check_strains(block, points)
     if kind == "KINEMATIC" and len(points) > 1:

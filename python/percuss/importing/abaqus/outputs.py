@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ..fields import clip
+from ..fields import clip, parse_integer
 from ..laws import has
 from ..model import Deck
 from .bodies import moves_body
@@ -23,7 +23,7 @@ OF_NODES = ("U", "UT", "UR", "V", "VT", "VR", "A", "AT", "AR", "COORD", "COOR")
 OF_SUPPORTS = ("RF", "RM", "RT")
 OF_CONTACT = ("CFN", "CFS", "CFT", "CFORCE", "CMN", "CMS", "CMT", "CNORMF", "CSHEARF")
 OF_ELEMENTS = ("S", "MISES", "PRESS", "PEEQ", "E", "LE", "ENER", "TEMP")
-MOST_FOLLOWED, MOST_FORCES = 100, 32
+MOST_FOLLOWED, MOST_FORCES, MOST_STATES, MOST_STATE_FIELDS = 100, 32, 50, 72
 LOST = "percuss has no such output: it is not written"
 
 
@@ -97,7 +97,10 @@ class Writer:
 
     def write_field(self, word: str, block: Block) -> None:
         name = FIELDS.get(word) or FIELDS.get(strip(word))
-        if word in ALWAYS or strip(word) in ALWAYS:
+        if strip(word) == "SDV" and (states := self._list_states(word)):
+            self.fields += [state for state in states if state not in self.fields]
+            self.deck.ledger.translated(block.keyword, block.place, f"output.fields: {', '.join(states[:3])}")
+        elif word in ALWAYS or strip(word) in ALWAYS:
             self.deck.ledger.translated(block.keyword, block.place, ALWAYS.get(word) or ALWAYS[strip(word)])
         elif name is None or not self._has(name):
             self.deck.ledger.ignored(f"{block.keyword}.{clip(word)}", block.place, LOST)
@@ -107,13 +110,20 @@ class Writer:
                     self.fields.append(name_of_field)
             self.deck.ledger.translated(block.keyword, block.place, f"output.fields: {name}")
 
+    def _list_states(self, word: str) -> list[str]:
+        """State variables of user code: SDV3, or all of them, at most the first MOST_STATES."""
+        count = max((law.get("state_variables", 0) for law in self.deck.model.materials.values()), default=0)
+        number = parse_integer(word[3:]) or 0
+        wanted = range(number, number + 1) if number else range(1, min(count, MOST_STATES) + 1)
+        return [f"state_variable_{i}" for i in wanted if i <= min(count, MOST_STATE_FIELDS)]
+
     def _has(self, name: str) -> bool:
         """Whether the model has what a field is of."""
         blocks, laws = self.deck.model.blocks, self.deck.model.materials.values()
         needs = {
             "thickness": any(b.shells for b in blocks), "section_force": any(b.beams for b in blocks), "section_moment": any(b.beams for b in blocks),
             "temperature": any(has(law, "has_temperature") for law in laws), "damage": any("failure" in law for law in laws),
-            "alive": any("failure" in law for law in laws), "contact_force": "contact" in self.deck.model.deck,
+            "alive": any("failure" in law or "delete_variable" in law for law in laws), "contact_force": "contact" in self.deck.model.deck,
             "contact_pressure": "contact" in self.deck.model.deck,
         }  # fmt: skip
         return needs.get(name, True)

@@ -15,6 +15,7 @@ from .bodies import add_reference_masses
 from .cohesive import bond_solids
 from .damage import LEAST_DEGRADATION
 from .deck import AbaqusDeck
+from .heat import keep_shells
 from .lines import Block
 from .materials import find, translate_material
 from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, SectionLayer, join
@@ -173,6 +174,8 @@ def find_laws(deck: AbaqusDeck, section: Section, made: dict[str, Deck | None]) 
             return None
         if has_axes(law):
             law = orient(deck, section, law)
+        if section.kind in ("SHELL", "MEMBRANE"):
+            law = keep_shells(deck, law, section.place)
         found[material] = (name_law(deck, material, law), law)
     return found
 
@@ -190,7 +193,7 @@ def name_law(deck: AbaqusDeck, material: str, law: Deck) -> str:
 
 def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) -> bool:
     """Axes of user code, and solids of plies, are refused."""
-    if law["model"] == "user" and section.orientation:
+    if law["model"] == "user" and section.orientation:  # hardening is alike in all directions
         deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
     if not has_axes(law) or section.kind in ("SHELL", "MEMBRANE"):
         return True

@@ -20,6 +20,7 @@ from .plane_strain import extrude, hold_layers
 from .planes import hold_planes
 from .springs import add_springs, read_spring
 from .timeline import StepTime
+from .user_code import apply_states
 
 T = TypeVar("T")
 
@@ -435,7 +436,8 @@ def finish(reader: Reader) -> None:
     deck = reader.deck
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
-        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (heat.apply_temperatures, "INITIAL CONDITIONS"),
+        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"),
+        (heat.apply_temperatures, "INITIAL CONDITIONS"),
         (heat.check_conduction, heat.CONDUCTING),
         (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip

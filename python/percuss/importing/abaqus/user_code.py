@@ -1,4 +1,4 @@
-"""*USER MATERIAL: code of the user (VUMAT), in a library that the command line names."""
+"""*USER MATERIAL and *PLASTIC, HARDENING=USER: code of the user (VUMAT, VUHARD), in a library that the command line names."""
 
 from ..fields import clip, parse_integer
 from ..ledger import BadInput
@@ -6,7 +6,9 @@ from ..model import Deck
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block
 
-MOST_CONSTANTS, MOST_STATES = 200, 64
+MOST_CONSTANTS, MOST_STATES = 200, 1000
+LAWS = ("user", "user_hardening")
+LEFT_OUT = "the parts made of it are left out"
 
 
 def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block | None) -> Deck | None:
@@ -14,36 +16,54 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
     ledger = deck.ledger
     if not ledger.user_code:
         text = f"material {clip(name)} is user code (no library has it): compile the VUMAT (docs/user_laws.md) and add --allow-library FILE"
-        ledger.refuse("USER MATERIAL", user.place, text, "the parts made of it are left out")
+        ledger.refuse("USER MATERIAL", user.place, text, LEFT_OUT)
         return None
     if user.option("TYPE") not in ("", "MECHANICAL"):
         ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}", "it is taken as mechanical")
+    law: Deck = {"model": "user", "vumat": ledger.user_code, "vumat_name": name.upper()}
+    return law if add_arrays(deck, name, law, user, states) else None
+
+
+def translate_hardening(deck: AbaqusDeck, name: str, law: Deck, plastic: Block, states: Block | None) -> Deck | None:
+    """The law of a compiled VUHARD. law: that of *ELASTIC."""
+    ledger = deck.ledger
+    if not ledger.user_code:
+        text = "hardening by a subroutine of the user (no library has it): compile the VUHARD (docs/user_laws.md) and add --allow-library FILE"
+        ledger.refuse("PLASTIC.HARDENING", plastic.place, text, "the material is elastic")
+        return law
+    elastic = {key: law[key] for key in ("youngs_modulus", "poissons_ratio")}
+    made: Deck = {"model": "user_hardening", **elastic, "vuhard": ledger.user_code, "vuhard_name": name.upper()}
+    return made if add_arrays(deck, name, made, plastic, states) else None
+
+
+def add_arrays(deck: AbaqusDeck, name: str, law: Deck, user: Block, states: Block | None) -> bool:
+    """PROPS and STATEV; False where there are too many."""
+    option = "CONSTANTS" if user.keyword == "USER MATERIAL" else "PROPERTIES"
     constants = read_constants(user)
-    wanted = parse_integer(user.option("CONSTANTS"))
+    wanted = parse_integer(user.option(option))
     if wanted is None:
-        raise BadInput(user.place, f"CONSTANTS={clip(user.option('CONSTANTS'))} of *USER MATERIAL is not a number: correct it")
+        raise BadInput(user.place, f"{option}={clip(user.option(option))} of *{user.keyword} is not a number: correct it")
     if 0 <= wanted - len(constants) <= 8:  # blanks at the end of the last line are zeros
         constants += [0.0] * (wanted - len(constants))
     count = 0
     if states is not None and states.lines:
         count = states.integer(states.lines[0], 0)
     if wanted != len(constants):
-        raise BadInput(user.place, f"*USER MATERIAL has {len(constants)} constants (CONSTANTS={wanted}): correct one of them")
+        raise BadInput(user.place, f"*{user.keyword} has {len(constants)} constants ({option}={wanted}): correct one of them")
     if len(constants) > MOST_CONSTANTS or not 0 <= count <= MOST_STATES:
         text = f"material {clip(name)} has {len(constants)} constants and {count} state variables (at most {MOST_CONSTANTS} and {MOST_STATES})"
-        ledger.refuse("USER MATERIAL", user.place, text, "the parts made of it are left out")
-        return None
-    law: Deck = {"model": "user", "vumat": ledger.user_code, "vumat_name": name.upper()}
+        deck.ledger.refuse(user.keyword, user.place, text, LEFT_OUT)
+        return False
     if constants:
         law["constants"] = constants
     if count:
         law["state_variables"] = count
     if states is not None and states.option("DELETE"):
         law["delete_variable"] = read_deletion(states, count)
-    ledger.translated("USER MATERIAL", user.place, f"user, of the library {ledger.user_code}")
+    deck.ledger.translated(user.keyword, user.place, f"{law['model']}, of the library {deck.ledger.user_code}")
     if states is not None:
-        ledger.translated("DEPVAR", states.place, "state_variables")
-    return law
+        deck.ledger.translated("DEPVAR", states.place, "state_variables")
+    return True
 
 
 def read_constants(user: Block) -> list[float]:
@@ -63,10 +83,79 @@ def read_deletion(states: Block, count: int) -> int:
     return number
 
 
+def read_solution(deck: AbaqusDeck, block: Block) -> None:
+    """*INITIAL CONDITIONS, TYPE=SOLUTION: state variables of user code, seven behind the name of the elements, eight in each line that follows."""
+    if not has_user_code(deck):
+        deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", block.place, "state variables of user code: the laws that are read have none")
+        return
+    laws, lines = deck.model.materials, iter(block.lines)
+    for line in lines:
+        place = block.at(line[0])
+        elements = [id for id in deck.elements_of(block.text(line, 0), place) if id in deck.blocks_of_elements]
+        used = [laws[deck.model.blocks[deck.blocks_of_elements[id]].keys["material"]] for id in elements]
+        count = max((law.get("state_variables", 0) for law in used if law["model"] in LAWS), default=0)
+        values = [block.number(line, i) for i in range(1, 8)]
+        while len(values) < count and (more := next(lines, None)) is not None:
+            values += [block.number(more, i) for i in range(8)]
+        deck.states.update(dict.fromkeys(elements, tuple(values[:count])))
+        if any(values[count:]):
+            deck.ledger.ignored("INITIAL CONDITIONS.SOLUTION", place, f"more state variables at the start than the {count} of *DEPVAR")
+    deck.states_place = block.place
+
+
+def apply_states(deck: AbaqusDeck) -> None:
+    """Each part with other state variables at the start gets a material of its own."""
+    place, laws = deck.states_place, deck.model.materials
+    if place is None:
+        return
+    begun: dict[str, tuple[float, ...]] = {}  # by material
+    for part in deck.model.blocks:
+        name = part.keys["material"]
+        if laws[name]["model"] not in LAWS:
+            continue
+        found = {strip_zeros(deck.states.get(id, ())) for id, _ in part.elements()}
+        if len(found) > 1 or len(max(found, default=())) > MOST_CONSTANTS:
+            text = f"state variables of user code at the start that differ within a part, or more than {MOST_CONSTANTS}"
+            deck.ledger.refuse("INITIAL CONDITIONS.SOLUTION", place, text, "they begin with 0")
+            found = {()}
+        values = next(iter(found), ())
+        if begun.setdefault(name, values) != values:
+            part.keys["material"] = own = find_twin(deck, name, begun, values)
+            begun[own] = values
+        law = laws[part.keys["material"]]
+        if values:
+            law["start_states"] = list(values)
+    deck.ledger.translated("INITIAL CONDITIONS", place, "start_states")
+
+
+def find_twin(deck: AbaqusDeck, name: str, begun: dict[str, tuple[float, ...]], values: tuple[float, ...]) -> str:
+    """A material like `name` that begins with these values."""
+    laws = deck.model.materials
+    like = {key: value for key, value in laws[name].items() if key != "start_states"}
+    for other, law in laws.items():
+        if begun.get(other) == values and {key: value for key, value in law.items() if key != "start_states"} == like:
+            return other
+    twin = deck.model.names.take(name, "material")
+    laws[twin] = like
+    for names in deck.names_of_laws.values():
+        if name in names:
+            names.append(twin)
+    return twin
+
+
+def strip_zeros(values: tuple[float, ...]) -> tuple[float, ...]:
+    last = max((i for i, value in enumerate(values, 1) if value), default=0)
+    return values[:last]
+
+
 def has_user_code(deck: AbaqusDeck) -> bool:
     """Whether a part has a law of user code."""
-    return any(law["model"] == "user" for law in deck.model.materials.values())
+    return any(law["model"] in LAWS for law in deck.model.materials.values())
+
+
+def is_user_hardening(block: Block) -> bool:
+    return block.keyword == "PLASTIC" and block.option("HARDENING") == "USER"
 
 
 def is_user_code(material: MaterialBlocks) -> bool:
-    return any(block.keyword == "USER MATERIAL" for block in material.parts)
+    return any(block.keyword == "USER MATERIAL" or is_user_hardening(block) for block in material.parts)
