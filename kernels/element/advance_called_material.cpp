@@ -9,5 +9,7 @@ PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::assumed_strain)
 PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::stiffness)
 PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::viscous)
 PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::full)
+PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::thick3)
+PERCUSS_COMPILE_ADVANCE(CalledMaterial, HexKind::thick5)
 
 }  // namespace percuss

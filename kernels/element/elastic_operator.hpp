@@ -5,7 +5,7 @@
 // h. K is that of the elastic moduli on the geometry of n, without stress; C that of the viscosities, linearised about
 // the rate of n. Both are symmetric. Plastic flow only softens K.
 
-#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/hex8/thick_shell.hpp"
 #include "kernels/element/internal_force.hpp"
 
 namespace percuss {
@@ -123,6 +123,9 @@ PERCUSS_FORCE_INLINE void probe_hex8(const SolidParameters<Material>& par, const
   if constexpr (Kind == HexKind::full) {
     const T bulk = (moduli.lambda + number<T>(2.0 / 3.0) * moduli.mu) * elastic + viscous;
     find_full_forces(probe_points(moduli.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, out);
+  } else if constexpr (is_thick<Kind>) {
+    const Moduli<T> probed{elastic * moduli.lambda, elastic * moduli.mu};
+    find_full_forces(probe_columns<layers_of<Kind>>(probed, a, u), identity_matrix<T>(), viscous * trace(d), b, out);
   } else {
     const T pressure = (moduli.lambda * elastic + viscous) * trace(d);
     const Symmetric3<T> t =

@@ -5,7 +5,7 @@
 
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_motion.hpp"
-#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/hex8/thick_shell.hpp"
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 
@@ -27,7 +27,8 @@ struct AllHexBlocks;
 template <class... Material>
 struct AllHexBlocks<TypeList<Material...>> {
   using type = std::tuple<HexBlock<Material, HexKind::assumed_strain>..., HexBlock<Material, HexKind::stiffness>...,
-                          HexBlock<Material, HexKind::viscous>..., HexBlock<Material, HexKind::full>...>;
+                          HexBlock<Material, HexKind::viscous>..., HexBlock<Material, HexKind::full>...,
+                          HexBlock<Material, HexKind::thick3>..., HexBlock<Material, HexKind::thick5>...>;
 };
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using HexBlocks = AllHexBlocks<CompiledMaterials>::type;

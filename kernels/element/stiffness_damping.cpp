@@ -38,7 +38,7 @@ struct DampSolidChunk {
 
   KOKKOS_FUNCTION void damp_packs(int c, const Real* nodes, double* forces) const {
     const DampingModuli moduli{damped.lambda(c), damped.mu(c)};
-    const bool is_full = damped.is_full(c) != 0;
+    const DampedKind kind = damped.kind(c);
     const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
     const std::uint16_t* next_corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
@@ -51,8 +51,10 @@ struct DampSolidChunk {
       gather_modes(nodes, corners, a);
       gather_modes(nodes + 4, corners, v);
       HexLanes f[3][8];
-      if (is_full)
+      if (kind == DampedKind::full)
         find_full_damping(moduli, a, v, CornerForces<HexLanes>{f[0], f[1], f[2]});
+      else if (kind == DampedKind::thick)
+        find_thick_damping(moduli, a, v, CornerForces<HexLanes>{f[0], f[1], f[2]});
       else
         find_mean_damping(moduli, a, v, CornerForces<HexLanes>{f[0], f[1], f[2]});
       if (living.can_fail()) {

@@ -3,19 +3,24 @@
 //
 // Place in the step: after (1.5) internal forces, to the same slots. D is the rate of strain of the velocities at n+1/2
 // on the geometry of n+1, where the forces act: their power is V beta D : C : D >= 0. One-point hexahedra take the mean
-// rate, those of 2x2x2 points that of each point, with the mean dilatation (docs/theory.md).
+// rate, those of 2x2x2 points that of each point, with the mean dilatation, thick shells that which they assume
+// (docs/theory.md).
 
 #include <cmath>
+#include <cstdint>
 
 #include "kernels/element/elastic_operator.hpp"
 
 namespace percuss {
 
+/// Whose rates the damping of hexahedra takes.
+enum class DampedKind : std::uint8_t { mean, full, thick };
+
 /// Which chunks are damped; const after set-up.
 struct DampedSolids {
   Array<int> chunks;         // ascending chunk ids
   Array<double> lambda, mu;  // [chunks of the rank] Lame's constants at the start times beta [pressure x time]
-  Array<int> is_full;        // [chunks of the rank] 1: of 2x2x2 points
+  Array<DampedKind> kind;    // [chunks of the rank]
 };
 
 /// Forces of damping by slot (what nodes feel), and what they are added to.
@@ -60,6 +65,14 @@ PERCUSS_FORCE_INLINE void find_full_damping(const DampingModuli& moduli, const V
   const VectorModes<T> force = probe_points(number<T>(moduli.mu), a, u, T(1));
   const T bulk = number<T>(moduli.lambda + 2.0 / 3.0 * moduli.mu);
   find_full_forces(force, identity_matrix<T>(), bulk * trace(symmetric_part(find_velocity_gradient(u, b))), b, out);
+}
+
+/// The same of thick shells; three points across integrate it for any number.
+template <class T>
+PERCUSS_FORCE_INLINE void find_thick_damping(const DampingModuli& moduli, const VectorModes<T>& a,
+                                             const VectorModes<T>& u, const CornerForces<T>& out) {
+  const VectorModes<T> force = probe_columns<3>(Moduli<T>{number<T>(moduli.lambda), number<T>(moduli.mu)}, a, u);
+  find_full_forces(force, identity_matrix<T>(), T(0), find_volume_gradient(a), out);
 }
 
 /// Largest step of central differences with the damping of the whole stiffness, which lags half a step, from that

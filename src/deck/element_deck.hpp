@@ -6,9 +6,14 @@
 namespace percuss {
 
 struct ElementDeck {
-  enum class Integration { one_point, full };
+  enum class Integration { one_point, full, thick_shell };
   enum class Hourglass { assumed_strain, stiffness, viscous };
   Integration integration = Integration::one_point;
+  /// Which of the directions of a hexahedron crosses a thick shell: one by the order of its nodes, of which the third
+  /// is from the first four to the others, or that in which it is shortest.
+  enum class Across { first, second, third, shortest };
+  Across across = Across::third;
+  int thick_points = 0;                             // of thick shells across the thickness; 0: by the material
   Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
   double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
   /// Rates of tetrahedra, wedges and pyramids are averaged over their nodes, or each has its own, with which they lock.
@@ -25,6 +30,8 @@ struct ElementDeck {
 /// What a part has instead of the members of ElementDeck with the same names.
 struct PartElementDeck {
   std::optional<ElementDeck::Integration> integration;
+  std::optional<ElementDeck::Across> across;
+  std::optional<int> thick_points;
   std::optional<ElementDeck::Hourglass> hourglass;
   std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity, stiffness_damping,
       shell_hourglass;
@@ -34,6 +41,8 @@ struct PartElementDeck {
 inline ElementDeck find_settings(const ElementDeck& scene, const PartElementDeck& part) {
   ElementDeck settings = scene;
   settings.integration = part.integration.value_or(scene.integration);
+  settings.across = part.across.value_or(scene.across);
+  settings.thick_points = part.thick_points.value_or(scene.thick_points);
   settings.hourglass = part.hourglass.value_or(scene.hourglass);
   settings.hourglass_coefficient = part.hourglass_coefficient.value_or(scene.hourglass_coefficient);
   settings.linear_viscosity = part.linear_viscosity.value_or(scene.linear_viscosity);

@@ -11,8 +11,17 @@ namespace percuss {
 struct CalledMaterial;
 struct Elastic;
 
-/// What is compiled for each material: the one-point element with one of three hourglass controls, or 2x2x2 points.
-enum class HexKind { assumed_strain, stiffness, viscous, full };
+/// What is compiled for each material: the one-point element with one of three hourglass controls, 2x2x2 points, or a
+/// thick shell of three or five points across its thickness.
+enum class HexKind { assumed_strain, stiffness, viscous, full, thick3, thick5 };
+
+/// Points across the thickness of a thick shell; 0: it is none.
+template <HexKind Kind>
+inline constexpr int layers_of = Kind == HexKind::thick3   ? 3
+                                 : Kind == HexKind::thick5 ? 5
+                                                           : 0;
+template <HexKind Kind>
+inline constexpr bool is_thick = layers_of<Kind> > 0;
 
 template <class Material>
 inline constexpr bool is_elastic = std::is_same_v<Material, Elastic>;
@@ -30,11 +39,14 @@ inline constexpr bool keeps_point_volumes = (Kind == HexKind::full) && has_own_m
 
 /// Points with stress and history of their own.
 template <HexKind Kind>
-inline constexpr int hex_points = Kind == HexKind::full ? 8 : 1;
+inline constexpr int hex_points = Kind == HexKind::full ? 8
+                                  : is_thick<Kind>      ? 4 * layers_of<Kind>
+                                                        : 1;
 
 /// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), in float the rest of R (9), stress (6)
-/// by point, then hourglass forces (12), in float the rests of the stress, the volumes of points at the start (8), then
-/// history: scalar i of point p at history + points i + p, in float followed by its rests.
+/// by point, then hourglass forces (12), in float the rests of the stress, the volumes of the points (of 2x2x2 at the
+/// start, of thick shells now), then history: scalar i of point p at history + points i + p, in float followed by its
+/// rests.
 struct HexRecord {
   static constexpr int rest = is_single_precision ? 1 : 0;
   static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17 + 9 * rest;
@@ -43,7 +55,10 @@ struct HexRecord {
   template <HexKind Kind>
   static constexpr int point_volumes = stress + 6 * hex_points<Kind>*(1 + rest) + (keeps_hourglass<Kind> ? 12 : 0);
   template <HexKind Kind, class Material>
-  static constexpr int history = point_volumes<Kind> + (keeps_point_volumes<Material, Kind> ? 8 : 0);
+  static constexpr bool keeps_volumes = keeps_point_volumes<Material, Kind> ||
+                                        (is_thick<Kind> && has_own_moduli<Material>);
+  template <HexKind Kind, class Material>
+  static constexpr int history = point_volumes<Kind> + (keeps_volumes<Kind, Material> ? hex_points<Kind> : 0);
 
   /// Scalars that a record holds if its points have so many history variables.
   template <HexKind Kind, class Material>

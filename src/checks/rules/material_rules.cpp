@@ -300,7 +300,11 @@ std::vector<Warning> check_viscosity(const CheckedScene& scene) {
       warn(path + "hourglass.coefficient", coefficient, "0.03 to 0.1");
   };
   const ElementDeck& all = scene.deck.elements;
-  check(all, {{}, {}, all.hourglass_coefficient, all.linear_viscosity, all.quadratic_viscosity, {}, {}}, "elements.");
+  PartElementDeck given;
+  given.hourglass_coefficient = all.hourglass_coefficient;
+  given.linear_viscosity = all.linear_viscosity;
+  given.quadratic_viscosity = all.quadratic_viscosity;
+  check(all, given, "elements.");
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p)
     check(scene.deck.find_elements(p), scene.deck.parts[p].own_elements, "parts." + scene.deck.parts[p].name + ".");
   return warnings;

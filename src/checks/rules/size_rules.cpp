@@ -186,7 +186,7 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
     const PartMeasures& measures = scene.measures->parts[p];
-    const bool has_points = scene.deck.find_elements(p).integration == ElementDeck::Integration::full;
+    const bool has_points = scene.deck.find_elements(p).integration != ElementDeck::Integration::one_point;
     const bool is_cut = measures.cut_solids > 0 && fill_one_cell(part, measures);
     const std::int64_t layered =
         (has_points ? 0 : measures.single_layer) + measures.layered_wedges + (is_cut ? measures.cut_solids : 0);

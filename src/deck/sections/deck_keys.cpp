@@ -51,8 +51,63 @@ ChoiceValue<Hourglass> hourglass_kind() {
 }
 
 ChoiceValue<Integration> integration_kind() {
-  return {{{"one_point", Integration::one_point}, {"full", Integration::full}}};
+  return {
+      {{"one_point", Integration::one_point}, {"full", Integration::full}, {"thick_shell", Integration::thick_shell}}};
 }
+
+/// Points across a thick shell.
+struct ThickPointsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const {
+    int points = 0;
+    if (!IntegerValue{3, 5}.read(reader, name, node, points)) return false;
+    if (points == 4) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    out = points;
+    return true;
+  }
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::optional<int>& out) const {
+    int points = 0;
+    if (!read(reader, name, node, points)) return false;
+    out = points;
+    return true;
+  }
+  std::string takes() const { return "3 or 5"; }
+  Form form() const { return IntegerValue{3, 5}.form(); }
+};
+
+/// T: ElementDeck or PartElementDeck, whose members have the same names.
+template <class T>
+const Keys<T>& integration_keys() {
+  using Across = ElementDeck::Across;
+  static const Keys<T> keys = {
+      need("kind", &T::integration, integration_kind()),
+      may("points", &T::thick_points, ThickPointsValue{}),
+      may("across", &T::across,
+          ChoiceValue<Across>{{{"first", Across::first},
+                               {"second", Across::second},
+                               {"third", Across::third},
+                               {"shortest", Across::shortest}}}),
+  };
+  return keys;
+}
+
+/// The kind alone, or a map.
+template <class T>
+struct IntegrationValue {
+  MapValue<T> map{integration_keys<T>};
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, T& out) const {
+    if (node.kind != Node::Kind::scalar) return map.read(reader, name, node, out);
+    Integration kind{};
+    if (!integration_kind().read(reader, name, node, kind)) return false;
+    out.integration = kind;
+    return true;
+  }
+  std::string takes() const { return integration_kind().takes() + ", or a map"; }
+  Form form() const { return any_form({integration_kind().form(), map.form()}); }
+};
 
 /// T: ElementDeck or PartElementDeck, whose members have the same names.
 template <class T>
@@ -93,7 +148,7 @@ const Keys<T>& viscosity_keys() {
 template <class T>
 Keys<T> settings_keys() {
   return {
-      may("integration", &T::integration, integration_kind()),
+      group<T>("integration", IntegrationValue<T>{}),
       group<T>("hourglass", HourglassValue<T>{}),
       group<T>("bulk_viscosity", MapValue<T>{viscosity_keys<T>}),
       may("stiffness_damping", &T::stiffness_damping, NumberValue{not_negative}),
@@ -114,14 +169,28 @@ const Keys<ElementDeck>& element_keys() {
   return keys;
 }
 
+/// What only thick shells have.
+void check_thick_keys(const Reader& reader, const Node& node, const ElementDeck& deck) {
+  const Node* integration = node.find("integration");
+  if (integration == nullptr || integration->kind != Node::Kind::map || integration->broken) return;
+  if (deck.integration == Integration::thick_shell) return;
+  for (const char* key : {"points", "across"})
+    if (const Node* given = integration->find(key))
+      reader.error(given->key,
+                   fmt::format("{} has no effect{} (only thick shells have points across a thickness): give "
+                               "kind: thick_shell, or leave it out",
+                               reader.name_of(std::string("integration.") + key), reader.in()));
+}
+
 /// Settings that do nothing beside the others that hold there.
 void check_settings(const Reader& reader, const Node& node, const ElementDeck& deck) {
+  check_thick_keys(reader, node, deck);
   const Node* hourglass = node.find("hourglass");
   if (hourglass == nullptr || hourglass->broken) return;
-  if (deck.integration == Integration::full) {
-    reader.error(hourglass->key,
-                 fmt::format("{} has no effect{} (integration is full, which leaves no hourglass modes)",
-                             reader.name_of("hourglass"), reader.in()));
+  if (deck.integration != Integration::one_point) {
+    const char* const kind = deck.integration == Integration::full ? "full" : "thick_shell";
+    reader.error(hourglass->key, fmt::format("{} has no effect{} (integration is {}, which leaves no hourglass modes)",
+                                             reader.name_of("hourglass"), reader.in(), kind));
     return;
   }
   if (hourglass->kind != Node::Kind::map || deck.hourglass != Hourglass::assumed_strain) return;

@@ -17,6 +17,7 @@ struct KindCost {
 KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
   switch (kind) {
     case TopologyKind::hex8:
+      if (settings.integration == ElementDeck::Integration::thick_shell) return KindCost{190, 180};
       return settings.integration == ElementDeck::Integration::full ? KindCost{76, 90} : KindCost{hexahedron_cost, 18};
     case TopologyKind::quad4:
     case TopologyKind::tri3:

@@ -69,13 +69,14 @@ bool has_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
 
 /// The chunks of this rank, while they are listed.
 struct DampedLists {
-  std::vector<int> solids, shells, beams, is_full;
+  std::vector<int> solids, shells, beams;
+  std::vector<DampedKind> kind;
   std::vector<double> factor, lambda, mu;
   std::vector<DampedSection> sections;
   bool has_triangles = false;
 
   explicit DampedLists(std::size_t count)
-      : is_full(count, 0), factor(count, 0), lambda(count, 0), mu(count, 0), sections(count) {}
+      : kind(count, DampedKind::mean), factor(count, 0), lambda(count, 0), mu(count, 0), sections(count) {}
 };
 
 void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::size_t c, DampedLists& lists) {
@@ -96,7 +97,11 @@ void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::s
     return;
   }
   lists.solids.push_back(static_cast<int>(c));
-  lists.is_full[c] = deck.find_elements(at(chunk.part)).integration == ElementDeck::Integration::full ? 1 : 0;
+  using Integration = ElementDeck::Integration;
+  const Integration integration = deck.find_elements(at(chunk.part)).integration;
+  lists.kind[c] = integration == Integration::full          ? DampedKind::full
+                  : integration == Integration::thick_shell ? DampedKind::thick
+                                                            : DampedKind::mean;
   lists.lambda[c] = beta * moduli.lambda;
   lists.mu[c] = beta * moduli.mu;
 }
@@ -113,9 +118,9 @@ void build_stiffness_damping(const Deck& deck, const ChunkedMesh& chunked, Model
   const auto points = to_host(model.chunks.points);
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) list_chunk(deck, chunked, points(c), c, lists);
   model.stiffness_damping = to_view("percuss::stiffness_damping", lists.factor);
-  model.others->damped_solids = {
-      to_view("percuss::damped_solids", lists.solids), to_view("percuss::damping_lambda", lists.lambda),
-      to_view("percuss::damping_mu", lists.mu), to_view("percuss::has_full_damping", lists.is_full)};
+  model.others->damped_solids = {to_view("percuss::damped_solids", lists.solids),
+                                 to_view("percuss::damping_lambda", lists.lambda),
+                                 to_view("percuss::damping_mu", lists.mu), to_view("percuss::damped_kind", lists.kind)};
   model.others->damped_shells = {to_view("percuss::damped_shells", lists.shells),
                                  to_view("percuss::damped_sections", lists.sections), lists.has_triangles};
   model.others->damped_beams = {to_view("percuss::damped_beams", lists.beams), model.stiffness_damping,

@@ -16,6 +16,7 @@
 #include "kernels/element/internal_force.hpp"
 #include "kernels/material/laws/call_material.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
+#include "kernels/shell/thickness_points.hpp"
 #include "kernels/tet/tet_chunks.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -25,8 +26,13 @@
 
 namespace percuss {
 
-inline HexKind find_kind(const ElementDeck& deck) {
+/// of_material: points across a thick shell unless the deck says.
+inline HexKind find_kind(const ElementDeck& deck, int of_material) {
   if (deck.integration == ElementDeck::Integration::full) return HexKind::full;
+  if (deck.integration == ElementDeck::Integration::thick_shell) {
+    const int points = deck.thick_points > 0 ? deck.thick_points : of_material;
+    return points == layers_of<HexKind::thick3> ? HexKind::thick3 : HexKind::thick5;
+  }
   switch (deck.hourglass) {
     case ElementDeck::Hourglass::stiffness:
       return HexKind::stiffness;
@@ -65,7 +71,7 @@ struct BlockBuilder {
   template <class Material, HexKind Kind>
   void build(HexBlock<Material, Kind>& block) {
     const auto is_ours = [&](const Chunk& chunk) {
-      return find_family(chunk) == ElementFamily::hexahedra && find_kind(find_elements(chunk)) == Kind;
+      return find_family(chunk) == ElementFamily::hexahedra && find_kind(chunk) == Kind;
     };
     add_chunks<Material>(is_ours, block, [&](std::size_t c, const auto& material, const auto& named) {
       describe_records(c, material, named, (HexRecord::history<Kind, Material>), hex_points<Kind>);
@@ -91,6 +97,14 @@ struct BlockBuilder {
 
   ElementFamily find_family(const Chunk& chunk) const {
     return find_topology(find_block(chunked, chunk).topology).family;
+  }
+
+  /// Of a chunk of hexahedra. What is not elastic yields, as for shells.
+  HexKind find_kind(const Chunk& chunk) const {
+    const auto& material = materials[static_cast<std::size_t>(find_block(chunked, chunk).material)].material;
+    return percuss::find_kind(find_elements(chunk), std::holds_alternative<Elastic>(material)
+                                                        ? points_of_elastic_shells
+                                                        : points_of_plastic_shells);
   }
 
   /// The settings of the part of a chunk, which has no other.

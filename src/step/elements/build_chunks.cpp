@@ -16,6 +16,7 @@
 #include "src/step/elements/block_builder.hpp"
 #include "src/step/elements/build_beams.hpp"
 #include "src/step/elements/build_shells.hpp"
+#include "src/step/elements/thick_corners.hpp"
 #include "src/step/model/element_blocks.hpp"
 
 namespace percuss {
@@ -28,7 +29,8 @@ struct ChunkTables {
   int largest_slot_count = 0;
 };
 
-void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_node, ChunkTables& tables) {
+void add_chunk(const Deck& deck, const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_node,
+               ChunkTables& tables) {
   const int first_slot = tables.first_slot.back();
   const auto find_slot = [&](int node) {
     int& slot = slot_of_node[static_cast<std::size_t>(node)];
@@ -43,7 +45,7 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
   tables.corner_slots.resize(find_corner_place(first_pack + packs, 0, 0));
   for (int i = 0; i < packs * pack_width; ++i) {
     const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
-    const auto nodes = mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
+    const auto nodes = find_kernel_nodes(deck, mesh, static_cast<std::size_t>(element));
     for (int corner = 0; corner < 8; ++corner)
       tables.corner_slots[find_corner_place(first_pack, i, corner)] =
           find_slot(nodes[static_cast<std::size_t>(corner)]);
@@ -54,10 +56,10 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
   tables.largest_slot_count = std::max(tables.largest_slot_count, tables.first_slot.back() - first_slot);
 }
 
-ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
+ChunkTables make_chunk_tables(const Deck& deck, const ChunkedMesh& chunked) {
   ChunkTables tables;
   std::vector<int> slot_of_node(chunked.mesh.nodes.size(), -1);
-  for (const Chunk& chunk : chunked.chunks) add_chunk(chunked.mesh, chunk, slot_of_node, tables);
+  for (const Chunk& chunk : chunked.chunks) add_chunk(deck, chunked.mesh, chunk, slot_of_node, tables);
   return tables;
 }
 
@@ -135,6 +137,12 @@ void refuse_plies(const Deck& deck, const Mesh& mesh) {
   }
 }
 
+/// Parts that cannot be what they say.
+void refuse_parts(const Deck& deck, const Mesh& mesh) {
+  refuse_plies(deck, mesh);
+  refuse_other_solids(deck, mesh);
+}
+
 void take_tables(const ChunkedMesh& chunked, const ChunkTables& tables, ElementChunks& chunks) {
   chunks.count = static_cast<int>(chunked.chunks.size());
   chunks.family = to_view("percuss::family_of_chunk", list_families(chunked));
@@ -155,8 +163,8 @@ std::vector<KernelMaterial> make_materials(const Deck& deck) {
 }  // namespace
 
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
-  refuse_plies(deck, chunked.mesh);
-  const ChunkTables tables = make_chunk_tables(chunked);
+  refuse_parts(deck, chunked.mesh);
+  const ChunkTables tables = make_chunk_tables(deck, chunked);
   const std::size_t count = chunked.chunks.size();
   const std::vector<int> empty(count);
   BlockBuilder builder{deck,

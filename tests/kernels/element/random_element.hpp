@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/hex8/thick_shell.hpp"
 
 namespace percuss::test {
 

@@ -80,7 +80,7 @@ struct Twins {
 template <class Kind>
 class ShortHex8 : public testing::Test {};
 using Kinds = testing::Types<KindOf<HexKind::assumed_strain>, KindOf<HexKind::stiffness>, KindOf<HexKind::viscous>,
-                             KindOf<HexKind::full>>;
+                             KindOf<HexKind::full>, KindOf<HexKind::thick3>, KindOf<HexKind::thick5>>;
 TYPED_TEST_SUITE(ShortHex8, Kinds);
 
 Corners make_velocity(Random& random, double size) { return make_element(random, size, size, size, 0.4); }

@@ -68,7 +68,6 @@ PROOFS = [
           "nodes of modes, which an explicit run does not need"),
     Proof("ELEMENT_SHELL_OFFSET: OFFSET", thick("_OFFSET", "0.5\n"), refused="ELEMENT_SHELL.OFFSET"),
     Proof("ELEMENT_SHELL_COMPOSITE", thick("_COMPOSITE", "1,1.0,0.0\n"), refused="ELEMENT_SHELL_COMPOSITE"),
-    Proof("ELEMENT_TSHELL", deck(cube(), "*ELEMENT_TSHELL\n9,1,1,2,3,4,5,6,7,8\n"), refused="ELEMENT_TSHELL"),
     Proof("ELEMENT_PLOTEL", deck(cube(), "*ELEMENT_PLOTEL\n9,1,2\n", velocity(2.0)), mass(CUBE_MASS), "lines for pictures have no mass"),
     Proof("ELEMENT_MASS: ID MASS", deck(cube(), "*ELEMENT_MASS\n1,3,2e-6\n2,5,3e-6\n", velocity(2.0)), mass(CUBE_MASS + 5e-6), "M + 2e-6 + 3e-6"),
     Proof("ELEMENT_MASS_NODE_SET: ID MASS",

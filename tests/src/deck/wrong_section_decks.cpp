@@ -289,6 +289,13 @@ std::vector<WrongDeck> at_odds() {
        "elements.hourglass has no effect (integration is full"},
       {"CoefficientOfAssumedStrain", append("elements: {hourglass: {coefficient: 0.1}}"), "6:24",
        "elements.hourglass.coefficient has no effect (assumed_strain follows from the material): give kind: stiffness"},
+      {"HourglassOfThickShells", append("elements: {integration: thick_shell, hourglass: viscous}"), "6:38",
+       "elements.hourglass has no effect (integration is thick_shell, which leaves no hourglass modes)"},
+      {"PointsOfAThickShell", append("elements: {integration: {kind: thick_shell, points: 4}}"), "6:53",
+       "elements.integration.points is 4 (must be 3 or 5)"},
+      {"AcrossOfFullIntegration", append("elements: {integration: {kind: full, across: first}}"), "6:40",
+       "elements.integration.across has no effect (only thick shells have points across a thickness): give kind: "
+       "thick_shell, or leave it out"},
       {"HourglassOfFullPart", change("material: steel", "material: steel, integration: full, hourglass: viscous"),
        "3:87", "hourglass has no effect in part 'rod' (integration is full"},
       {"CoefficientOfAssumedStrainInPart", change("material: steel", "material: steel, hourglass: {coefficient: 0.1}"),

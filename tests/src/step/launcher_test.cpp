@@ -65,9 +65,9 @@ class OneByOne {
   }
   double find_strain(std::size_t e) const {
     if (!is_plastic(e)) return 0;
-    if constexpr (Kind == HexKind::full) {
+    if constexpr (hex_points < Kind >> 1) {
       double sum = 0;
-      for (const double strain : plastic_[e].history.value[0]) sum += strain / 8;
+      for (const double strain : plastic_[e].history.value[0]) sum += strain / hex_points<Kind>;
       return sum;
     } else {
       return plastic_[e].history.value[0][0];
@@ -212,6 +212,11 @@ TEST(AdvanceElements, GivesTheBitsOfTheElementFunctionWithAssumedStrainHourglass
 
 TEST(AdvanceElements, GivesTheBitsOfTheElementFunctionWithFullIntegration) {
   compare_steps<HexKind::full>("{integration: full}");
+}
+
+TEST(AdvanceElements, GivesTheBitsOfTheElementFunctionOfThickShells) {
+  compare_steps<HexKind::thick3>("{integration: {kind: thick_shell, points: 3}}");
+  compare_steps<HexKind::thick5>("{integration: {kind: thick_shell, points: 5}}");
 }
 
 TEST(NodeSlots, HoldEverySlotOfANodeOnceInAscendingOrder) {

@@ -12,7 +12,8 @@ from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
 STRAINED = {"CPE4R": 4, "CPE3": 3}  # of plane strain: corners in their plane, of which extrude() makes solids
-SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10, **{kind: 2 * count for kind, count in STRAINED.items()}}
+THICK_SHELL = "SC8R"  # a solid with a section of shells
+SOLIDS = {"C3D8": 8, "C3D8R": 8, THICK_SHELL: 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10, **{kind: 2 * count for kind, count in STRAINED.items()}}
 MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
 PLANES = {"CPS4R": 4, "CPS3": 3}  # of plane stress
 RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
@@ -73,6 +74,7 @@ class Section:
     distribution: str = ""  # of thicknesses of shells, by its name
     controls: str = ""  # *SECTION CONTROLS, by its name
     orientation: str = ""  # *ORIENTATION, by its name
+    stack: str = ""  # STACK DIRECTION of SC8R
     layers: list[SectionLayer] = field(default_factory=list)
     area: float = 0.0  # of trusses
     shape: str = ""  # of beams, with dimensions and the direction n1

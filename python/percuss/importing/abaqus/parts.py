@@ -18,7 +18,7 @@ from .deck import AbaqusDeck
 from .heat import keep_shells
 from .lines import Block
 from .materials import find, translate_material
-from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, Instance, Scope, Section, SectionLayer, join
+from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, THICK_SHELL, Instance, Scope, Section, SectionLayer, join
 from .orientations import orient, read_angles
 from .planes import take_plane
 from .plies import refuse_solids
@@ -56,6 +56,7 @@ def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
     elif section.kind in ("SHELL", "MEMBRANE") and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
     if section.kind in ("SHELL", "MEMBRANE") and block.lines:
+        section.stack = block.option("STACK DIRECTION")
         section.is_nodal = "NODAL THICKNESS" in block.options
         section.distribution = block.option("SHELL THICKNESS")
         offset = block.option("OFFSET")
@@ -233,6 +234,8 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
                 raise BadInput(section.place, missing(f"node {corner}, of element {id}"))
     if part.shells:
         add_shell_keys(deck, section, part)
+    if part.solids and section.kind == "SHELL" and not add_thick_keys(deck, section, part, bool(plies)):
+        return
     if part.shells and plies:
         lay_up(deck, section, part, plies)
     if sum(1 for elements in (part.solids, part.shells, part.beams) if elements) > 1:
@@ -244,6 +247,26 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
         deck.model.blocks.append(part)
         add_controls(deck, section, part)
         deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
+
+
+def add_thick_keys(deck: AbaqusDeck, section: Section, part: Part, has_plies: bool) -> bool:
+    """`integration` of continuum shells; False if they are left out."""
+    if has_plies:
+        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of several materials or angles in SC8R", "its elements are left out")
+        deck.left_elements |= {id for id, _ in part.solids}
+        for id, _ in part.solids:
+            deck.blocks_of_elements.pop(id, None)
+        return False
+    if section.offset:
+        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of SC8R, whose nodes are the bottom and the top", "it is 0")
+    points = 3 if section.points <= 3 else 5
+    across = {"": "third", "1": "first", "2": "second", "3": "third"}.get(section.stack)
+    if across is None:
+        deck.ledger.refuse("SHELL SECTION.STACK DIRECTION", section.place, f"the stack direction {section.stack}", "it is 3")
+    part.keys["integration"] = {"kind": "thick_shell", "points": points} | ({"across": across} if across not in (None, "third") else {})
+    text = f"thick shells with 2x2 columns of {points} Gauss points for one column of {section.points}; the thickness is that of the nodes"
+    deck.ledger.approximated("ELEMENT.SC8R", section.place, text)
+    return True
 
 
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
@@ -265,7 +288,9 @@ def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     most = block.option("MAX DEGRADATION")
     if most and block.number((block.place.line, [most]), 0) < LEAST_DEGRADATION and "failure" in deck.model.materials[part.keys["material"]]:
         deck.ledger.refuse("SECTION CONTROLS.MAX DEGRADATION", block.place, "failed elements that keep a part of their stiffness", "they keep none")
-    if kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
+    if kind and part.solids and section.kind == "SHELL":
+        deck.ledger.ignored("SECTION CONTROLS.HOURGLASS", block.place, "thick shells have no hourglass modes")
+    elif kind and part.solids and any(len(set(corners)) == 8 for _, corners in part.solids):
         part.keys["hourglass"] = ours[kind]
         deck.ledger.approximated("SECTION CONTROLS", block.place, "hourglass control of its kind, with the coefficient of percuss")
     factors = [block.number(line, i, 1.0) for i in range(5)]
@@ -313,7 +338,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
             section.points = 1
             deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "membranes are shells with one point through their thickness")
         part.shells.append((id, corners))
-    elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
+    elif kind == THICK_SHELL and section.kind == "SHELL" and len(set(corners)) == len(corners):
+        part.solids.append((id, corners))
+    elif kind in SOLIDS and kind != THICK_SHELL and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
         deck.blocks_of_elements[id] = len(deck.model.blocks)
         if SOLIDS[kind] == 10:
@@ -323,11 +350,13 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         integration = "full" if kind == "C3D8" else "one_point"
         counts = deck.integrations.setdefault(len(deck.model.blocks), Counter())
         counts[integration] += 1
-    elif SOLIDS.get(kind) == 8 and (solid := collapse(list(corners))) is not None:
+    elif SOLIDS.get(kind) == 8 and kind != THICK_SHELL and (solid := collapse(list(corners))) is not None:
         part.solids.append((id, solid))
         deck.ledger.translated("ELEMENT.degenerate", section.place, f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
     else:
         how = " whose corners fall together in another way than those of wedges, pyramids and tetrahedra" if kind in SOLIDS else ""
+        if kind == THICK_SHELL:
+            how = " with another section than one of shells, or with a node twice"
         deck.ledger.refuse(f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}{how}", "they are left out")
         deck.left_elements.add(id)
         return

@@ -165,6 +165,7 @@ class Elements:
     shells: list[Element] = field(default_factory=list)
     beams: list[BeamElement] = field(default_factory=list)
     others: set[str] = field(default_factory=set)
+    is_thick: bool = False  # has solids of *ELEMENT_TSHELL
 
 
 SPACE: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

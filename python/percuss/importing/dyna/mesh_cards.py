@@ -12,7 +12,7 @@ NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
 EIGHTS = (8,) * 10
 SIXTEENS = (16,) * 5
 # Seat belts and the like have no law in percuss: what is left of the model without them.
-OTHERS = ("SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
+OTHERS = ("SEATBELT", "SPH", "TSHELL_", "PLOTEL", "INERTIA", "GENERALIZED")
 
 
 def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = False) -> int:
@@ -105,6 +105,26 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
             deck.solid_axes[id] = read_direction(card, reader, "A"), read_direction(card, reader, "D")
         add_solid(deck, card, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
     deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
+
+
+def read_thick_shells(deck: KeywordDeck, card: Card) -> None:
+    """EID PID N1-N8: the first four nodes are the bottom, the others the top. Six nodes make a wedge, which is no thick shell."""
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        texts = card.split(line, EIGHTS) + [""] * 10
+        id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
+        corners = [to_id(card, line[0], text, "node") for text in texts[2:10]]
+        place = card.at(line[0])
+        found = elements_of(deck, part, place)
+        if len(set(corners)) == 8:
+            found.solids.append((id, tuple(turn_over(corners) if card.change.mirrors() else corners)))
+            found.is_thick = True
+            continue
+        found.others.add("ELEMENT_TSHELL.degenerate")
+        text = f"a thick shell with {len(set(corners))} different nodes"
+        deck.ledger.refuse("ELEMENT_TSHELL.degenerate", place, text, "these elements are left out, and the body has holes")
+    deck.ledger.translated("ELEMENT_TSHELL", card.place, "hexahedra of the mesh, ids kept; they are thick shells")
 
 
 def read_direction(card: Card, reader: Lines, name: str) -> Vector:

@@ -18,7 +18,10 @@ from .materials.shared import COROTATIONAL
 from .preload_cards import mark_bolts
 from .rigid_cards import read_inertia
 
-OTHER_SECTIONS = {"TSHELL", "SEATBELT", "SPH", "POINT", "ALE1D", "ALE2D", "FPD", "IGA"}
+OTHER_SECTIONS = {"SEATBELT", "SPH", "POINT", "ALE1D", "ALE2D", "FPD", "IGA"}
+READ_SECTIONS = ("SOLID", "SHELL", "DISCRETE", "BEAM", "TSHELL")
+THICK_LINE = "SECID ELFORM=1 SHRF=1 NIP=2 PROPT~output QR ICOMP TSHEAR"
+THICK_FORMS, ONE_COLUMN = {1, 2, 3, 5, 6, 7}, {1, 5, 6, 7}
 SHELL_LINE = "SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent"
 MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
@@ -79,10 +82,10 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, f"an option of sections: {kind.split('_', 1)[1]}", "the section is read without it")
         kind = kind.split("_")[0]
         card.keyword = f"SECTION_{kind}"
-    if kind.split("_")[0] not in OTHER_SECTIONS and kind not in ("SOLID", "SHELL", "DISCRETE", "BEAM"):
+    if kind.split("_")[0] not in OTHER_SECTIONS and kind not in READ_SECTIONS:
         deck.ledger.refuse(card.keyword, card.place, "an unknown kind of sections", "it is left out")
         return
-    if kind not in ("SOLID", "SHELL", "DISCRETE", "BEAM"):
+    if kind not in READ_SECTIONS:
         deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
         return
     reader = card.reader()
@@ -95,8 +98,9 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
         elif kind in ("DISCRETE", "BEAM") and reader:
             lines.append(reader.take())
-        elif kind == "SHELL":
-            lines.append(reader.take())
+        elif kind in ("SHELL", "TSHELL"):
+            if kind == "SHELL":
+                lines.append(reader.take())
             layers = card.row(lines[0], SHELL_LINE)
             count = int(layers.number("NIP"))
             if layers.integer("ICOMP"):
@@ -371,6 +375,9 @@ def translate_integration(deck: KeywordDeck) -> None:
     kinds: dict[int, str] = {}
     for block, count in count_hexahedra(deck):
         section = deck.sections[deck.parts[block.part].section]
+        if is_thick(deck, block, section):
+            block.keys["integration"] = translate_thick_section(deck, section)
+            continue
         row = section.reader().row("SECID ELFORM=1 AET A B C COHOFF~absent GASKETT~absent")
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
@@ -389,6 +396,40 @@ def translate_integration(deck: KeywordDeck) -> None:
             block.keys["integration"] = kinds[block.id]
     if chosen != "one_point":
         deck.model.deck.setdefault("elements", {})["integration"] = chosen
+
+
+def is_thick(deck: KeywordDeck, block: Block, section: Card) -> bool:
+    """Whether the hexahedra of a part are thick shells; elements and section must agree."""
+    has_section = section.keyword.startswith("SECTION_TSHELL")
+    if has_section != deck.elements[block.part].is_thick:
+        elements, needed = ("*ELEMENT_SOLID", "*SECTION_SOLID") if has_section else ("*ELEMENT_TSHELL", "*SECTION_TSHELL")
+        raise BadInput(block.place, f"part {block.part} has {elements} and a section of another kind: give it a {needed}")
+    return has_section
+
+
+def translate_thick_section(deck: KeywordDeck, section: Card) -> Deck:
+    """`integration` of the part of a *SECTION_TSHELL."""
+    row = section.reader().row(THICK_LINE)
+    form, points = row.integer("ELFORM") or 1, abs(int(row.number("NIP"))) or 2
+    row.skip("SECID")
+    if form not in THICK_FORMS:
+        deck.ledger.refuse("SECTION_TSHELL.ELFORM", row.place, f"formulation {form} of thick shells", "that of percuss is used")
+    if row.number("SHRF") not in (0.0, 1.0):
+        deck.ledger.approximated("SECTION_TSHELL.SHRF", row.place, "the transverse shear keeps the factor 1")
+    if row.number("QR") < 0:
+        deck.ledger.refuse("SECTION_TSHELL.QR", row.place, "a rule of integration of the user's", "Gauss points are used")
+    if row.integer("ICOMP"):
+        deck.ledger.refuse("SECTION_TSHELL.ICOMP", row.place, "angles of plies in thick shells", "they have none")
+    if row.integer("TSHEAR"):
+        deck.ledger.approximated("SECTION_TSHELL.TSHEAR", row.place, "transverse shear is the same across the thickness as the strains say")
+    row.finish(deck.ledger)
+    chosen = 3 if points <= 3 else 5
+    text = f"thick shells with 2x2 columns of {chosen} Gauss points"
+    if points != chosen or form in ONE_COLUMN:
+        text += f" for formulation {form} with {points}"
+    deck.ledger.approximated("SECTION_TSHELL.NIP", row.place, text)
+    deck.ledger.translated("SECTION_TSHELL", row.place, "integration of the part")
+    return {"kind": "thick_shell", "points": chosen}
 
 
 def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
@@ -412,7 +453,7 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     chosen_by: list[tuple[Block, tuple[str, float]]] = []
     for block, count in count_hexahedra(deck):
         row = find_hourglass(deck, block, general)
-        if not count or block.keys.get("integration", "full" if all_full else "one_point") == "full":
+        if not count or block.keys.get("integration", "full" if all_full else "one_point") != "one_point":
             if row:
                 deck.ledger.approximated(row.card, row.place, "2x2x2 points and other solids have no coefficient")
             continue

@@ -50,7 +50,16 @@ from .mass_cards import add_masses_of_sets, read_masses
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .materials.skins import add_skin_masses
 from .merge_cards import merge_nodes, read_merge_tolerance, read_merged_sets
-from .mesh_cards import OTHERS, apply_node_transforms, read_node_transform, read_nodes, read_other_elements, read_shells, read_solids
+from .mesh_cards import (
+    OTHERS,
+    apply_node_transforms,
+    read_node_transform,
+    read_nodes,
+    read_other_elements,
+    read_shells,
+    read_solids,
+    read_thick_shells,
+)
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration, translate_shell_hourglass
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
@@ -85,7 +94,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 
 # Read at once. forms.py has what may follow a name.
 DEFINITIONS: dict[str, Handler] = {
-    "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "NODE_MERGE_SET": read_merged_sets, "NODE_MERGE_TOLERANCE": read_merge_tolerance, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
+    "TITLE": read_title, "NODE": read_nodes, "NODE_TRANSFORM": read_node_transform, "NODE_MERGE_SET": read_merged_sets, "NODE_MERGE_TOLERANCE": read_merge_tolerance, "ELEMENT_SOLID": read_solids, "ELEMENT_TSHELL": read_thick_shells, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
     "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "INTEGRATION_BEAM": read_rules, "ELEMENT_SEATBELT_ACCELEROMETER": read_accelerometers, "ELEMENT_": read_other_elements, "PART": read_parts, "PART_COMPOSITE": read_composite, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, **{name: read_set for name in OPTIONS if name.startswith("SET_")}, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,

@@ -19,7 +19,7 @@ SAME: Affine = (((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (0.0, 0.0, 
 ROUND_OFF = 1e-9  # of products of rows that commute
 # What holds no places, directions or speeds of its own, but in nodes.
 MOVABLE = (
-    "NODE", "ELEMENT_SOLID", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_", "DEFINE_CURVE",
+    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_", "DEFINE_CURVE",
     "DEFINE_TABLE", "HOURGLASS", "CONTROL_", "DATABASE_", "CONTACT_", "TITLE", "CONSTRAINED_EXTRA_NODES", "CONSTRAINED_NODAL_RIGID_BODY",
 )  # fmt: skip
 # What has directions and speeds, but no places: it is as it stands where a file is not turned, scaled or mirrored.
@@ -30,7 +30,7 @@ DIRECTED = (
 )  # fmt: skip
 # Whose fields with ids are all of SHIFTS, so that offsets reach what they define and what they refer to.
 SHIFTED = (
-    "NODE", "ELEMENT_SOLID", "ELEMENT_SHELL", "ELEMENT_BEAM", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_",
+    "NODE", "ELEMENT_SOLID", "ELEMENT_TSHELL", "ELEMENT_SHELL", "ELEMENT_BEAM", "ELEMENT_MASS", "ELEMENT_DISCRETE", "PART", "SECTION_", "MAT_", "EOS_", "SET_",
     "DEFINE_CURVE", "DEFINE_TABLE", "DEFINE_BOX", "DEFINE_VECTOR", "HOURGLASS", "CONTROL_", "TITLE", "CONSTRAINED_EXTRA_NODES",
     "CONSTRAINED_NODAL_RIGID_BODY", "CONSTRAINED_NODE_SET", "CONSTRAINED_RIGID_BODIES", "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET",
     "CONSTRAINED_JOINT_", "BOUNDARY_SPC", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_SEGMENT", "LOAD_SHELL_", "LOAD_BODY_",

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/hex8/thick_shell.hpp"
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "tests/kernels/element/random_element.hpp"

@@ -92,6 +92,8 @@ TEST(DeckSchema, TakesEveryFormThatTheReaderTakes) {
            "title: true",
            "units: 'm, kg, s'",
            "elements: {hourglass: stiffness}",
+           "elements: {integration: thick_shell}",
+           "elements: {integration: {kind: thick_shell, points: 5, across: shortest}}",
            "elements: {hourglass: {kind: viscous, coefficient: 0}}",
            "conditions: [{nodes: rod, fixed: x}, {nodes: 'rod/x_min', fixed: [x, y]}]",
            "conditions: [{nodes: {inside: [[0, 0, 0], [1, 1, 1]]}, symmetry: y}]",
