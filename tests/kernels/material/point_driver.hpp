@@ -24,8 +24,9 @@ struct Leg {
 template <class Law>
 class Point {
  public:
+  // Not inlined: GCC 12 would warn of loops of laws that this one is not.
   template <class... State>
-  explicit Point(const Law& law, double density, const State&... state)
+  [[gnu::noinline]] explicit Point(const Law& law, double density, const State&... state)
       : material(make_called_material(law, density, state...)) {
     const double center[3] = {0, 0, 0};
     start_history(material, history, center);
