@@ -45,8 +45,8 @@ inline constexpr int hex_points = Kind == HexKind::full ? 8
 
 /// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), in float the rest of R (9), stress (6)
 /// by point, then hourglass forces (12), in float the rests of the stress, the volumes of the points (of 2x2x2 at the
-/// start, of thick shells now), then history: scalar i of point p at history + points i + p, in float followed by its
-/// rests.
+/// start, of thick shells now), what columns of thick shells lacked (4) if their law yields, then history: scalar i of
+/// point p at history + points i + p, in float followed by its rests.
 struct HexRecord {
   static constexpr int rest = is_single_precision ? 1 : 0;
   static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17 + 9 * rest;
@@ -58,7 +58,8 @@ struct HexRecord {
   static constexpr bool keeps_volumes = keeps_point_volumes<Material, Kind> ||
                                         (is_thick<Kind> && has_own_moduli<Material>);
   template <HexKind Kind, class Material>
-  static constexpr int history = point_volumes<Kind> + (keeps_volumes<Kind, Material> ? hex_points<Kind> : 0);
+  static constexpr int history = point_volumes<Kind> + (keeps_volumes<Kind, Material> ? hex_points<Kind> : 0) +
+                                 (is_thick<Kind> && Material::can_yield ? 4 : 0);
 
   /// Scalars that a record holds if its points have so many history variables.
   template <HexKind Kind, class Material>

@@ -23,6 +23,18 @@ struct VolumeRatios<T, Points, false> {
   static constexpr bool keeps = false;
 };
 
+/// What a column of a law that yields needs beyond an elastic one: the part of the moment across that elastic moduli
+/// did not foresee in the last step, over that which they foresaw.
+template <class T, bool Yields>
+struct ThicknessFlow {
+  static constexpr bool keeps = true;
+  T share[4];
+};
+template <class T>
+struct ThicknessFlow<T, false> {
+  static constexpr bool keeps = false;
+};
+
 template <class T, class Material, HexKind Kind>
 requires(is_thick<Kind>) struct HexState<T, Material, Kind> {
   static constexpr int points = 4 * layers_of<Kind>;
@@ -32,6 +44,7 @@ requires(is_thick<Kind>) struct HexState<T, Material, Kind> {
   Symmetric3<T> stress[points];                                // Cauchy, unrotated, at n: 4 l + column
   [[no_unique_address]] StressRestsOf<T, points> stress_rest;  // in float
   [[no_unique_address]] VolumeRatios<T, points, has_own_moduli<Material>> volume;  // at n
+  [[no_unique_address]] ThicknessFlow<T, Material::can_yield> flow;                // at n
   [[no_unique_address]] MaterialHistory<T, Material, points> history;
 };
 
@@ -331,24 +344,53 @@ PERCUSS_FORCE_INLINE void follow_column(const ThickMotion<T>& motion, const Gaus
   column.turn = motion.frame.half_dt * (twist - motion.frame.mean_twist) - motion.frame.by_strain;
 }
 
-/// The strain linear in zeta, times 512 det J, by which the moment of the stress across the thickness vanishes, as far
-/// as elastic moduli say: that of n, and what the step adds. A column at rest is left as it is.
+/// The strain across of a column and what it answers to: moments of the stress across the thickness.
+template <class T>
+struct ColumnRelaxation {
+  T held;       // at n
+  T grown;      // what the strains of the step add to elastic moduli
+  T stiffness;  // of the strain across
+  T strain;     // linear in zeta, times 512 det J
+};
+
+/// The strain by which the moment vanishes: that of n, and what the step adds with what it lacked in the last step. A
+/// column at rest is left as it is.
 template <int N, class T, class State>
-PERCUSS_FORCE_INLINE T relax_column(int c, const ColumnStep<T, N>& column, const Moduli<T>& moduli,
-                                    const State& state) {
+PERCUSS_FORCE_INLINE ColumnRelaxation<T> relax_column(int c, const ColumnStep<T, N>& column, const Moduli<T>& moduli,
+                                                      const State& state) {
   const Vector3<T>& n = column.normal;
-  T held(0), grown(0), stiffness(0), motion(0);
+  ColumnRelaxation<T> out{T(0), T(0), T(0), T(0)};
+  T motion(0);
   for (int l = 0; l < N; ++l) {
     const double place = LayerRule<N>::place[l], weight = LayerRule<N>::weight[l];
     const T share = number<T>(weight * place);
-    held = held + share * dot(n, state.stress[4 * l + c] * n);
-    grown =
-        grown + share * (moduli.lambda * trace(column.de[l]) + number<T>(2.0) * moduli.mu * dot(n, column.de[l] * n));
-    stiffness = stiffness + number<T>(weight * place * place) / column.at[l].volume;
+    out.held = out.held + share * dot(n, state.stress[4 * l + c] * n);
+    out.grown = out.grown +
+                share * (moduli.lambda * trace(column.de[l]) + number<T>(2.0) * moduli.mu * dot(n, column.de[l] * n));
+    out.stiffness = out.stiffness + number<T>(weight * place * place) / column.at[l].volume;
     motion = motion + contract(column.de[l], column.de[l]);
   }
-  stiffness = (moduli.lambda + number<T>(2.0) * moduli.mu) * stiffness;
-  return (T(0) - (select(motion > T(0), held, T(0)) + grown)) / stiffness;
+  out.stiffness = (moduli.lambda + number<T>(2.0) * moduli.mu) * out.stiffness;
+  T more = out.grown;
+  if constexpr (decltype(state.flow)::keeps) more = more + state.flow.share[c] * out.grown;
+  out.strain = (T(0) - (select(motion > T(0), out.held, T(0)) + more)) / out.stiffness;
+  return out;
+}
+
+/// Flow without change of volume asks for (lambda + 2 mu) / lambda times the elastic strain across, 2.3 at a Poisson's
+/// ratio of 0.3; more beyond it than this is not taken for flow.
+inline constexpr double largest_flow_share = 3;
+
+/// Keeps what the column of a law that yields lacked. moment: of the stress at n+1.
+template <class T, class State>
+PERCUSS_FORCE_INLINE void keep_flow([[maybe_unused]] int c, [[maybe_unused]] const ColumnRelaxation<T>& column,
+                                    [[maybe_unused]] const T& moment, [[maybe_unused]] State& state) {
+  if constexpr (decltype(state.flow)::keeps) {
+    const T lacked = moment - column.held - column.grown - column.stiffness * column.strain;
+    const T square = larger(column.grown * column.grown, number<T>(next_to_nothing<T>));
+    const T share = larger(smaller(lacked * column.grown / square, number<T>(largest_flow_share)), T(0));
+    state.flow.share[c] = select(column.grown == T(0), state.flow.share[c], share);
+  }
 }
 
 /// Moduli that the next strain across is found with: of a called material as stiff as its stiffest point at n.
@@ -403,7 +445,8 @@ PERCUSS_FORCE_INLINE void advance_column(const SolidParameters<Material>& par, i
   const GaussPoint at = find_gauss_point(c);
   ColumnStep<T, N> column;
   follow_column(motion, at, column);
-  const T across = relax_column(c, column, moduli, state);
+  const ColumnRelaxation<T> relaxation = relax_column(c, column, moduli, state);
+  T moment(0);
   const Vector3<T>& n = column.normal;
   const Symmetric3<T> dyad{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
   const ColumnField<T> end = find_column(motion.end, at);
@@ -413,14 +456,16 @@ PERCUSS_FORCE_INLINE void advance_column(const SolidParameters<Material>& par, i
     const T zeta = number<T>(LayerRule<N>::place[l]), weight = number<T>(LayerRule<N>::weight[l]);
     const Symmetric3<T> before = state.stress[p];
     const T volume = column.at[l].volume;
-    advance_layer(par, LayerStep<T>{p, column.de[l] + (zeta * across / volume) * dyad, column.turn}, motion, state,
-                  sums);
+    advance_layer(par, LayerStep<T>{p, column.de[l] + (zeta * relaxation.strain / volume) * dyad, column.turn}, motion,
+                  state, sums);
     sums.work = sums.work + weight * motion.volume_scale * volume * contract(before + state.stress[p], column.de[l]);
+    if constexpr (Material::can_yield) moment = moment + weight * zeta * dot(n, state.stress[p] * n);
     const LayerGeometry<T> now = find_layer_geometry(end, zeta);
     add_layer(state.stress[p], now, zeta, weight * now.volume, force);
     sums.size.take(c, now, end.across, weight * now.volume);
     sums.smallest_volume = smaller(sums.smallest_volume, now.volume);
   }
+  keep_flow(c, relaxation, moment, state);
   add_column(force, at, sums.force.modes, sums.force.assumed);
 }
 

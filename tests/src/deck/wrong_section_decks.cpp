@@ -293,7 +293,7 @@ std::vector<WrongDeck> at_odds() {
        "elements.hourglass has no effect (integration is thick_shell, which leaves no hourglass modes)"},
       {"PointsOfAThickShell", append("elements: {integration: {kind: thick_shell, points: 4}}"), "6:53",
        "elements.integration.points is 4 (must be 3 or 5)"},
-      {"AcrossOfFullIntegration", append("elements: {integration: {kind: full, across: first}}"), "6:40",
+      {"AcrossOfFullIntegration", append("elements: {integration: {kind: full, across: first}}"), "6:38",
        "elements.integration.across has no effect (only thick shells have points across a thickness): give kind: "
        "thick_shell, or leave it out"},
       {"HourglassOfFullPart", change("material: steel", "material: steel, integration: full, hourglass: viscous"),

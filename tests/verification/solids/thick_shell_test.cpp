@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <numbers>
 #include <string>
 
 #include "tests/verification/support/run_deck.hpp"
@@ -40,11 +38,11 @@ silence: [single_layer]
 }  // namespace
 
 TEST(ThickShell, CantileverBendsAsAPlate) {
-  for (const double length : {10.0, 30.0, 100.0}) {
-    const double ratio = bend_strip(length, 0.3, "integration: thick_shell");
-    fmt::print("elements {} times as long as thick: {:.4f} of the plate's deflection\n", length, ratio);
-    EXPECT_NEAR(ratio, 1, 0.01);
-  }
+  // Thinner ones need more damped steps; thick_shell_statics_test.cpp has them without steps.
+  constexpr double length = 10;
+  const double ratio = bend_strip(length, 0.3, "integration: thick_shell");
+  fmt::print("elements {} times as long as thick: {:.4f} of the plate's deflection\n", length, ratio);
+  EXPECT_NEAR(ratio, 1, 0.01);
 }
 
 }  // namespace percuss::test

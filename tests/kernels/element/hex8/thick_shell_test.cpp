@@ -241,6 +241,26 @@ TEST(ThickShell, ASectionThatYieldsHasTheMomentOfItsPoints) {
   EXPECT_LT(std::abs(moment), 1e-2 * yield);
 }
 
+TEST(ThickShell, AFewLargeStepsBendASectionAsManySmallOnes) {
+  // What plastic flow needs across the thickness beyond elasticity is foreseen: 129 steps of half the strain at yield.
+  const auto bend_in = [](int steps) {
+    const LameConstants m = find_lame_constants(210000, 0.3);
+    const SolidParameters<J2Plasticity> par{{m.lambda, m.mu, 100, 0}, m.lambda, m.mu, 0, {0, 0}};
+    Corners x = make_plate_element(10, 10, 10), v{}, f{};
+    for (int i = 0; i < 8; ++i) v.x[i] = 0.1 * corner_xi[i] * corner_zeta[i];
+    auto state = make_state<J2Plasticity, three>(1.0);
+    double work = 0;
+    for (int n = 0; n < steps; ++n) {
+      for (int i = 0; i < 8; ++i) x.x[i] += v.x[i] / steps;
+      work += advance_hex8(par, find_modes(x), find_modes(v), 1.0 / steps, state, {f.x, f.y, f.z}).work.internal;
+    }
+    return work;
+  };
+  const double fine = bend_in(5000);
+  EXPECT_NEAR(bend_in(129) / fine, 1, 0.003);
+  EXPECT_NEAR(bend_in(20) / fine, 1, 0.06);
+}
+
 TEST(ThickShell, BoundOfTheStepIsThatOfThePlateWave) {
   // A thin square: omega^2 = 4 (lambda + 2 mu) / (rho h^2) across, and little more from the other directions.
   const SolidParameters<Elastic> par = make_elastic(1e9, 0.3);
