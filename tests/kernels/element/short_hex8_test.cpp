@@ -89,6 +89,8 @@ Corners make_velocity(Random& random, double size) { return make_element(random,
 
 TYPED_TEST(ShortHex8, StepsAreThoseOfDoubleToItsOwnRoundOff) {
   Random random(31);
+  // Thick shells carry a quotient of moments into the next step, which round-off changes more: 105 of these at most.
+  constexpr double units = is_thick<TypeParam::value> ? 200 : 100;
   for (int k = 0; k < 20; ++k) {
     Twins<TypeParam::value> twins(make_element(random, 1, 0.7, 1.3, 0.15));
     for (int n = 0; n < 5; ++n) {
@@ -98,7 +100,7 @@ TYPED_TEST(ShortHex8, StepsAreThoseOfDoubleToItsOwnRoundOff) {
       double largest = 0;
       for (const auto& s : expected) largest = std::max(largest, find_size(s));
       for (std::size_t p = 0; p < expected.size(); ++p) {
-        EXPECT_LT(find_size(stresses[p] + (-1.0) * expected[p]), 100 * unit * largest);
+        EXPECT_LT(find_size(stresses[p] + (-1.0) * expected[p]), units * unit * largest);
       }
       float force[3][8];
       double size = 0;
