@@ -3,6 +3,7 @@
 #include "kernels/element/dying_lanes.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/element/hex8/point_mean.hpp"
 
 namespace percuss {
 
@@ -12,9 +13,7 @@ namespace {
 KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const ElementRecord& record, int first, int points) {
   double mean[6];
   for (int k = 0; k < 6; ++k) {
-    double sum = record[first + k];
-    for (int p = 1; p < points; ++p) sum += record[first + 6 * p + k];
-    mean[k] = points > 1 ? sum / points : sum;
+    mean[k] = find_point_mean(points, [&](int p) { return double{record[first + 6 * p + k]}; });
   }
   return {mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
 }
@@ -22,10 +21,7 @@ KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const ElementRecord& recor
 /// A scalar of the history, the mean over the points; 0 where there is none.
 KOKKOS_INLINE_FUNCTION double read_scalar(const ElementRecord& record, int first, int points) {
   if (first < 0) return 0;
-  if (points == 1) return record[first];
-  double mean = 0;
-  for (int p = 0; p < points; ++p) mean += double{record[first + p]} / points;
-  return mean;
+  return find_point_mean(points, [&](int p) { return double{record[first + p]}; });
 }
 
 /// What the limits ask of an element.

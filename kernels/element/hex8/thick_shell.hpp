@@ -9,6 +9,7 @@
 // without a moment: a correction a step, of which the moment that is left is part of the next (docs/theory.md).
 
 #include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/element/hex8/point_mean.hpp"
 
 namespace percuss {
 
@@ -46,22 +47,6 @@ requires(is_thick<Kind>) struct HexState<T, Material, Kind> {
   [[no_unique_address]] VolumeRatios<T, points, has_own_moduli<Material>> volume;  // at n
   [[no_unique_address]] ThicknessFlow<T, Material::can_yield> flow;                // at n
   [[no_unique_address]] MaterialHistory<T, Material, points> history;
-};
-
-/// Gauss points across the thickness; weights add up to 2.
-template <int N>
-struct LayerRule;
-template <>
-struct LayerRule<3> {
-  static constexpr double place[3] = {-0.77459666924148337704, 0, 0.77459666924148337704};
-  static constexpr double weight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
-};
-template <>
-struct LayerRule<5> {
-  static constexpr double place[5] = {-0.90617984593866399280, -0.53846931010568309104, 0, 0.53846931010568309104,
-                                      0.90617984593866399280};
-  static constexpr double weight[5] = {0.23692688505618908751, 0.47862867049936646804, 128.0 / 225,
-                                       0.47862867049936646804, 0.23692688505618908751};
 };
 
 /// 64 times the strains of the element's coordinates that are assumed, by their share in 1, xi, eta and xi eta.

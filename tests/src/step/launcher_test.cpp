@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "kernels/element/hex8/point_mean.hpp"
 #include "src/step/model/element_blocks.hpp"
 #include "src/step/results/fields/element_fields.hpp"
 #include "tests/kernels/element/random_element.hpp"
@@ -66,9 +67,7 @@ class OneByOne {
   double find_strain(std::size_t e) const {
     if (!is_plastic(e)) return 0;
     if constexpr (hex_points < Kind >> 1) {
-      double sum = 0;
-      for (const double strain : plastic_[e].history.value[0]) sum += strain / hex_points<Kind>;
-      return sum;
+      return find_point_mean(hex_points<Kind>, [&](int p) { return plastic_[e].history.value[0][p]; });
     } else {
       return plastic_[e].history.value[0][0];
     }
@@ -80,9 +79,10 @@ class OneByOne {
   template <class State>
   static Symmetric3<double> find_mean_stress(const State& state) {
     const std::vector<Symmetric3<double>> points = list_stresses(state);
-    Symmetric3<double> sum = points[0];
-    for (std::size_t p = 1; p < points.size(); ++p) sum = sum + points[p];
-    return push_forward(state.polar.rotation, (1.0 / static_cast<double>(points.size())) * sum);
+    const int count = static_cast<int>(points.size());
+    Symmetric3<double> mean = find_point_share(count, 0) * points[0];
+    for (int p = 1; p < count; ++p) mean = mean + find_point_share(count, p) * points[static_cast<std::size_t>(p)];
+    return push_forward(state.polar.rotation, mean);
   }
 
   bool is_plastic(std::size_t e) const { return scene_.chunked.mesh.part_of(e) == 0; }

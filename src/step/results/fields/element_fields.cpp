@@ -5,6 +5,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/element/hex8/point_mean.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
 #include "src/step/results/fields/shell_fields.hpp"
 
@@ -74,13 +75,8 @@ struct ReadStress {
     const bool is_one = is_of_solids && point >= 0 && point < points;
     double mean[6];
     for (int k = 0; k < 6; ++k) {
-      if (is_one) {
-        mean[k] = s[6 * point + k];
-        continue;
-      }
-      double sum = s[k];
-      for (int p = 1; p < points; ++p) sum += s[6 * p + k];
-      mean[k] = sum / points;
+      const auto value = [&](int p) { return double{s[6 * p + k]}; };
+      mean[k] = is_one ? value(point) : find_point_mean(points, value);
     }
     const Symmetric3<double> stress{mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
     Matrix3<double> rotation{};
@@ -128,7 +124,7 @@ struct ReadScalar {
       row[0] = record[place + point];
       return;
     }
-    for (int p = 0; p < points; ++p) row[0] += double{record[place + p]} / points;
+    if (points > 0) row[0] = find_point_mean(points, [&](int p) { return double{record[place + p]}; });
   }
 };
 
@@ -144,7 +140,7 @@ struct ReadStateVariable {
     if (first < 0) return;
     const int place = first + number * points;
     if (place >= chunks.find_scalar(c, HistoryScalar::after_states)) return;
-    for (int p = 0; p < points; ++p) row[0] += double{record[place + p]} / points;
+    row[0] = find_point_mean(points, [&](int p) { return double{record[place + p]}; });
   }
 };
 

@@ -241,6 +241,16 @@ TEST(ThickShell, ASectionThatYieldsHasTheMomentOfItsPoints) {
   EXPECT_LT(std::abs(moment), 1e-2 * yield);
 }
 
+TEST(ThickShell, TheMeanOverItsPointsIsThatOverItsVolume) {
+  const auto mean = [](const double* place, int layers, int power) {
+    return find_point_mean(4 * layers, [&](int p) { return std::pow(place[p / 4], power); });
+  };
+  EXPECT_NEAR(mean(LayerRule<3>::place, 3, 0), 1, 1e-15);
+  EXPECT_NEAR(mean(LayerRule<3>::place, 3, 4), 1.0 / 5, 1e-15);
+  EXPECT_NEAR(mean(LayerRule<5>::place, 5, 0), 1, 1e-15);
+  EXPECT_NEAR(mean(LayerRule<5>::place, 5, 8), 1.0 / 9, 1e-15);
+}
+
 TEST(ThickShell, AFewLargeStepsBendASectionAsManySmallOnes) {
   // What plastic flow needs across the thickness beyond elasticity is foreseen: 129 steps of half the strain at yield.
   const auto bend_in = [](int steps) {
