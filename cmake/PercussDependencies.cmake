@@ -49,9 +49,14 @@ find_library(EXODUS_LIBRARY NAMES exodusII exodus exoIIv2c REQUIRED)
 find_path(EXODUS_INCLUDE_DIR exodusII.h REQUIRED)
 add_library(percuss_exodus INTERFACE)
 # Some of netCDF is called by itself, of the very library that Exodus brings: another one would bring another HDF5.
+execute_process(COMMAND ${CMAKE_READELF} -d ${EXODUS_LIBRARY} OUTPUT_VARIABLE _percuss_needed ERROR_QUIET)
+if(_percuss_needed MATCHES "\\[(libnetcdf[^]]*)\\]")
+  find_library(NETCDF_LIBRARY NAMES ${CMAKE_MATCH_1} REQUIRED)
+else()
+  find_library(NETCDF_LIBRARY NAMES netcdf REQUIRED)
+endif()
 find_path(NETCDF_INCLUDE_DIR netcdf.h REQUIRED)
-target_link_libraries(percuss_exodus INTERFACE
-  "-Wl,--copy-dt-needed-entries,${EXODUS_LIBRARY},--no-copy-dt-needed-entries")
+target_link_libraries(percuss_exodus INTERFACE ${EXODUS_LIBRARY} ${NETCDF_LIBRARY})
 target_include_directories(percuss_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR} ${NETCDF_INCLUDE_DIR})
 
 find_library(METIS_LIBRARY NAMES metis REQUIRED)
