@@ -1284,7 +1284,7 @@ class Abaqus(InFolder):
         self.accept(text, "deck.inp")
 
     def test_bodies_that_are_free_in_part_are_refused(self):
-        for old, new, key in (("900, 1, 5", "900, 1, 4", "BOUNDARY.reference"), ("*KINEMATIC\n", "*KINEMATIC\n1, 3\n", "KINEMATIC.free"),
+        for old, new, key in (("900, 1, 5", "900, 1, 4", "BOUNDARY.reference"), ("*KINEMATIC\n*END", "*KINEMATIC\n1, 3\n*NODE\n902, 0., 0., 4.\n*COUPLING, CONSTRAINT NAME=d, REF NODE=902, SURFACE=coupled\n*KINEMATIC\n1, 3\n*END", "KINEMATIC.free"),
                               ("*KINEMATIC\n", "*DISTRIBUTING\n", "DISTRIBUTING"), ("ELSET=block-1.all", "PIN NSET=plate-1.every", "RIGID BODY.PIN NSET"),
                               ("*KINEMATIC\n", "*KINEMATIC\n*MPC\nLINK, plate-1.1, plate-1.4\n", "MPC.LINK")):  # fmt: skip
             with self.subTest(key):

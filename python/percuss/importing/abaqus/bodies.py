@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from ..ledger import BadInput, Ledger, Place
 from ..model import Deck
 from .deck import AbaqusDeck, RigidGroup
+from .followers import is_partial, note_couplings
 from .levers import MOST, find_lever
 from .lines import Block
 from .mesh import BodyCard, Scope
@@ -88,12 +89,10 @@ def list_members(deck: AbaqusDeck, card: BodyCard) -> Members:
 
 
 def refuse_free(deck: AbaqusDeck, card: BodyCard) -> None:
-    """Rotations that a body leaves free, of nodes that have them, and directions that a coupling does."""
+    """Rotations that a body leaves free, of nodes that have them."""
     turning = deck.model.turning_nodes()
     if any(node in turning for name in card.pinned for node in deck.nodes_of(name, card.place)):
         deck.ledger.refuse("RIGID BODY.PIN NSET", card.place, "nodes whose rotations are free", "their rotations are those of the body")
-    if card.held and (not card.held.startswith("123") or turning & deck.nodes_of_surface(card.surface, card.place)):
-        deck.ledger.refuse("KINEMATIC.free", card.place, "a coupling that leaves directions free", "it couples all directions")
 
 
 def merge(found: list[Members]) -> list[list[Members]]:
@@ -111,9 +110,10 @@ def merge(found: list[Members]) -> list[list[Members]]:
 
 def build_bodies(deck: AbaqusDeck) -> None:
     """Parts that are rigid, and `rigid_sets` of what they do not have."""
+    note_couplings(deck)
     for card in (card for card in deck.mesh.bodies if card.profile):
         add_wall(deck, card)
-    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.equal]):
+    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.equal and not is_partial(deck, card)]):
         card = together[0].card
         nodes = {node for m in together for node in m.nodes if node in deck.used_nodes()}
         if not nodes:

@@ -6,7 +6,9 @@ from ..curves import integrate, order_points
 from ..fields import clip
 from ..ledger import Place
 from ..model import Deck
+from .axisymmetric import hold_bodies, split_turned
 from .deck import AbaqusDeck
+from .followers import follow, list_leaders
 from .lines import Block
 from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
 
@@ -54,7 +56,8 @@ def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value
     """Notes what a line does from its step on."""
     place = block.at(line[0])
     name = block.text(line, 0)
-    nodes = [node for node in deck.nodes_of(name, place) if node in deck.used_nodes() or node in deck.group_of_ref]
+    moving = deck.group_of_ref.keys() | list_leaders(deck).keys()
+    nodes = [node for node in deck.nodes_of(name, place) if node in deck.used_nodes() or node in moving]
     if not nodes:
         deck.ledger.ignored("BOUNDARY", place, "its nodes have no element")
         return
@@ -62,10 +65,11 @@ def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value
     action = make_action(deck, block, place, nodes, directions, value)
     if action is None:
         return
-    for node in nodes:
-        for direction in directions:
-            deck.motions.act((node, direction), action)
-    deck.condition_lines.append(ConditionLine(name, nodes, directions, action))
+    for group, ways in split_turned(deck, nodes, directions):
+        for node in group:
+            for direction in ways:
+                deck.motions.act((node, direction), action)
+        deck.condition_lines.append(ConditionLine(name, group, ways, action))
 
 
 def refuse_other_axes(deck: AbaqusDeck, nodes: list[int], place: Place) -> None:
@@ -113,6 +117,7 @@ def find_start(deck: AbaqusDeck, nodes: list[int], directions: list[str]) -> flo
 def finish_conditions(deck: AbaqusDeck) -> None:
     """Conditions of nodes; those of reference nodes are noted with their bodies."""
     hold_references(deck)
+    follow(deck)
     turning = deck.model.turning_nodes()
     done: set[tuple] = set()
     for line in deck.condition_lines:
@@ -140,7 +145,7 @@ def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set
             groups.setdefault(nodes, []).append(direction)
             done |= {(node, direction) for node in nodes}
     for nodes, directions in groups.items():
-        name = deck.node_set_name(line.name, place) if len(nodes) == len(line.nodes) else deck.model.add_node_set(line.name, nodes)
+        name = deck.node_set_name(line.name, place) if len(nodes) == len(line.nodes) and not deck.is_ring else deck.model.add_node_set(line.name, nodes)
         window = [Window(line.action, 0.0, deck.end_time)]
         motions = [make_motion(window, deck.end_time, direction) for direction in directions]
         deck.model.add("conditions", {"nodes": name, **join_motions(motions)})
@@ -194,3 +199,4 @@ def hold_references(deck: AbaqusDeck) -> None:
             deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved", "the last of them counts")
         group.held[direction] = (node, None if "fixed" in motion else motion)
         deck.ledger.translated("BOUNDARY", place, "what holds a rigid body")
+    hold_bodies(deck)

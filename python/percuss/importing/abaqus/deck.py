@@ -12,10 +12,11 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
 from .amplitudes import Amplitude
 from .lines import Block
-from .mesh import PLANES, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
+from .mesh import PLANES, RINGS, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
 from .timeline import StepTime, Timeline, shift_points
 
 T = TypeVar("T")
+FLAT = {**STRAINED, **RINGS}  # elements in a plane, with their corners there
 
 
 @dataclass
@@ -52,6 +53,17 @@ class General:
     end: float | None
     friction: float
     place: Place
+
+
+@dataclass
+class Following:
+    """The directions in which nodes have the motion of their leader."""
+
+    card: BodyCard
+    leader: int
+    nodes: list[int]
+    ways: list[str]
+    has_arms: bool = False  # its turns would move them too
 
 
 class AbaqusDeck:
@@ -97,7 +109,11 @@ class AbaqusDeck:
         self.step_scale = 0.0  # 0: percuss' own
         self.states: dict[int, tuple[float, ...]] = {}  # of user code at the start, by element
         self.states_place: Place | None = None
-        self.twins: dict[int, int] = {}  # of nodes of plane strain: those of the other plane
+        self.twins: dict[int, int] = {}  # of nodes of plane strain and of rotational symmetry: those of the other plane
+        self.followings: list[Following] = []  # nodes with the motion of a node without elements
+        self.is_ring = False  # its elements are of rotational symmetry
+        self.on_axis: set[int] = set()  # nodes on the axis of symmetry, and their twins
+        self.turned: set[int] = set()  # twins of rotational symmetry, whose radius is along z
         self.heats = False  # plastic work changes temperatures
         self.conducting_place: Place | None = None  # of a step that conducts heat
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
@@ -355,14 +371,15 @@ class AbaqusDeck:
         if kind in PLANES:
             self.ledger.refuse("SURFACE.plane", place, "a surface of plane elements, whose faces are edges", "it is left out")
             return []
-        if not kind.startswith(("C3D", "COH3D")) and kind not in STRAINED:
+        if not kind.startswith(("C3D", "COH3D")) and kind not in FLAT:
             both = [corners, corners[::-1]]
             if of_contact or label not in ("SPOS", "SNEG", "S1", "S2"):
                 return both
             return both[:1] if label in ("SPOS", "S2") else both[1:]
         table = SIDES.get(len(corners), ())
         number = int(label[1:]) if label[:1] in ("S", "P") and label[1:].isdigit() and len(label) == 2 else 0
-        number += 2 if kind in STRAINED and 1 <= number <= STRAINED[kind] else 0  # behind the faces of its planes
+        number += 1 if (kind, number) == ("CAX3", 3) else 0  # its third corner stands twice
+        number += 2 if kind in FLAT and 1 <= number <= FLAT[kind] + (kind == "CAX3") else 0  # behind the faces of its planes
         if not 1 <= number <= len(table):
             raise BadInput(place, f"element {id} has no face '{clip(label)}'")
         face = tuple(dict.fromkeys(corners[i] for i in table[number - 1]))  # of a hexahedron with collapsed edges once

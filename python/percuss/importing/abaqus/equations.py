@@ -4,6 +4,7 @@ from ..ledger import BadInput, Ledger
 from ..model import Deck
 from .bodies import WAYS
 from .deck import AbaqusDeck
+from .followers import note_equal
 from .lines import Block
 from .mesh import BodyCard, Scope
 
@@ -53,8 +54,12 @@ def add_equations(deck: AbaqusDeck) -> None:
             continue
         first, second = (deck.nodes_of(name, card.place) for name in (card.nodes[0], card.ref))
         nodes = {*first, *second}
+        if deck.is_ring and card.equal != "y":
+            deck.ledger.refuse(f"{card.keyword}.axisymmetric", card.place, "equal radial displacements of axisymmetric elements", LEFT_OUT)
         if rigid & nodes:
             deck.ledger.refuse(f"{card.keyword}.rigid", card.place, "equal displacements of nodes of rigid bodies", LEFT_OUT)
+        elif note_equal(deck, card, first, second):
+            continue
         elif not deck.used_nodes().issuperset(nodes):
             deck.ledger.refuse(f"{card.keyword}.free", card.place, "equal displacements of nodes without elements", LEFT_OUT)
         else:

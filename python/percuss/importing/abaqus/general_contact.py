@@ -194,3 +194,11 @@ def finish_contact(deck: AbaqusDeck) -> None:
         del deck.model.deck["contact"]
     if deck.pair_frictions and deck.model.deck.get("contact") and section["surfaces"] != "none":
         section["friction"] = {"default": section.get("friction", 0.0), "pairs": deck.pair_frictions}
+    refuse_ring_friction(deck, section)
+
+
+def refuse_ring_friction(deck: AbaqusDeck, section: Deck) -> None:
+    """The flat faces of a sector are pressed by more than its share of the ring, where they face outward."""
+    has_friction = section.get("friction") or any(pair.get("friction") for pair in deck.pairs)
+    if deck.is_ring and section.get("surfaces", "none") != "none" and has_friction:
+        deck.ledger.refuse("FRICTION.axisymmetric", deck.steps[0].place, "friction between axisymmetric elements", "it is up to 1.4 times as large")

@@ -4,6 +4,7 @@ from ..fields import clip
 from ..ledger import BadInput
 from ..model import Deck
 from ..shapes import normalise, subtract
+from .axisymmetric import refuse_in_ring
 from .conditions import refuse_other_axes
 from .deck import AbaqusDeck
 from .heat import read_temperature
@@ -16,6 +17,8 @@ INSTEAD = "it is left out"
 
 def read_initial(deck: AbaqusDeck, block: Block) -> None:
     kind = block.option("TYPE")
+    if kind in ("STRESS", "ROTATING VELOCITY"):
+        refuse_in_ring(deck, f"INITIAL CONDITIONS.{kind}", block.place, "stresses or turns at the start")
     if kind in READERS:
         READERS[kind](deck, block)
     elif kind == "SOLUTION" and "USER" not in block.options:
@@ -37,7 +40,7 @@ def read_velocity(deck: AbaqusDeck, block: Block) -> None:
             if node in deck.group_of_ref:
                 deck.body_velocities.setdefault(node, [0.0] * 6)[dof - 1] = value
             else:
-                deck.velocities.setdefault(node, [0.0, 0.0, 0.0])[dof - 1] = value
+                deck.velocities.setdefault(node, [0.0, 0.0, 0.0])[2 if node in deck.turned and dof == 1 else dof - 1] = value
     deck.ledger.translated("INITIAL CONDITIONS", block.place, "initial: velocity")
 
 

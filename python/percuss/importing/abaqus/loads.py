@@ -5,8 +5,10 @@ from collections.abc import Callable
 from ..fields import clip
 from ..ledger import BadInput, Place
 from ..model import Deck
+from .axisymmetric import SHARE, refuse_in_ring, share_force
 from .conditions import AXES, refuse_other_axes
-from .deck import AbaqusDeck
+from .deck import AbaqusDeck, Following
+from .followers import list_leaders
 from .lines import Block
 from .planes import list_edges, write_traction
 from .timeline import LOAD, Action, join_loads, values_of
@@ -68,11 +70,20 @@ def read_node_force(deck: AbaqusDeck, block: Block) -> None:
         refs = [node for node in nodes if node in deck.group_of_ref]
         free = [node for node in nodes if node not in deck.group_of_ref]
         used = [node for node in free if node in deck.used_nodes()]
-        if len(used) < len(free):
+        share = SHARE if deck.is_ring else 1.0
+        leaders = list_leaders(deck)
+        for leader in [node for node in free if node in leaders]:
+            act(deck, block, line, (f"node {leader}", dof), share * block.number(line, 2), write_led_load(deck, leaders[leader], dof, place))
+        if len(used) < len([node for node in free if node not in leaders]):
             deck.ledger.refuse("CLOAD.free", place, f"a load on nodes without elements ('{clip(name)}')", "these have no load")
         for ref in refs:
-            act(deck, block, line, (f"node {ref}", dof), block.number(line, 2), write_body_load(deck, ref, dof, place))
-        if used:
+            act(deck, block, line, (f"node {ref}", dof), share * block.number(line, 2), write_body_load(deck, ref, dof, place))
+        if used and deck.is_ring:
+            if dof > 2:
+                deck.ledger.refuse("CLOAD.dof", place, f"a load on direction {dof} of axisymmetric elements", LEFT_OUT)
+            for number, (group, direction, factor) in enumerate(share_force(deck, used, dof)):
+                act(deck, block, line, (name.upper(), dof, number), factor * block.number(line, 2), write_ring_load(deck, name, group, direction, place))
+        elif used:
             share = 0.5 if any(node in deck.twins for node in used) else 1.0  # of both planes of plane strain
             act(deck, block, line, (name.upper(), dof), share * block.number(line, 2), write_node_load(deck, name, used, dof, place))
 
@@ -86,6 +97,28 @@ def write_node_load(deck: AbaqusDeck, name: str, nodes: list[int], dof: int, pla
         given = deck.node_set_name(name, place)
         list_loads(deck, "nodal").append({"nodes": given, kind: {AXES[(dof - 1) % 3]: value}})
         deck.ledger.translated("CLOAD", place, "loads.nodal")
+
+    return write
+
+
+def write_ring_load(deck: AbaqusDeck, name: str, nodes: list[int], direction: str, place: Place) -> Callable:
+    def write(value: "float | Deck") -> None:
+        list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(name, nodes), "force": {direction: value}})
+        deck.ledger.translated("CLOAD", place, "loads.nodal: the share of the sector in the force on the ring")
+
+    return write
+
+
+def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Place) -> Callable:
+    """A force on a node without elements acts on those that move equally with it: on one of them."""
+
+    def write(value: "float | Deck") -> None:
+        if AXES[dof - 1] not in following.ways[:3] or dof > 3 or (following.nodes[0], AXES[dof - 1]) in deck.motions.windows:
+            deck.ledger.refuse("CLOAD.led", place, "a load on a node without elements, along a direction in which no nodes move with it freely", LEFT_OUT)
+            return
+        name = deck.model.add_node_set("led", following.nodes[:1])
+        list_loads(deck, "nodal").append({"nodes": name, "force": {AXES[dof - 1]: value}})
+        deck.ledger.translated("CLOAD", place, "loads.nodal of one of the nodes that move equally")
 
     return write
 
@@ -144,6 +177,8 @@ def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: l
         return write
 
     for direction in range(3):
+        if axis[direction] and direction != 1:
+            refuse_in_ring(deck, f"{block.keyword}.axis", block.at(line[0]), "an acceleration across the axis")
         if axis[direction]:
             key = (block.text(line, 1).upper(), block.text(line, 0).upper(), direction)
             act(deck, block, line, key, size * axis[direction], write_one(direction, block.text(line, 0)))
@@ -187,6 +222,7 @@ def read_direction(deck: AbaqusDeck, block: Block, line: Line) -> list[float]:
     direction = [block.number(line, i) for i in (3, 4, 5)]
     if not any(direction):
         raise BadInput(block.at(line[0]), "the direction of the traction is zero: correct it")
+    refuse_in_ring(deck, f"{block.keyword}.TRVEC", block.at(line[0]), "a traction on faces")
     if block.option("FOLLOWER") != "NO":
         deck.ledger.approximated(f"{block.keyword}.TRVEC", block.at(line[0]), "a traction in a fixed direction: it does not turn with its surface")
     if block.option("CONSTANT RESULTANT") != "YES":

@@ -12,8 +12,9 @@ from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
 STRAINED = {"CPE4R": 4, "CPE3": 3}  # of plane strain: corners in their plane, of which extrude() makes solids
+RINGS = {"CAX4R": 4, "CAX3": 3}  # of rotational symmetry, of which turn_rings() makes solids of eight corners
 THICK_SHELL = "SC8R"  # a solid with a section of shells
-SOLIDS = {"C3D8": 8, "C3D8R": 8, THICK_SHELL: 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10, **{kind: 2 * count for kind, count in STRAINED.items()}}
+SOLIDS = {"C3D8": 8, "C3D8R": 8, THICK_SHELL: 8, "C3D6": 6, "C3D6R": 6, "C3D5": 5, "C3D4": 4, "C3D10": 10, "C3D10M": 10, **{kind: 2 * count for kind, count in STRAINED.items()}, **dict.fromkeys(RINGS, 8)}
 MEMBRANES = {"M3D4": 4, "M3D4R": 4, "M3D3": 3}
 PLANES = {"CPS4R": 4, "CPS3": 3}  # of plane stress
 RIGID = {"R3D4": 4, "R3D3": 3}  # of rigid bodies, without a section
@@ -199,7 +200,7 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
     def id_of(line: tuple[int, list[str]], index: int, is_node: bool) -> int:
         return find(line[1][index], block.at(line[0])) if find and is_node else block.id(line, index)
 
-    count: int = {**NODES_OF_OTHERS, **SOLIDS, **STRAINED, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}.get(kind, 0)
+    count: int = {**NODES_OF_OTHERS, **SOLIDS, **STRAINED, **RINGS, **SHELLS, **COHESIVE, **BEAMS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [id_of(line, i, i > 0) for i in range(len(line[1])) if line[1][i]]

@@ -8,6 +8,7 @@ from ..laws import has
 from ..model import Deck
 from .bodies import moves_body
 from .deck import AbaqusDeck
+from .followers import list_leaders
 from .lines import Block
 
 FIELDS = {  # of a variable, or of its letters
@@ -155,7 +156,8 @@ class Writer:
     def _add_nodes(self, name: str, block: Block) -> None:
         if not name or not self._once("nodes", name):
             return
-        ids = self.deck.nodes_of(name, block.place)
+        leaders = list_leaders(self.deck)
+        ids = [leaders[id].nodes[0] if id in leaders else id for id in self.deck.nodes_of(name, block.place)]
         bodies = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref and id not in self.deck.used_nodes()]
         if bodies:
             self.deck.ledger.translated(block.keyword, block.place, "columns of its rigid body in the history (body_x:NAME and so on)")
@@ -169,11 +171,23 @@ class Writer:
         if ids:
             self.deck.ledger.translated(block.keyword, block.place, "output.history.nodes")
 
+    def _lead(self, name: str, block: Block) -> list[int]:
+        """Nodes of a set; for one without elements those that move as it does."""
+        leaders = list_leaders(self.deck)
+        found = self.deck.nodes_of(name, block.place)
+        return [node for id in found for node in (leaders[id].nodes if id in leaders else [id])]
+
+    def _name_held(self, name: str, ids: list[int], block: Block) -> str:
+        """The set of a name, or of the nodes that follow its node."""
+        if set(ids) <= set(self.deck.nodes_of(name, block.place)):
+            return self.deck.node_set_name(name, block.place)
+        return self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), ids)
+
     def _add_support(self, name: str, block: Block) -> None:
         """Force of what holds a set, or the body or the wall of a reference node."""
         if not name or not self._once("support", name):
             return
-        ids = self.deck.nodes_of(name, block.place)
+        ids = self._lead(name, block)
         groups = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref]
         wall = next((group.wall["name"] for group in groups if group.wall), None)
         held = {target[0] for target in self.deck.motions.windows}
@@ -186,7 +200,7 @@ class Writer:
         elif groups and groups[0].nodes:
             nodes = self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), groups[0].nodes)
             self._add_force(f"force_{name}", {"support": nodes}, block)
-        elif (selector := self.deck.node_set_name(name, block.place)) and any(id in held for id in ids):
+        elif (selector := self._name_held(name, ids, block)) and any(id in held for id in ids):
             self._add_force(f"force_{name}", {"support": selector}, block)
 
     def _add_force(self, wish: str, what: Deck, block: Block) -> None:

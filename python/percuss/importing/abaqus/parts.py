@@ -196,6 +196,8 @@ def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) ->
     """Axes of user code, and solids of plies, are refused."""
     if law["model"] == "user" and section.orientation:  # hardening is alike in all directions
         deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
+    if has_axes(law) and deck.is_ring:
+        deck.ledger.refuse(f"{section.kind} SECTION.axisymmetric", section.place, "axes of a material in axisymmetric elements", "they are those of space")
     if not has_axes(law) or section.kind in ("SHELL", "MEMBRANE"):
         return True
     if section.kind != "SOLID":

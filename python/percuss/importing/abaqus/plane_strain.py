@@ -49,7 +49,7 @@ def refuse_others(deck: AbaqusDeck) -> None:
 
 def hold_layers(deck: AbaqusDeck) -> None:
     """Nodes of plane strain do not move along z."""
-    for part in deck.model.blocks:
+    for part in deck.model.blocks if not deck.is_ring else ():
         nodes = {node for _, corners in part.solids for node in corners}
         if nodes & deck.twins.keys() and "rigid" not in part.keys:
             deck.model.add("conditions", {"nodes": part.name, "fixed": ["z"]})

@@ -9,6 +9,7 @@ from ..model import Model
 from ..text_files import suggest, suggest_place
 from . import bodies, cohesive, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
 from .amplitudes import read_amplitude
+from .axisymmetric import hold_rings, turn_rings
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
@@ -338,6 +339,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
         hint = suggest_place("DYNAMIC", reader.unknown)
         raise BadInput(clip(path, 200), f"there is no step with a time (the run would have no end): {hint or 'add *DYNAMIC, EXPLICIT'}")
     extrude(deck)
+    turn_rings(deck)
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)
@@ -439,7 +441,7 @@ def finish(reader: Reader) -> None:
         (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"),
         (heat.apply_temperatures, "INITIAL CONDITIONS"),
         (heat.check_conduction, heat.CONDUCTING),
-        (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
+        (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (hold_rings, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),
     ):  # fmt: skip
         function(deck)
         deck.model.origins.note(deck.model, keyword, None)

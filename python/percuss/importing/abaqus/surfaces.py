@@ -77,6 +77,9 @@ def find_shape(deck: AbaqusDeck, profile: Profile) -> Shape | None:
     r, z = profile.pieces[0][1]
     if words[1:] == ["LINE"]:
         end_r, end_z = profile.pieces[1][1]
+        if deck.is_ring and end_z == z and min(r, end_r) <= NEAR * max(r, end_r):  # nodes of the sector have x or z as their radius
+            normal = tuple(a if end_r > r else -a for a in axis)
+            return Shape({"point": put(0.0, z), "normal": list(normal), "rectangle": {"along": list(first), "size": [2 * max(r, end_r)] * 2}}, normal)  # type: ignore[arg-type]
         if not (r > 0 and abs(end_r - r) <= NEAR * abs(r) and end_z < z):
             return None
         return Shape({"point": put(0.0, end_z), "cylinder": {"axis": list(axis), "radius": r, "length": z - end_z}})
