@@ -72,6 +72,25 @@ void measure_layer(const Mesh& mesh, std::size_t element, PartMeasures& part) {
       part.layer_thickness, find_distance(mesh.nodes[at(corners[0])], mesh.nodes[at(corners[at(across->corner)])]));
 }
 
+/// Counts the directions of a hexahedron that are not the one across a sheet: first, second and third by its nodes.
+void measure_ways(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  constexpr double much = 1.5 * 1.5;  // of squares
+  static constexpr int edges[3][4][2] = {
+      {{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  const std::span<const int> corners = mesh.corners(element);
+  Vec3 squares{};
+  for (std::size_t way = 0; way < 3; ++way) {
+    Vec3 sum{};
+    for (const auto& [a, b] : edges[way])
+      sum = add(sum, subtract(mesh.nodes[at(corners[at(b)])], mesh.nodes[at(corners[at(a)])]));
+    squares[way] = dot(sum, sum);
+  }
+  const double shortest = *std::min_element(squares.begin(), squares.end());
+  for (std::size_t way = 0; way < 3; ++way) {
+    if (squares[way] > much * shortest) ++part.long_ways[way];
+  }
+}
+
 /// A wedge between the two faces of a sheet: both of its triangles lie on them, or one of its sides does, where the cut
 /// of a cell runs from one face to the other.
 void measure_wedge(const Mesh& mesh, std::size_t element, PartMeasures& part) {
@@ -113,7 +132,10 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
     measure_edges(mesh, e, part);
     ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
     if (topology.is_surface() && topology.corner_count == 3) ++part.triangles;
-    if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
+    if (topology.family == ElementFamily::hexahedra) {
+      measure_layer(mesh, e, part);
+      measure_ways(mesh, e, part);
+    }
     if (topology.family == ElementFamily::wedges) measure_wedge(mesh, e, part);
     if (topology.is_solid() && topology.family != ElementFamily::hexahedra) ++part.small_solids;
   }
@@ -315,6 +337,7 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
       for (std::int64_t* c : {&part.solids, &part.small_solids, &part.shells, &part.triangles, &part.beams,
                               &part.single_layer, &part.layered_wedges, &part.cut_solids, &part.cut_faces, &part.nodes})
         count(*c);
+      for (std::int64_t& way : part.long_ways) count(way);
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
       value(part.longest_edge, 1);

@@ -32,6 +32,7 @@ struct PartMeasures {
   std::int64_t solids = 0, shells = 0, beams = 0;  // elements
   std::int64_t triangles = 0;                      // shells of three corners
   std::int64_t small_solids = 0;                   // solids that are no hexahedra
+  std::array<std::int64_t, 3> long_ways{};         // hexahedra 1.5 times as long along this direction as along another
   std::int64_t single_layer = 0;               // hexahedra with just two opposite faces on the surface, as of a sheet
   std::int64_t layered_wedges = 0;             // wedges with both triangles on the surface, or cut along such a cell
   double layer_thickness = 0;                  // largest distance of these faces [length]

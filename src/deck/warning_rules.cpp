@@ -42,6 +42,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"shell_reference", "shells far off their mesh"},
       {"single_layer", "sheet of solid elements, one element thick"},
       {"shear_locking", "long elements of 2x2x2 points in a sheet of one layer"},
+      {"thick_shell_across", "thick shells that are not thin along the direction across them"},
       {"incompressible_solids", "tetrahedra, wedges or pyramids of a material whose volume hardly changes"},
       {"shell_triangles", "part of shells that are triangles"},
       {"shell_points", "shells that yield, with few points through their thickness"},

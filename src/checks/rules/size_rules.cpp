@@ -226,6 +226,28 @@ std::vector<Warning> check_shear_locking(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_thick_shell_across(const CheckedScene& scene) {
+  constexpr const char* names[3] = {"first", "second", "third"};
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    const ElementDeck settings = scene.deck.find_elements(p);
+    if (settings.integration != ElementDeck::Integration::thick_shell || part.rigid) continue;
+    if (settings.across == ElementDeck::Across::shortest) continue;
+    const auto way = static_cast<std::size_t>(settings.across);
+    const std::int64_t wrong = measures.long_ways[way];
+    if (2 * wrong <= measures.solids) continue;
+    const std::string own = "parts." + part.name + ".integration";
+    warnings.push_back(warn_at(
+        scene.deck, "thick_shell_across", scene.deck.places.has(own) ? own : "elements.integration",
+        fmt::format("{} of {} thick shells of part '{}' are not thin along the direction across them, their {} one "
+                    "(their other directions lock in bending): set integration.across, or across: shortest",
+                    wrong, measures.solids, part.name, names[way])));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_incompressible_solids(const CheckedScene& scene) {
   constexpr double least = 49;  // lambda over mu: Poisson's ratio 0.49
   const bool mixes = scene.deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
