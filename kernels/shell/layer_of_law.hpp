@@ -2,6 +2,7 @@
 // The layer of shells, and the ply of a laminate, that a law becomes, where it has one.
 
 #include "kernels/material/laws/j2_plasticity.hpp"
+#include "kernels/shell/fabric.hpp"
 #include "kernels/shell/laminate.hpp"
 
 namespace percuss {
@@ -20,6 +21,8 @@ template <FlowLaw Law>
 HardeningLayer make_layer(const Law& law, double density) {
   return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
 }
+
+inline FabricLayer make_layer(const Fabric& law, double /*density*/) { return FabricLayer::make(law); }
 
 /// As a ply of a laminate.
 inline PlyMaterial make_ply(const Orthotropic& law, double /*density*/) {

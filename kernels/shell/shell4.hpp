@@ -21,6 +21,7 @@ struct ShellParameters {
   ThicknessPoints points;
   double offset = 0;         // of the middle of the section from the corners along the normal [length]
   double stabilization = 1;  // share of the stiffness of the stored forces (shell_hourglass.hpp)
+  bool is_membrane = false;  // nothing bends (membrane.hpp)
 };
 
 /// Energy that one step put into the element [energy].
@@ -198,7 +199,7 @@ PERCUSS_FORCE_INLINE T advance_shear(const Material& material, const ElementStep
 /// What bounds the stable step.
 template <class Material>
 PERCUSS_FORCE_INLINE const PlaneElasticity& find_bound(const Material& material) {
-  if constexpr (has_plies<Material>)
+  if constexpr (requires { material.bound; })
     return material.bound;
   else
     return material.elasticity;

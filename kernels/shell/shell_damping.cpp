@@ -2,6 +2,7 @@
 
 #include "kernels/element/chunk_records.hpp"
 #include "kernels/shell/living_shells.hpp"
+#include "kernels/shell/membrane.hpp"
 #include "kernels/shell/shell_corners.hpp"
 
 namespace percuss {
@@ -103,6 +104,10 @@ struct DampShellChunk {
   static KOKKOS_FUNCTION void damp_pack(const DampedSection& section, const GatheredShells& motion,
                                         const Lanes& thickness, const Shapes& shapes, const CornerLoads<Lanes>& out) {
     const ShellGeometry<Lanes> g = find_shell_geometry(find_differences(motion.x), shapes);
+    if (section.is_membrane) {
+      const ShellRates<Lanes> rate = find_membrane_rates(g, turn(g.frame, find_differences(motion.v)), shapes).shell;
+      return find_membrane_forces(g, find_damping_on_rates(section, g, thickness, rate, shapes), out);
+    }
     const Vector3<Lanes> turned[4] = {g.frame * motion.w[0], g.frame * motion.w[1], g.frame * motion.w[2],
                                       g.frame * motion.w[3]};
     ShellRates<Lanes> rate = find_shell_rates(g, turn(g.frame, find_differences(motion.v)), turned, shapes);

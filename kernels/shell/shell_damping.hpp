@@ -13,6 +13,7 @@ struct DampedSection {
   double beta = 0;            // [time]
   double bending_square = 0;  // of the places of the points in half the thickness, their weighted mean
   double offset = 0;          // as ShellParameters::offset
+  bool is_membrane = false;
 };
 
 /// Which chunks are damped; const after set-up.

@@ -3,6 +3,7 @@
 #include "kernels/element/chunk_rest.hpp"
 #include "kernels/element/chunk_sums.hpp"
 #include "kernels/shell/living_shells.hpp"
+#include "kernels/shell/membrane.hpp"
 #include "kernels/shell/shell_corners.hpp"
 
 namespace percuss {
@@ -101,9 +102,14 @@ struct AdvanceShellChunk {
     auto* const layers = reinterpret_cast<Lanes*>(record + ShellRecord::layers * width);
     const auto advance = [&](const auto& lives) {
       const auto advance_shapes = [&](const auto& shapes) {
-        return advance_shell4(parameters,
-                              CornerMotion<Lanes>{find_differences(x), find_differences(v), w, Lanes(motion.dt)},
-                              {head, layers}, {f, m}, lives, shapes);
+        const CornerMotion<Lanes> of_corners{find_differences(x), find_differences(v), w, Lanes(motion.dt)};
+        if constexpr (is_fabric<Layer>) {
+          return advance_membrane(parameters, of_corners, {head, layers}, {f, m}, lives, shapes);
+        } else {
+          if (parameters.is_membrane)
+            return advance_membrane(parameters, of_corners, {head, layers}, {f, m}, lives, shapes);
+          return advance_shell4(parameters, of_corners, {head, layers}, {f, m}, lives, shapes);
+        }
       };
       if constexpr (HasTriangles) {
         return advance_shapes(find_shapes(corners));

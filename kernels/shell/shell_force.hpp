@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "kernels/element/element_chunks.hpp"
+#include "kernels/shell/fabric.hpp"
 #include "kernels/shell/hardening_layer.hpp"
 #include "kernels/shell/laminate.hpp"
 #include "kernels/shell/shell4.hpp"
@@ -23,8 +24,8 @@ struct ShellBlock {
 };
 
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
-using ShellBlocks =
-    std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>, ShellBlock<LaminateLayer>>;
+using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>,
+                               ShellBlock<LaminateLayer>, ShellBlock<FabricLayer>>;
 
 /// The motion that shells see: positions at n+1, velocities and angular velocities at n+1/2, the step between.
 struct ShellMotion {

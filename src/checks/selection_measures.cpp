@@ -23,12 +23,13 @@ std::vector<std::array<bool, 3>> find_held(const Deck& deck, const Mesh& mesh) {
   return held;
 }
 
-/// [nodes] whether it has rotations: those of shells and of beams that bend.
+/// [nodes] whether it has rotations: those of shells that are no membranes, and of beams that bend.
 std::vector<bool> find_turning(const Deck& deck, const Mesh& mesh) {
   std::vector<bool> turning(mesh.nodes.size(), false);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const Topology& topology = mesh.topology_of(e);
     const auto& section = deck.parts[at(mesh.part_of(e))].section;
+    if (mesh.block_of(e).section.is_membrane) continue;
     if (!topology.is_surface() && !(topology.is_line() && section && bends(*section))) continue;
     for (const int node : mesh.corners(e)) turning[at(node)] = true;
   }

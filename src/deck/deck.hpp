@@ -204,6 +204,7 @@ struct PartDeck {
   Place place;
 
   /// Shells need it.
+  bool is_membrane() const { return own_elements.integration == ElementDeck::Integration::membrane; }
   bool is_cut_into_tetrahedra() const {
     return elements == Elements::tetrahedra || elements == Elements::six_tetrahedra;
   }

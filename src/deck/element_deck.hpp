@@ -6,7 +6,8 @@
 namespace percuss {
 
 struct ElementDeck {
-  enum class Integration { one_point, full, thick_shell };
+  /// membrane: of the shells of a part.
+  enum class Integration { one_point, full, thick_shell, membrane };
   enum class Hourglass { assumed_strain, stiffness, viscous };
   Integration integration = Integration::one_point;
   /// Which of the directions of a hexahedron crosses a thick shell: one by the order of its nodes, of which the third

@@ -61,6 +61,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"short_pulse", "table that has passed within the first step"},
       {"pressure_size", "pressure that is not small compared with the stiffness"},
       {"idle_load", "load on nodes that cannot follow it"},
+      {"flat_membrane", "flat membrane without tension that is loaded across"},
       {"symmetry_plane", "symmetry of nodes that do not lie in a plane across its normal"},
       {"damping_size", "damping that stops the motion"},
       {"gravity_direction", "gravity that pulls away from all walls"},

@@ -51,7 +51,8 @@ class Block:
 
     def bends(self) -> bool:
         """Whether its nodes have rotations."""
-        return bool(self.shells or self.beams) and not self.is_plane and "truss" not in self.keys.get("section", {})
+        bends = "truss" not in self.keys.get("section", {}) and self.keys.get("integration") != "membrane"
+        return bool(self.shells or self.beams) and not self.is_plane and bends
 
 
 @dataclass

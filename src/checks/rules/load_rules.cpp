@@ -106,6 +106,25 @@ Warning warn_of_thick_plane(const Deck& deck, std::size_t condition, std::size_t
                              name, nodes.low[axis], nodes.high[axis], nodes.between[axis]));
 }
 
+/// The axis across which a part is flat; -1: none.
+int find_flat_axis(const PartMeasures& part) {
+  constexpr double flat = 1e-6;  // of the diagonal of its box
+  for (std::size_t k = 0; k < 3; ++k)
+    if (part.high[k] - part.low[k] <= flat * find_diagonal(part.low, part.high)) return static_cast<int>(k);
+  return -1;
+}
+
+/// What acts along an axis on a part that is flat across it; empty: nothing.
+std::string find_load_across(const Deck& deck, std::size_t part, std::size_t axis) {
+  for (const PressureDeck& pressure : deck.pressures) {
+    const std::vector<std::size_t> parts = find_named_parts(deck, pressure.where);
+    const bool leans = !pressure.direction || (*pressure.direction)[axis] != 0;
+    if (leans && std::find(parts.begin(), parts.end(), part) != parts.end()) return "a pressure";
+  }
+  const Curve& gravity = deck.gravity.along[axis];
+  return gravity.is_constant() && gravity(0) == 0 ? "" : "gravity";
+}
+
 }  // namespace
 
 std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
@@ -123,6 +142,26 @@ std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
       warnings.push_back(warn_at(deck, "idle_load", join_path("loads.nodal", i) + ".moment",
                                  "none of these nodes has rotations (only shells and beams do, and a moment on others "
                                  "has no effect): give pairs of forces"));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_flat_membranes(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if (deck.start.relaxation || !deck.start.fields.empty()) return warnings;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    const PartDeck& part = deck.parts[p];
+    if (!part.is_membrane() || part.rigid) continue;
+    const int across = find_flat_axis(scene.measures->parts[p]);
+    const std::string load = across < 0 ? "" : find_load_across(deck, p, static_cast<std::size_t>(across));
+    if (load.empty()) continue;
+    warnings.push_back(
+        warn_at(deck, "flat_membrane", "parts." + part.name + ".integration",
+                fmt::format("part '{}' is a flat membrane, and {} acts across it (without tension it has no stiffness "
+                            "there, and falls freely until it has bulged): start from rest by start: {{relaxation: "
+                            "{{}}}}, give it tension, or take shells",
+                            part.name, load)));
   }
   return warnings;
 }

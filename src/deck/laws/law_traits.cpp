@@ -26,6 +26,7 @@ LawTraits find_traits_of() {
   traits.needs_equation_of_state = needs_equation_of_state<Law>;
   traits.grows_in_increments = GrowingLaw<Law>;
   traits.is_of_shells = LayerLaw<Law>;
+  traits.is_of_membranes_alone = !is_of_solids<Law>;
   traits.is_of_beams = LawOfFibres<Law>;
   traits.is_compiled_in = requires { requires Law::is_compiled_in; };
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
@@ -44,7 +45,7 @@ std::vector<LawTraits> list_traits(TypeList<Laws...>) {
 }  // namespace
 
 const std::vector<LawTraits>& list_law_traits() {
-  static const std::vector<LawTraits> traits = list_traits(Materials());
+  static const std::vector<LawTraits> traits = list_traits(AllLaws());
   return traits;
 }
 

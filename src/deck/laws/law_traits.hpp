@@ -20,6 +20,7 @@ struct LawTraits {
   bool has_plastic_strain = false;  // its history has the equivalent plastic strain
   bool has_temperature = false;
   bool has_axes = false;  // directions of its own, by which a shell of it is a laminate
+  bool is_of_membranes_alone = false;
 };
 
 /// Of all laws, in their order.

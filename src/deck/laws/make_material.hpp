@@ -5,13 +5,22 @@
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
+#include "kernels/shell/fabric.hpp"
 #include "src/deck/deck.hpp"
 #include "src/deck/laws/make_law.hpp"
 
 namespace percuss {
+
+/// Those of solids, of which shells have some, and those that only membranes have.
+using AllLaws = JoinLists<Materials, TypeList<Fabric>>::type;
+
+/// Whether solids have the law.
+template <class Law>
+inline constexpr bool is_of_solids = !std::is_same_v<Law, Fabric>;
 
 template <class... M, class F>
 void visit_law_of(TypeList<M...>, const LawDeck& law, const F& f) {
@@ -35,10 +44,10 @@ void visit_state(const LawDeck& state, const F& f) {
   visit_law_of(EquationsOfState(), state, f);
 }
 
-/// Calls f with the law of a material, one of Materials.
+/// Calls f with the law of a material, one of AllLaws.
 template <class F>
 void visit_law(const MaterialDeck& material, const F& f) {
-  visit_law_of(Materials(), material.law, f);
+  visit_law_of(AllLaws(), material.law, f);
 }
 
 }  // namespace percuss

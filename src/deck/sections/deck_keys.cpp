@@ -50,9 +50,13 @@ ChoiceValue<Hourglass> hourglass_kind() {
            {"viscous", Hourglass::viscous}}};
 }
 
+/// T: as below; membranes are a matter of a part.
+template <class T>
 ChoiceValue<Integration> integration_kind() {
-  return {
+  ChoiceValue<Integration> kinds{
       {{"one_point", Integration::one_point}, {"full", Integration::full}, {"thick_shell", Integration::thick_shell}}};
+  if constexpr (std::is_same_v<T, PartElementDeck>) kinds.choices.push_back({"membrane", Integration::membrane});
+  return kinds;
 }
 
 /// Points across a thick shell.
@@ -82,7 +86,7 @@ template <class T>
 const Keys<T>& integration_keys() {
   using Across = ElementDeck::Across;
   static const Keys<T> keys = {
-      need("kind", &T::integration, integration_kind()),
+      need("kind", &T::integration, integration_kind<T>()),
       may("points", &T::thick_points, ThickPointsValue{}),
       may("across", &T::across,
           ChoiceValue<Across>{{{"first", Across::first},
@@ -101,12 +105,12 @@ struct IntegrationValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, T& out) const {
     if (node.kind != Node::Kind::scalar) return map.read(reader, name, node, out);
     Integration kind{};
-    if (!integration_kind().read(reader, name, node, kind)) return false;
+    if (!integration_kind<T>().read(reader, name, node, kind)) return false;
     out.integration = kind;
     return true;
   }
-  std::string takes() const { return integration_kind().takes() + ", or a map"; }
-  Form form() const { return any_form({integration_kind().form(), map.form()}); }
+  std::string takes() const { return integration_kind<T>().takes() + ", or a map"; }
+  Form form() const { return any_form({integration_kind<T>().form(), map.form()}); }
 };
 
 /// T: ElementDeck or PartElementDeck, whose members have the same names.
@@ -188,9 +192,12 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
   const Node* hourglass = node.find("hourglass");
   if (hourglass == nullptr || hourglass->broken) return;
   if (deck.integration != Integration::one_point) {
-    const char* const kind = deck.integration == Integration::full ? "full" : "thick_shell";
-    reader.error(hourglass->key, fmt::format("{} has no effect{} (integration is {}, which leaves no hourglass modes)",
-                                             reader.name_of("hourglass"), reader.in(), kind));
+    const char* const why = deck.integration == Integration::full ? "full, which leaves no hourglass modes"
+                            : deck.integration == Integration::thick_shell
+                                ? "thick_shell, which leaves no hourglass modes"
+                                : "membrane; shell_hourglass is the key of shells";
+    reader.error(hourglass->key,
+                 fmt::format("{} has no effect{} (integration is {})", reader.name_of("hourglass"), reader.in(), why));
     return;
   }
   if (hourglass->kind != Node::Kind::map || deck.hourglass != Hourglass::assumed_strain) return;
@@ -201,6 +208,24 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
       fmt::format(
           "{} has no effect{} (assumed_strain follows from the material): give kind: stiffness or kind: viscous",
           reader.name_of("hourglass.coefficient"), reader.in()));
+}
+
+/// Membranes are shells, with one point across each layer and nothing that bends.
+void check_membrane(const Reader& reader, const Node& node, const PartDeck& part) {
+  if (!part.is_membrane()) return;
+  const bool is_file = std::holds_alternative<FileMesh>(part.shape);
+  if (!is_file && !is_shell_shape(part.shape))
+    reader.error(node.find("integration")->key,
+                 fmt::format("{} is membrane{} (membranes are shells, and it has none): give it a shape of shells, or "
+                             "leave it out",
+                             reader.name_of("integration"), reader.in()));
+  if (const Node* points = node.find("points"))
+    reader.error(points->key, fmt::format("{} has no effect{} (a layer of a membrane has one point): remove it",
+                                          reader.name_of("points"), reader.in()));
+  if (const Node* reference = node.find("reference"))
+    reader.error(reference->key, fmt::format("{} has no effect{} (a membrane does not bend, wherever its mesh lies): "
+                                             "remove it",
+                                             reader.name_of("reference"), reader.in()));
 }
 
 /// Wedges and pyramids have one point and the stiffness form of hourglass control.
@@ -230,7 +255,7 @@ void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
   for (const std::string key : {"integration", "hourglass", "bulk_viscosity"}) {
     const Node* given = node.find(key);
     const bool is_viscosity = key == "bulk_viscosity";
-    if (given == nullptr || (is_solid && is_viscosity)) continue;
+    if (given == nullptr || (is_solid && is_viscosity) || (key == "integration" && part.is_membrane())) continue;
     reader.error(given->key, fmt::format("{} has no effect{} (its elements are {}; this applies to hexahedra{})",
                                          reader.name_of(key), reader.in(),
                                          is_shell  ? "shells"
@@ -349,6 +374,7 @@ void check_element_settings(const Deck& deck, const Node& root, Reading& reading
     const Reader reader = Reader(reading).inside_named("part", part.name);
     check_settings(reader, *node, deck.find_elements(p));
     check_kind(reader, *node, part);
+    check_membrane(reader, *node, part);
   }
 }
 

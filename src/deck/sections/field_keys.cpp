@@ -122,13 +122,15 @@ bool check_region(const Reader& reader, const Node& node, FieldsDeck& fields) {
 int find_points(const Deck& deck, const PartDeck& part) {
   const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
                                      [&](const MaterialDeck& of) { return of.name == part.material; });
+  const int asked = part.is_membrane() ? 1 : part.points.value_or(0);
   if (!part.plies.empty()) {
     const auto plies = static_cast<int>(part.plies.size());
-    return plies * count_points_of_ply(part.plies.size(), part.points.value_or(0));
+    return plies * count_points_of_ply(part.plies.size(), asked);
   }
+  if (asked > 0) return asked;
   const bool is_elastic = material != deck.materials.end() &&
                           (material->law.model == Elastic::name || material->law.model == Orthotropic::name);
-  return part.points.value_or(is_elastic ? points_of_elastic_shells : points_of_plastic_shells);
+  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
 }
 
 /// Most points that a shell of a part can have.

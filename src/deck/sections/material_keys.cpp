@@ -1,5 +1,7 @@
 // Keys of `materials`: `model` says which law, whose own table of keys is in kernels/material.
 
+#include <string_view>
+
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/keys/foreign_names.hpp"
@@ -130,6 +132,19 @@ struct CountValue {
   Form form() const { return IntegerValue{0, most}.form(); }
 };
 
+/// A choice of true or false.
+template <class C>
+Key<LawDeck> make_switch(const MaterialKey<C>& key) {
+  return make_key<LawDeck>(key.name, key.required, BooleanValue{},
+                           [name = std::string(key.name)](const BooleanValue& value, const Reader& reader,
+                                                          const std::string& full, const Node& node, LawDeck& law) {
+                             bool is_on = false;
+                             if (!value.read(reader, full, node, is_on)) return false;
+                             law.numbers[name] = is_on ? 1 : 0;
+                             return true;
+                           });
+}
+
 /// A row of the deck's table from one of a law's.
 template <class C>
 Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
@@ -156,6 +171,7 @@ Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
                                                             const std::string& full, const Node& node, LawDeck& law) {
                                return value.read(reader, full, node, name, law);
                              });
+  if (key.choice != nullptr && std::string_view(key.words[1]) == "true") return make_switch(key);
   if (key.choice != nullptr) {
     const ChoiceValue<double> words{{{key.words[0], 0}, {key.words[1], 1}}};
     return make_key<LawDeck>(key.name, key.required, words, into(&LawDeck::numbers));
@@ -223,7 +239,7 @@ const std::vector<Model>& states() {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all = make_models(Materials());
+  static const std::vector<Model> all = make_models(AllLaws());
   return all;
 }
 

@@ -273,6 +273,15 @@ void share_blocks(const Communicator& ranks, std::vector<ElementBlock>& blocks) 
   }
 }
 
+/// A layer of a membrane has one point.
+Section describe_shells(const PartDeck& part) {
+  Section section;
+  section.thickness = part.thickness.value_or(0);
+  section.is_membrane = part.is_membrane();
+  section.points = section.is_membrane ? 1 : part.points.value_or(0);
+  return section;
+}
+
 /// Gives the blocks of each part its material, and its section to those of shells and of beams.
 void describe_blocks(const Deck& deck, SceneParts& scene) {
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
@@ -280,7 +289,7 @@ void describe_blocks(const Deck& deck, SceneParts& scene) {
     for (ElementBlock& block : scene.parts[p].blocks) {
       block.part = static_cast<int>(p);
       block.material = find_material(deck, from.material);
-      if (is_of_shells(block)) block.section = {from.thickness.value_or(0), from.points.value_or(0)};
+      if (is_of_shells(block)) block.section = describe_shells(from);
       if (is_of_beams(block) && from.section) block.section.area = make_beam_section(*from.section).area;
     }
   }

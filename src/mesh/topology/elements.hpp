@@ -19,9 +19,10 @@ namespace percuss {
 
 /// What a surface element is across, and a beam.
 struct Section {
-  double thickness = 0;  // of surfaces, the largest where elements have their own [length]; else 0
-  int points = 0;        // across the thickness; 0: by the material
-  double area = 0;       // of the cross section of beams [length^2]; else 0
+  double thickness = 0;      // of surfaces, the largest where elements have their own [length]; else 0
+  int points = 0;            // across the thickness; 0: by the material
+  bool is_membrane = false;  // a surface that does not bend
+  double area = 0;           // of the cross section of beams [length^2]; else 0
 };
 
 struct ElementBlock {

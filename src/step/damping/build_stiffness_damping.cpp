@@ -88,7 +88,7 @@ void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::s
   if (find_block_family(block) == ElementFamily::shells) {
     lists.shells.push_back(static_cast<int>(c));
     lists.sections[c] = {make_plane_elasticity(moduli), beta, find_bending_square(points),
-                         deck.parts[at(chunk.part)].offset};
+                         deck.parts[at(chunk.part)].offset, block.section.is_membrane};
     lists.has_triangles = lists.has_triangles || has_triangle(chunked, chunk);
     return;
   }

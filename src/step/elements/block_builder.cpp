@@ -55,7 +55,7 @@ KernelMaterial make_kernel_material(const MaterialDeck& material) {
       }
     } else if constexpr (is_compiled_in<Law>) {
       made = name_history(law, law);
-    } else {
+    } else if constexpr (is_of_solids<Law>) {
       made = name_history(law, make_called_material(law, material.density));
     }
   });

@@ -114,9 +114,10 @@ std::vector<ElementFamily> list_families(const ChunkedMesh& chunked) {
 void refuse_plies(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-    if (find_topology(block.topology).is_surface() || !is_laminate(material)) continue;
+    const bool is_fabric = find_traits(material).is_of_membranes_alone;
+    if (find_topology(block.topology).is_surface() || !(is_laminate(material) || is_fabric)) continue;
     const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
-    const char* what = nullptr;
+    const char* what = is_fabric ? "a material of the model fabric" : nullptr;
     if (!part.plies.empty()) what = "plies";
     visit_law(material, [&]<class Law>(const Law& law) {
       if constexpr (requires { law.constants.follows_elements; }) {

@@ -11,6 +11,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/layer_of_law.hpp"
+#include "kernels/shell/membrane.hpp"
 #include "src/deck/laws/laminates.hpp"
 #include "src/deck/laws/law_traits.hpp"
 #include "src/deck/laws/make_material.hpp"
@@ -74,7 +75,9 @@ void visit_section(const MaterialDeck& material, const ElementBlock& block, cons
 }
 
 /// Why shells cannot have a material; empty: they can.
-std::string find_fault(const MaterialDeck& material) {
+std::string find_fault(const MaterialDeck& material, const ElementBlock& block) {
+  if (find_traits(material).is_of_membranes_alone && !material.equation_of_state)
+    return block.section.is_membrane ? "" : "which does not bend: it needs integration: membrane";
   const std::string known = name_laws(&LawTraits::is_of_shells);
   if (material.equation_of_state || !find_traits(material).is_of_shells)
     return fmt::format("shells support {}, without an equation of state", known);
@@ -96,8 +99,8 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
     if (!find_topology(block.topology).is_surface()) continue;
     const auto p = static_cast<std::size_t>(block.part);
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-    const std::string fault = find_fault(material);
-    if (fault.empty()) continue;
+    const std::string fault = find_fault(material, block);
+    if (fault.empty() || (deck.parts[p].rigid && find_traits(material).is_of_membranes_alone)) continue;
     throw InputError(fmt::format("{}: error: part '{}' has shells of material '{}' ({}): give it another, or solids",
                                  deck.where(deck.parts[p].place), mesh.parts[p].name, material.name, fault));
   }
@@ -163,6 +166,34 @@ void add_reference_axes(const Deck& deck, const ChunkedMesh& chunked, std::size_
   }
 }
 
+/// Of fabric: where the threads of each membrane lie, by its diagonals.
+void add_threads(const Deck& deck, const ChunkedMesh& chunked, std::size_t c, const ChunkRecords& records) {
+  const Chunk& chunk = chunked.chunks[c];
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(find_block(chunked, chunk).material)];
+  const FabricConstants constants = make_law<Fabric>(material.law).constants;
+  std::optional<Vector3<double>> given;
+  if (!constants.by_elements) given = make_direction(constants.first_axis);
+  records.first_start[c] = records.start_values.size();
+  records.start_count[c] = FabricHistory::count;
+  for (int i = 0; i < chunk.element_count; ++i) {
+    const auto e = static_cast<std::size_t>(chunk.first_element) + static_cast<std::size_t>(i);
+    Vector3<double> corners[4];
+    find_shell_corners(chunked.mesh, e, corners);
+    const MixedShapes<bool> shapes{chunked.mesh.topology_of(e).corner_count == 3};
+    const ShellGeometry<double> g = find_shell_geometry(find_differences(corners), shapes);
+    const PlaneDirection<double> warp = find_reference_axis(given, corners, g.frame);
+    if (warp.cosine == 0 && warp.sine == 0)
+      throw InputError(
+          fmt::format("{}: error: part '{}' has a membrane whose normal is first_axis of its material "
+                      "'{}' (which then has no direction in it): choose another first_axis, or axes: "
+                      "elements",
+                      deck.where(deck.parts[static_cast<std::size_t>(chunk.part)].place),
+                      deck.parts[static_cast<std::size_t>(chunk.part)].name, material.name));
+    const std::array<double, FabricHistory::count> row = lay_threads(g, warp);
+    records.start_values.insert(records.start_values.end(), row.begin(), row.end());
+  }
+}
+
 /// The rows of a block while they are listed. rules: of the model, in and out.
 template <class Layer>
 struct ListedShells {
@@ -179,8 +210,8 @@ void list_chunk(const Deck& deck, const ChunkedMesh& chunked, const BuiltSection
   const auto part = static_cast<std::size_t>(part_index);
   const auto [row, is_new] = listed.row_of_part.emplace(part_index, static_cast<int>(listed.rows.size()));
   if (!is_new) return;
-  listed.rows.push_back(
-      {section.layer, section.rule, deck.parts[part].offset, deck.find_elements(part).shell_hourglass});
+  listed.rows.push_back({section.layer, section.rule, deck.parts[part].offset, deck.find_elements(part).shell_hourglass,
+                         deck.parts[part].is_membrane()});
   listed.rule_of_row.push_back(section.rule.count);
   if constexpr (has_plies<Layer>) {
     listed.rule_of_row.back() = static_cast<int>(rules.size());
@@ -207,6 +238,8 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         describe_records(section, c, records);
         if constexpr (has_plies<Layer>)
           add_reference_axes(deck, chunked, c, records);
+        else if constexpr (is_fabric<Layer>)
+          add_threads(deck, chunked, c, records);
         else
           add_start_history(section.layer, chunk.element_count, c, records);
       }
@@ -247,6 +280,7 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
     const ElementBlock& block = mesh.block_of(e);
+    if (block.section.is_membrane) continue;  // nodes that only membranes hold do not turn
     const double t = mesh.thickness_of(e), offset = deck.parts[static_cast<std::size_t>(block.part)].offset;
     squares[e] = t * t / 12 + find_shell_area_size(gather_corners(mesh.elements, e, mesh.nodes)) / 8 + offset * offset;
   }
@@ -272,7 +306,9 @@ std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const 
     const ShellSection<double> section{mesh.thickness_of(e), element_mass[e], gyration_square[e],
                                        deck.parts[static_cast<std::size_t>(block.part)].offset};
     const auto b = static_cast<std::size_t>(mesh.elements.block_index(e));
-    bounds[e] = find_shell_step(find_shell_geometry(find_differences(corners), shapes), section, of_blocks[b], shapes);
+    const ShellGeometry<double> geometry = find_shell_geometry(find_differences(corners), shapes);
+    bounds[e] = block.section.is_membrane ? find_membrane_step(geometry, section, of_blocks[b], shapes)
+                                          : find_shell_step(geometry, section, of_blocks[b], shapes);
   }
   return bounds;
 }

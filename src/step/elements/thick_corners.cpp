@@ -62,6 +62,11 @@ void refuse_other_solids(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     const Topology& topology = find_topology(block.topology);
     const PartDeck& part = deck.parts[at(block.part)];
+    if (part.is_membrane() && !topology.is_surface())
+      throw InputError(
+          fmt::format("{}: error: part '{}' has {} and integration membrane (membranes are shells): make the others a "
+                      "part of their own",
+                      deck.where(part.place), part.name, topology.name));
     if (topology.dimension != 3 || block.topology == TopologyKind::hex8) continue;
     if (part.own_elements.integration != ElementDeck::Integration::thick_shell) continue;
     throw InputError(

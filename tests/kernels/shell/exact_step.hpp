@@ -108,6 +108,7 @@ struct StepShare {
 struct RandomShapes {
   double distortion = 0.2, warp = 0.2, longest = 5;
   double thinnest = 1e-3, thickest = 0.3;  // in edges
+  bool are_membranes = false;
 };
 
 /// offset: of the middle of the section from the mesh, in units of half the thickness.
@@ -122,6 +123,7 @@ inline StepShare compare_steps(Random& random, int trials, double stretch, doubl
     if (geometry.area < 1e-2 * aspect) continue;  // a sliver: differences have no small step
     TestShell<ElasticLayer> shell({find_plane_elasticity(1, poisson)}, 2, start, thickness, 1);
     shell.par.offset = offset * thickness / 2;
+    shell.par.is_membrane = shapes.are_membranes;
     shell.state.gyration_square += shell.par.offset * shell.par.offset;
     ShellCorners x = start;
     for (Vec& corner : x) corner = stretch * corner;
@@ -134,13 +136,15 @@ inline StepShare compare_steps(Random& random, int trials, double stretch, doubl
 }
 
 /// Random triangles with angles down to some 5 degrees.
-inline StepShare compare_triangle_steps(Random& random, int trials, double stretch, double offset = 0) {
+inline StepShare compare_triangle_steps(Random& random, int trials, double stretch, double offset = 0,
+                                        bool are_membranes = false) {
   StepShare share;
   for (int trial = 0; trial < trials; ++trial) {
     const double poisson = -0.2 + 0.69 * random(), thickness = std::pow(10.0, -1.5 + 1.5 * random());
     ShellCorners x = make_triangle({0, 0, 0}, {1, 0, 0}, {0.5 + random(), 0.65 + 0.55 * random(), 0});
     TestShell<ElasticLayer> shell({find_plane_elasticity(1, poisson)}, 2, x, thickness, 1);
     shell.par.offset = offset * thickness / 2;
+    shell.par.is_membrane = are_membranes;
     shell.state.gyration_square += shell.par.offset * shell.par.offset;
     for (Vec& corner : x) corner = stretch * corner;
     shell.state.thickness /= stretch * stretch;

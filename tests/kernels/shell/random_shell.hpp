@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/shell/membrane.hpp"
 #include "kernels/shell/shell4.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
@@ -68,8 +69,16 @@ struct TestShell {
   ShellResult<double> advance(const ShellCorners& x, const ShellCorners& v, const ShellCorners& w, double dt) {
     Vec f[4], m[4];
     const Vec spins[4] = {w[0], w[1], w[2], w[3]};
-    const auto result = advance_shell4(par, CornerMotion<double>{find_differences(x), find_differences(v), spins, dt},
-                                       {state, layers.data()}, {f, m}, WholeLayers{}, find_shapes(x));
+    const CornerMotion<double> motion{find_differences(x), find_differences(v), spins, dt};
+    const auto result = [&] {
+      const StoredShell<double> stored{state, layers.data()};
+      if constexpr (is_fabric<Material>) {
+        return advance_membrane(par, motion, stored, {f, m}, WholeLayers{}, find_shapes(x));
+      } else {
+        if (par.is_membrane) return advance_membrane(par, motion, stored, {f, m}, WholeLayers{}, find_shapes(x));
+        return advance_shell4(par, motion, stored, {f, m}, WholeLayers{}, find_shapes(x));
+      }
+    }();
     for (std::size_t i = 0; i < 4; ++i) {
       force[i] = f[i];
       moment[i] = m[i];

@@ -33,6 +33,16 @@ std::pair<std::string, std::string> add_load(const std::string& load) {
   return {gravity, "loads: {gravity: [0, 0, -9.81], nodal: [" + load + "]}\n"};
 }
 
+/// The sheet does not bend, nor do conditions hold its rotations.
+const std::pair<std::string, std::string> membrane{"thickness: 0.002, material: aluminium",
+                                                   "thickness: 0.002, material: aluminium, integration: membrane"};
+const std::pair<std::string, std::string> free_turn{last_condition, "  - {nodes: sheet/x_min, fixed: [x, y, z]}\n"};
+
+/// Gravity along the sheet, and another load.
+std::pair<std::string, std::string> sideways(const std::string& load) {
+  return {gravity, "loads: {gravity: [0, -9.81, 0], " + load + "}\n"};
+}
+
 std::pair<std::string, std::string> add_pressure(const std::string& value) {
   return {gravity, "loads: {gravity: [0, 0, -9.81], pressure: [{faces: plate/z_max, value: " + value + "}]}\n"};
 }
@@ -314,6 +324,16 @@ std::vector<SuspiciousDeck> load_decks() {
        "moment: {y: 100",
        {add_load("{nodes: plate/x_max, moment: {y: 100}}")},
        {add_load("{nodes: sheet/x_max, moment: {y: 100}}")}},
+      {"MomentOnAMembrane",
+       "idle_load",
+       "moment: {y: 100",
+       {membrane, free_turn, sideways("nodal: [{nodes: sheet/x_max, moment: {y: 100}}]")},
+       {sideways("nodal: [{nodes: sheet/x_max, moment: {y: 100}}]")}},
+      {"GravityAcrossAFlatMembrane",
+       "flat_membrane",
+       "integration: membrane",
+       {membrane, free_turn},
+       {membrane, free_turn, sideways("nodal: [{nodes: sheet/x_max, force: {y: 1}}]")}},
       {"SymmetryWithAnotherNormal",
        "symmetry_plane",
        "symmetry: x",

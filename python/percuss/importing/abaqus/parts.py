@@ -337,8 +337,8 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         if kind in PLANES:
             take_plane(deck, section, part, kind)
         if kind in MEMBRANES:
-            section.points = 1
-            deck.ledger.approximated(f"ELEMENT.{kind}", section.place, "membranes are shells with one point through their thickness")
+            part.keys["integration"] = "membrane"
+            deck.ledger.translated(f"ELEMENT.{kind}", section.place, "integration: membrane of the part, with one point in the plane")
         part.shells.append((id, corners))
     elif kind == THICK_SHELL and section.kind == "SHELL" and len(set(corners)) == len(corners):
         part.solids.append((id, corners))
@@ -409,6 +409,10 @@ def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
         average_thicknesses(deck, section, part)
     if section.distribution:
         distribute_thicknesses(deck, section, part)
+    if "integration" in part.keys:  # a membrane
+        text = "one membrane of percuss, whose thickness follows the strain by the material, not by POISSON of the section"
+        deck.ledger.approximated("MEMBRANE SECTION", section.place, text)
+        return
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:
         part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
@@ -426,7 +430,7 @@ def lay_up(deck: AbaqusDeck, section: Section, part: Part, found: "dict[str, tup
     if find_difference(part.layers, laws) == "failure":  # type: ignore[arg-type]
         deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers whose materials fail in different ways", "the failure of one of them counts for all")
     name, law = add_plies(part, part.layers, laws, {})  # type: ignore[arg-type]
-    del part.keys["points"]
+    part.keys.pop("points", None)
     part.keys = {"material": name, **{key: value for key, value in part.keys.items() if key != "material"}}
     if any(has_points(one) for _, one in found.values()):
         part.keys["points"] = max(1, min(max(layer.points for layer in section.layers), MOST_POINTS // len(part.layers)))

@@ -26,6 +26,7 @@ SHELL_LINE = "SECID ELFORM SHRF NIP=2 PROPT~output QR ICOMP SETYP~absent"
 MOST_POINTS = 16  # through the thickness of a shell
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
+MEMBRANE_FORMS = {5, 9}  # Belytschko-Tsay, and integrated at several points in the plane
 FULL_SHELLS = {6, 7, 11, 16, -16, 18, 20, 21, 26}  # integrated at several points in the plane
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
 TETRAHEDRA_FORMS = {10, 13, 16, 17}  # the last two of ten nodes
@@ -126,6 +127,13 @@ class ShellSection:
     reference: float  # height of the mesh over the middle, in half thicknesses
     per_area: float = 0.0  # mass beside that of the material
     layers: list[Layer] = field(default_factory=list)
+    is_membrane: bool = False
+
+    def make_keys(self) -> Deck:
+        """Of the part, but for its offset."""
+        if self.is_membrane:
+            return {"integration": "membrane"}
+        return {} if self.layers else {"points": self.points}
 
     def thickness_of(self, shell: Element) -> float:
         """The mean of the corners, where the shell does not say it itself."""
@@ -138,9 +146,20 @@ class ShellSection:
 def takes_form(deck: KeywordDeck, row: Row, card: str) -> bool:
     """Whether shells of an ELFORM become that of percuss."""
     form = row.integer("ELFORM") or deck.shell_form
-    return form in SHELL_FORMS or deck.ledger.refuse(
-        f"{card}.ELFORM", row.place, f"formulation {form} (percuss has no membranes, plane or axisymmetric elements)", "the shell of percuss is used"
+    return form in SHELL_FORMS | MEMBRANE_FORMS or deck.ledger.refuse(
+        f"{card}.ELFORM", row.place, f"formulation {form} (percuss has no plane or axisymmetric elements)", "the shell of percuss is used"
     )
+
+
+def make_membrane(deck: KeywordDeck, section: ShellSection, row: Row, card: str) -> ShellSection:
+    """The section as one of membranes, if its ELFORM says so."""
+    section.is_membrane = (row.integer("ELFORM") or deck.shell_form) in MEMBRANE_FORMS
+    if section.is_membrane:
+        deck.ledger.translated(f"{card}.ELFORM", row.place, "integration: membrane of the part, with one point in the plane")
+        if section.reference:
+            deck.ledger.ignored(f"{card}.NLOC", row.place, "a membrane does not bend, wherever its mesh lies")
+            section.reference = 0.0
+    return section
 
 
 def translate_layup(deck: KeywordDeck, part: PartCard, layup: Layup, shells: list[Element]) -> ShellSection | None:
@@ -159,7 +178,7 @@ def translate_layup(deck: KeywordDeck, part: PartCard, layup: Layup, shells: lis
     row.finish(deck.ledger)
     text = "plies with two Gauss points each, so that they bend as laminate theory says; transverse shear by the energy of its stresses, in place of SHRF"
     deck.ledger.approximated("PART_COMPOSITE", part.place, text)
-    return section
+    return make_membrane(deck, section, row, "PART_COMPOSITE")
 
 
 def refuse_offset_contact(deck: KeywordDeck, reference: float, row: Row) -> None:
@@ -218,7 +237,8 @@ def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> Sh
         "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
         "shear factor 5/6, Gauss points, thickness that follows the strain",
     )
-    return ShellSection(corners, min(points, MOST_POINTS), reference, per_area, layers)
+    section = ShellSection(corners, min(points, MOST_POINTS), reference, per_area, layers)
+    return make_membrane(deck, section, row, "SECTION_SHELL")
 
 
 def build_blocks(deck: KeywordDeck) -> None:
@@ -314,7 +334,7 @@ def divide_shells(
         groups = round_thicknesses(deck, part, groups)
     blocks = []
     for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
-        keys: Deck = {} if section.layers else {"points": section.points}
+        keys = section.make_keys()
         if section.reference:
             named = {1.0: "top", -1.0: "bottom"}.get(section.reference)
             keys["reference"] = named or 0.5 * section.reference * thickness
@@ -342,7 +362,7 @@ def make_block_of_thicknesses(
     members = sorted(member for group in groups.values() for member in group)
     thicknesses = {id: thickness for thickness, group in groups.items() for id, _ in group}
     deck.ledger.translated("ELEMENT_SHELL_THICKNESS", part.place, "thickness of each shell, from the mesh file")
-    block = Block(part.id, part.id, name, part.place, shells=members, thickness=max(groups), keys={"points": section.points})
+    block = Block(part.id, part.id, name, part.place, shells=members, thickness=max(groups), keys=section.make_keys())
     block.thicknesses = thicknesses
     return block
 

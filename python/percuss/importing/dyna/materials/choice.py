@@ -16,6 +16,7 @@ from .cohesive import bond_solids
 from .crushable import CRUSHABLE
 from .elastic import ELASTIC
 from .erosion import add_erosion
+from .fabric import FABRIC, make_membrane
 from .foam_rates import FOAM_RATES
 from .gissmo import add_gissmo
 from .metals import METALS
@@ -30,7 +31,7 @@ from .skins import cover
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
-LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **ROLLED, **RUBBER}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER}
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:
@@ -112,6 +113,7 @@ def build_materials(deck: KeywordDeck) -> None:
         if made[key]:
             name, law = made[key]  # type: ignore[misc]
             block.keys = {"material": name, **block.keys}
+            make_membrane(deck, block, law)
             if not block.layers:
                 block.density = law["density"]
                 turn_axes(deck, part, block, name, law)
@@ -177,7 +179,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     else:
         deck.ledger.refuse(card.keyword, card.place, f"this material law{suggest(card.keyword, [f'MAT_{name}' for name in (*LAWS, *SPRINGS.values())])}", "the parts made of it are left out")
         return None
-    if law is None or not may_be_used(deck, card, law, use):
+    if law is None or not may_be_used(deck, card, law, use, block):
         return None
     if use.state and not use.has_used_state and "equation_of_state" not in law:
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
@@ -236,11 +238,15 @@ def keep_limits_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> 
         deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail by stress, a largest strain or their step", "they do not")
 
 
-def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
+def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use, block: Block) -> bool:
     """Whether shells, or beams, take the law."""
     if use.is_beam:
         return may_be_of_beams(deck, card, law, use)
-    if not use.is_shell or laws.has(law, "is_of_shells"):
+    if law["model"] == "fabric" and (not use.is_shell or block.layers):
+        text = "fabric of solids, or in layers of shells (percuss has it for membranes of one layer)"
+        deck.ledger.refuse(f"{card.keyword}.solids", use.place, text, "the parts made of it are left out")
+        return False
+    if not use.is_shell or laws.has(law, "is_of_shells") or law["model"] == "fabric":
         return True
     deck.ledger.refuse(
         f"{card.keyword}.shells",
