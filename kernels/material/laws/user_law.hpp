@@ -131,6 +131,7 @@ struct UserLaw {
     if (!(sum_lanes(step.motion.dt) > 0)) return;  // the forces at the start: the code may divide by the step
     const Symmetric3<T> old = step.stress, de = find_mechanical_strain(step);
     call(step);
+    set_return(old, de, step);
     set_moduli(old, de, step);
 #else
     (void)step;
@@ -216,6 +217,23 @@ struct UserLaw {
         T(heating_share / specific_heat) * (read_lanes<T>(block.dissipated_new) - read_lanes<T>(block.dissipated_old));
     temperature = temperature + rise;
     if (keeps_rise()) step.history[find_temperature() + 1] = rise;
+  }
+
+  /// The code flows where its answer to the strain of the step is less than half of that of the moduli at the start, or
+  /// where its stress falls at rest. Stored hourglass forces relax by the same share; otherwise they resist the flow.
+  template <class T>
+  static void set_return(const Symmetric3<T>& old, const Symmetric3<T>& de, PointStep<T>& step) {
+    constexpr double least_loss = 0.5, nothing = 1e-9;
+    const Symmetric3<T> shear = add_pressure(de, T(-1.0 / 3) * trace(de));
+    const Symmetric3<T> trial = add_pressure(old, T(-1.0 / 3) * trace(old)) + T(2) * step.mu * shear;
+    const Symmetric3<T> stress = add_pressure(step.stress, T(-1.0 / 3) * trace(step.stress));
+    const T from = square_root(contract(trial, trial)), to = square_root(contract(stress, stress));
+    const T elastic = T(2) * step.mu * square_root(contract(shear, shear));
+    const auto flows = from - to > T(least_loss) * elastic + T(nothing) * from;
+    PlasticReturn<T>& plastic = step.plastic;
+    plastic.share = select(flows, to / select(flows, from, T(1)), plastic.share);
+    plastic.flow_stress = select(flows, T(1.2247448713915890) * to, plastic.flow_stress);
+    plastic.loading = select(flows, T(1), plastic.loading);
   }
 
   /// Moduli of the answer to the strain of this step where it is large enough, and not below those at the start: bounds
