@@ -82,11 +82,35 @@ void require_one_side(const Deck& deck, const Mesh& mesh, const PressureDeck& pr
 void add_pressures(const Deck& deck, const PressureDeck& pressure, const ChunkedMesh& chunked,
                    const std::vector<ElementFace>& faces, Model& model) {
   if (pressure.blast) require_blast_range(deck, pressure, chunked, faces);
-  const std::vector<Curve> curves =
-      pressure.blast ? list_blast_pressures(deck, pressure, chunked.mesh, faces) : std::vector<Curve>{pressure.value};
-  model.pressures.insert(model.pressures.end(), curves.begin(), curves.end());
+  std::vector<Pulse> pulses;
+  if (pressure.blast) pulses = list_blast_pulses(deck, pressure, chunked.mesh, faces);
+  const std::size_t count = pressure.blast ? pulses.size() : 1;
+  model.pulses.resize(model.pressures.size() + count);
+  std::copy(pulses.begin(), pulses.end(), model.pulses.end() - static_cast<std::ptrdiff_t>(count));
+  for (const Pulse& pulse : pulses) model.pressures.push_back(make_curve(pulse));
+  if (!pressure.blast) model.pressures.push_back(pressure.value);
   const auto entry = static_cast<int>(&pressure - deck.pressures.data());
-  model.pressure_entries.insert(model.pressure_entries.end(), curves.size(), entry);
+  model.pressure_entries.insert(model.pressure_entries.end(), count, entry);
+}
+
+/// Where faces of another entry of the deck or of another chunk begin.
+struct RunList {
+  std::vector<int> first;
+  int entry = -1, chunk = -1;
+
+  void note(int of_entry, int of_chunk, int face) {
+    if (of_entry == entry && of_chunk == chunk) return;
+    entry = of_entry;
+    chunk = of_chunk;
+    first.push_back(face);
+  }
+};
+
+/// Place of the chunk that has an element.
+int find_chunk(const ChunkedMesh& chunked, int element) {
+  const auto after = std::upper_bound(chunked.chunks.begin(), chunked.chunks.end(), element,
+                                      [](int e, const Chunk& chunk) { return e < chunk.first_element; });
+  return static_cast<int>(after - chunked.chunks.begin()) - 1;
 }
 
 }  // namespace
@@ -100,6 +124,7 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
   std::vector<std::array<int, 4>> corners;
   std::vector<int> loads;
   std::vector<Vec3> dead_shares;
+  RunList runs;
   for (const PressureDeck& pressure : deck.pressures) {
     const auto entry = &pressure - deck.pressures.data();
     const std::vector<ElementFace> selected = select_faces(mesh, deck, pressure.where);
@@ -107,6 +132,7 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
     const auto first_load = static_cast<int>(model.pressures.size()), first_face = static_cast<int>(corners.size());
     add_pressures(deck, pressure, chunked, selected, model);
     for (const ElementFace& face : selected) {
+      runs.note(static_cast<int>(entry), find_chunk(chunked, face.element), static_cast<int>(corners.size()));
       const std::int64_t order =
           numbering.chunk_count() +
           find_face_number(entry * numbering.element_count() + find_element_number(chunked, face.element), face.face);
@@ -120,6 +146,9 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
   }
   faces.count = static_cast<int>(corners.size());
   faces.load = to_view("percuss::pressure_load", loads);
+  faces.run_count = static_cast<int>(runs.first.size());
+  runs.first.push_back(faces.count);
+  faces.first_of_run = to_view("percuss::pressure_runs", runs.first);
   faces.nodes = to_rows("percuss::pressure_nodes", corners);
   faces.dead_share = to_rows("percuss::pressure_dead_share", dead_shares);
   return slots;

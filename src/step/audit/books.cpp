@@ -92,54 +92,25 @@ void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const H
   add_work(work[0], books);
 }
 
-/// Whether a face under pressure carries a force: before a blast arrives, and after it, none does.
-KOKKOS_INLINE_FUNCTION bool carries_force(const PressureFaces& faces, const Rows3<double>& slot_force, int f) {
-  for (int s = faces.first_slot + 4 * f; s < faces.first_slot + 4 * (f + 1); ++s)
-    if (slot_force(s, 0) != 0 || slot_force(s, 1) != 0 || slot_force(s, 2) != 0) return true;
-  return false;
-}
-
-/// Impulses and the first half of the work of the pressure forces at n, which stand in the slots. A face
-/// is on one rank and its corners have an order: only faces need exact sums, which cost more than all the rest.
-void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state, double dt, double dt_mean) {
-  const PressureFaces faces = state.pressure_faces;
-  if (faces.count == 0) return;
-  const auto x = state.x, v = state.v, slot_force = state.slot_force;
-  const MomentCenter center(model.mass_center);
+/// Impulses of the pressure forces at n.
+void book_pressure(ExactSums<6>& pressure_sums, State& state, double dt_mean) {
+  if (state.pressure_faces.count == 0) return;
+  const PressureSums of_runs = state.pressure_sums;
   const auto sums = pressure_sums(
-      ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
-        if (!carries_force(faces, slot_force, f)) return;
-        double of_face[7] = {};
-        const auto collect = [&of_face](int k, double value) { of_face[k] += value; };
-        for (int i = 0; i < 4; ++i) {
-          const int s = faces.first_slot + 4 * f + i;
-          const int n = faces.nodes(f, i);
-          const double share[3] = {slot_force(s, 0), slot_force(s, 1), slot_force(s, 2)};
-          collect(0, 0.5 * dt * (share[0] * v(n, 0) + share[1] * v(n, 1) + share[2] * v(n, 2)));
-          const double j[3] = {dt_mean * share[0], dt_mean * share[1], dt_mean * share[2]};
-          const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
-          add_impulse(r, j, 1, collect);
-        }
-        for (int k = 0; k < 7; ++k) add(k, of_face[k]);
+      ExecSpace(), state.pressure_faces.run_count, KOKKOS_LAMBDA(const int r, const ExactAdder& add) {
+        for (int k = 0; k < 6; ++k) add(k, dt_mean * of_runs(r, PressureSum::force + k));
       });
-  add_work(sums[0], state.books);
-  add_to_books(sums, 1, state.books);
+  add_to_books(sums, 0, state.books);
 }
 
-/// The other half of that work, of the forces at n+1.
-void book_pressure_power(ExactSums<1>& power_sum, State& state, double dt) {
-  const PressureFaces faces = state.pressure_faces;
-  if (faces.count == 0) return;
-  const auto v = state.v, slot_force = state.slot_force;
-  const auto work = power_sum(
-      ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
-        double power = 0;
-        for (int i = 0; i < 4; ++i) {
-          const int s = faces.first_slot + 4 * f + i;
-          const int n = faces.nodes(f, i);
-          for (int k = 0; k < 3; ++k) power += slot_force(s, k) * v(n, k);
-        }
-        add(0, 0.5 * dt * power);
+/// Half a step's work of the pressure forces at n+1, and of those at n, which were there before.
+void book_pressure_work(ExactSums<1>& work_sum, State& state, double dt, bool counts_old) {
+  if (state.pressure_faces.count == 0) return;
+  const PressureSums of_runs = state.pressure_sums;
+  const double half = 0.5 * dt, half_of_old = counts_old ? half : 0;
+  const auto work = work_sum(
+      ExecSpace(), state.pressure_faces.run_count, KOKKOS_LAMBDA(const int r, const ExactAdder& add) {
+        add(0, half * of_runs(r, PressureSum::power) + half_of_old * of_runs(r, PressureSum::old_power));
       });
   add_work(work[0], state.books);
 }
@@ -155,7 +126,7 @@ KOKKOS_INLINE_FUNCTION double find_nodal_power(const NodalLoads& loads, int i, c
   return power;
 }
 
-/// As book_pressure(), of the loads on nodes.
+/// Impulses and the first half of the work of the loads on nodes at n.
 void book_nodal_loads(const Model& model, ExactSums<7>& nodal_sums, State& state, double dt, double dt_mean) {
   const NodalLoads loads = state.nodal_loads;
   if (loads.count == 0) return;
@@ -243,7 +214,7 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const Wa
     wall_dt_ = dt;
     add_work(walls.work, state.books);
   }
-  book_pressure(model_, pressure_sums_, state, dt, dt_mean);
+  book_pressure(pressure_sums_, state, dt_mean);
   book_nodal_loads(model_, nodal_sums_, state, dt, dt_mean);
   book_gravity(state, dt, dt_mean);
 }
@@ -273,15 +244,15 @@ void Bookkeeper::book_gravity_work(State& state, double dt) const {
   state.books.external_work.normalize();
 }
 
-void Bookkeeper::book_new_forces(State& state, double dt, bool takes_gravity) {
-  const Gravity gravity = model_.gravity_varies || takes_gravity ? state.gravity : Gravity{};
+void Bookkeeper::book_new_forces(State& state, double dt, bool is_switch) {
+  const Gravity gravity = model_.gravity_varies || is_switch ? state.gravity : Gravity{};
   book_rest_of_work(model_, held_force_sum_,
                     {state.held, state.owned_held, state.v, state.slot_force, state.mass, gravity}, dt, state.books);
   book_rest_of_work(model_, held_force_sum_,
                     {state.held_spins, state.owned_held_spins, state.w, state.slot_moment, state.inertia, {}}, dt,
                     state.books);
   book_gravity_work(state, dt);
-  book_pressure_power(power_sum_, state, dt);
+  book_pressure_work(pressure_work_, state, dt, !is_switch);
   book_nodal_power(power_sum_, state, dt);
 }
 

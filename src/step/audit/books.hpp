@@ -39,13 +39,14 @@ class Bookkeeper {
   /// What the books remember besides those of the state.
   void archive(CheckpointArchive& archive);
 
-  /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
-  /// and forces at n. walls: this rank's share, moments about Model::mass_center. Collective.
+  /// Books the impulses of a step and the first half of the work of conditions and of loads on nodes. Call with v at
+  /// n+1/2, x and forces at n. walls: this rank's share, moments about Model::mass_center. Collective.
   void book_impulses(State& state, double dt, double dt_mean, const WallSums& walls);
 
-  /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1. takes_gravity: constant
-  /// gravity on held directions counts too, which matters where what is held changes.
-  void book_new_forces(State& state, double dt, bool takes_gravity = false);
+  /// Books the second half of that work, and the work of pressure. Call with v at n+1/2 and the slots' forces at n+1.
+  /// is_switch: what holds changes between steps. Then constant gravity on held directions counts too, and of pressure
+  /// the second half only.
+  void book_new_forces(State& state, double dt, bool is_switch = false);
 
   /// Nodes of this rank vanish with what they have: momentum, energy, work of gravity. Call with the state that still
   /// has them; sets its total mass. Collective.
@@ -65,12 +66,16 @@ class Bookkeeper {
   void book_gravity_work(State& state, double dt) const;
   void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;
 
+  static constexpr int runs_of_a_block = 128;
+
   const Deck& deck_;
   const Model& model_;
   ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse
   ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
-  ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
-  ExactSums<7> nodal_sums_{"percuss::nodal_sums"};        // likewise, of loads on nodes
+  // Of pressure: impulse and its moment; work. Runs of faces are few.
+  ExactSums<6> pressure_sums_{"percuss::pressure_impulses", runs_of_a_block};
+  ExactSums<1> pressure_work_{"percuss::pressure_work", runs_of_a_block};
+  ExactSums<7> nodal_sums_{"percuss::nodal_sums"};  // work, impulse, moment of impulse of loads on nodes
   ExactSums<1> power_sum_{"percuss::power_sum"};
   std::optional<OwnedNodeSums<AddedMassSum::count>> added_sums_;  // only with mass scaling during the run
   std::array<ExactSum, 3> wall_impulse_{};                        // of the last step; this rank's share

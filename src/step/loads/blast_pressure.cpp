@@ -48,17 +48,28 @@ double find_scaled_distance(const BlastDeck& blast, const Units& units, const Ve
 
 }  // namespace
 
-Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
+Pulse find_blast_pulse(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
   const Vec3 ray = subtract(middle, blast.center);
   const double distance = find_distance(middle, blast.center), cosine = std::max(0.0, -dot(normal, ray) / distance);
   const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance);
   const double pressure = kilo / units.in_si(dimensions::stress), time = 1 / (kilo * units.time.in_si);
   const double of_reflected = cosine * cosine, of_incident = 1 + of_reflected - 2 * cosine;
-  return Curve::pulse(
-      blast.time + wave.arrival * time, wave.duration * time,
-      {{{pressure * of_reflected * wave.reflected, find_decay(wave.reflected, wave.duration, wave.reflected_impulse)},
-        {pressure * of_incident * wave.incident, find_decay(wave.incident, wave.duration, wave.incident_impulse)}}},
-      blast.has_negative_phase);
+  return {blast.time + wave.arrival * time,
+          wave.duration * time,
+          {pressure * of_reflected * wave.reflected, pressure * of_incident * wave.incident},
+          {find_decay(wave.reflected, wave.duration, wave.reflected_impulse),
+           find_decay(wave.incident, wave.duration, wave.incident_impulse)},
+          blast.has_negative_phase};
+}
+
+Curve make_curve(const Pulse& pulse) {
+  return Curve::pulse(pulse.start, pulse.duration,
+                      {{{pulse.peaks[0], pulse.decays[0]}, {pulse.peaks[1], pulse.decays[1]}}},
+                      pulse.has_negative_phase);
+}
+
+Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
+  return make_curve(find_blast_pulse(blast, units, middle, normal));
 }
 
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
@@ -80,15 +91,15 @@ void require_blast_range(const Deck& deck, const PressureDeck& load, const Chunk
     throw InputError(fmt::format("{}: error: {}", deck.where(load.where.place), *refused));
 }
 
-std::vector<Curve> list_blast_pressures(const Deck& deck, const PressureDeck& load, const Mesh& mesh,
-                                        const std::vector<ElementFace>& faces) {
+std::vector<Pulse> list_blast_pulses(const Deck& deck, const PressureDeck& load, const Mesh& mesh,
+                                     const std::vector<ElementFace>& faces) {
   const Units units = *find_units(deck.units);
-  std::vector<Curve> curves;
+  std::vector<Pulse> pulses;
   for (const ElementFace& face : faces) {
     const FacePlace place = find_place(mesh, face);
-    curves.push_back(find_blast_pressure(*load.blast, units, place.middle, place.normal));
+    pulses.push_back(find_blast_pulse(*load.blast, units, place.middle, place.normal));
   }
-  return curves;
+  return pulses;
 }
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/node/pulse.hpp"
 #include "src/deck/deck.hpp"
 #include "src/deck/units.hpp"
 #include "src/mesh/ordering.hpp"
@@ -22,8 +23,12 @@ Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
                          const std::vector<ElementFace>& faces);
 
+/// The same for a kernel.
+Pulse find_blast_pulse(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal);
+Curve make_curve(const Pulse& pulse);
+
 /// The pressures on the faces, one after the other.
-std::vector<Curve> list_blast_pressures(const Deck& deck, const PressureDeck& load, const Mesh& mesh,
-                                        const std::vector<ElementFace>& faces);
+std::vector<Pulse> list_blast_pulses(const Deck& deck, const PressureDeck& load, const Mesh& mesh,
+                                     const std::vector<ElementFace>& faces);
 
 }  // namespace percuss

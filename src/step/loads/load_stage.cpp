@@ -1,14 +1,46 @@
 #include "src/step/loads/load_stage.hpp"
 
+#include <algorithm>
+
+#include "kernels/core/host_copy.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {
+namespace {
+
+/// Values of pulses at a time, or zeros, one after the other from `first` on.
+void find_values(const Array<const Pulse>& pulses, double time, bool is_on, int first, const Array<double>& values) {
+  Kokkos::parallel_for(
+      "percuss::blast_pressures", Range(ExecSpace(), 0, static_cast<int>(pulses.extent(0))),
+      KOKKOS_LAMBDA(const int i) { values(first + i) = is_on ? pulses(i)(time) : 0; });
+}
+
+}  // namespace
 
 LoadStage::LoadStage(const Deck& deck, const Model& model)
     : model_(model),
       adds_forces_(!deck.pressures.empty() || !deck.nodal_loads.empty()),
       pressures_("percuss::pressures", model.pressures.size()),
-      nodal_values_("percuss::nodal_values", model.nodal_values.size()) {}
+      nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
+  list_pulses();
+}
+
+/// Each entry of the deck has either one curve or a pulse for each of its faces.
+void LoadStage::list_pulses() {
+  const std::vector<int>& entries = model_.pressure_entries;
+  for (std::size_t i = 0, end = 0; i < entries.size(); i = end) {
+    end = static_cast<std::size_t>(std::upper_bound(entries.begin(), entries.end(), entries[i]) - entries.begin());
+    std::vector<Pulse> pulses;
+    for (std::size_t load = i; load < end; ++load) {
+      if (model_.pulses[load].duration > 0)
+        pulses.push_back(model_.pulses[load]);
+      else
+        curves_.push_back(load);
+    }
+    if (pulses.empty()) continue;
+    blasts_.push_back({static_cast<std::size_t>(entries[i]), static_cast<int>(i), to_view("percuss::pulses", pulses)});
+  }
+}
 
 void LoadStage::add_forces(State& state, double time) {
   state.gravity = find_gravity(model_, time);
@@ -29,13 +61,28 @@ void LoadStage::load_nodes(const State& state, double time) {
 
 void LoadStage::press_faces(const State& state, double time) {
   if (model_.pressure_faces.count == 0) return;
+  evaluate_curves(state, time);
+  evaluate_pulses(state, time);
+  const Vec3& center = model_.mass_center;
+  apply_pressure(ExecSpace(), state.pressure_faces, pressures_, {state.x, state.v, {center[0], center[1], center[2]}},
+                 state.slot_force, state.pressure_sums);
+}
+
+void LoadStage::evaluate_curves(const State& state, double time) {
+  if (curves_.empty()) return;
   const auto values = Kokkos::create_mirror_view(pressures_);
-  for (std::size_t i = 0; i < model_.pressures.size(); ++i) {
+  for (const std::size_t i : curves_) {
     const auto entry = static_cast<std::size_t>(model_.pressure_entries[i]);
     values(i) = model_.switches.pressures[entry].is_on(state.happened) ? model_.pressures[i](time) : 0;
   }
   Kokkos::deep_copy(pressures_, values);
-  apply_pressure(ExecSpace(), state.pressure_faces, pressures_, state.x, state.slot_force);
+}
+
+void LoadStage::evaluate_pulses(const State& state, double time) {
+  for (const Blast& blast : blasts_) {
+    const bool is_on = model_.switches.pressures[blast.entry].is_on(state.happened);
+    find_values(blast.pulses, time, is_on, blast.first_load, pressures_);
+  }
 }
 
 }  // namespace percuss

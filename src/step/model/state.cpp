@@ -285,6 +285,12 @@ Gravity find_constant_gravity(const Model& model) { return model.gravity_varies 
 
 namespace {
 
+void start_loads(const Model& model, State& s) {
+  s.pressure_faces = model.pressure_faces;
+  s.pressure_sums = PressureSums("percuss::pressure_sums", static_cast<std::size_t>(model.pressure_faces.run_count));
+  s.nodal_loads = model.nodal_loads;
+}
+
 void start_conditions(const Model& model, State& s) {
   s.happened.assign(model.switches.sensors, 0);
   s.held = model.held;
@@ -327,8 +333,7 @@ State make_initial_state(const Model& model) {
   s.lumped_mass = s.mass = model.mass;
   s.inverse_mass = model.inverse_mass;
   s.total_mass = model.total_mass;
-  s.pressure_faces = model.pressure_faces;
-  s.nodal_loads = model.nodal_loads;
+  start_loads(model, s);
   if (model.scales_in_run) {
     s.element_mass = copy_array("percuss::element_mass_now", model.element_mass);
     s.lumped_mass = copy_array("percuss::lumped_mass", model.mass);

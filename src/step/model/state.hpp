@@ -84,6 +84,7 @@ struct State {
   Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
   double total_mass = 0;         // of all ranks
   PressureFaces pressure_faces;  // those of dead elements have no area
+  PressureSums pressure_sums;    // [runs of these faces] of the forces at n, and of the step to n
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
   // Of the sensors of the deck: which events have come, with their delays. What they have left of the held directions.
