@@ -14,8 +14,6 @@ class ApproachBound {
 
   /// Share and walls are others now.
   void redefine();
-  /// The share is another now, but its nodes are as they were.
-  void redefine_bodies() { bodies_.redefine(); }
 
   /// Before the first step, of dt at most.
   void look_at_start(const Rows3<const double>& x, const Rows3<const double>& v, double dt, const MovingWalls& moving);

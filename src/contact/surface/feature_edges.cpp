@@ -80,7 +80,7 @@ struct EdgeRule {
   /// EdgeTopology::is_blunt; -1: touches none.
   int find_bluntness(EdgeKind kind, const EdgeSide& a, const EdgeSide& b) const {
     if (is_feature(kind, a, b) || is_folded(folds, a)) return 0;
-    if (is_blunt_or_feature(kind, a, b)) return 1;
+    if (is_blunt_or_feature(kind, a, b)) return blunt_edge;
     return is_passed_line(kind, a, b, passing[at(a.part)]) ? 2 : -1;
   }
 };
