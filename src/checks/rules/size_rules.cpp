@@ -241,9 +241,10 @@ std::vector<Warning> check_thick_shell_across(const CheckedScene& scene) {
     const std::string own = "parts." + part.name + ".integration";
     warnings.push_back(warn_at(
         scene.deck, "thick_shell_across", scene.deck.places.has(own) ? own : "elements.integration",
-        fmt::format("{} of {} thick shells of part '{}' are not thin along the direction across them, their {} one "
-                    "(their other directions lock in bending): set integration.across, or across: shortest",
-                    wrong, measures.solids, part.name, names[way])));
+        fmt::format(
+            "{} of {} thick shells of part '{}' are thicker than wide (across is '{}'; where they are thin they "
+            "lock in bending): take another direction, or across: shortest",
+            wrong, measures.solids, part.name, names[way])));
   }
   return warnings;
 }
