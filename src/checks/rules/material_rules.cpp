@@ -354,14 +354,18 @@ std::vector<Warning> check_no_viscosity(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene) {
-  constexpr double most = 0.25;  // of a part's mass: then the motion is another one
+  constexpr double most = 0.25;     // of a part's mass: then the motion is another one
+  constexpr double no_limit = 100;  // of it: an import of a step without a limit writes 1e6
   std::vector<Warning> warnings;
   const auto check = [&](const std::optional<MassScalingDeck>& scaling, const std::string& path) {
     if (!scaling || scaling->max_added <= most) return;
+    const std::string amount = scaling->max_added > no_limit
+                                   ? fmt::format("any mass: its limit is {:g} times that of a part", scaling->max_added)
+                                   : fmt::format("{:.0f} % to the mass of a part", 100 * scaling->max_added);
     warnings.push_back(warn_at(scene.deck, "mass_scaling", path + ".max_added",
-                               fmt::format("mass scaling may add {:.0f} % to the mass of a part (above about 5 % its "
-                                           "motion changes): lower max_added, or step",
-                                           100 * scaling->max_added)));
+                               fmt::format("mass scaling may add {} (above about 5 % its motion changes): lower "
+                                           "max_added, or step; the run tells at its start how much it adds",
+                                           amount)));
   };
   check(scene.deck.time.mass_scaling, "time.mass_scaling");
   for (const PartDeck& part : scene.deck.parts) check(part.mass_scaling, "parts." + part.name + ".mass_scaling");
