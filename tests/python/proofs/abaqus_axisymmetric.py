@@ -102,6 +102,7 @@ PROOFS = [
           [("momentum_y", LAST, FORCE * SHARE * 1e-4, 1e-2), ("body_vy:E", LAST, FORCE * SHARE * 1e-4 / (MASS + 1e-5 * SHARE), 1e-2)], "a rigid ring of its own mass and a point's"),
     Proof("FRICTION", abaqus(ring(10.0, 20.0), SQUARE, SECTION, MEETS.format("0.1").replace("99, 1, 6", "1, 2"), end=SHORT, step="*CONTACT PAIR, INTERACTION=i\nbelow, below\n"), refused="friction between axisymmetric elements"),
     Proof("ELEMENT: TYPE", abaqus(ring(-10.0, 20.0), SQUARE, SECTION), refused="beyond the axis"),
+    Proof("ELEMENT: TYPE", abaqus(ring(10.0, 20.0), SQUARE.replace("1, 1, 2, 3, 4", "1, 1, 2, 3, 9"), SECTION), refused="there is no node 9, of element 1"),
     Proof("ELEMENT: TYPE", abaqus(ring(10.0, 20.0), SQUARE, "*ELEMENT, TYPE=T3D2, ELSET=t\n5, 1, 3\n*SOLID SECTION, ELSET=t, MATERIAL=steel\n1.,\n", SECTION), refused="elements T3D2 beside axisymmetric ones"),
     Proof("INITIAL CONDITIONS: TYPE", abaqus(ring(10.0, 20.0), SQUARE, SECTION, "*INITIAL CONDITIONS, TYPE=STRESS\ne, 1., 1., 1., 0.\n"), refused="of axisymmetric elements"),
     Proof("EQUATION", abaqus(ring(10.0, 20.0), SQUARE, SECTION, "*EQUATION\n2\noutside, 1, 1., inside, 1, -1.\n"), refused="equal radial displacements"),

@@ -36,5 +36,6 @@ PROOFS = [
     Proof("DSLOAD; SURFACE: NAME", pushed(f"*DSLOAD\ns, P, {-FORCE / (10 * THICKNESS)!r}\n"), PUSH, "a pressure on the second edge"),
     Proof("DLOAD", pushed(f"*DLOAD\ne, P2, {-FORCE / (10 * THICKNESS)!r}\n"), PUSH, "likewise"),
     Proof("INITIAL CONDITIONS: TYPE", abaqus(NODES, SQUARE, SECTION, "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 100.\n"), [("momentum_x", LAST, 100 * DENSITY * 100 * THICKNESS, 1e-6)], "all nodes of both planes"),
+    Proof("ELEMENT: TYPE", abaqus(NODES, SQUARE.replace("1, 1, 2, 3, 4", "1, 1, 2, 3, 9"), SECTION), refused="there is no node 9, of element 1"),
     Proof("ELEMENT: TYPE", abaqus(NODES, SQUARE, "*ELEMENT, TYPE=T3D2, ELSET=t\n5, 1, 3\n*SOLID SECTION, ELSET=t, MATERIAL=steel\n1.,\n", SECTION), refused="elements T3D2 on nodes of plane strain"),
 ]  # fmt: skip

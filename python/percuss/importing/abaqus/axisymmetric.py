@@ -24,7 +24,7 @@ TOLD = "a sector of 90 degrees with one layer: its mass, forces and energies are
 def turn_rings(deck: AbaqusDeck) -> None:
     """Gives each node away from the axis a twin, which all sets and surfaces with the node have too."""
     mesh = deck.mesh
-    rings = {id: found for id, found in mesh.elements.items() if found[0] in RINGS}
+    rings = deck.list_flat(RINGS)
     if not rings:
         return
     deck.is_ring = True

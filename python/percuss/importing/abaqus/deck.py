@@ -1,7 +1,7 @@
 """An Abaqus deck in memory: its mesh, and what its keywords define by name."""
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -179,6 +179,15 @@ class AbaqusDeck:
     def nodes_of(self, name: str, place: Place) -> list[int]:
         nodes = self.list_ids(self.mesh.node_sets, self.mesh.nodes, name, place, "node set")
         return nodes + [self.twins[node] for node in nodes if node in self.twins] if self.twins else nodes
+
+    def list_flat(self, kinds: Mapping[str, int]) -> dict[int, tuple[str, tuple[int, ...]]]:
+        """Elements of these kinds, of which solids are made."""
+        found = {id: element for id, element in self.mesh.elements.items() if element[0] in kinds}
+        for id, (_, corners) in found.items():
+            for corner in corners:
+                if corner not in self.mesh.nodes:
+                    raise BadInput(self.mesh.place or Place("", 0), missing(f"node {corner}, of element {id}"))
+        return found
 
     def elements_of(self, name: str, place: Place) -> list[int]:
         return self.list_ids(self.mesh.element_sets, self.mesh.elements, name, place, "element set")

@@ -11,7 +11,7 @@ def extrude(deck: AbaqusDeck) -> None:
     """Gives each node of such an element a twin, which all sets and surfaces with the node have too."""
     mesh = deck.mesh
     thicknesses = list_thicknesses(deck)
-    flat = {id: found for id, found in mesh.elements.items() if found[0] in STRAINED}
+    flat = deck.list_flat(STRAINED)
     if not flat:
         return
     raised = 10 ** len(str(max(mesh.nodes)))
