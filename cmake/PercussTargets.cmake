@@ -15,8 +15,10 @@ if(PERCUSS_NATIVE)
   target_compile_options(percuss_options INTERFACE -march=native)
 endif()
 if(PERCUSS_SANITIZE)
-  target_compile_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE}
-    $<$<BOOL:${PERCUSS_NO_SANITIZE}>:-fno-sanitize=${PERCUSS_NO_SANITIZE}> -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(PERCUSS_NO_SANITIZE)
+    target_compile_options(percuss_options INTERFACE -fno-sanitize=${PERCUSS_NO_SANITIZE})
+  endif()
   # GCC takes what the sanitizers insert for reads of unset memory, in std::regex for one (as its manual warns).
   target_compile_options(percuss_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE})
