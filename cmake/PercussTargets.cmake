@@ -93,7 +93,7 @@ function(percuss_add_library name)
   endif()
 endfunction()
 
-# Some 200 programs of tests hold 16 MB each: a fast linker takes a tenth to a third of the time.
+# Programs of tests hold 16 MB each: lld and gold take about a third of the time of the default linker.
 include(CheckLinkerFlag)
 set(PERCUSS_TEST_LINKER "")
 foreach(linker lld gold)

@@ -139,7 +139,7 @@ struct FabricLayer {
     return layer;
   }
 
-  /// The stress at n+1 of where the corners are. along: a unit of warp height strains as these squares (per thread).
+  /// The stress at n+1 of where the corners are. warp_strain: Green's strain by the warp of the element, 11, 22, 12.
   template <class T>
   PERCUSS_FORCE_INLINE FabricResponse<T> update(const Threads<T>& threads, const T (&warp_strain)[3],
                                                 T* history) const {
