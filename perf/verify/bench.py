@@ -54,16 +54,16 @@ class Bench:
 
     # --- runs ---
 
-    def try_run(self, template, ranks=1, **values):
-        """Runs whatever the exit code."""
+    def try_run(self, template, ranks=1, libraries=(), **values):
+        """Runs whatever the exit code. libraries: laws of users that the deck may load."""
         self.count += 1
-        run = runs.start(self.options, self.folder / str(self.count), runs.fill(template, **values), ranks)
+        run = runs.start(self.options, self.folder / str(self.count), runs.fill(template, **values), ranks, libraries=libraries)
         self.cpu += run.cpu
         return run
 
-    def run(self, template, ranks=1, **values):
+    def run(self, template, ranks=1, libraries=(), **values):
         """Runs a deck that has to complete."""
-        run = self.try_run(template, ranks, **values)
+        run = self.try_run(template, ranks, libraries, **values)
         if run.code != 0:
             self.equal("exit code", run.code, 0)
             self.note("The run ended with: " + run.errors[-600:])

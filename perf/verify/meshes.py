@@ -99,6 +99,23 @@ def make_surface(cells, place, share=0.0, seed=1):
     return points, first[:, None] + np.array([0, 1, cells[0] + 2, cells[0] + 1])
 
 
+def make_quarter_disc(n):
+    """Shells on the quarter x, y >= 0 of the unit disc: a core of n x n around the middle and n rings of 2 n around it."""
+    i, j = np.meshgrid(np.arange(n + 1), np.arange(n + 1))
+    a, b = i.ravel() / n, j.ravel() / n
+    core = 0.5 * np.stack([a, b], axis=1) * (1 - 0.15 * a * b)[:, None]  # its corner at 0.85 of that of a square
+    border = [n + (n + 1) * k for k in range(n + 1)] + [k + (n + 1) * n for k in range(n - 1, -1, -1)]
+    turn = 0.5 * np.pi * np.arange(2 * n + 1) / (2 * n)
+    rim = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    rings = [core[border] * (1 - s) + rim * s for s in np.arange(1, n + 1) / n]
+    points = np.vstack([core, *rings])
+    points[np.abs(points) < 1e-12] = 0
+    quads = [[k, k + 1, k + n + 2, k + n + 1] for row in range(n) for k in range(row * (n + 1), row * (n + 1) + n)]
+    layers = [border] + [list(range((n + 1)**2 + r * (2 * n + 1), (n + 1)**2 + (r + 1) * (2 * n + 1))) for r in range(n)]
+    quads += [[inner[k], outer[k], outer[k + 1], inner[k + 1]] for inner, outer in zip(layers, layers[1:]) for k in range(2 * n)]
+    return np.hstack([points, np.zeros((len(points), 1))]), np.array(quads)
+
+
 def each_node(points, entry):
     """Lines of a deck, one a node: entry(n, selector) with a selector of this node alone."""
 

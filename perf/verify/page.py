@@ -52,14 +52,14 @@ def make_anchor(title):
     return "".join(c for c in title.lower().replace(" ", "-") if c.isalnum() or c in "-_")
 
 
-def make_link(case, folder=""):
-    return f"[{case.title}]({folder}{case.group}.md#{make_anchor(case.title)})"
+def make_link(case, folder="", text=""):
+    return f"[{text or case.title}]({folder}{case.group}.md#{make_anchor(case.title)})"
 
 
 def write_features(cases, results, folder):
-    rows = list_features(cases, results, lambda case: make_link(case, folder))
-    return "## By feature\n\nThe error of one quantity at a stated mesh; the case has the others.\n\n" + \
-        make_table(["feature", "quantity and mesh", "error", "case"], rows)
+    rows = list_features(cases, results, lambda case, text: make_link(case, folder, text))
+    return "## By feature\n\nErrors of single quantities at stated meshes; the cases behind the links have the others.\n\n" + \
+        make_table(["feature", "quantity and mesh: error"], rows)
 
 
 def write_overview(cases, results):

@@ -11,7 +11,8 @@ import time
 
 import numpy as np
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "python"))
 import percuss.results.history  # noqa: E402
 
 
@@ -108,8 +109,8 @@ class Run:
         return file.read_bytes() if file.exists() else b""
 
 
-def start(options, folder, deck, ranks=1, command="run"):
-    """Runs the deck in the folder on so many ranks of one thread; waits for its end."""
+def start(options, folder, deck, ranks=1, command="run", libraries=()):
+    """Runs the deck in the folder on so many ranks of one thread; waits for its end. libraries: what it may load."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     path = folder / "deck.yaml"
@@ -118,6 +119,7 @@ def start(options, folder, deck, ranks=1, command="run"):
     words = [str(pathlib.Path(options.percuss).resolve()), command, str(path)]
     if command == "run":
         words += ["--quiet", "--force", "--out", str(results)]
+    words += [word for library in libraries for word in ("--allow-library", str(library))]
     if ranks > 1:
         words = options.mpirun.split() + ["-n", str(ranks)] + words
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", OMP_WAIT_POLICY="passive",
