@@ -33,11 +33,11 @@ KOKKOS_INLINE_FUNCTION void set_left(const ElementLives& lives, int lane, int le
   lives.work_share(lane) = static_cast<Real>(shares.work);
 }
 
-/// An element has failed: it loses the force that it has, over the steps of its fade or, with an evolution, at once.
+/// An element has failed: it loses the force that it has, over the steps of its fade or, where it softens, at once.
 KOKKOS_INLINE_FUNCTION void begin_to_die(const ElementLives& lives, int lane, const FailureLimits& limits) {
   const Real before = lives.force_share(lane);
   set_left(lives, lane, limits.fade_steps, limits);
-  if (limits.evolution.any()) lives.work_share(lane) = static_cast<Real>(0.5) * before;
+  if (limits.softens()) lives.work_share(lane) = static_cast<Real>(0.5) * before;
 }
 
 /// Brings an element that has failed, or that its evaluation has taken out, one evaluation nearer to death. Returns

@@ -2,7 +2,7 @@
 // Failure state of elements: what elements of materials that can fail store besides their records.
 //
 // An element that meets a criterion fails: its force falls to zero in equal parts over the next evaluations, one or
-// more, and then it is eroded. With an evolution of damage it keeps the share 1 - D from the onset on. The work of a
+// more, and then it is eroded. With an evolution or a coupling of damage it keeps a share of its force. The work of a
 // step uses the mean of the factors at its ends, the trapezoid of the audit: the booked work is what the element has
 // absorbed. Only chunks whose material can fail have entries.
 
@@ -26,12 +26,34 @@ struct JohnsonCookDamage {
   KOKKOS_INLINE_FUNCTION bool any() const { return d1 != 0 || d2 != 0; }
 };
 
-/// How damage grows after its onset with the plastic strain. Damage is 1 at the onset and 2 where no force is left.
+/// How damage grows after its onset with the plastic strain. Damage is 1 at the onset and 2 where no force is left; the
+/// force in between falls along a straight line, an exponential or a table.
 struct DamageEvolution {
   double by_strain = 0;  // for each plastic strain: the size of the element over the displacement until failure
-  double by_work = 0;    // for each plastic strain and von Mises stress: the size over twice the energy by area
+  double by_work = 0;    // for each plastic strain and von Mises stress: share of force that is left, summed until
+                         // failure, times the size over the energy by area
+  double exponent = 0;   // a in a share of force (exp(-a p) - exp(-a)) / (1 - exp(-a)) at the progress p; 0: 1 - p
+  const MaterialTable* lost = nullptr;  // share of force that is lost over the progress from 0 to 1; none: as above
 
   KOKKOS_INLINE_FUNCTION bool any() const { return by_strain > 0 || by_work > 0; }
+};
+
+/// How force falls before failure: the share ((D - D0) / (1 - D0))^fade of it is lost at a damage D above D0. D is the
+/// sum of the damage to a power; D0 is given, or what D is where another sum over the plastic strain reaches 1.
+/// Source: Neukamm, Feucht and Haufe, Considering damage history in crashworthiness simulations, 7th European LS-DYNA
+/// Conference (2009).
+struct DamageCoupling {
+  const MaterialTable* strain = nullptr;  // of that other sum: the plastic strain over mean by von Mises stress
+  double start = -1;                      // D0 without it; negative: none
+  double damage_exponent = 1, fade_exponent = 1;
+
+  KOKKOS_INLINE_FUNCTION bool any() const { return strain != nullptr || start >= 0; }
+};
+
+/// Failure by shear: plastic strain over (von Mises stress - pressure_factor mean stress) / largest shear stress.
+struct ShearDamage {
+  const MaterialTable* strain = nullptr;  // none: no criterion
+  double pressure_factor = 0;
 };
 
 /// When an element of a material fails; a limit that is not set is infinite.
@@ -56,11 +78,19 @@ struct FailureLimits {
   double most_volume = none;
   double fibre_damage = none;                  // of a ply of a shell
   const MaterialTable* triaxiality = nullptr;  // failure strain over mean by von Mises stress; none: no criterion
-  double strain_factor = 1;                    // of that failure strain
-  DamageEvolution evolution;                   // none: an element fails at the onset of damage
+  ShearDamage shear;
+  const MaterialTable* rate_factor =
+      nullptr;                // of these strains and of that of `coupling`, over the plastic strain rate
+  double strain_factor = 1;   // of the failure strains of both
+  DamageEvolution evolution;  // none: an element fails at the onset of damage
+  DamageCoupling coupling;    // none: it has its whole force up to there
 
   /// Whether damage adds up over the strain.
-  KOKKOS_INLINE_FUNCTION bool adds_damage() const { return johnson_cook.any() || triaxiality != nullptr; }
+  KOKKOS_INLINE_FUNCTION bool adds_damage() const {
+    return johnson_cook.any() || triaxiality != nullptr || shear.strain != nullptr;
+  }
+  /// Whether force is lost by damage.
+  KOKKOS_INLINE_FUNCTION bool softens() const { return evolution.any() || coupling.any(); }
   /// Damage of an element without force.
   KOKKOS_INLINE_FUNCTION double whole_damage() const { return evolution.any() ? 2 : 1; }
   KOKKOS_INLINE_FUNCTION bool reads_stress() const {
@@ -117,7 +147,7 @@ struct ElementLives {
   Array<int> steps_left;         // [lanes] evaluations until the force is gone; `whole`; 0: dead
   Array<double> plastic_strain;  // [lanes] at n
   Array<double> damage;          // [lanes] at n; 1: failed, or at its onset where it evolves; 2: failed there
-  Array<double> time_at_yield;   // [lanes] at n
+  Array<double> second;          // [lanes] at n: FailureHistory::second
   Array<double> layers;          // of shells (kernels/shell/layer_lives.hpp); of them the three above are means
 };
 
@@ -134,11 +164,6 @@ struct LifeShares {
   double force = 1;  // at the next evaluation
   double work = 1;   // of the step up to there
 };
-
-/// Share of the force that damage leaves.
-KOKKOS_INLINE_FUNCTION double find_share_of_damage(double damage) {
-  return damage > 1 ? (damage < 2 ? 2 - damage : 0) : 1;
-}
 
 /// The shares of an element with so many evaluations left.
 KOKKOS_INLINE_FUNCTION LifeShares find_life_shares(int left, int fade_steps) {

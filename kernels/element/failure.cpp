@@ -47,8 +47,8 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c,
 }
 
 /// Gives an element the force that its damage leaves; returns whether that is another one than before.
-KOKKOS_INLINE_FUNCTION bool soften(const ElementLives& lives, int lane) {
-  const Real before = lives.force_share(lane), share = static_cast<Real>(find_share_of_damage(lives.damage(lane))),
+KOKKOS_INLINE_FUNCTION bool soften(const ElementLives& lives, int lane, double left) {
+  const Real before = lives.force_share(lane), share = static_cast<Real>(left),
              of_work = static_cast<Real>(0.5) * (before + share);
   const bool changed = share != before || of_work != lives.work_share(lane);
   lives.force_share(lane) = share;
@@ -60,12 +60,12 @@ KOKKOS_INLINE_FUNCTION bool soften(const ElementLives& lives, int lane) {
 KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
                                   const ElementLoad& load, double dt, FailureCounts& counts) {
   if (go_on_dying(lives, lane, limits, counts)) return true;
-  FailureHistory history{lives.plastic_strain(lane), lives.damage(lane), lives.time_at_yield(lane)};
+  FailureHistory history{lives.plastic_strain(lane), lives.damage(lane), lives.second(lane)};
   const bool failed = fails(limits, load, dt, history);
   lives.plastic_strain(lane) = history.plastic_strain;
   lives.damage(lane) = history.damage;
-  lives.time_at_yield(lane) = history.time_at_yield;
-  if (!failed) return limits.evolution.any() && soften(lives, lane);
+  lives.second(lane) = history.second;
+  if (!failed) return limits.softens() && soften(lives, lane, find_force_share(limits, history));
   ++counts.failing;
   begin_to_die(lives, lane, limits);
   return true;

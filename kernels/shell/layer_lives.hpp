@@ -19,7 +19,7 @@ struct LayerLives {
   static constexpr int force_share = 0,
                        work_share = 1;  // of its stress at the next evaluation, of the work up to there
   static constexpr int left = 2;        // evaluations until its stress is gone; ElementLives::whole
-  static constexpr int plastic_strain = 3, damage = 4, time_at_yield = 5;  // at n, as ElementLives
+  static constexpr int plastic_strain = 3, damage = 4, second = 5;  // at n, as ElementLives
   static constexpr int layer_size = 6;
   static constexpr int count_rows(int points) { return layers + points * layer_size; }
 };

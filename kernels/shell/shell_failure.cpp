@@ -56,18 +56,20 @@ KOKKOS_INLINE_FUNCTION bool is_thin(const FailingShell& shell, const ThicknessPo
   return mean >= limits.mean_thinning;
 }
 
+/// What a layer remembers.
+KOKKOS_INLINE_FUNCTION FailureHistory read_history(const double* life) {
+  return {life[LayerLives::plastic_strain * width], life[LayerLives::damage * width], life[LayerLives::second * width]};
+}
+
 /// Adds the step to what the layer remembers; returns whether it fails.
 KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double place, const FailureLimits& limits,
                                         double dt) {
   double* const life = shell.life(p);
-  FailureHistory history{life[LayerLives::plastic_strain * width], life[LayerLives::damage * width],
-                         life[LayerLives::time_at_yield * width]};
-  FailureLimits of_stress = limits;
-  of_stress.principal_strain = FailureLimits::none;
-  const bool failed = fails(of_stress, read_layer(shell, p, limits), dt, history);
+  FailureHistory history = read_history(life);
+  const bool failed = fails_by_load(limits, read_layer(shell, p, limits), dt, history);
   life[LayerLives::plastic_strain * width] = history.plastic_strain;
   life[LayerLives::damage * width] = history.damage;
-  life[LayerLives::time_at_yield * width] = history.time_at_yield;
+  life[LayerLives::second * width] = history.second;
   if (shell.fibre_damage >= 0 && shell.read(p, shell.fibre_damage) >= limits.fibre_damage) return true;
   if (limits.thinning < FailureLimits::none && read_thinning(shell, p, place, limits) >= limits.thinning) return true;
   return failed ||
@@ -86,20 +88,20 @@ KOKKOS_INLINE_FUNCTION bool fade_layers(const FailingShell& shell, int points, i
 }
 
 /// Gives a layer the stress that its damage leaves; returns whether that is another one than before.
-KOKKOS_INLINE_FUNCTION bool soften(double* life) {
+KOKKOS_INLINE_FUNCTION bool soften(double* life, const FailureLimits& limits) {
   double &force = life[LayerLives::force_share * width], &work = life[LayerLives::work_share * width];
-  const double share = find_share_of_damage(life[LayerLives::damage * width]), of_work = 0.5 * (force + share);
+  const double share = find_force_share(limits, read_history(life)), of_work = 0.5 * (force + share);
   const bool changed = share != force || of_work != work;
   force = share;
   work = of_work;
   return changed;
 }
 
-/// A layer has failed: it loses the stress that it has, over the steps of its fade or, with an evolution, at once.
+/// A layer has failed: it loses the stress that it has, over the steps of its fade or, where it softens, at once.
 KOKKOS_INLINE_FUNCTION void begin_to_die(double* life, const FailureLimits& limits) {
   const double before = life[LayerLives::force_share * width];
   set_layer_left(life, limits.fade_steps, limits.fade_steps);
-  if (limits.evolution.any()) life[LayerLives::work_share * width] = 0.5 * before;
+  if (limits.softens()) life[LayerLives::work_share * width] = 0.5 * before;
 }
 
 /// The element fails, and its layers keep what they have.
@@ -134,14 +136,14 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
     failed += rule.weight[p];
     ++count;
   }
-  const bool softens = limits.evolution.any();
+  const bool softens = limits.softens();
   if (count == rule.count || failed >= limits.layers * (1 - round_off) || is_thin(shell, rule, limits)) {
     if (softens) keep_shares(shell, rule.count);
     return true;
   }
   for (int p = 0; p < rule.count; ++p) {
     if (fresh[p]) begin_to_die(shell.life(p), limits);
-    if (fresh[p] || (softens && shell.left(p) == ElementLives::whole && soften(shell.life(p)))) changed = true;
+    if (fresh[p] || (softens && shell.left(p) == ElementLives::whole && soften(shell.life(p), limits))) changed = true;
   }
   return false;
 }
@@ -149,17 +151,17 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
 /// The means over the layers, of one that has failed as if it were at the limit.
 KOKKOS_INLINE_FUNCTION void take_means(const FailingShell& shell, const ThicknessPoints& rule,
                                        const FailureLimits& limits, const ElementLives& lives, int lane) {
-  double strain = 0, damage = 0, time = 0;
+  double strain = 0, damage = 0, second = 0;
   for (int p = 0; p < rule.count; ++p) {
     const double* const life = shell.life(p);
     const bool is_whole = shell.left(p) == ElementLives::whole;
     strain += rule.weight[p] * smaller(life[LayerLives::plastic_strain * width], limits.plastic_strain);
-    time += rule.weight[p] * smaller(life[LayerLives::time_at_yield * width], limits.yield_time);
-    damage += rule.weight[p] * (is_whole ? life[LayerLives::damage * width] : limits.whole_damage());
+    second += rule.weight[p] * smaller(life[LayerLives::second * width], limits.yield_time);
+    damage += rule.weight[p] * (is_whole ? find_shown_damage(limits, read_history(life)) : limits.whole_damage());
   }
   lives.plastic_strain(lane) = strain;
   lives.damage(lane) = damage;
-  lives.time_at_yield(lane) = time;
+  lives.second(lane) = second;
 }
 
 KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ShellCriteria& by, const ElementLives& lives,

@@ -51,6 +51,7 @@ const std::vector<CheckRule>& check_rules() {
       {"damage_sign", check_damage_sign},
       {"failure_size", check_failure_size, Needs::mesh},
       {"softening_size", check_softening_size, Needs::mesh},
+      {"late_softening", check_late_softening},
       {"poissons_ratio", check_poissons_ratio},
       {"hardening_strain", check_hardening_strain},
       {"strain_ratios", check_strain_ratios},

@@ -59,6 +59,7 @@ std::vector<Warning> check_no_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
 std::vector<Warning> check_cowper_symonds(const CheckedScene& scene);
 std::vector<Warning> check_softening_size(const CheckedScene& scene);
+std::vector<Warning> check_late_softening(const CheckedScene& scene);
 std::vector<Warning> check_damage_sign(const CheckedScene& scene);
 std::vector<Warning> check_poissons_ratio(const CheckedScene& scene);
 std::vector<Warning> check_strain_ratios(const CheckedScene& scene);

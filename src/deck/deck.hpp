@@ -237,6 +237,21 @@ struct BeamFailureDeck {
 /// Over what an element loses its force after the onset of damage; one of them.
 struct DamageEvolutionDeck {
   std::optional<double> displacement, energy, plastic_strain;  // plastic; by area
+  std::optional<double> exponent;                              // the force falls exponentially
+  std::vector<std::array<double, 2>> table;  // rows [share of that, share of the force that is lost]; none: straight
+};
+/// How an element loses force before its damage is 1: from a plastic strain or from a damage on.
+struct DamageCouplingDeck {
+  std::vector<std::array<double, 2>> strain;  // rows [mean by von Mises stress, plastic strain]
+  std::optional<double> damage;
+  double damage_exponent = 1;                           // damage is its sum over the plastic strain to this power
+  double exponent = 1;                                  // of the loss of force
+  std::vector<std::array<double, 2>> exponent_of_size;  // rows [size of an element, exponent]; none: as above
+};
+/// Failure by shear.
+struct ShearDamageDeck {
+  std::vector<std::array<double, 2>> strain;  // rows [ratio of stresses, plastic strain]
+  double pressure_factor = 0;
 };
 struct FailureDeck {
   std::optional<double> plastic_strain;    // equivalent
@@ -248,7 +263,10 @@ struct FailureDeck {
   std::optional<JohnsonCookDamageDeck> johnson_cook;
   std::vector<std::array<double, 2>>
       triaxiality;  // rows [mean by von Mises stress, plastic strain]; none: no criterion
+  std::optional<ShearDamageDeck> shear;
+  std::vector<std::array<double, 2>> rate;  // rows [plastic strain rate, factor of the strains of tables]; none: 1
   std::optional<DamageEvolutionDeck> evolution;
+  std::optional<DamageCouplingDeck> coupling;
   std::optional<double> yield_time;           // at yield, in all
   std::optional<double> fibre_damage;         // of plies of shells: damage of the fibres
   std::optional<double> volume_below;         // of solids: V / V(0) falls below this

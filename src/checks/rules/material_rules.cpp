@@ -1,6 +1,7 @@
 // Constants of materials and numerical settings outside their usual ranges.
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "kernels/material/laws/johnson_cook.hpp"
@@ -8,6 +9,8 @@
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/unit_systems.hpp"
+#include "src/deck/laws/lost_force.hpp"
+#include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/material_properties.hpp"
 
 namespace percuss {
@@ -141,17 +144,38 @@ std::vector<Warning> check_softening_size(const CheckedScene& scene) {
     const auto yield = find_yield_stress(material.law);
     if (!yield) continue;
     const DamageEvolutionDeck& evolution = *material.failure->evolution;
-    const double energy = evolution.energy ? *evolution.energy : 0.5 * yield->value * *evolution.displacement;
-    const double most = 2 * find_youngs_modulus(material) * energy / (yield->value * yield->value);
+    const double share = find_mean_share(evolution),
+                 opening = evolution.energy ? *evolution.energy / (share * yield->value) : *evolution.displacement;
+    const double fall = opening / find_steepest_fall(evolution);  // as if the force fell straight at its steepest
+    const double most = find_youngs_modulus(material) * fall / yield->value;
     const double largest = find_largest_element(scene, material);
     if (largest <= most) continue;
     warnings.push_back(warn_at(
         scene.deck, "softening_size", find_key_path(material, "failure.evolution"),
-        fmt::format(
-            "elements of material '{}' are up to {:.3g} large and hold more energy at the yield stress than the "
-            "{:.3g} by area that their damage spends (they snap, and the rest becomes vibration): use elements "
-            "of {:.3g} at most, or more energy",
-            material.name, largest, energy, most)));
+        fmt::format("elements of material '{}' are up to {:.3g} large and stretch elastically by {:.3g} at the yield "
+                    "stress, more than the {:.3g} over which their damage takes it (they snap, and what is left of "
+                    "their energy becomes vibration): use elements of {:.3g} at most, or more energy or displacement",
+                    material.name, largest, yield->value / find_youngs_modulus(material) * largest, fall, most)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_late_softening(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    if (!material.failure || !material.failure->coupling || material.failure->triaxiality.empty()) continue;
+    const FailureDeck& failure = *material.failure;
+    if (failure.coupling->strain.empty()) continue;
+    const MaterialTable start = make_table(failure.coupling->strain), end = make_table(failure.triaxiality);
+    const auto is_late = [&](const std::array<double, 2>& row) { return start(row[0]).y >= end(row[0]).y; };
+    if (!std::all_of(failure.coupling->strain.begin(), failure.coupling->strain.end(), is_late) ||
+        !std::all_of(failure.triaxiality.begin(), failure.triaxiality.end(), is_late))
+      continue;
+    warnings.push_back(warn_at(scene.deck, "late_softening", find_key_path(material, "failure.coupling.strain"),
+                               fmt::format("material '{}' fails before its force begins to fall (at every mean stress "
+                                           "the failure strain is not above that of coupling): check whether both "
+                                           "tables are swapped",
+                                           material.name)));
   }
   return warnings;
 }

@@ -103,7 +103,7 @@ bool is_obstacle(const Deck& deck, const PartDeck& part) {
 /// Whether a material fails by a strain, which is that of a whole element, and which failure.size scales.
 bool fails_by_strain(const FailureDeck& failure) {
   return failure.plastic_strain || failure.principal_strain || failure.thinning || failure.mean_thinning ||
-         failure.johnson_cook || !failure.triaxiality.empty();
+         failure.johnson_cook || !failure.triaxiality.empty() || failure.shear;
 }
 
 /// Likewise by a stress.

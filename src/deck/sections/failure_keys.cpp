@@ -53,18 +53,71 @@ const Keys<DamageEvolutionDeck>& evolution_keys() {
       may("displacement", &DamageEvolutionDeck::displacement, NumberValue{positive}),
       may("energy", &DamageEvolutionDeck::energy, NumberValue{positive}),
       may("plastic_strain", &DamageEvolutionDeck::plastic_strain, NumberValue{positive}),
+      may("exponent", &DamageEvolutionDeck::exponent, NumberValue{{"from 0.001 to 100", 1e-3, 100}}),
+      may("table", &DamageEvolutionDeck::table, TableValue{{"from 0 to 1", 0, 1}}),
   };
   return keys;
+}
+
+/// Of the table of an evolution.
+bool check_lost_force(const Reader& reader, const Node& node, const DamageEvolutionDeck& evolution) {
+  const auto& rows = evolution.table;
+  std::string problem;
+  if (evolution.exponent) problem = "stands beside exponent (both say how the force falls): remove one of them";
+  if (rows.front()[0] != 0 || rows.front()[1] != 0 || rows.back()[0] != 1 || rows.back()[1] != 1)
+    problem =
+        "does not go from [0, 0] to [1, 1] (shares of what the evolution takes and of the force that is lost): "
+        "begin and end there";
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (rows[i][1] < rows[i - 1][1]) problem = "falls (lost force does not come back): let it rise";
+  if (problem.empty()) return true;
+  reader.error(node.spot, fmt::format("{} {}", reader.name_of("table"), problem));
+  return false;
 }
 
 bool check_evolution(const Reader& reader, const Node& node, DamageEvolutionDeck& evolution) {
   const int count =
       evolution.displacement.has_value() + evolution.energy.has_value() + evolution.plastic_strain.has_value();
-  if (count == 1) return true;
-  reader.error(node.spot,
-               fmt::format("{} has {} of its keys (damage grows by one of them): give displacement, energy or "
-                           "plastic_strain",
-                           reader.self(), count == 0 ? "none" : "several"));
+  if (count != 1) {
+    reader.error(node.spot, fmt::format("{} has {} of its measures (damage grows by one of them): give displacement, "
+                                        "energy or plastic_strain",
+                                        reader.self(), count == 0 ? "none" : "several"));
+    return false;
+  }
+  if (evolution.table.empty()) return true;
+  return check_lost_force(reader, *node.find("table"), evolution);
+}
+
+const Keys<ShearDamageDeck>& shear_keys() {
+  static const Keys<ShearDamageDeck> keys = {
+      need("strain", &ShearDamageDeck::strain, TableValue{positive}),
+      may("pressure_factor", &ShearDamageDeck::pressure_factor, NumberValue{}),
+  };
+  return keys;
+}
+
+const Keys<DamageCouplingDeck>& coupling_keys() {
+  static const Keys<DamageCouplingDeck> keys = {
+      may("strain", &DamageCouplingDeck::strain, TableValue{positive}),
+      may("damage", &DamageCouplingDeck::damage, NumberValue{{"from 0 to below 1", 0, 1, false, true}}),
+      may("damage_exponent", &DamageCouplingDeck::damage_exponent, NumberValue{positive}),
+      may("exponent", &DamageCouplingDeck::exponent, NumberValue{positive}),
+      may("exponent_of_size", &DamageCouplingDeck::exponent_of_size, TableValue{positive}),
+  };
+  return keys;
+}
+
+bool check_coupling(const Reader& reader, const Node& node, DamageCouplingDeck& coupling) {
+  if (coupling.damage.has_value() != coupling.strain.empty()) {
+    reader.error(node.spot,
+                 fmt::format("{} has {} of strain and damage (one of them is where the force begins to fall): give one",
+                             reader.self(), coupling.damage ? "both" : "none"));
+    return false;
+  }
+  if (node.find("exponent") == nullptr || coupling.exponent_of_size.empty()) return true;
+  reader.error(node.find("exponent")->spot, fmt::format("{} stands beside exponent_of_size (which gives it for every "
+                                                        "size): remove one of them",
+                                                        reader.name_of("exponent")));
   return false;
 }
 
@@ -78,6 +131,9 @@ const Keys<FailureDeck>& failure_keys() {
       may("pressure", &FailureDeck::pressure, NumberValue{positive}),
       may("johnson_cook", &FailureDeck::johnson_cook, MapValue<JohnsonCookDamageDeck>{damage_keys, check_damage}),
       may("triaxiality", &FailureDeck::triaxiality, TableValue{positive}),
+      may("shear", &FailureDeck::shear, MapValue<ShearDamageDeck>{shear_keys}),
+      may("rate", &FailureDeck::rate, TableValue{positive}),
+      may("coupling", &FailureDeck::coupling, MapValue<DamageCouplingDeck>{coupling_keys, check_coupling}),
       may("evolution", &FailureDeck::evolution, MapValue<DamageEvolutionDeck>{evolution_keys, check_evolution}),
       may("yield_time", &FailureDeck::yield_time, NumberValue{positive}),
       may("fibre_damage", &FailureDeck::fibre_damage, NumberValue{{"above 0, at most 1", 0, 1, true}}),
@@ -96,23 +152,43 @@ const Keys<FailureDeck>& failure_keys() {
   return keys;
 }
 
+bool adds_damage(const FailureDeck& failure) {
+  return failure.johnson_cook || !failure.triaxiality.empty() || failure.shear;
+}
+
+/// What stands beside damage that takes force, and cannot; empty: nothing.
+std::string find_clash(const FailureDeck& failure) {
+  if (failure.evolution && failure.coupling)
+    return "coupling stands beside evolution (both say how the force is lost): remove one of them";
+  const char* const key = failure.evolution ? "evolution" : "coupling";
+  const bool has_onset = failure.evolution ? adds_damage(failure) || failure.plastic_strain
+                                           : failure.johnson_cook || !failure.triaxiality.empty();
+  if ((failure.evolution || failure.coupling) && !has_onset)
+    return fmt::format(
+        "{} has no onset (its damage would never grow): give {}", key,
+        failure.evolution ? "plastic_strain, johnson_cook, triaxiality or shear" : "johnson_cook or triaxiality");
+  if ((failure.evolution || failure.coupling) && failure.fade_steps > 1)
+    return fmt::format("{} stands beside fade_steps (both say how the force is lost): remove one of them", key);
+  const bool begins_by_strain = failure.coupling && !failure.coupling->strain.empty();
+  if (failure.shear.has_value() + failure.yield_time.has_value() + begins_by_strain > 1)
+    return fmt::format("{} stands beside {} (an element keeps one of these sums): remove one of them",
+                       begins_by_strain ? "coupling.strain" : "yield_time", failure.shear ? "shear" : "yield_time");
+  if (!failure.rate.empty() && failure.triaxiality.empty() && !failure.shear)
+    return "rate scales the failure strains of tables (there are none): give triaxiality or shear";
+  return "";
+}
+
 bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure) {
-  const bool damages = failure.plastic_strain || failure.johnson_cook || !failure.triaxiality.empty();
-  const bool has_strain = damages || failure.principal_strain || failure.thinning || failure.mean_thinning;
-  if (failure.evolution && (!damages || failure.fade_steps > 1)) {
-    reader.error(node.find("evolution")->spot,
-                 damages
-                     ? fmt::format("{} stands beside fade_steps (both say how the force is lost): remove one of them",
-                                   reader.name_of("evolution"))
-                     : fmt::format("{} has no onset (its damage would never grow): give plastic_strain, "
-                                   "johnson_cook or triaxiality",
-                                   reader.name_of("evolution")));
+  const bool has_strain = failure.plastic_strain || adds_damage(failure) || failure.principal_strain ||
+                          failure.thinning || failure.mean_thinning;
+  if (const std::string clash = find_clash(failure); !clash.empty()) {
+    reader.error(node.find(clash.substr(0, clash.find_first_of(" .")))->spot, reader.name_of(clash));
     return false;
   }
   if (!failure.size.empty() && !has_strain) {
     reader.error(node.find("size")->spot,
                  fmt::format("{} scales failure strains (there are none): give plastic_strain, principal_strain, "
-                             "thinning, mean_thinning, johnson_cook or triaxiality",
+                             "thinning, mean_thinning, johnson_cook, triaxiality or shear",
                              reader.name_of("size")));
     return false;
   }
@@ -122,11 +198,10 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
     return true;
   reader.error(
       node.spot,
-      fmt::format(
-          "{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
-          "principal_strain, thinning, mean_thinning, pressure, johnson_cook, triaxiality, yield_time, fibre_damage, "
-          "volume_below, volume_above, resultants, time, step or inverted: true",
-          reader.self()));
+      fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
+                  "principal_strain, thinning, mean_thinning, pressure, johnson_cook, triaxiality, shear, yield_time, "
+                  "fibre_damage, volume_below, volume_above, resultants, time, step or inverted: true",
+                  reader.self()));
   return false;
 }
 

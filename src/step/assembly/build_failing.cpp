@@ -11,6 +11,7 @@
 #include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/shell/layer_lives.hpp"
 #include "src/deck/laws/laminates.hpp"
+#include "src/deck/laws/lost_force.hpp"
 #include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
@@ -21,6 +22,16 @@
 namespace percuss {
 
 namespace {
+
+/// By length of what depends on the size of elements.
+DamageEvolution make_evolution(const DamageEvolutionDeck& deck) {
+  DamageEvolution evolution;
+  if (deck.plastic_strain) evolution.by_strain = 1 / *deck.plastic_strain;
+  if (deck.displacement) evolution.by_strain = 1 / *deck.displacement;
+  if (deck.energy) evolution.by_work = find_mean_share(deck) / *deck.energy;
+  evolution.exponent = deck.exponent.value_or(0);
+  return evolution;
+}
 
 FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   const FailureDeck& deck = *material.failure;
@@ -49,11 +60,13 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
     limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
     limits.melt_temperature = melt->second;
   }
-  if (const auto& evolution = deck.evolution) {  // by length of what depends on the size of elements
-    if (evolution->plastic_strain) limits.evolution.by_strain = 1 / *evolution->plastic_strain;
-    if (evolution->displacement) limits.evolution.by_strain = 1 / *evolution->displacement;
-    if (evolution->energy) limits.evolution.by_work = 0.5 / *evolution->energy;
+  if (deck.evolution) limits.evolution = make_evolution(*deck.evolution);
+  if (const auto& coupling = deck.coupling) {
+    limits.coupling.start = coupling->damage.value_or(-1);
+    limits.coupling.damage_exponent = coupling->damage_exponent;
+    limits.coupling.fade_exponent = coupling->exponent;
   }
+  if (deck.shear) limits.shear.pressure_factor = deck.shear->pressure_factor;
   limits.least_step = deck.step.value_or(0) / step_scale;
   limits.takes_inverted = deck.inverted;
   limits.fade_steps = deck.fade_steps;
@@ -68,6 +81,7 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
   const char* const criterion = failure.plastic_strain         ? "plastic_strain"
                                 : failure.johnson_cook         ? "johnson_cook"
                                 : !failure.triaxiality.empty() ? "triaxiality"
+                                : failure.shear                ? "shear"
                                 : failure.yield_time           ? "yield_time"
                                                                : nullptr;
   const auto melt = material.law.numbers.find("melt_temperature");
@@ -118,6 +132,11 @@ void refuse_other_elements(const Deck& deck, const ElementBlock& block) {
 
 bool evolves_by_size(const FailureDeck& deck) { return deck.evolution && !deck.evolution->plastic_strain; }
 
+/// Whether the limits of an element depend on its size.
+bool depends_on_size(const FailureDeck& deck) {
+  return !deck.size.empty() || evolves_by_size(deck) || (deck.coupling && !deck.coupling->exponent_of_size.empty());
+}
+
 /// Appends the limits of each element of a chunk, whose strains and growth of damage depend on its size.
 void add_limits_by_size(const FailureDeck& deck, const FailureLimits& material, const ChunkedMesh& chunked,
                         const Chunk& chunk, std::vector<FailureLimits>& limits) {
@@ -130,24 +149,44 @@ void add_limits_by_size(const FailureDeck& deck, const FailureLimits& material, 
       limits.back().evolution.by_strain *= size;
       limits.back().evolution.by_work *= size;
     }
+    if (deck.coupling && !deck.coupling->exponent_of_size.empty())
+      limits.back().coupling.fade_exponent = make_table(deck.coupling->exponent_of_size)(size).y;
     limits.back().of_element = true;
   }
+}
+
+using Rows = std::vector<std::array<double, 2>>;
+
+/// The tables of a material, and where its limits point to them.
+struct TableOfLimits {
+  const Rows* rows;
+  const MaterialTable** place;
+};
+
+std::vector<TableOfLimits> list_tables(const FailureDeck& deck, FailureLimits& limits) {
+  std::vector<TableOfLimits> all = {{&deck.triaxiality, &limits.triaxiality}, {&deck.rate, &limits.rate_factor}};
+  if (deck.shear) all.push_back({&deck.shear->strain, &limits.shear.strain});
+  if (deck.coupling) all.push_back({&deck.coupling->strain, &limits.coupling.strain});
+  if (deck.evolution) all.push_back({&deck.evolution->table, &limits.evolution.lost});
+  all.erase(std::remove_if(all.begin(), all.end(), [](const TableOfLimits& t) { return t.rows->empty(); }), all.end());
+  return all;
 }
 
 /// Limits point to the tables of their materials.
 void build_tables(const Deck& deck, const std::vector<int>& row_of_material, FailingChunks& failing,
                   std::vector<FailureLimits>& limits) {
   std::vector<MaterialTable> tables;
-  std::vector<int> place(deck.materials.size(), -1);
+  std::vector<const MaterialTable**> places;
   for (std::size_t m = 0; m < deck.materials.size(); ++m) {
-    if (row_of_material[m] < 0 || deck.materials[m].failure->triaxiality.empty()) continue;
-    place[m] = static_cast<int>(tables.size());
-    tables.push_back(make_table(deck.materials[m].failure->triaxiality));
+    if (row_of_material[m] < 0) continue;
+    for (const TableOfLimits& table : list_tables(*deck.materials[m].failure, limits[at(row_of_material[m])])) {
+      tables.push_back(make_table(*table.rows));
+      places.push_back(table.place);
+    }
   }
   if (tables.empty()) return;
   failing.tables = to_view("percuss::failure_tables", tables);
-  for (std::size_t m = 0; m < place.size(); ++m)
-    if (place[m] >= 0) limits[at(row_of_material[m])].triaxiality = failing.tables.data() + place[m];
+  for (std::size_t i = 0; i < places.size(); ++i) *places[i] = failing.tables.data() + i;
 }
 
 /// Where the layers of the chunks of shells are that can fail.
@@ -193,7 +232,7 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
     refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));
     list.push_back(static_cast<int>(c));
     const FailureDeck& failure = *deck.materials[static_cast<std::size_t>(material)].failure;
-    if (!failure.size.empty() || evolves_by_size(failure)) {
+    if (depends_on_size(failure)) {
       const FailureLimits of_material = limits[static_cast<std::size_t>(row.back())];
       row.back() = static_cast<int>(limits.size());
       add_limits_by_size(failure, of_material, chunked, chunked.chunks[c], limits);

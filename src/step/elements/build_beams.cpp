@@ -37,8 +37,9 @@ const MaterialDeck& find_material(const Deck& deck, const ElementBlock& block) {
 
 bool has_other_criteria(const FailureDeck& failure) {
   return failure.principal_stress || failure.principal_strain || failure.thinning || failure.mean_thinning ||
-         failure.pressure || failure.johnson_cook || !failure.triaxiality.empty() || failure.evolution ||
-         failure.yield_time || failure.volume_below || failure.volume_above || failure.step || failure.inverted;
+         failure.pressure || failure.johnson_cook || !failure.triaxiality.empty() || failure.shear ||
+         failure.evolution || failure.coupling || failure.yield_time || failure.volume_below || failure.volume_above ||
+         failure.step || failure.inverted;
 }
 
 /// On all ranks alike: they know all blocks.

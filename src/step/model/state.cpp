@@ -179,7 +179,7 @@ ElementLives make_lives(const FailingChunks& failing) {
                      Array<int>("percuss::steps_left", lanes),
                      Array<double>("percuss::plastic_strain", lanes),
                      Array<double>("percuss::damage", lanes),
-                     Array<double>("percuss::time_at_yield", lanes),
+                     Array<double>("percuss::second_failure_sum", lanes),
                      Array<double>("percuss::layer_lives", failing.layer_scalars)};
   Kokkos::deep_copy(lives.force_share, Real(1));
   Kokkos::deep_copy(lives.work_share, Real(1));
@@ -370,7 +370,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lan
   if (lives.steps_left(lane) != ElementLives::whole)
     h = mix_bits(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));
   if (lives.damage(lane) > 0) h = mix_bits(h ^ find_bits(lives.damage(lane)));
-  if (lives.time_at_yield(lane) > 0) h = mix_bits(h ^ find_bits(lives.time_at_yield(lane)));
+  if (lives.second(lane) > 0) h = mix_bits(h ^ find_bits(lives.second(lane)));
   return h;
 }
 

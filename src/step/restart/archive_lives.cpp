@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t layer_lanes = pack_size<double>;  // of packs of layers
 
-// Steps left, plastic strain, damage, time at yield, shares of force and of work, works.
+// Steps left, plastic strain, damage, second sum, shares of force and of work, works.
 constexpr std::size_t own_columns = 6, life_columns = own_columns + work_kinds;
 
 /// The elements that can fail, chunk after chunk.
@@ -44,14 +44,14 @@ struct LivesOnHost {
         steps_left(to_host(lives.steps_left)),
         plastic_strain(to_host(lives.plastic_strain)),
         damage(to_host(lives.damage)),
-        time_at_yield(to_host(lives.time_at_yield)) {}
+        second(to_host(lives.second)) {}
 
   /// v: out, [life_columns].
   void read(std::size_t l, double* v) const {
     v[0] = steps_left(l);
     v[1] = plastic_strain(l);
     v[2] = damage(l);
-    v[3] = time_at_yield(l);
+    v[3] = second(l);
     v[4] = static_cast<double>(force_share(l));
     v[5] = static_cast<double>(work_share(l));
     for (std::size_t k = 0; k < work_kinds; ++k) v[own_columns + k] = work(find_work_place(l, k));
@@ -61,7 +61,7 @@ struct LivesOnHost {
     steps_left(l) = static_cast<int>(v[0]);
     plastic_strain(l) = v[1];
     damage(l) = v[2];
-    time_at_yield(l) = v[3];
+    second(l) = v[3];
     force_share(l) = static_cast<Real>(v[4]);
     work_share(l) = static_cast<Real>(v[5]);
     for (std::size_t k = 0; k < work_kinds; ++k) work(find_work_place(l, k)) = v[own_columns + k];
@@ -71,7 +71,7 @@ struct LivesOnHost {
     Kokkos::deep_copy(lives.steps_left, steps_left);
     Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
     Kokkos::deep_copy(lives.damage, damage);
-    Kokkos::deep_copy(lives.time_at_yield, time_at_yield);
+    Kokkos::deep_copy(lives.second, second);
     Kokkos::deep_copy(lives.work, work);
     Kokkos::deep_copy(lives.force_share, force_share);
     Kokkos::deep_copy(lives.work_share, work_share);
@@ -80,7 +80,7 @@ struct LivesOnHost {
   HostMirror<Array<Real>> force_share, work_share;
   HostMirror<Array<double>> work;
   HostMirror<Array<int>> steps_left;
-  HostMirror<Array<double>> plastic_strain, damage, time_at_yield;
+  HostMirror<Array<double>> plastic_strain, damage, second;
 };
 
 /// What the elements carry that can fail, element after element.

@@ -212,13 +212,30 @@ PROOFS = [
     fails("DAMAGE EVOLUTION: TYPE", DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.06, "0.05, and 2 G / stress over 10 mm"),
     Proof("DAMAGE EVOLUTION: TYPE", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY\n15.,\n", 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * 15.0, 2e-2)], "the energy over 100 mm^2 after the onset"),
     Proof("DAMAGE EVOLUTION: TYPE", stretched(DUCTILE + EVOLUTION, 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * 0.5 * 300.0 * 0.1, 2e-2)], "half of the yield stress over 0.1 mm"),
-    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=ENERGY, SOFTENING=EXPONENTIAL\n15.,\n"), refused="falls exponentially"),
+    *[Proof("DAMAGE EVOLUTION: TYPE SOFTENING", stretched(DUCTILE + f"*DAMAGE EVOLUTION, TYPE={law}\n", 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * spent, 2e-2)], why)
+      for law, spent, why in (
+          ("ENERGY, SOFTENING=EXPONENTIAL\n15.,", 15.0, "the energy over 100 mm^2 after the onset"),
+          ("DISPLACEMENT, SOFTENING=EXPONENTIAL\n0.3, 3.", 300.0 * 0.3 * (1 / 3 - 1 / math.expm1(3.0)), "the yield stress over 0.3 mm, its share 1 - (1 - exp(-3 p)) / (1 - exp(-3)) is left"),
+          ("DISPLACEMENT, SOFTENING=EXPONENTIAL\n0.1, 0.", 0.5 * 300.0 * 0.1, "an exponent of 0 is a straight line"),
+          ("DISPLACEMENT, SOFTENING=TABULAR\n0., 0.\n0.6, 0.1\n1., 0.4", 300.0 * (0.1 * 0.7 + 0.3 * 0.2), "the area above the table"))],
+    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT, SOFTENING=EXPONENTIAL\n0.1, -2.\n"), refused="an exponent of softening of -2"),
+    fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=SHEAR\n0.09, 1.5, 0.\n0.05, 2., 0.\n" + EVOLUTION, 0.06, "von Mises stress over the largest shear stress is 2"),
+    *[Proof("DAMAGE INITIATION: CRITERION KS", driven(ELASTIC + PLASTIC + f"*DAMAGE INITIATION, CRITERION=SHEAR{factor}\n0.05, -1., 0.\n1., 1., 0.\n" + EVOLUTION, 0.15, 0.0, 0.0),
+            [("eroded_elements", 0.6 * END, 0.0, 1e-9), ("eroded_elements", 0.85 * END, gone, 1e-9)], why)
+      for factor, gone, why in ((", KS=0.3", 1.0, "a large tension makes the ratio negative"), ("", 0.0, "without KS the ratio is 2"))],
+    fails("DAMAGE INITIATION: CRITERION", DUCTILE.replace("0.05", "0.09") + EVOLUTION + "*DAMAGE INITIATION, CRITERION=SHEAR\n0.05, 2., 0.\n" + EVOLUTION, 0.06, "the first of two criteria begins"),
+    fails("DAMAGE INITIATION: CRITERION", DUCTILE.replace("0.05, 0., 0.", f"0.025, 0., 0.\n0.075, 0., {2 * math.log(1.1) / END!r}") + EVOLUTION, 0.06, "failure strains of two rates, half of the way between them"),
+    Proof("DAMAGE INITIATION", stretched(ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.05, 0., 0.\n0.06, 1., 0.\n0.06, 0., 1.\n0.06, 1., 1.\n" + EVOLUTION), refused="not the same everywhere"),
+    *[Proof("DAMAGE EVOLUTION: DEGRADATION", stretched(DUCTILE + first + "*DAMAGE INITIATION, CRITERION=SHEAR\n0.05, 2., 0.\n" + second), refused="evolve differently, or whose damages multiply")
+      for first, second in ((EVOLUTION, EVOLUTION.replace("0.1", "0.2")), (EVOLUTION.replace("MENT", "MENT, DEGRADATION=MULTIPLICATIVE"), EVOLUTION.replace("MENT", "MENT, DEGRADATION=MULTIPLICATIVE")))],
+    Proof("DAMAGE INITIATION", stretched(DUCTILE + EVOLUTION + DUCTILE.partition("*DAMAGE")[1] + DUCTILE.partition("*DAMAGE")[2] + EVOLUTION), refused="both need plastic_strain"),
+    Proof("DAMAGE INITIATION", stretched(DUCTILE + EVOLUTION.replace("MENT", "MENT, DEGRADATION=MULTIPLICATIVE"), 0.1), [(absorbed, LAST, UNTIL_ONSET + 100 * 0.5 * 300.0 * 0.1, 2e-2)], "one criterion alone has nothing to multiply with"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.09, -0.9, 0.\n0.05, -0.1, 0.\n0.05, 2., 0.\n" + EVOLUTION, 0.06, "a table by the ratio of stresses, which is above 0"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n-0.1, 0.15, 0., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 below 0: d1 + d2, and 0.1 mm over 10 mm"),
     fails("DAMAGE INITIATION: CRITERION", ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=JOHNSON COOK\n0.05, 0., 1., 0., 0., 1000., 0., 1.\n" + EVOLUTION, 0.06, "d1 + 0.1 mm over 10 mm"),
     Proof("DAMAGE INITIATION", stretched(DUCTILE, 0.1), [("internal", LAST, plastic_work(300.0, 0.0, 0.1), 2e-2)], "without evolution nothing fails"),
     Proof("DAMAGE INITIATION: CRITERION", stretched(ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=FLD\n0.1, 0.\n" + EVOLUTION), refused="criterion FLD"),
-    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT, SOFTENING=TABULAR\n0., 0.\n1., 0.1\n"), refused="by a table"),
+    Proof("DAMAGE EVOLUTION: SOFTENING", stretched(DUCTILE + "*DAMAGE EVOLUTION, TYPE=DISPLACEMENT, SOFTENING=TABULAR\n0., 0.\n0.9, 0.1\n"), refused="from 0 at no displacement to 1"),
     fails("SHEAR FAILURE: TYPE", ELASTIC + PLASTIC + "*SHEAR FAILURE\n0.04, 0., 0.\n", 0.04, "a plastic strain of 0.04"),
     fails("SHEAR FAILURE: TYPE", ELASTIC + PLASTIC + "*SHEAR FAILURE, TYPE=JOHNSON COOK\n0.04, 0., 1., 0., 0.\n", 0.04, "d1"),
     Proof("SHEAR FAILURE: ELEMENT_DELETION", stretched(ELASTIC + PLASTIC + "*SHEAR FAILURE, ELEMENT DELETION=NO\n0.04, 0., 0.\n"), refused="ELEMENT DELETION"),
@@ -231,5 +248,5 @@ PROOFS = [
 
 NOT_PHYSICS = {
     "USER MATERIAL.UNSYMM": "a matrix of Abaqus/Standard", "USER MATERIAL.HYBRID FORMULATION": "elements of Abaqus/Standard",
-    "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "HYPERFOAM.MODULI": "foam that relaxes is refused", "DAMAGE EVOLUTION.DEGRADATION": "one criterion of damage in a material: nothing to combine",
+    "HYPERELASTIC.MODULI": "rubber that relaxes is refused", "HYPERFOAM.MODULI": "foam that relaxes is refused",
 }  # fmt: skip

@@ -464,6 +464,33 @@ def gissmo(fields):
     return stretched(m24() + CURVES_OF_FAILURE + f"*MAT_ADD_DAMAGE_GISSMO\n1,,1\n{fields}\n", UP, rows=1000)
 
 
+CURVES_OF_SOFTENING = curve(20, (-1.0, 0.02), (2.0, 0.02)) + curve(21, (-1.0, 0.004), (2.0, 0.004)) + curve(22, (1.0, 2.0), (100.0, 2.0)) + curve(23, (0.0, 2.0), (1e6, 2.0)) + curve(24, (-5.0, 2.0), (5.0, 2.0))
+
+
+def softens(fields):
+    return stretched(m24() + CURVES_OF_SOFTENING + f"*MAT_ADD_DAMAGE_GISSMO\n1,,1\n{fields}\n", UP, rows=1000)
+
+
+def softened(failure, start, exponent, fade):
+    """The von Mises stress at the end: its share ((D - D0) / (1 - D0))^fade is lost, D and D0 the plastic strain over that of failure, and another, to a power."""
+    damage, first = (plastic_strain(STRAIN, 300.0, HARDENING) / failure) ** exponent, start**exponent
+    return mises(STRAIN, 300.0, HARDENING) * (1 - ((damage - first) / (1 - first)) ** fade)
+
+
+def diem(fields):
+    """Shear strains: 0.004 at the ratio 2, which the cube has without pressure (25); 1 where it is negative (26)."""
+    more = curve(25, (1.0, 0.02), (2.0, 0.004), (3.0, 0.002)) + curve(26, (-1.0, 1.0), (1.0, 0.004))
+    return stretched(m24() + CURVES_OF_SOFTENING + more + f"*MAT_ADD_DAMAGE_DIEM\n{fields}\n", UP, rows=1000)
+
+
+LAST_STRAIN = plastic_strain(STRAIN, 300.0, HARDENING)
+
+
+def parted(share):
+    """The von Mises stress at the end, of which a share is left."""
+    return share * mises(STRAIN, 300.0, HARDENING)
+
+
 STIFF = BULK + 4 / 3 * SHEAR
 EROSION = [
     Proof("MAT_ADD_EROSION: MID SIGP1", eroding("0", "0,3000.0"), [(erosion_time, LAST, time_of(UP, 3000.0 / STIFF), 2e-2)], "the largest stress reaches 3000"),
@@ -486,16 +513,42 @@ EROSION = [
         ("MAT_ADD_EROSION: LCREGD", eroding("0", "0\n1,1,17,0,2,1.0,1,18", m24() + CURVES_OF_FAILURE), 0.004, "half of it for cubes of 10 mm"),
     )),
     Proof("MAT_ADD_DAMAGE_GISSMO: DTYP", gissmo("17,0,2,1.0").replace("1,,1", "1,,0"), [(EPS, LAST, plastic_strain(STRAIN, 300.0, HARDENING), 2e-3)], "the damage is output alone: 0.008 is passed"),
-    Proof("MAT_ADD_DAMAGE_GISSMO: ECRIT", gissmo("17,0.004,2"), refused="takes stress before failure"),
-    Proof("MAT_ADD_DAMAGE_GISSMO: DCRIT FADEXP", gissmo("17,0,2,0.5,1.5"), refused="takes stress before failure"),
+    *(Proof(proves, law, [(MISES, LAST, value, 3e-3)], why) for proves, law, value, why in (
+        ("MAT_ADD_DAMAGE_GISSMO: ECRIT DMGEXP FADEXP", softens("20,0.004,2,0,1.5"), softened(0.02, 0.2, 2, 1.5), "stress falls from the plastic strain 0.004 on"),
+        ("MAT_ADD_DAMAGE_GISSMO: ECRIT", softens("20,-21,1"), softened(0.02, 0.2, 1, 1), "a curve, of one value"),
+        ("MAT_ADD_DAMAGE_GISSMO: DCRIT DMGEXP", softens("20,0,2,0.09,1.5"), softened(0.02, 0.3, 2, 1.5), "from the damage 0.09 on"),
+        ("MAT_ADD_DAMAGE_GISSMO: FADEXP", softens("20,0.004,1,0,-22"), softened(0.02, 0.2, 1, 2), "the exponent of cubes of 10 mm"),
+        ("MAT_ADD_DAMAGE_GISSMO: LCSRS", softens("20,0.002,1\n23"), softened(0.04, 0.1, 1, 1), "twice the strains at any rate"),
+        ("MAT_ADD_DAMAGE_GISSMO: LCSRS", softens("20,0,1,0.1\n-23"), softened(0.04, 0.1, 1, 1), "twice the failure strain"),
+        ("MAT_ADD_EROSION: IDAM ECRIT DMGEXP FADEXP", eroding("0", "0\n1,1,20,0.004,2,0,1.5", m24() + CURVES_OF_SOFTENING), softened(0.02, 0.2, 2, 1.5), "likewise"),
+        ("MAT_ADD_EROSION: DCRIT LCSRS", eroding("0", "0\n1,1,20,0,1,0.1\n0,0,0,23", m24() + CURVES_OF_SOFTENING), softened(0.04, 0.1, 1, 1), "likewise"),
+    )),
+    Proof("MAT_ADD_DAMAGE_GISSMO: LCSRS", softens("20,0.002,1\n-23"), refused="ECRIT does not have"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: LCSRS", softens("20,0.002,1\n24"), refused="logarithms of rates"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: DMGEXP", softens("20,0.002,-1"), refused="must not be negative"),
     Proof("MAT_ADD_DAMAGE_GISSMO: LCREGD", gissmo("17,0,2,1.0,1,-18"), refused="over size and triaxiality"),
-    Proof("MAT_ADD_DAMAGE_GISSMO: LCSRS", gissmo("17,0,2,1.0\n18"), refused="LCSRS"),
+    Proof("MAT_ADD_DAMAGE_GISSMO: SHRF", gissmo("17,0,2,1.0\n0,1"), refused="SHRF"),
     Proof("MAT_ADD_DAMAGE_GISSMO: LCSDG", gissmo("19,0,2,1.0"), refused="not positive"),
-    Proof("MAT_ADD_EROSION: ECRIT FADEXP", eroding("0", "0\n1,1,17,0.004,2,0,1.5", m24() + CURVES_OF_FAILURE), refused="takes stress before failure"),
     Proof("MAT_ADD_EROSION: IDAM", eroding("0", "0\n-1,1,17,0,2,1.0", m24() + CURVES_OF_FAILURE), refused="other than GISSMO"),
     Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic() + "*MAT_ADD_DAMAGE_GISSMO\n1,,1\n17\n", UP), refused="MAT_ADD_DAMAGE_GISSMO"),
     Proof("MAT_ADD_DAMAGE_GISSMO", stretched(elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_DAMAGE_GISSMO\n1,,1\n17\n", 1.001),
           [(ZZ, LAST, STIFF * 0.001, 2e-3)], "without it the material is that of its own card", allow="MAT_ADD_DAMAGE_GISSMO"),
+    *(Proof(proves, diem(fields), [(MISES, LAST, value, 3e-3)], why) for proves, fields, value, why in (
+        ("MAT_ADD_DAMAGE_DIEM: MID NDIEMC DITYP P1 DETYP Q1", "1,1\n0,21\n0,0,0.2", parted(1 - (LAST_STRAIN - 0.004) / 0.02), "stress falls over 0.2 mm from the plastic strain 0.004 on"),
+        ("MAT_ADD_DAMAGE_DIEM: DETYP Q1", "1,1\n0,21\n1,0,50.0", parted(1 - (LAST_STRAIN - 0.004) * 10.0 * (300.0 + HARDENING * 0.5 * (LAST_STRAIN + 0.004)) / 100.0), "over 50 N/mm, by the work of the whole stress"),
+        ("MAT_ADD_DAMAGE_DIEM: DITYP P1 P2", "1,1\n1,25\n0,0,0.2", parted(1 - (LAST_STRAIN - 0.004) / 0.02), "by shear: the ratio 2 without P2"),
+        ("MAT_ADD_DAMAGE_DIEM: NDIEMC", "1,2\n0,20\n0,0,0.2\n1,25\n0,0,0.2", parted(1 - (LAST_STRAIN - 0.004) / 0.02), "the first of two begins"),
+        ("MAT_ADD_DAMAGE_DIEM: DCTYP", "1,1\n0,21\n0,-1,0.2", parted(1.0), "the damage is output alone"),
+    )),
+    Proof("MAT_ADD_DAMAGE_DIEM: P2", diem("1,1\n1,26,2.0\n0,0,0.2"), [(MISES, LAST, parted(1.0), 3e-3)], "a tension makes the ratio negative, where the failure strain is 1"),
+    *(Proof(proves, diem(fields), refused=text) for proves, fields, text in (
+        ("MAT_ADD_DAMAGE_DIEM: DITYP", "1,1\n2,21\n0,0,0.2", "DITYP of 2"),
+        ("MAT_ADD_DAMAGE_DIEM: Q1", "1,1\n0,21\n0,0,-21", "grows by a table"),
+        ("MAT_ADD_DAMAGE_DIEM: DCTYP", "1,2\n0,20\n0,1,0.2\n1,25\n0,1,0.2", "damages that multiply"),
+        ("MAT_ADD_DAMAGE_DIEM: DETYP", "1,2\n0,20\n0,0,0.2\n1,25\n1,0,0.2", "grow differently"),
+        ("MAT_ADD_DAMAGE_DIEM", "1,2\n0,20\n0,0,0.2\n0,21\n0,0,0.2", "two criteria of one kind"),
+        ("MAT_ADD_DAMAGE_DIEM: DINIT", "1,1,1\n0,21\n0,0,0.2", "DINIT"),
+    )),
     Proof("MAT_NONLOCAL", stretched(elastic() + "*MAT_NONLOCAL\n1\n", UP), refused="MAT_NONLOCAL"),
 ]  # fmt: skip
 
@@ -535,6 +588,7 @@ LAYERS = [
         ("MAT_PLASTICITY_WITH_DAMAGE", "NUMINT", m123("0,0,0,0,0.005,0,0,{}", word="MAT_PLASTICITY_WITH_DAMAGE").replace("300.0,2000.0\n", "300.0,2000.0,0.004\n")),
         ("MAT_JOHNSON_COOK", "NUMINT", f"*MAT_JOHNSON_COOK\n1,{DENSITY!r},{SHEAR!r},{E_NU}\n300.0,0,1.0,0,1.0,1e9,300.0,1.0\n0,0,0,0,0.005\n0,0,0,0,{{}}\n"),
         ("MAT_ADD_EROSION", "NUMFIP", elastic(1, DENSITY, YOUNG, POISSON) + "*MAT_ADD_EROSION\n1,0,0,0,0,0,{}\n0,1500.0\n"),
+        ("MAT_ADD_DAMAGE_DIEM", "NUMFIP", m24() + curve(17, (-1.0, 0.004), (2.0, 0.004)) + "*MAT_ADD_DAMAGE_DIEM\n1,1,0,0,{}\n0,17\n0,0,0\n"),
         ("MAT_ADD_DAMAGE_GISSMO", "NUMFIP", m24() + curve(17, (-1.0, 0.004), (2.0, 0.004)) + "*MAT_ADD_DAMAGE_GISSMO\n1,,1,0,{}\n17,0,1,1.0\n"))
     for layers, gone in ((1, 1.0), (2, 0.0), (-50, 1.0), (-60, 0.0))
 ]  # fmt: skip
@@ -612,3 +666,5 @@ CONSTANT_RATE = [
 ]  # fmt: skip
 
 PROOFS = METALS + STATES + SOFT + HONEYCOMBS + EROSION + LAYERS + CONSTANT_RATE
+
+NOT_PHYSICS = {"MAT_ADD_DAMAGE_DIEM.DEPS": "how often the damage is advanced: percuss does so in each step"}

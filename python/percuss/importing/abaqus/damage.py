@@ -1,7 +1,9 @@
 """*DAMAGE INITIATION with *DAMAGE EVOLUTION, *SHEAR FAILURE and *TENSILE FAILURE: failure of elements."""
 
+from dataclasses import dataclass
+
 from .. import laws
-from ..curves import order_points, thin_rows
+from ..curves import MOST_MATERIAL_ROWS, Points, interpolate, order_points, thin_rows
 from ..fields import clip
 from ..ledger import BadInput
 from ..model import Deck
@@ -12,6 +14,9 @@ from .plies import add_hashin
 KEYWORDS = ("DAMAGE INITIATION", "DAMAGE EVOLUTION", "SHEAR FAILURE", "TENSILE FAILURE")
 LEAST_DEGRADATION = 0.9  # of *SECTION CONTROLS: above it what stays of the stiffness does not count
 NEVER_FAILS = "there is no failure"
+RAPID_FALL = 6.0  # exponent of softening by an energy: what is left at the end of it is 0.25 % of the force
+LEAST_EXPONENT, MOST_EXPONENT = 1e-3, 100.0  # of failure.evolution.exponent
+ALIKE = 1e-3  # factors of a rate that count as one
 
 
 def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) -> set[str]:
@@ -19,7 +24,7 @@ def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) ->
     found = {keyword: [block for block in blocks if block.keyword == keyword] for keyword in KEYWORDS}
     failure: Deck = {}
     if found["DAMAGE INITIATION"]:
-        add_damage(deck, law, failure, found["DAMAGE INITIATION"], found["DAMAGE EVOLUTION"])
+        add_damage(deck, law, failure, pair_criteria(deck, blocks))
     for block in found["SHEAR FAILURE"]:
         is_johnson = block.option("TYPE") == "JOHNSON COOK"
         failure |= read_johnson(block) if is_johnson else read_strains(deck, block, -1.0)
@@ -29,7 +34,7 @@ def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) ->
         deck.ledger.translated("TENSILE FAILURE", block.place, "failure at a mean tension")
     if any(block.option("ELEMENT DELETION") == "NO" for block in blocks):
         deck.ledger.refuse("SHEAR FAILURE.ELEMENT DELETION", blocks[0].place, "failed elements that stay", "they are removed")
-    if {"plastic_strain", "johnson_cook", "triaxiality"} & failure.keys() and not laws.has(law, "has_plastic_strain"):
+    if {"plastic_strain", "johnson_cook", "triaxiality", "shear"} & failure.keys() and not laws.has(law, "has_plastic_strain"):
         place = (found["DAMAGE INITIATION"] or found["SHEAR FAILURE"])[0].place
         raise BadInput(place, "failure at a plastic strain of a material that does not yield: add *PLASTIC or remove the failure")
     if failure:
@@ -44,30 +49,92 @@ def need_line(block: Block) -> tuple[int, list[str]]:
     return lines[0]
 
 
-def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, starts: list[Block], ends: list[Block]) -> None:
+@dataclass
+class Criterion:
+    """A start of damage with the data of its evolution."""
+
+    start: Block
+    end: Block
+
+    @property
+    def kind(self) -> str:
+        return self.start.option("CRITERION")
+
+
+def pair_criteria(deck: AbaqusDeck, blocks: list[Block]) -> list[Criterion]:
+    """Each *DAMAGE INITIATION with the *DAMAGE EVOLUTION behind it."""
+    pairs: list[Criterion] = []
+    start: Block | None = None
+    for block in [*blocks, None]:
+        if block is not None and block.keyword == "DAMAGE EVOLUTION" and start is not None:
+            pairs.append(Criterion(start, block))
+            start = None
+        if block is None or block.keyword == "DAMAGE INITIATION":
+            if start is not None:
+                deck.ledger.ignored("DAMAGE INITIATION", start.place, "without *DAMAGE EVOLUTION it is output alone")
+            start = block
+    return pairs
+
+
+def add_damage(deck: AbaqusDeck, law: Deck, failure: Deck, pairs: list[Criterion]) -> None:
     """The start of damage; finish_failure() adds how it grows."""
-    start = starts[0]
-    if not ends:
-        deck.ledger.ignored("DAMAGE INITIATION", start.place, "without *DAMAGE EVOLUTION it is output alone")
+    if not pairs:
         return
-    if any(end.option("MIXED MODE BEHAVIOR") or end.option("POWER") for end in ends):
+    start, end = pairs[0].start, pairs[0].end
+    if any(pair.end.option("MIXED MODE BEHAVIOR") or pair.end.option("POWER") for pair in pairs):
         deck.ledger.refuse("DAMAGE EVOLUTION.MIXED MODE BEHAVIOR", start.place, "damage of a material by a mix of modes", NEVER_FAILS)
         return
-    kinds = {"DUCTILE": lambda: read_strains(deck, start, 1.0), "JOHNSON COOK": lambda: read_johnson(start)}
-    kind = start.option("CRITERION")
-    if kind == "HASHIN" and len(starts) == 1:
-        failure |= {"fibre_damage": 1.0} if add_hashin(deck, law, start, ends) else {}
+    if pairs[0].kind == "HASHIN" and len(pairs) == 1:
+        failure |= {"fibre_damage": 1.0} if add_hashin(deck, law, start, [end]) else {}
         return
-    if kind not in kinds or len(starts) > 1:
-        what = f"damage by the criterion {clip(kind)}" if len(starts) == 1 else "several criteria of damage in a material"
-        deck.ledger.refuse("DAMAGE INITIATION", start.place, what, NEVER_FAILS)
+    criteria: Deck = {}
+    for pair in pairs:
+        keys = read_criterion(deck, law, pair.start)
+        if keys is None:
+            return
+        clash = sorted(criteria.keys() & keys.keys())
+        if clash:
+            deck.ledger.refuse("DAMAGE INITIATION", pair.start.place, f"several criteria of damage in a material that both need {' and '.join(clash)}", NEVER_FAILS)
+            return
+        criteria |= keys
+    if {"johnson_cook", "triaxiality"} <= criteria.keys():
+        deck.ledger.refuse("DAMAGE INITIATION", start.place, "several criteria of damage in a material, DUCTILE by a table beside JOHNSON COOK", NEVER_FAILS)
         return
-    failure |= kinds[kind]()
-    if kind == "JOHNSON COOK" and law["model"] == "user_hardening":
+    if len(pairs) > 1 and (len({describe(pair.end) for pair in pairs}) > 1 or any(pair.end.option("DEGRADATION") == "MULTIPLICATIVE" for pair in pairs)):
+        deck.ledger.refuse("DAMAGE EVOLUTION", start.place, "several criteria of damage that evolve differently, or whose damages multiply", NEVER_FAILS)
+        return
+    failure |= criteria | {"evolution": end}  # for finish_failure, which knows the elements
+    deck.ledger.translated("DAMAGE INITIATION", start.place, "failure of an element")
+
+
+def describe(block: Block) -> tuple[object, ...]:
+    """What two evolutions of damage have in common if they are equal."""
+    rows = tuple(tuple(block.number(row, i) for i in range(3)) for row in block.lines if any(row[1]))
+    return block.option("TYPE"), block.option("SOFTENING") or "LINEAR", rows
+
+
+def read_criterion(deck: AbaqusDeck, law: Deck, start: Block) -> Deck | None:
+    """Keys of one start of damage; None: refused."""
+    if start.option("CRITERION") == "DUCTILE":
+        return read_strains(deck, start, 1.0)
+    if start.option("CRITERION") == "SHEAR":
+        return read_shear(deck, start)
+    if start.option("CRITERION") != "JOHNSON COOK":
+        deck.ledger.refuse("DAMAGE INITIATION", start.place, f"damage by the criterion {clip(start.option('CRITERION'))}", NEVER_FAILS)
+        return None
+    if law["model"] == "user_hardening":
         add_melting(law, start)
-    if failure:
-        failure["evolution"] = ends[0]  # for finish_failure, which knows the elements
-        deck.ledger.translated("DAMAGE INITIATION", start.place, "failure of an element")
+    return read_johnson(start)
+
+
+def read_shear(deck: AbaqusDeck, block: Block) -> Deck:
+    """Failure strains over the ratio of von Mises stress and pressure to the largest shear stress."""
+    curve, rates = read_curve(deck, block, 1.0)
+    shear: Deck = {"strain": [list(row) for row in curve]}
+    factor = block.option("KS")
+    if factor:
+        shear["pressure_factor"] = block.number((block.place.line, [factor]), 0)
+    return {"shear": shear} | rates
 
 
 def read_johnson(block: Block) -> Deck:
@@ -89,23 +156,41 @@ def add_melting(law: Deck, block: Block) -> None:
 
 def read_strains(deck: AbaqusDeck, block: Block, sign: float) -> Deck:
     """Rows of plastic strain and ratio of stresses: one strain, or a table. sign: that of the ratio."""
+    table, rates = read_curve(deck, block, sign)
+    if not rates and len({strain for _, strain in table}) == 1:
+        return {"plastic_strain": table[0][1]}
+    return {"triaxiality": [list(row) for row in table]} | rates
+
+
+def read_curve(deck: AbaqusDeck, block: Block, sign: float) -> tuple[Points, Deck]:
+    """Failure strains over a ratio of stresses, and the key of their factors over the rate."""
     need_line(block)
     rows = [line for line in block.lines if any(line[1])]
-    for column, what in ((2, "the rate"), (3, "the temperature")):
-        first = block.number(rows[0], column)
-        if any(block.number(row, column) != first for row in rows):
-            key = f"{block.keyword}.{'RATE' if column == 2 else 'TEMPERATURE'}"
-            deck.ledger.refuse(key, block.place, f"failure strains that depend on {what}", "those of the first are used")
-            rows = [row for row in rows if block.number(row, column) == first]
-    curve = sorted((sign * block.number(row, 1), block.number(row, 0)) for row in rows)
-    if min(strain for _, strain in curve) <= 0:
+    first = block.number(rows[0], 3)
+    if any(block.number(row, 3) != first for row in rows):
+        deck.ledger.refuse(f"{block.keyword}.TEMPERATURE", block.place, "failure strains that depend on the temperature", "those of the first are used")
+        rows = [row for row in rows if block.number(row, 3) == first]
+    if min(block.number(row, 0) for row in rows) <= 0:
         raise BadInput(block.place, f"a plastic strain of *{block.keyword} is not positive: correct it")
-    if len({strain for _, strain in curve}) == 1:
-        return {"plastic_strain": curve[0][1]}
-    table, error = thin_rows(order_points(curve))
+    curves: dict[float, Points] = {}
+    for row in rows:
+        curves.setdefault(block.number(row, 2), []).append((sign * block.number(row, 1), block.number(row, 0)))
+    rates = sorted(curves)
+    factors = [find_factor(sorted(curves[rates[0]]), sorted(curves[rate])) for rate in rates]
+    keys: Deck = {"rate": [[rate, factor] for rate, factor in zip(rates, factors)]} if len(rates) > 1 else {}
+    if None in factors or len(rates) > MOST_MATERIAL_ROWS:
+        deck.ledger.refuse(f"{block.keyword}.RATE", block.place, "failure strains whose ratio at two rates is not the same everywhere", "those of the first rate are used")
+        keys = {}
+    table, error = thin_rows(order_points(sorted(curves[rates[0]])))
     if error > 0:
-        deck.ledger.approximated(block.keyword, block.place, f"{len(table)} rows of a table of failure strains in place of {len(curve)}, within {100 * error:.2g} %")
-    return {"triaxiality": [list(row) for row in table]}
+        deck.ledger.approximated(block.keyword, block.place, f"{len(table)} rows of a table of failure strains in place of {len(curves[rates[0]])}, within {100 * error:.2g} %")
+    return table, keys
+
+
+def find_factor(first: Points, other: Points) -> float | None:
+    """By what the strains of one rate differ from those of the first; None: not by one factor."""
+    factors = [interpolate(other, x) / interpolate(first, x) for x, _ in [*first, *other]]
+    return sum(factors) / len(factors) if max(factors) - min(factors) <= ALIKE * max(factors) else None
 
 
 def finish_failure(deck: AbaqusDeck) -> None:
@@ -129,18 +214,46 @@ def finish_failure(deck: AbaqusDeck) -> None:
 def read_evolution(deck: AbaqusDeck, block: Block) -> Deck | None:
     """Keys of failure.evolution; empty: elements fail at the start of damage. None: refused."""
     kind, line = block.option("TYPE"), need_line(block)
-    if kind not in ("DISPLACEMENT", "ENERGY") or len([row for row in block.lines if any(row[1])]) > 1 or block.option("SOFTENING") == "TABULAR":
-        deck.ledger.refuse("DAMAGE EVOLUTION", block.place, f"damage that grows by {clip(kind) or 'nothing'}, or by a table", NEVER_FAILS)
+    softening = block.option("SOFTENING") or "LINEAR"
+    if softening == "TABULAR" and kind == "DISPLACEMENT":
+        return read_lost_force(deck, block)
+    if kind not in ("DISPLACEMENT", "ENERGY") or softening not in ("LINEAR", "EXPONENTIAL") or len([row for row in block.lines if any(row[1])]) > 1:
+        deck.ledger.refuse("DAMAGE EVOLUTION", block.place, f"damage that grows by {clip(kind) or 'nothing'} {softening}, or depends on more", NEVER_FAILS)
         return None
     value = block.number(line, 0)
     if value < 0:
         raise BadInput(block.place, "the displacement or energy of *DAMAGE EVOLUTION is negative: correct it")
-    if block.option("SOFTENING") == "EXPONENTIAL":
-        deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place, "stress that falls exponentially", "it falls along a straight line")
     if value == 0:
         return {}
-    if kind == "ENERGY":
+    keys: Deck = {kind.lower(): value}
+    if kind == "ENERGY" and softening == "EXPONENTIAL":
+        keys["exponent"] = RAPID_FALL
+        deck.ledger.approximated("DAMAGE EVOLUTION.SOFTENING", block.place, f"failure.evolution: exp(-w / G) of the work w as an exponential that ends, with the exponent {RAPID_FALL:g}; within 0.5 % of the stress")
+    elif kind == "ENERGY":
         deck.ledger.approximated("DAMAGE EVOLUTION", block.place, "failure.evolution: the energy by the stress of each moment, where Abaqus takes that at the start of damage")
-    else:
+    elif softening == "EXPONENTIAL":
+        exponent = block.number(line, 1)
+        if not 0 <= exponent <= MOST_EXPONENT:
+            deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place, f"an exponent of softening of {exponent:g}, not from 0 to {MOST_EXPONENT:g}", "it falls along a straight line")
+        elif exponent >= LEAST_EXPONENT:
+            keys["exponent"] = exponent
+    if kind == "DISPLACEMENT":
         deck.ledger.translated("DAMAGE EVOLUTION", block.place, "failure.evolution")
-    return {kind.lower(): value}
+    return keys
+
+
+def read_lost_force(deck: AbaqusDeck, block: Block) -> Deck | None:
+    """Rows of damage and displacement."""
+    rows = [line for line in block.lines if any(line[1])]
+    points = [(block.number(row, 1), block.number(row, 0)) for row in rows]
+    if any(block.number(row, 2) for row in rows) or points != sorted(points) or points[0] != (0.0, 0.0) or points[-1][1] != 1 or points[-1][0] <= 0:
+        deck.ledger.refuse("DAMAGE EVOLUTION.SOFTENING", block.place, "a table of damage that does not rise from 0 at no displacement to 1, or depends on more", NEVER_FAILS)
+        return None
+    if any(y < before for (_, before), (_, y) in zip(points, points[1:])):
+        raise BadInput(block.place, "the damage of *DAMAGE EVOLUTION falls: correct it")
+    last = points[-1][0]
+    table, error = thin_rows(order_points([(x / last, y) for x, y in points]))
+    if error > 0:
+        deck.ledger.approximated("DAMAGE EVOLUTION", block.place, f"{len(table)} rows of a table of damage in place of {len(points)}, within {100 * error:.2g} %")
+    deck.ledger.translated("DAMAGE EVOLUTION", block.place, "failure.evolution")
+    return {"displacement": last, "table": [list(row) for row in table]}

@@ -231,6 +231,7 @@ class KeywordDeck:
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
         self.gissmos: dict[int, Card] = {}
+        self.diems: dict[int, Card] = {}
         self.additions: list[Card] = []  # other cards that add to a material
         self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
         self.units_of_tables: dict[int, Factors] = {}

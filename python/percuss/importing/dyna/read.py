@@ -135,8 +135,8 @@ IGNORED = {
 }  # fmt: skip
 # Of what they change nothing is left where they are left out: they are refused by their own names, and not as another material.
 MODIFIERS = ("MAT_ADD_", "MAT_NONLOCAL")
-MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO")
-READ_LATER = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO")  # when more is known
+MODIFIERS_READ = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")
+READ_LATER = ("MAT_ADD_EROSION", "MAT_ADD_DAMAGE_GISSMO", "MAT_ADD_DAMAGE_DIEM")  # when more is known
 
 
 def find_handler(table: dict[str, Handler], keyword: str) -> str | None:

@@ -4,6 +4,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/failure_criteria.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
@@ -31,14 +32,17 @@ struct Lives {
       return 2 * static_cast<double>(lives.work_share(lane)) - static_cast<double>(lives.force_share(lane));
     return find_life_shares(lives.steps_left(lane), failing.limits(failing.row(c)).fade_steps).now;
   }
-  KOKKOS_INLINE_FUNCTION double find_damage(int c, int i) const {
+  /// is_of_layers: of a shell, whose damage is a mean already.
+  KOKKOS_INLINE_FUNCTION double find_damage(int c, int i, bool is_of_layers) const {
     const int lane = find_lane(c, i);
     if (lane < 0) return 0;
     const FailureLimits& limits = failing.find_limits(c, i);
     if (lives.steps_left(lane) != ElementLives::whole) return limits.whole_damage();
     const double strain = smaller(lives.plastic_strain(lane) / limits.plastic_strain, 1.0),
-                 time = lives.time_at_yield(lane) / limits.yield_time;
-    return larger(lives.damage(lane), larger(strain, time));
+                 time = lives.second(lane) / limits.yield_time;
+    const FailureHistory history{0, lives.damage(lane), lives.second(lane)};
+    const double damage = is_of_layers ? history.damage : find_shown_damage(limits, history);
+    return larger(damage, larger(strain, time));
   }
 };
 
@@ -260,7 +264,9 @@ std::vector<double> find_alive(const Model& model, const State& state, const Ele
 }
 
 std::vector<double> find_damage(const Model& model, const State& state, const ElementChoice& of) {
-  return read_lives(model, state, of, [](const Lives& lives, int c, int i) { return lives.find_damage(c, i); });
+  return read_lives(model, state, of, [chunks = model.chunks](const Lives& lives, int c, int i) {
+    return lives.find_damage(c, i, is_shell(chunks, c));
+  });
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state, const ElementChoice& of) {

@@ -167,7 +167,7 @@ TEST(DamageEvolution, BeginsWithinAStepAndEndsAtTwo) {
   EXPECT_DOUBLE_EQ(history.damage, 0.8);
   EXPECT_FALSE(fails(limits, stretch_to(0.16, tension), 1, history));
   EXPECT_DOUBLE_EQ(history.damage, 1 + 5 * 0.06);
-  EXPECT_DOUBLE_EQ(find_share_of_damage(history.damage), 0.7);
+  EXPECT_DOUBLE_EQ(find_share(limits.evolution, history.damage), 0.7);
   EXPECT_FALSE(fails(limits, stretch_to(0.16, tension), 1, history));
   EXPECT_TRUE(fails(limits, stretch_to(0.3, tension), 1, history));
   EXPECT_DOUBLE_EQ(history.damage, 2);
@@ -183,10 +183,11 @@ TEST(DamageEvolution, SpendsItsEnergyWhileTheMaterialHardens) {
   double spent = 0;
   const int steps = 200000;
   for (int i = 1; i <= steps && history.damage < 2; ++i) {
-    const double strain = 0.3 * i / steps, stress = 300 + 500 * strain, before = find_share_of_damage(history.damage);
+    const double strain = 0.3 * i / steps, stress = 300 + 500 * strain,
+                 before = find_share(limits.evolution, history.damage);
     fails(limits, stretch_to(strain, {stress, 0, 0, 0, 0, 0}), 1, history);
     if (history.damage >= 1)
-      spent += 0.5 * (before + find_share_of_damage(history.damage)) * stress * size * 0.3 / steps;
+      spent += 0.5 * (before + find_share(limits.evolution, history.damage)) * stress * size * 0.3 / steps;
   }
   EXPECT_GE(history.damage, 2);
   EXPECT_NEAR(spent, energy, 1e-4 * energy);
@@ -203,6 +204,149 @@ TEST(Triaxiality, IsThatOfTheMeanByVonMisesStress) {
   EXPECT_NEAR(find({-100, -100, -100, 0, 0, 0}), 0.3, 1e-12);
   limits.johnson_cook.d1 = 0.12;
   EXPECT_NEAR(find({200, 0, 0, 0, 0, 0}), 0.12, 1e-12);  // the smaller of both
+}
+
+/// A single element under proportional load, in equal steps of plastic strain.
+struct Path {
+  FailureLimits limits;
+  Tensor stress{300, 0, 0, 0, 0, 0};
+  FailureHistory history;
+  double strain = 0;
+
+  /// Up to a plastic strain, in so many steps; returns whether the element has failed.
+  bool go(double to, int steps) {
+    const double from = strain;
+    bool failed = false;
+    for (int i = 1; i <= steps && !failed; ++i) {
+      strain = from + (to - from) * i / steps;
+      failed = fails(limits, stretch_to(strain, stress), 1, history);
+    }
+    return failed;
+  }
+  double left() const { return find_force_share(limits, history); }
+  double shown() const { return find_shown_damage(limits, history); }
+};
+
+// d = (1 - exp(-a p)) / (1 - exp(-a)), which Abaqus has for exponential softening by a displacement.
+TEST(DamageEvolution, FallsExponentially) {
+  Path path;
+  path.limits.plastic_strain = 0.02;
+  path.limits.evolution.by_strain = 10;
+  path.limits.evolution.exponent = 3;
+  path.go(0.02, 1);
+  EXPECT_EQ(path.left(), 1);
+  path.go(0.045, 7);
+  EXPECT_NEAR(1 - path.left(), (1 - std::exp(-0.75)) / (1 - std::exp(-3)), 1e-14);
+  EXPECT_NEAR(path.shown(), 2 - path.left(), 1e-14);
+  EXPECT_FALSE(path.go(0.1199, 1));
+  EXPECT_TRUE(path.go(0.1201, 1));
+  EXPECT_EQ(path.left(), 0);
+}
+
+TEST(DamageEvolution, FallsByATable) {
+  const MaterialTable lost{3, {0, 0.25, 1}, {0, 0.6, 1}};
+  Path path;
+  path.limits.plastic_strain = 0.02;
+  path.limits.evolution.by_strain = 10;
+  path.limits.evolution.lost = &lost;
+  path.go(0.02 + 0.0125, 3);
+  EXPECT_NEAR(path.left(), 0.7, 1e-14);
+  path.go(0.02 + 0.05, 3);
+  EXPECT_NEAR(path.left(), 0.8 / 3, 1e-14);
+}
+
+// The work of the force that is left is G by area with any shape, if the progress counts the mean share.
+TEST(DamageEvolution, SpendsItsEnergyAlongAnExponential) {
+  const double size = 2, energy = 15, a = 6;
+  Path path;
+  path.limits.plastic_strain = 0.02;
+  path.limits.evolution.exponent = a;
+  path.limits.evolution.by_work = size / energy * (1 / a - 1 / std::expm1(a));
+  path.go(0.02, 1);
+  double spent = 0;
+  const double step = 1e-6;
+  while (path.history.damage < 2) {
+    const double before = path.left();
+    path.go(path.strain + step, 1);
+    spent += 0.5 * (before + path.left()) * 300 * size * step;
+  }
+  EXPECT_NEAR(spent, energy, 1e-4 * energy);
+}
+
+// Damage (strain / failure strain)^n under a proportional load, and the share ((D - D0) / (1 - D0))^m of the force
+// lost.
+TEST(DamageCoupling, TakesForceFromADamageOn) {
+  const MaterialTable strain{1, {0}, {0.4}};
+  Path path;
+  path.limits.triaxiality = &strain;
+  path.limits.coupling = {nullptr, 0.16, 2, 1.5};
+  path.go(0.16, 5);
+  EXPECT_NEAR(path.shown(), 0.16, 1e-14);
+  EXPECT_NEAR(path.left(), 1, 1e-14);
+  path.go(0.3, 5);
+  EXPECT_NEAR(path.shown(), std::pow(0.3 / 0.4, 2), 1e-14);
+  EXPECT_NEAR(path.left(), 1 - std::pow((0.5625 - 0.16) / 0.84, 1.5), 1e-14);
+  EXPECT_FALSE(path.go(0.3999, 1));
+  EXPECT_LT(path.left(), 1e-3);
+  EXPECT_TRUE(path.go(0.4001, 1));
+}
+
+// Where the sum over the critical strain reaches 1 within a step, the damage there counts, whatever the steps are.
+TEST(DamageCoupling, TakesForceFromAPlasticStrainOn) {
+  const MaterialTable strain{2, {0, 1.0 / 3}, {0.8, 0.4}}, critical{2, {0, 1.0 / 3}, {0.6, 0.1}};
+  for (const int steps : {1, 7, 100}) {
+    Path path;
+    path.limits.triaxiality = &strain;
+    path.limits.coupling = {&critical, -1, 2, 2};
+    EXPECT_EQ(path.left(), 1);
+    path.go(0.3, steps);
+    const double start = std::pow(0.1 / 0.4, 2), damage = std::pow(0.3 / 0.4, 2);
+    EXPECT_NEAR(path.left(), 1 - std::pow((damage - start) / (1 - start), 2), 1e-14) << steps;
+    EXPECT_NEAR(path.shown(), damage, 1e-14);
+  }
+}
+
+// Two stress states: half of the critical strain in tension, the rest in shear; damage adds up likewise.
+TEST(DamageCoupling, AddsUpOverStressStates) {
+  const MaterialTable strain{2, {0, 1.0 / 3}, {0.8, 0.4}}, critical{2, {0, 1.0 / 3}, {0.6, 0.2}};
+  Path path;
+  path.limits.triaxiality = &strain;
+  path.limits.coupling = {&critical, -1, 1, 1};
+  path.go(0.1, 10);  // half of 0.2; a quarter of 0.4
+  EXPECT_EQ(path.left(), 1);
+  path.stress = {0, 0, 0, 150, 0, 0};
+  path.go(0.1 + 0.3, 10);  // half of 0.6, then 0.3 / 0.8 of the damage
+  EXPECT_NEAR(path.left(), 1, 1e-12);
+  path.go(0.5, 10);
+  const double start = 0.25 + 0.375;
+  EXPECT_NEAR(path.left(), 1 - 0.125 / (1 - start), 1e-12);
+}
+
+TEST(ShearDamage, HasTheRatioOfStresses) {
+  EXPECT_NEAR(find_shear_ratio({0, 0, 0, 50, 0, 0}, 0.3), std::sqrt(3.0), 1e-7);
+  EXPECT_NEAR(find_shear_ratio({300, 0, 0, 0, 0, 0}, 0.3), 2 * (1 - 0.1), 1e-7);
+  EXPECT_NEAR(find_shear_ratio({-300, 0, 0, 0, 0, 0}, 0.3), 2 * (1 + 0.1), 1e-7);
+}
+
+// Each criterion has a sum of its own: the first that is 1 begins the evolution.
+TEST(ShearDamage, AddsUpBesideThatOfTheMeanStress) {
+  const MaterialTable by_mean{1, {0}, {0.4}}, by_shear{2, {1.8, 2}, {0.1, 0.2}}, at_rates{2, {0, 2}, {1, 2}};
+  Path path;
+  path.limits.triaxiality = &by_mean;
+  path.limits.shear.strain = &by_shear;
+  path.limits.evolution.by_strain = 5;
+  path.go(0.1, 4);
+  EXPECT_NEAR(path.history.damage, 0.25, 1e-14);
+  EXPECT_NEAR(path.shown(), 0.5, 1e-7);
+  path.stress = {0, 0, 0, 150, 0, 0};  // a ratio of 1.73
+  path.go(0.15 + 0.08, 3);
+  EXPECT_NEAR(path.left(), 1 - 5 * 0.08, 1e-7);
+  FailureHistory none;
+  path.limits.rate_factor = &at_rates;
+  path.limits.strain_factor = 0.5;
+  fails(path.limits, stretch_to(0.05, path.stress), 0.05, none);  // a rate of 1: 1.5 times as much
+  EXPECT_NEAR(none.second, 0.05 / (0.5 * 1.5 * 0.1), 1e-7);
+  EXPECT_NEAR(none.damage, 0.05 / (0.5 * 1.5 * 0.4), 1e-14);
 }
 
 }  // namespace percuss

@@ -14,6 +14,7 @@ from .cohesive import FORMS as COHESIVE_FORMS
 from .cohesive import LAW as COHESIVE_LAW
 from .cohesive import bond_solids
 from .crushable import CRUSHABLE
+from .diem import add_diem
 from .elastic import ELASTIC
 from .erosion import add_erosion
 from .fabric import FABRIC, make_membrane
@@ -40,7 +41,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "heat conduction", "it is left out")
         return
     card.keyword = "MAT_" + name_law(card.keyword)
-    kinds = {"MAT_ADD_EROSION": deck.erosions, "MAT_ADD_DAMAGE_GISSMO": deck.gissmos}
+    kinds = {"MAT_ADD_EROSION": deck.erosions, "MAT_ADD_DAMAGE_GISSMO": deck.gissmos, "MAT_ADD_DAMAGE_DIEM": deck.diems}
     read = next((cards for name, cards in kinds.items() if card.keyword.startswith(name)), None)
     if card.keyword.startswith(ADDITIONS) and read is None:
         deck.additions.append(card)
@@ -69,7 +70,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
 
 
 def tell_additions(deck: KeywordDeck) -> None:
-    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO."""
+    """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION, *MAT_ADD_DAMAGE_GISSMO and *MAT_ADD_DAMAGE_DIEM."""
     for card in deck.additions:
         reader = card.reader()
         if card.has_title:
@@ -79,7 +80,7 @@ def tell_additions(deck: KeywordDeck) -> None:
             deck.ledger.refuse(card.keyword, card.place, f"what it adds to material {id}", "the material is that of its own card alone")
         else:
             deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
-    for id, card in [*deck.erosions.items(), *deck.gissmos.items()]:
+    for id, card in [*deck.erosions.items(), *deck.gissmos.items(), *deck.diems.items()]:
         if ("material", id) not in deck.used:
             deck.ledger.ignored(card.keyword, card.place, f"no element is of material {id}")
 
@@ -186,6 +187,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     deck.turns[part.material, block.id] = use.turn
     add_erosion(deck, part.material, law, use)
     add_gissmo(deck, part.material, law, use)
+    add_diem(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
     if use.is_beam and "failure" in law:
         keep_limits_of_beams(deck, card, law, use)
