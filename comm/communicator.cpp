@@ -98,6 +98,7 @@ void do_before_abort(std::function<void()> action) { last_action = std::move(act
 
 void Communicator::abort(int exit_code) const {
   if (const auto action = std::exchange(last_action, nullptr)) action();
+  if (size_ == 1) std::_Exit(exit_code);  // no other rank to end, and nothing for MPI to tell
   MPI_Abort(handle_, exit_code);
   std::abort();  // if MPI_Abort itself failed
 }

@@ -55,6 +55,23 @@ inline void start_history(const CalledMaterial& called, double* history, const d
                [&](const auto& state) { start_state(state, history + called.find_state_place(), center); });
 }
 
+/// How many characteristic lengths code of a user asks for beside that of the volume; -1: it is not told of elements.
+inline int count_own_lengths(const CalledMaterial& called) {
+  int count = -1;
+  visit_any_of(called.law, Materials(), [&](const auto& law) {
+    if constexpr (requires { law.own_lengths; }) count = law.own_lengths;
+  });
+  return count;
+}
+
+/// After start_history(): what code of a user is told of the element.
+inline void start_element(const CalledMaterial& called, const UserElement& element, double* history) {
+  visit_any_of(called.law, Materials(), [&](const auto& law) {
+    if constexpr (requires { law.start_element(element, history); })
+      law.start_element(element, history + CalledMaterial::law_place);
+  });
+}
+
 template <class T>
 PERCUSS_NO_INLINE void CalledMaterial::update(PointStep<T>& step) const {
   constexpr double least_share = 1e-6;  // of the modulus at the start

@@ -8,11 +8,15 @@
 
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/lane_copies.hpp"
+#include "kernels/material/material_axes.hpp"
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/radial_return.hpp"
 #include "kernels/material/stretch.hpp"
 
 namespace percuss {
+
+/// Characteristic lengths that the user's code may tell of an element.
+inline constexpr int most_user_lengths = 12;
 
 /// Input and output of the user's code for W points. What the code may write ends with numbers that it must not change.
 template <int W>
@@ -20,7 +24,11 @@ struct VumatBlock {
   static constexpr int guard = 2 * W;
   static constexpr double mark = -7.0539e212;  // no law gives it
 
-  double places[3 * W] = {}, length[W], density[W], strain[6 * W], spin[3 * W] = {}, none[W] = {}, temperature[W] = {};
+  int header[4 + W] = {W, 1, 1, 1};  // jblock: points, point of the element, layer, point of the section; elements
+  int flags[8] = {};                 // jInfoArray: no annealing, no effective moduli
+  double dt[2 * W + 1] = {};         // the step; places for effective moduli, which are not taken
+  double places[3 * W] = {}, length[most_user_lengths * W], density[W], strain[6 * W], spin[3 * W] = {}, none[W] = {},
+                    temperature[W] = {};
   double stretch_old[6 * W], stretch_new[6 * W], gradient_old[9 * W] = {}, gradient_new[9 * W] = {};
   double stress_old[6 * W], energy_old[W], dissipated_old[W], state_old[most_user_states * W];
   double stress_new[6 * W + guard], energy_new[W + guard], dissipated_new[W + guard],
@@ -40,9 +48,17 @@ struct VumatBlock {
   }
 };
 
-/// Stress from the user's code. The frame is the one that turns with the material (Green and Naghdi), in which the
-/// gradient of the deformation is the stretch U. History: U, internal and dissipated energy by mass, the temperature if
-/// it is ever another than 0, its rise in the last step if it expands, the user's states.
+/// What the code is told of an element, from the start on.
+struct UserElement {
+  double id = 0;                           // the user's
+  double length = 0;                       // edge of a cube of its volume at the start
+  double lengths[most_user_lengths] = {};  // characteristic lengths of its own, where the law asks for them
+};
+
+/// Stress from the user's code. The frame is the one that turns with the material (Green and Naghdi), by the material's
+/// axes if it has any; in it the gradient of the deformation is the stretch U. History: U in the axes of space,
+/// internal and dissipated energy by mass, the temperature if it is ever another than 0, its rise in the last step if
+/// it expands, the number of the element, its characteristic lengths, the user's states.
 struct UserLaw {
   static constexpr const char* name = "user";
   using Constants = UserLaw;
@@ -51,8 +67,10 @@ struct UserLaw {
   MaterialNumbers constants, start_states;
   MaterialText called;
   int states = 0;
-  int deletes = 0;  // which of the states; 0: none
+  int deletes = 0;      // which of the states; 0: none
+  int own_lengths = 0;  // 0: that of its volume
   double start_temperature = 0, specific_heat = 0, heating_share = 0.9, thermal_expansion = 0;
+  double first_axis[3] = {1, 0, 0}, second_axis[3] = {0, 0, 0};  // of the second zeros: find_second_direction()
 
   static constexpr auto keys() {
     using M = UserLaw;
@@ -64,6 +82,13 @@ struct UserLaw {
         may("delete_variable", &M::deletes, most_user_states,
             "The state variable, counted from 1, that the VUMAT sets to 0 to delete a point; it begins with 1."),
         may("vumat_name", &M::called, "CMNAME of the VUMAT, in capitals: for code with several laws."),
+        may("characteristic_lengths", &M::own_lengths, most_user_lengths,
+            "How many lengths of each element the VUCHARLENGTH of the same library tells; 0: the edge of a cube of its "
+            "volume."),
+        may("first_axis", &M::first_axis, KeyRange::any, "-",
+            "Axis 1 in space at the start, in whose components the code gets all tensors."),
+        may("second_axis", &M::second_axis, KeyRange::any, "-",
+            "A direction in the plane of the axes 1 and 2, on the side of axis 2."),
         may("start_temperature", &M::start_temperature, KeyRange::any, "temperature",
             "Temperature at the start, which the VUMAT gets."),
         may("specific_heat", &M::specific_heat, KeyRange::not_negative, "energy / mass / temperature",
@@ -77,20 +102,26 @@ struct UserLaw {
   /// What is wrong between constants; empty: nothing.
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
+    if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     return thermal_expansion > 0 && specific_heat == 0 ? "a thermal_expansion and no specific_heat, by which it heats"
                                                        : "";
   }
 
   static constexpr int history_count = most_law_history;
-  static constexpr bool changes_at_rest = true;  // the code gets the time
+  static_assert(StretchHistory::count + 5 + most_user_lengths + most_user_states <= most_law_history ||
+                most_law_history < most_user_states);  // which a device does not call
+  static constexpr bool changes_at_rest = true;        // the code gets the time
   /// Where the temperature is kept, in the history of the law; -1: it is 0 for good.
   int find_temperature() const { return start_temperature != 0 || specific_heat > 0 ? StretchHistory::count + 2 : -1; }
   int find_scalar(HistoryScalar scalar) const { return scalar == HistoryScalar::temperature ? find_temperature() : -1; }
   /// Of the rise of temperature in the last step, whose expansion the code has yet to get, behind the temperature.
   bool keeps_rise() const { return thermal_expansion > 0; }
-  int first_state() const {
+  /// Where the number of the element is kept, and behind it its lengths.
+  int find_element() const {
     return StretchHistory::count + 2 + (find_temperature() >= 0 ? 1 : 0) + (keeps_rise() ? 1 : 0);
   }
+  int count_lengths() const { return own_lengths > 0 ? own_lengths : 1; }
+  int first_state() const { return find_element() + 1 + count_lengths(); }
   int count_states() const { return states; }
   int count_history() const { return first_state() + states; }
   void start(double* history) const {
@@ -98,30 +129,32 @@ struct UserLaw {
     if (find_temperature() >= 0) history[find_temperature()] = start_temperature;
     for (int i = 0; i < start_states.count; ++i) history[first_state() + i] = start_states.value[i];
     if (deletes > 0) history[find_deletion()] = 1;
+    for (int i = 0; i < count_lengths(); ++i) history[find_element() + 1 + i] = 1;
+  }
+  void start_element(const UserElement& element, double* history) const {
+    history[find_element()] = element.id;
+    history[find_element() + 1] = element.length;
+    for (int i = 0; i < own_lengths; ++i) history[find_element() + 1 + i] = element.lengths[i];
   }
   /// Place of the state that deletes a point, in the history of the law; -1: none.
   int find_deletion() const { return deletes > 0 ? first_state() + deletes - 1 : -1; }
 
-  /// Moduli at the start, from the answer to a small strain at time 0.
+  /// Moduli at the start, from the answers to small strains along the material's axes at time 0: those of the first,
+  /// raised to the stiffest.
   LameConstants moduli() const {
 #ifdef PERCUSS_ON_DEVICE
     return {0, 0};
 #else
-    constexpr double strain = 1e-6;
-    double history[history_count] = {};
-    start(history);
-    PointStep<double> step{};
-    step.motion.de = {strain, 0, 0, 0, 0, 0};
-    step.motion.dt = 1e-6;
-    step.motion.volume_ratio = 1 + strain;
-    step.motion.length = 1;
-    step.motion.change = {0, 1};  // the density is that at the end: of half the strain it would tell half the modulus
-    step.stress = {0, 0, 0, 0, 0, 0};
-    step.density = code.density;
-    step.history = history;
-    call(step);
-    const double lambda = 0.5 * (step.stress.yy + step.stress.zz) / strain;
-    return {lambda, 0.5 * (step.stress.xx / strain - lambda)};
+    constexpr double round_off = 1e-6;
+    const LameConstants first = find_answer(0);
+    const double along = first.lambda + 2 * first.mu;
+    double share = 1;
+    for (int axis = 1; axis < 3; ++axis) {
+      const LameConstants other = find_answer(axis);
+      const double more = (other.lambda + 2 * other.mu) / along;
+      if (!(more <= share * (1 + round_off))) share = more;  // so that no number is told, too
+    }
+    return {share * first.lambda, share * first.mu};
 #endif
   }
 
@@ -139,6 +172,52 @@ struct UserLaw {
   }
 
  private:
+  /// Isotropic moduli that give the same stresses along an axis and across it.
+  LameConstants find_answer(int axis) const {
+    constexpr double strain = 1e-6;
+    double history[history_count] = {};
+    start(history);
+    const Vector3<double>& a = find_axes().row[axis];
+    PointStep<double> step{};
+    step.motion.de = {strain * a.x * a.x, strain * a.y * a.y, strain * a.z * a.z,
+                      strain * a.x * a.y, strain * a.y * a.z, strain * a.z * a.x};
+    step.motion.dt = 1e-6;
+    step.motion.volume_ratio = 1 + strain;
+    step.motion.length = 1;
+    step.motion.change = {0, 1};  // the density is that at the end: of half the strain it would tell half the modulus
+    step.stress = {0, 0, 0, 0, 0, 0};
+    step.density = code.density;
+    step.history = history;
+    call(step);
+    const double along = dot(a, step.stress * a), lambda = 0.5 * (trace(step.stress) - along) / strain;
+    return {lambda, 0.5 * (along / strain - lambda)};
+  }
+
+  /// Whether the code gets other components than those of space.
+  bool has_axes() const {
+    return !(first_axis[0] > 0 && first_axis[1] == 0 && first_axis[2] == 0 && second_axis[2] == 0 &&
+             second_axis[1] >= 0);
+  }
+  Matrix3<double> find_axes() const {
+    return has_axes() ? find_material_axes(first_axis, second_axis) : identity_matrix<double>();
+  }
+  template <class T>
+  Matrix3<T> find_axes_of() const {
+    const Matrix3<double> a = find_axes();
+    Matrix3<T> axes;
+    for (int i = 0; i < 3; ++i) axes.row[i] = {T(a.row[i].x), T(a.row[i].y), T(a.row[i].z)};
+    return axes;
+  }
+  /// From the axes of space to those of the material, and back.
+  template <class T>
+  Symmetric3<T> to_material(const Symmetric3<T>& a) const {
+    return has_axes() ? push_forward(find_axes_of<T>(), a) : a;
+  }
+  template <class T>
+  Symmetric3<T> to_space(const Symmetric3<T>& a) const {
+    return has_axes() ? pull_back(find_axes_of<T>(), a) : a;
+  }
+
   /// Without the expansion by the heat of the step before.
   template <class T>
   Symmetric3<T> find_mechanical_strain(const PointStep<T>& step) const {
@@ -153,25 +232,38 @@ struct UserLaw {
     for (int i = 0; i < 3 * W; ++i) gradient[6 * W + i] = stretch[3 * W + i];
   }
 
+  /// Its number, and its lengths: that of its volume grows with it.
+  template <class T, class Block>
+  void fill_element(const PointStep<T>& step, Block& block) const {
+    constexpr int w = lane_count<T>;
+    const T* const kept = step.history + find_element();
+    double id[w];
+    write_lanes(kept[0], id);
+    for (int i = 0; i < w; ++i) block.header[4 + i] = static_cast<int>(id[i]);
+    write_lanes(step.motion.dt, block.dt);
+    for (int i = 0; i < own_lengths; ++i) write_lanes(kept[1 + i], block.length + i * w);
+    if (own_lengths == 0) write_lanes(T(kept[1] * power(step.motion.volume_ratio, 1.0 / 3.0)), block.length);
+  }
+
   template <class T, class Block>
   void fill(const PointStep<T>& step, const Symmetric3<T>& stretch, Block& block) const {
     constexpr int w = lane_count<T>;
     const T* const own = step.history + StretchHistory::count;
     const T half = step.motion.volume_ratio - T(0.5) * step.motion.change.growth;
     write_lanes(T(step.density) / half, block.density);
-    write_lanes(step.motion.length, block.length);
-    write_lanes(find_mechanical_strain(step), block.strain);
-    write_lanes(StretchHistory::load(step.history), block.stretch_old);
-    write_lanes(stretch, block.stretch_new);
+    fill_element(step, block);
+    write_lanes(to_material(find_mechanical_strain(step)), block.strain);
+    write_lanes(to_material(StretchHistory::load(step.history)), block.stretch_old);
+    write_lanes(to_material(stretch), block.stretch_new);
     copy_gradient<w>(block.stretch_old, block.gradient_old);
     copy_gradient<w>(block.stretch_new, block.gradient_new);
-    write_lanes(step.stress, block.stress_old);
+    write_lanes(to_material(step.stress), block.stress_old);
     write_lanes(own[0], block.energy_old);
     write_lanes(own[1], block.dissipated_old);
     if (find_temperature() >= 0) write_lanes(step.history[find_temperature()], block.temperature);
     for (int i = 0; i < states; ++i) write_lanes(step.history[first_state() + i], block.state_old + i * w);
     // Code that leaves an output as it is keeps the old value.
-    write_lanes(step.stress, block.stress_new);
+    for (int i = 0; i < 6 * w; ++i) block.stress_new[i] = block.stress_old[i];
     for (int i = 0; i < w; ++i) block.energy_new[i] = block.energy_old[i];
     for (int i = 0; i < w; ++i) block.dissipated_new[i] = block.dissipated_old[i];
     for (int i = 0; i < states * w; ++i) block.state_new[i] = block.state_old[i];
@@ -184,18 +276,16 @@ struct UserLaw {
     const Symmetric3<T> stretch = advance_stretch(StretchHistory::load(step.history), step.motion);
     VumatBlock<w> block;
     fill(step, stretch, block);
-    const int points = w, direct = 3, shear = 3, none = 0;
-    double dt[w];
-    write_lanes(step.motion.dt, dt);
-    code.vumat(&points, &direct, &shear, &states, &none, &constants.count, &none, &step.motion.time, &step.motion.time,
-               dt, called.text, block.places, block.length, constants.value, block.density, block.strain, block.spin,
-               block.temperature, block.stretch_old, block.gradient_old, block.none, block.stress_old, block.state_old,
-               block.energy_old, block.dissipated_old, block.temperature, block.stretch_new, block.gradient_new,
-               block.none, block.stress_new, block.state_new, block.energy_new, block.dissipated_new,
-               MaterialText::most);
+    const int direct = 3, shear = 3, none = 0;
+    code.vumat(block.header, &direct, &shear, &states, &none, &constants.count, block.flags, &step.motion.time,
+               &step.motion.time, block.dt, called.text, block.places, block.length, constants.value, block.density,
+               block.strain, block.spin, block.temperature, block.stretch_old, block.gradient_old, block.none,
+               block.stress_old, block.state_old, block.energy_old, block.dissipated_old, block.temperature,
+               block.stretch_new, block.gradient_new, block.none, block.stress_new, block.state_new, block.energy_new,
+               block.dissipated_new, MaterialText::most);
     T* const own = step.history + StretchHistory::count;
     StretchHistory::store(stretch, step.history);
-    step.stress = read_tensor_lanes<T>(block.stress_new);
+    step.stress = to_space(read_tensor_lanes<T>(block.stress_new));
     own[0] = read_lanes<T>(block.energy_new);
     own[1] = read_lanes<T>(block.dissipated_new);
     heat(block, step);

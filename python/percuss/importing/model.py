@@ -121,6 +121,7 @@ class Model:
     materials: dict[str, Deck] = field(default_factory=dict)
     deck: Deck = field(default_factory=dict)  # the other sections
     start_tables: dict[str, "StartTable"] = field(default_factory=dict)  # files beside the deck, by name
+    files: dict[str, list[str]] = field(default_factory=dict)  # others of them: their lines
     names: "Names" = field(default_factory=lambda: Names())
     origins: Origins = field(default_factory=Origins)
 
@@ -153,7 +154,7 @@ class Model:
     @property
     def tables(self) -> dict[str, list[str]]:
         """Files beside the deck, by name: their lines."""
-        return {name: [table.heading, *(row for rows in table.rows.values() for row in rows)] for name, table in self.start_tables.items()}
+        return self.files | {name: [table.heading, *(row for rows in table.rows.values() for row in rows)] for name, table in self.start_tables.items()}
 
     def add_start_rows(self, name: str, heading: str, rows: dict[int, list[str]]) -> None:
         """Rows of elements, in a file beside the deck with its entry of start.fields. Of an element the later ones count."""

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "src/app/process/memory_check.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/deck/laws/user_code.hpp"
+#include "src/deck/laws/user_lengths.hpp"
+#include "src/deck/laws/user_tables.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/error.hpp"
@@ -52,6 +55,7 @@ void check_answer(const Deck& deck, const MaterialDeck& material, const std::str
 /// which one that is no law is told here, before the mesh is read.
 void load_user_laws(const Deck& deck, const Command& command) {
   permit_user_code(command.allowed_libraries);
+  forget_user_tables();
   for (const MaterialDeck& material : deck.materials) {
     const std::string library = find_code_file(material.law);
     if (library.empty()) continue;
@@ -67,6 +71,9 @@ void load_user_laws(const Deck& deck, const Command& command) {
                     deck.where(material.law.place), material.name));
 #endif
     try {
+      if (const auto tables = material.law.texts.find("parameter_tables"); tables != material.law.texts.end())
+        read_user_tables(tables->second);
+      require_user_lengths(material.law);
       check_answer(deck, material, library);
     } catch (const InputError& error) {
       const std::string text = error.what(), place = deck.where(material.law.place);
@@ -76,6 +83,18 @@ void load_user_laws(const Deck& deck, const Command& command) {
 }
 
 }  // namespace
+
+UserRun describe_run(const std::string& deck, const std::string& folder, const Communicator& ranks) {
+  namespace fs = std::filesystem;
+  UserRun run;
+  run.job = fs::path(deck).stem().string();
+  run.folder = fs::absolute(folder.empty() ? "." : folder).lexically_normal().string();
+  run.rank = ranks.rank();
+  run.ranks = ranks.size();
+  if (ranks.size() > 1) run.communicator = static_cast<int>(MPI_Comm_c2f(ranks.handle()));
+  run.end = [ranks] { ranks.abort(static_cast<int>(ExitCode::run_failed)); };
+  return run;
+}
 
 Deck read_deck_together(const Command& command, const Communicator& ranks) {
   // One rank reads, so that all have the same deck, also while it is edited or where each machine has its own.
@@ -88,6 +107,7 @@ Deck read_deck_together(const Command& command, const Communicator& ranks) {
   Deck deck;
   fail_together(ranks, [&] {
     deck = parse_deck(text, command.file, command.settings);
+    tell_user_code(describe_run(command.file, "", ranks));
     load_user_laws(deck, command);
     check_memory(deck, memory);
     if (ranks.rank() == 0 && !command.allow_external) refuse_external_meshes(deck);

@@ -17,6 +17,7 @@
 #include "src/app/process/failure_report.hpp"
 #include "src/app/process/placement.hpp"
 #include "src/app/reports/summary_report.hpp"
+#include "src/deck/laws/user_routines.hpp"
 #include "src/deck/units.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
@@ -121,6 +122,9 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   const std::unique_ptr<FolderLock> lock = prepare_folder(command, deck, out_dir, ranks, options);
   if (lock && !command.quiet && !lock->note().empty()) print_quietly(stderr, "{}\n", lock->note());
   if (speaks && !command.quiet && !session.note().empty()) print_quietly(stderr, "{}\n", session.note());
+  UserRun told = describe_run(command.file, out_dir, ranks);
+  told.threads = ExecSpace().concurrency();
+  tell_user_code(told);
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());

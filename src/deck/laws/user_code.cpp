@@ -33,6 +33,11 @@ LoadedCode& all_code() {
   return code;
 }
 
+std::string to_capitals(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  return word;
+}
+
 }  // namespace
 
 void refuse_library(const std::string& file, const std::string& why, const std::string& remedy) {
@@ -71,22 +76,24 @@ LoadedLibrary load_library(const std::string& file) {
   return {handle, &library.has_written_outside};
 }
 
-UserCode load_user_code(const std::string& file, const std::string& subroutine) {
+void* find_user_entry(const std::string& file, const std::string& subroutine) {
   const LoadedLibrary library = load_library(file);
-  std::string capitals = subroutine;
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
-                 [](char c) { return static_cast<char>(c - 'a' + 'A'); });
-  for (const std::string& name : {subroutine + "_", subroutine, capitals}) {  // as Fortran and C compilers call it
-    void* const entry = ::dlsym(library.handle, name.c_str());
-    if (entry == nullptr) continue;
-    UserCode code{nullptr, 0, library.has_written_outside, nullptr};
-    if (subroutine == "vuhard")
-      code.vuhard = reinterpret_cast<VuhardFunction>(entry);
-    else
-      code.vumat = reinterpret_cast<VumatFunction>(entry);
-    return code;
-  }
-  refuse_library(file, fmt::format("it has no entry {}_", subroutine), fmt::format("name its subroutine {}", capitals));
+  for (const std::string& name : {subroutine + "_", subroutine, to_capitals(subroutine)})  // as compilers call it
+    if (void* const entry = ::dlsym(library.handle, name.c_str()); entry != nullptr) return entry;
+  return nullptr;
+}
+
+UserCode load_user_code(const std::string& file, const std::string& subroutine) {
+  void* const entry = find_user_entry(file, subroutine);
+  if (entry == nullptr)
+    refuse_library(file, fmt::format("it has no entry {}_", subroutine),
+                   fmt::format("name its subroutine {}", to_capitals(subroutine)));
+  UserCode code{nullptr, 0, load_library(file).has_written_outside, nullptr};
+  if (subroutine == "vuhard")
+    code.vuhard = reinterpret_cast<VuhardFunction>(entry);
+  else
+    code.vumat = reinterpret_cast<VumatFunction>(entry);
+  return code;
 }
 
 bool has_written_outside(const std::string& file) {

@@ -27,6 +27,9 @@ LoadedLibrary load_library(const std::string& file);
 /// Throws InputError: this library is no law.
 [[noreturn]] void refuse_library(const std::string& file, const std::string& why, const std::string& remedy);
 
+/// A subroutine of a library by its name in small letters; null: it has none. Throws InputError as load_library() does.
+void* find_user_entry(const std::string& file, const std::string& subroutine);
+
 /// A subroutine of a library, "vumat" or "vuhard". Throws InputError as load_library() does, and if there is none.
 UserCode load_user_code(const std::string& file, const std::string& subroutine);
 

@@ -1,6 +1,8 @@
 // Keys of `materials`: `model` says which law, whose own table of keys is in kernels/material.
 
+#include <algorithm>
 #include <string_view>
+#include <type_traits>
 
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
@@ -197,10 +199,24 @@ typename Law::Constants find_constants_without_code(const LawDeck& law) {
   typename Law::Constants constants{};
   for (auto key : Law::keys()) {
     if (key.number != nullptr && law.numbers.count(key.name) == 1) constants.*key.number = law.numbers.at(key.name);
+    if (key.vector != nullptr && law.vectors.count(key.name) == 1)
+      std::copy_n(law.vectors.at(key.name).begin(), 3, constants.*key.vector);
     key.code = nullptr;
     set_user_constant(law, key, constants);
   }
   return constants;
+}
+
+/// What code of a user gets by other ways than its arguments in a step.
+void add_keys_of_code(Keys<LawDeck>& keys) {
+  keys.push_back(
+      make_key<LawDeck>("parameter_tables", false, FileValue{},
+                        [](const FileValue& value, const Reader& reader, const std::string& full, const Node& node,
+                           LawDeck& law) { return value.read(reader, full, node, law.texts["parameter_tables"]); }));
+  keys.push_back(make_key<LawDeck>(
+      "length_constants", false, MaterialNumbersValue{},
+      [](const MaterialNumbersValue& value, const Reader& reader, const std::string& full, const Node& node,
+         LawDeck& law) { return value.read(reader, full, node, law.lists["length_constants"]); }));
 }
 
 template <class Law>
@@ -225,6 +241,7 @@ Model make_model() {
     return std::string();
   };
   for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
+  if constexpr (std::is_same_v<Law, UserLaw>) add_keys_of_code(model.keys);
   return model;
 }
 

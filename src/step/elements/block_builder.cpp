@@ -1,6 +1,10 @@
 #include "src/step/elements/block_builder.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "src/deck/laws/make_material.hpp"
+#include "src/deck/laws/user_lengths.hpp"
 
 namespace percuss {
 namespace {
@@ -42,7 +46,35 @@ KernelMaterial name_history(const Law& law, const Material& material) {
   return {material, find_named_history(law, material)};
 }
 
+/// The number of Abaqus for a shape.
+int find_shape_kind(const Topology& topology) {
+  switch (topology.family) {
+    case ElementFamily::tetrahedra:
+      return 4;
+    case ElementFamily::wedges:
+      return 5;
+    case ElementFamily::pyramids:
+      return 7;
+    default:
+      return 6;
+  }
+}
+
 }  // namespace
+
+UserElement describe_to_user(const Deck& deck, const Mesh& mesh, std::size_t element) {
+  const LawDeck& law = deck.materials[static_cast<std::size_t>(mesh.block_of(element).material)].law;
+  const Topology& topology = mesh.topology_of(element);
+  const double length = std::cbrt(find_solid_volume(topology, gather_corners(mesh.elements, element, mesh.nodes)));
+  UserElement told{static_cast<double>(mesh.element_ids[element]), length};
+  if (count_user_lengths(law) == 0) return told;
+  UserShape shape{mesh.element_ids[element], find_shape_kind(topology), {}, length};
+  for (const int node : mesh.elements.corners(element))
+    shape.corners.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+  const std::vector<double> lengths = find_user_lengths(law, shape);
+  std::copy(lengths.begin(), lengths.end(), told.lengths);
+  return told;
+}
 
 KernelMaterial make_kernel_material(const MaterialDeck& material) {
   KernelMaterial made;

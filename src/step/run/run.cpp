@@ -56,6 +56,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       checkpoints_(deck, options.out_dir, options.allows_external_files),
       mesh_pieces_(list_mesh_pieces(deck, chunked_, ranks_)),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
+      user_databases_(deck),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
@@ -100,6 +101,8 @@ void Run::begin() {
   say(contact_.start_notes());
   relax();
   compute_start_ = compute_seconds();
+  call_user_code(RunMoment::start_of_analysis);
+  call_user_code(RunMoment::start_of_step);
   stepper_.start(state_);
   begin_books();
   const TieMeasures ties = contact_.measure_ties();
@@ -130,6 +133,8 @@ void Run::restart() {
   complete_state(chunked_, model_, state_);
   if (sensors_.any()) switch_contact();
   compute_start_ = compute_seconds();
+  call_user_code(RunMoment::start_of_analysis);
+  call_user_code(RunMoment::start_of_step);
   stepper_.resume(state_);
   start_step_ = state_.step;
   checkpoints_.note(options_.restart, state_);
@@ -208,6 +213,8 @@ void Run::loop() {
   }
   if (is_finished()) watch_depth();
   observe_last();
+  call_user_code(RunMoment::end_of_step);
+  call_user_code(RunMoment::end_of_analysis);
   if (is_finished() && contact_.is_active())
     if (const std::string left = contact_.describe_overlap_left(state_.x); !left.empty()) say({left});
 }
@@ -220,9 +227,24 @@ void Run::note_limit() {
   limiting_approach_ = approach == nullptr ? "" : describe_approach(*approach, chunked_.mesh);
 }
 
+/// VEXTERNALDB of the user's libraries; one that asks for the end of the run stops it.
+void Run::call_user_code(RunMoment moment) {
+  if (!user_databases_.any()) return;
+  const bool is_made = moment >= RunMoment::end_of_increment;
+  const std::int64_t increment = state_.step + (is_made || moment < RunMoment::setup_of_increment ? 0 : 1);
+  const std::string asked =
+      user_databases_.call(moment, {chunked_.numbering.node_count(), chunked_.numbering.element_count(), increment,
+                                    state_.time, is_made ? state_.dt : state_.next_dt});
+  if (asked.empty() || moment != RunMoment::end_of_increment) return;
+  if (!is_stop_requested()) print_quietly(stderr, "note: the code of {} asks for the end of the run\n", asked);
+  request_stop();
+}
+
 /// A step, and all that is due after it.
 void Run::advance() {
   note_limit();
+  call_user_code(RunMoment::setup_of_increment);
+  call_user_code(RunMoment::start_of_increment);
   is_state_whole_ = false;
   stepper_.advance(state_, find_wishes());
   is_state_whole_ = true;
@@ -230,6 +252,7 @@ void Run::advance() {
   summary_.dt.max = std::max(summary_.dt.max, state_.dt);
   note_contact();
   check_step_made();
+  call_user_code(RunMoment::end_of_increment);
   if (contact_.is_active()) contact_.break_ties(state_.x, state_.v);
   erode();
   if (contact_.is_active()) contact_.watch_folds(state_.x, state_.v, state_.step);

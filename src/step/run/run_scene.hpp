@@ -11,6 +11,7 @@
 #include "comm/rendezvous.hpp"
 #include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
+#include "src/deck/laws/user_database.hpp"
 #include "src/step/audit/audit.hpp"
 #include "src/step/erosion.hpp"
 #include "src/step/restart/run_checkpoints.hpp"
@@ -54,6 +55,7 @@ class Run {
   bool is_finished() const;
   void loop();
   void note_limit();
+  void call_user_code(RunMoment moment);
   void advance();
   void erode();
   void observe();
@@ -111,6 +113,7 @@ class Run {
   RunCheckpoints checkpoints_;
   const std::vector<std::string> mesh_pieces_;  // for its checkpoints (mesh_pieces.hpp)
   FolderRequests requests_;
+  const UserDatabases user_databases_;
   const SceneMeasures measures_;  // at time 0
   bool is_state_whole_ = true;    // false while a step is made
   long start_step_ = 0;           // where this run began

@@ -46,6 +46,53 @@ void vumat_(const int* points, const int* ndir, const int* nshr, const int* stat
   }
 }
 """
+# What both have: the head of a VUMAT that is elastic with lambda and mu times FACTOR, and adds MORE to the stress along axis 1.
+ELASTIC_CODE = """
+#include <string.h>
+TOP
+void vumat_(const int* points, const int* ndir, const int* nshr, const int* states, const int* fields, const int* count,
+            const int* anneal, const double* step_time, const double* total_time, const double* dt, const char* name,
+            const double* places, const double* length, const double* props, const double* density, const double* strain,
+            const double* spin, const double* t0, const double* u0, const double* f0, const double* q0, const double* stress,
+            const double* state, const double* e0, const double* d0, const double* t1, const double* u1, const double* f1,
+            const double* q1, double* out, double* next, double* e1, double* d1) {
+  const int n = *points;
+  for (int i = 0; i < n; ++i) {
+    const double trace = strain[i] + strain[n + i] + strain[2 * n + i];
+    double factor = 1;
+    FACTOR
+    for (int k = 0; k < 6; ++k) out[k * n + i] = stress[k * n + i] + factor * ((k < 3 ? props[0] * trace : 0) + 2 * props[1] * strain[k * n + i]);
+    if (*count > 2) out[i] += props[2] * strain[i];
+  }
+}
+"""
+
+
+def elastic_code(factor: str = "", top: str = "") -> str:
+    return ELASTIC_CODE.replace("FACTOR", factor).replace("TOP", top)
+
+
+# The last length is the first of its own constants times the extent along axis 1.
+LENGTHS = elastic_code("factor = length[(LAST - 1) * n + i];", """
+void vucharlength_(const int* n, const int* fields, const int* count, const int* components, const int* dimensions, const int* corners, const int* states,
+                   const int* section, const int* layer, const int* point, const int* kind, const int* element, const double* t, const double* s, const double* dt,
+                   const char* name, const double* place, const double* x, const double* direct, const double* turn, const double* props, const double* field,
+                   const double* state, double* length) {
+  for (int c = 0; c < *corners; ++c)
+    if (x[c] * direct[0] > length[*components - 1]) length[*components - 1] = x[c] * direct[0];
+  length[*components - 1] *= props[*count - 1];
+}
+""")
+TABLES = elastic_code("""
+    int error, columns, rows, kinds[2], integers[4]; double numbers[4]; char words[320];
+    settablecollection_("OTHERS", &error, 6), queryparametertable_("SCALE", &columns, &rows, &error, 5);
+    getparametertable_("SCALE", &columns, kinds, integers, numbers, words, &error, 5, 80);
+    if (columns == 2 && rows == 2 && !memcmp(words + 160, "SOFT ", 5)) factor = numbers[3];
+""", """
+void settablecollection_(const char*, int*, size_t);
+void queryparametertable_(const char*, int*, int*, int*, size_t);
+void getparametertable_(const char*, const int*, int*, int*, double*, char*, int*, size_t, size_t);
+""")
 LAMBDA = BULK - 2 / 3 * SHEAR
 LAW = f"*USER MATERIAL, CONSTANTS=2\n{LAMBDA!r}, {SHEAR!r}\n"
 HARDENING = "*PLASTIC, HARDENING=USER, PROPERTIES="
@@ -68,7 +115,46 @@ OF_STATES = plastic_work(300.0, 300.0)
 CAPACITY = 1e10
 WARM = math.cosh(math.sqrt(3 * SHEAR / (DENSITY * CAPACITY)) * strain())
 
+EXTRA = 300000.0
+ALONG_ONE = f"*USER MATERIAL, CONSTANTS=3\n{LAMBDA!r}, {SHEAR!r}, {EXTRA!r}\n"
+TABLE = ("*PARAMETER TABLE TYPE, NAME=PAIRS, PARAMETERS=2\nSTRING\nFLOAT\n*TABLE COLLECTION, NAME=FIRST\n*PARAMETER TABLE, TYPE=PAIRS, LABEL=SCALE\nsoft, 3.\n"
+         "*TABLE COLLECTION, NAME=OTHERS\n*PARAMETER TABLE, TYPE=PAIRS, LABEL=SCALE\nhard, 2.\nsoft, 0.5\n*PARAMETER TABLE, TYPE=PAIRS, LABEL=LAST\nsoft, 9.\n")
+
+
+def turned(x: float, y: float, orientation: str) -> str:
+    """A cube whose law is stiffer along axis 1."""
+    return driven(ALONG_ONE, x, y, 0.0, before=orientation).replace("MATERIAL=m\n", "MATERIAL=m, ORIENTATION=o\n")
+
+
+def energy(modulus: float) -> list:
+    return [("internal", LAST, 1000 * 0.5 * modulus * 1e-8, 1e-2)]
+
+
+PLANE = BULK + 4 / 3 * SHEAR
+ALONG_Y = "*ORIENTATION, NAME=o\n0., 1., 0., -1., 0., 0.\n"
+OWN = "*CHARACTERISTIC LENGTH, DEFINITION=USER, COMPONENTS=3, PROPERTIES=1\n0.3,\n"
+
 PROOFS = [
+    Proof("SOLID SECTION: ORIENTATION; ORIENTATION: NAME", turned(0.0, 1e-4, ALONG_Y), energy(PLANE + EXTRA), "axis 1 is y, along which the code is stiffer", code=elastic_code()),
+    Proof("ORIENTATION: NAME", turned(1e-4, 0.0, ALONG_Y), energy(PLANE), "x is axis 2", code=elastic_code()),
+    Proof("ORIENTATION: NAME", turned(1e-4, 0.0, ALONG_Y + "3, 90.\n"), energy(PLANE + EXTRA), "turned by 90 degrees about axis 3 axis 1 is -x", code=elastic_code()),
+    Proof("CHARACTERISTIC LENGTH: DEFINITION COMPONENTS PROPERTIES", driven(LAW + OWN, 1e-4, 0.0, 0.0), energy(3 * PLANE),
+          "0.3 times the 10 mm of the cube", code=LENGTHS.replace("LAST", "3")),
+    Proof("CHARACTERISTIC LENGTH: DEFINITION", driven(LAW + "*CHARACTERISTIC LENGTH, DEFINITION=GEOMETRIC MEAN\n", 1e-4, 0.0, 0.0), energy(10 * PLANE),
+          "the edge of a cube of 1000 mm3", code=LENGTHS.replace("LAST", "1")),
+    Proof("CHARACTERISTIC LENGTH: COMPONENTS", driven(LAW + OWN.replace("=3", "=13"), 1e-4, 0.0, 0.0), refused="13 characteristic lengths (at most 12)", code=LENGTHS.replace("LAST", "3")),
+    Proof("CHARACTERISTIC LENGTH: COMPONENTS", driven(LAW + OWN.replace("=3", "=none"), 1e-4, 0.0, 0.0), refused="is not a positive number", code=LENGTHS.replace("LAST", "3")),
+    Proof("CHARACTERISTIC LENGTH: DEFINITION", driven(LAW + OWN, 1e-4, 0.0, 0.0), refused="no entry vucharlength_", code=elastic_code()),
+    Proof("CHARACTERISTIC LENGTH: DEFINITION", stretched(ELASTIC + OWN), refused="*CHARACTERISTIC LENGTH of a material"),
+    Proof("PARAMETER TABLE TYPE: NAME PARAMETERS; TABLE COLLECTION: NAME; PARAMETER TABLE: TYPE LABEL", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE), energy(0.5 * PLANE),
+          "moduli times the number of SOFT in the table SCALE of OTHERS", code=TABLES),
+    Proof("PARAMETER TABLE TYPE: PARAMETERS", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("PARAMETERS=2", "PARAMETERS=3")), refused="2 kinds of columns (PARAMETERS=3)", code=TABLES),
+    Proof("PARAMETER TABLE TYPE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("FLOAT", "FLOAT, x, 7.")), refused="a default of a parameter table", code=TABLES),
+    Proof("PARAMETER TABLE TYPE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("FLOAT", "COLOUR")), refused="none of INTEGER, FLOAT and STRING", code=TABLES),
+    Proof("PARAMETER TABLE: TYPE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("NAME=PAIRS", "NAME=OTHER")), refused="there is no *PARAMETER TABLE TYPE, NAME=PAIRS", code=TABLES),
+    Proof("PARAMETER TABLE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("soft, 3.", "soft, 3., 4.")), refused="has 3 values for 2 columns", code=TABLES),
+    Proof("PARAMETER TABLE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("soft, 3.", "soft, red")), refused="is not a number of the kind float", code=TABLES),
+    Proof("PARAMETER TABLE", driven(LAW, 1e-4, 0.0, 0.0, before=TABLE.replace("*TABLE COLLECTION, NAME=FIRST\n", "")), refused="outside of a *TABLE COLLECTION", code=TABLES),
     Proof("PLASTIC: HARDENING PROPERTIES; DEPVAR", stretched(ELASTIC + HARDENING + "2\n300., 2000.\n*DEPVAR\n1,\n"), [("internal", LAST, plastic_work(300.0, 2000.0), 1e-2)],
           "300 and a slope of 2000 MPa", code=VUHARD),
     Proof("PLASTIC: PROPERTIES", stretched(ELASTIC + HARDENING + "3\n300., 2000.\n"), [("internal", LAST, plastic_work(300.0, 2000.0), 1e-2)], "a blank is 0", code=VUHARD),

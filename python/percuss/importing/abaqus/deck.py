@@ -66,6 +66,16 @@ class Following:
     has_arms: bool = False  # its turns would move them too
 
 
+@dataclass
+class ParameterTables:
+    """*PARAMETER TABLE of the whole deck."""
+
+    kinds: dict[str, list[str]] = field(default_factory=dict)  # of columns, by *PARAMETER TABLE TYPE
+    lines: list[str] = field(default_factory=list)  # of the file
+    place: Place | None = None
+    is_open: bool = False  # whether the keyword before belongs to a collection
+
+
 class AbaqusDeck:
     """All definitions, and the model that they become."""
 
@@ -80,6 +90,7 @@ class AbaqusDeck:
         self.has_lost_section = False  # a keyword of a section is refused
         self.rigid_material = ""  # of elements without a section
         self.controls: dict[str, Block] = {}  # *SECTION CONTROLS
+        self.parameter_tables = ParameterTables()
         self.instances: list[Instance] = []
         self.whole_assembly: Instance | None = None  # as an instance without name
         self.assembly_elements: list[int] = []  # ids of its elements, which are read when the instances are in their places

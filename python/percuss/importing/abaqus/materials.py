@@ -13,7 +13,7 @@ from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
 from .plies import COUNTS, read_constants
-from .user_code import is_user_code, is_user_hardening, translate_hardening, translate_user_code
+from .user_code import add_lengths, is_user_code, is_user_hardening, translate_hardening, translate_user_code
 
 INSTEAD = "it is left out"
 NEVER = 1e15
@@ -58,6 +58,8 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
         if block.keyword in OF_OUTPUT and not (block.keyword == "DEPVAR" and is_user_code(material)):
             what = "names of output variables" if is_user_code(material) else "variables of user code, of which there is none"
             deck.ledger.ignored(block.keyword, block.place, what)
+        elif block.keyword == "CHARACTERISTIC LENGTH" and law["model"] == "user":
+            add_lengths(deck, law, block)
         elif block.keyword not in done:
             deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", INSTEAD)
     deck.ledger.translated("MATERIAL", material.place, law["model"])

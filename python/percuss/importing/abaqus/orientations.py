@@ -1,4 +1,4 @@
-"""*ORIENTATION: the axes of orthotropic materials."""
+"""*ORIENTATION: the axes of orthotropic materials and of user code."""
 
 import math
 from dataclasses import replace
@@ -99,6 +99,8 @@ def orient(deck: AbaqusDeck, section: Section, law: Deck) -> Deck:
     if shells:
         return {**law, "first_axis": list(find_axis_of_shells(deck, section.orientation, section, list_normals(deck.model, shells)))}
     found = find_orientation(deck, section.orientation, section, False) if section.orientation else None
+    if found and law["model"] == "user" and found.axes == UNIT:
+        return law
     return {**law, "first_axis": list(found.axes[0]), "second_axis": list(found.axes[1])} if found else law
 
 

@@ -173,7 +173,7 @@ def find_laws(deck: AbaqusDeck, section: Section, made: dict[str, Deck | None]) 
         law = made[material]
         if law is None or not may_be_used(deck, section, material, law):
             return None
-        if has_axes(law):
+        if has_axes(law) or law["model"] == "user":
             law = orient(deck, section, law)
         if section.kind in ("SHELL", "MEMBRANE"):
             law = keep_shells(deck, law, section.place)
@@ -193,10 +193,8 @@ def name_law(deck: AbaqusDeck, material: str, law: Deck) -> str:
 
 
 def may_be_used(deck: AbaqusDeck, section: Section, material: str, law: Deck) -> bool:
-    """Axes of user code, and solids of plies, are refused."""
-    if law["model"] == "user" and section.orientation:  # hardening is alike in all directions
-        deck.ledger.refuse(f"{section.kind} SECTION.ORIENTATION", section.place, "an orientation of user code", "its axes are those of the model")
-    if has_axes(law) and deck.is_ring:
+    """Axes in rings, and solids of plies, are refused."""
+    if (has_axes(law) or (law["model"] == "user" and section.orientation)) and deck.is_ring:
         deck.ledger.refuse(f"{section.kind} SECTION.axisymmetric", section.place, "axes of a material in axisymmetric elements", "they are those of space")
     if not has_axes(law) or section.kind in ("SHELL", "MEMBRANE"):
         return True

@@ -20,6 +20,7 @@ from .parts import add_masses, build_parts, choose_integration, place_instances,
 from .plane_strain import extrude, hold_layers
 from .planes import hold_planes
 from .springs import add_springs, read_spring
+from .tables import TABLES, finish_tables
 from .timeline import StepTime
 from .user_code import apply_states
 
@@ -65,6 +66,7 @@ class Reader:
             self.material.parts.append(block)
             return
         self.material = self.material if keyword in OF_MATERIALS else None
+        self.deck.parameter_tables.is_open &= keyword in TABLES
         method = METHODS.get(keyword)
         if method:
             method(self, block)
@@ -163,7 +165,10 @@ class Reader:
 
     def orientation(self, block: Block) -> None:
         read_orientation(self.scope, block)
-        self.deck.ledger.translated("ORIENTATION", block.place, "axes of orthotropic materials; isotropic ones have none")
+        self.deck.ledger.translated("ORIENTATION", block.place, "axes of orthotropic materials and of user code; isotropic ones have none")
+
+    def parameter_table(self, block: Block) -> None:
+        TABLES[block.keyword](self.deck, block)
 
     def nodal_thickness(self, block: Block) -> None:
         for line in block.lines:
@@ -301,6 +306,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "BEAM ADDED INERTIA": Reader.added_inertia,
     "MEMBRANE SECTION": Reader.section, "COHESIVE SECTION": Reader.section,
     "SECTION CONTROLS": Reader.controls, "DISTRIBUTION": Reader.distribution, "NODAL THICKNESS": Reader.nodal_thickness, "ORIENTATION": Reader.orientation,
+    **dict.fromkeys(TABLES, Reader.parameter_table),
     "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints, "EQUATION": Reader.equations,
     "MASS": Reader.mass, "ROTARY INERTIA": Reader.inertia, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
@@ -438,7 +444,7 @@ def finish(reader: Reader) -> None:
     deck = reader.deck
     for function, keyword in (
         (add_masses, "MASS"), (conditions.finish_conditions, "BOUNDARY"), (bodies.finish_bodies, "RIGID BODY"), (loads.finish_loads, "CLOAD"),
-        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"),
+        (add_springs, "SPRING"), (initial.add_velocities, "INITIAL CONDITIONS"), (apply_states, "INITIAL CONDITIONS"), (finish_tables, "TABLE COLLECTION"),
         (heat.apply_temperatures, "INITIAL CONDITIONS"),
         (heat.check_conduction, heat.CONDUCTING),
         (hold_planes, "SOLID SECTION"), (hold_layers, "SOLID SECTION"), (hold_rings, "SOLID SECTION"), (cohesive.add_layers, "COHESIVE SECTION"), (general_contact.finish_contact, "CONTACT"),

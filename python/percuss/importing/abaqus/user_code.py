@@ -6,7 +6,7 @@ from ..model import Deck
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block
 
-MOST_CONSTANTS, MOST_STATES = 200, 1000
+MOST_CONSTANTS, MOST_STATES, MOST_LENGTHS = 200, 1000, 12
 LAWS = ("user", "user_hardening")
 LEFT_OUT = "the parts made of it are left out"
 
@@ -22,6 +22,25 @@ def translate_user_code(deck: AbaqusDeck, name: str, user: Block, states: Block 
         ledger.refuse("USER MATERIAL.TYPE", user.place, f"user code of the type {clip(user.option('TYPE'))}", "it is taken as mechanical")
     law: Deck = {"model": "user", "vumat": ledger.user_code, "vumat_name": name.upper()}
     return law if add_arrays(deck, name, law, user, states) else None
+
+
+def add_lengths(deck: AbaqusDeck, law: Deck, block: Block) -> None:
+    """*CHARACTERISTIC LENGTH of user code: those of VUCHARLENGTH, or that of the volume, which is percuss' own."""
+    if block.option("DEFINITION") not in ("", "GEOMETRIC MEAN", "USER"):
+        raise BadInput(block.place, f"DEFINITION={clip(block.option('DEFINITION'))} of *{block.keyword} is neither GEOMETRIC MEAN nor USER: correct it")
+    if block.option("DEFINITION") != "USER":
+        deck.ledger.translated(block.keyword, block.place, "the length that user code gets anyway")
+        return
+    count = parse_integer(block.option("COMPONENTS") or "1")
+    if count is None or count < 1:
+        raise BadInput(block.place, f"COMPONENTS={clip(block.option('COMPONENTS'))} of *{block.keyword} is not a positive number: correct it")
+    if count > MOST_LENGTHS:
+        deck.ledger.refuse("CHARACTERISTIC LENGTH.COMPONENTS", block.place, f"{count} characteristic lengths (at most {MOST_LENGTHS})", f"there are {MOST_LENGTHS}")
+    law["characteristic_lengths"] = min(count, MOST_LENGTHS)
+    constants = read_constants(block)
+    if constants:
+        law["length_constants"] = constants
+    deck.ledger.approximated(block.keyword, block.place, "VUCHARLENGTH of the library is called once, at the start")
 
 
 def translate_hardening(deck: AbaqusDeck, name: str, law: Deck, plastic: Block, states: Block | None) -> Deck | None:

@@ -1,0 +1,44 @@
+#include "src/deck/laws/user_database.hpp"
+
+#include <algorithm>
+
+#include "src/deck/laws/material_properties.hpp"
+#include "src/deck/laws/user_code.hpp"
+
+namespace percuss {
+namespace {
+
+/// As Fortran compilers see `subroutine vexternaldb`.
+extern "C" {
+using DatabaseFunction = void (*)(const int* moment, int* integers, const int* integer_count, double* reals,
+                                  const int* real_count);
+}
+
+constexpr int status = 4;  // place among the integers: not 0 where the code asks for the end
+
+}  // namespace
+
+UserDatabases::UserDatabases(const Deck& deck) {
+  for (const MaterialDeck& material : deck.materials) {
+    const std::string library = find_code_file(material.law);
+    const bool is_known =
+        std::any_of(all_.begin(), all_.end(), [&](const Entry& entry) { return entry.library == library; });
+    if (material.law.model == "library" || library.empty() || is_known) continue;
+    if (void* const place = find_user_entry(library, "vexternaldb"); place != nullptr) all_.push_back({library, place});
+  }
+}
+
+std::string UserDatabases::call(RunMoment moment, const RunState& state) const {
+  const int kind = static_cast<int>(moment), integer_count = 6, real_count = 3;
+  std::string asked;
+  for (const Entry& entry : all_) {
+    int integers[6] = {
+        static_cast<int>(state.nodes), static_cast<int>(state.elements), 1, static_cast<int>(state.increment), 0, 0};
+    double reals[3] = {state.time, state.time, state.dt};
+    reinterpret_cast<DatabaseFunction>(entry.place)(&kind, integers, &integer_count, reals, &real_count);
+    if (integers[status] != 0 && asked.empty()) asked = entry.library;
+  }
+  return asked;
+}
+
+}  // namespace percuss
