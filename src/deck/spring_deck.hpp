@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/deck/functions/curve.hpp"
 #include "src/deck/output_deck.hpp"
 
 namespace percuss {
@@ -68,12 +69,22 @@ struct WeldDeck {
   bool is_between_faces() const { return radius.has_value() || !file.empty(); }
 };
 
-/// Nodes that move equally in some directions: all of a set, or each of one side with its counterpart on the other.
+/// A term of a linear equation: a factor times a displacement.
+struct EquationTermDeck {
+  SpringEndDeck of;
+  std::size_t direction = 0;  // x, y, z
+  double factor = 0;
+};
+
+/// Nodes that move equally in some directions, all of a set or each of one side with its counterpart on the other; or
+/// displacements of which a linear equation holds.
 struct ConstraintDeck {
   std::string name;
   std::array<bool, 3> equal{};  // x, y, z
   std::optional<Selector> nodes;
   std::optional<std::array<SpringEndDeck, 2>> between;  // instead
+  std::vector<EquationTermDeck> equation;               // instead of all three
+  std::optional<Curve> sum;                             // of the terms, over time [length]; none: 0
   Place place;
 };
 

@@ -58,7 +58,9 @@ contact:
 walls: [{name: floor, point: [0, 0, -1], normal: z, mass: 10}]
 springs: {link: {between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}], stiffness: 1000, damping: 1}}
 welds: {spot: {between: [{near: [1, 1, 1]}, {near: [1, 1, 2]}], normal: z}}
-constraints: {level: {equal: [x, y, z], between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}]}}
+constraints:
+  level: {equal: [x, y, z], between: [{near: [0, 0, 1]}, {near: [0, 0, 2]}]}
+  lever: {equation: [{nodes: {near: [0, 0, 1]}, direction: x, factor: 2}, {nodes: {near: [0, 0, 2]}, direction: y, factor: 1}]}
 output:
   history:
     nodes: [{name: tip, near: [0, 0, 0]}, {name: tap, near: [1, 0, 0]}, {name: top, near: [0, 0, 1]}]

@@ -54,7 +54,7 @@ def _list_vectors(history):
         start = head.format("x")
         for name in [column[len(start):] for column in history if column.startswith(start)]:
             yield name, kind, _stack(history, head + name)
-    for start, kind in (("spring_force:", "spring"), ("weld_normal:", "weld, normal"), ("weld_shear:", "weld, shear")):
+    for start, kind in (("spring_force:", "spring"), ("equation:", "equation"), ("weld_normal:", "weld, normal"), ("weld_shear:", "weld, shear")):
         for name in [column[len(start):] for column in history if column.startswith(start)]:
             yield name, kind, history[start + name][:, None]
 

@@ -120,6 +120,23 @@ void list_ends(const std::string& kind, const Entries& entries, const Deck& deck
   }
 }
 
+/// Nodes that are not ends of pairs.
+void list_constraints(const Deck& deck, const ChunkedMesh& chunked, SelectionList& list) {
+  for (const ConstraintDeck& constraint : deck.constraints) {
+    const std::string key = "constraints." + constraint.name;
+    if (constraint.nodes) list.add_nodes(key, "constraint", *constraint.nodes);
+    for (std::size_t i = 0; i < constraint.equation.size(); ++i) {
+      const SpringEndDeck& of = constraint.equation[i].of;
+      const std::string term = fmt::format("{}.equation.{}", key, i);
+      if (of.point)
+        list.add_point(term, "constraint", *of.point,
+                       find_points(deck, chunked, {*of.point}, "end of constraint").front().index);
+      else
+        list.add_nodes(term, "constraint", of.where);
+    }
+  }
+}
+
 void list_contact(const ContactDeck& contact, SelectionList& list) {
   add_each("contact.pairs", contact.pairs, [&](const std::string& key, const SurfacePairDeck& pair) {
     list.add_faces(key + ".a", "contact pair", pair.a);
@@ -165,8 +182,7 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   list_ends("spring", deck.springs, deck, chunked, list);
   list_ends("weld", deck.welds, deck, chunked, list);
   list_ends("constraint", deck.constraints, deck, chunked, list);
-  for (const ConstraintDeck& constraint : deck.constraints)
-    if (constraint.nodes) list.add_nodes("constraints." + constraint.name, "constraint", *constraint.nodes);
+  list_constraints(deck, chunked, list);
   for (const EmbeddedDeck& embedded : deck.embedded)
     list.add_nodes("embedded." + embedded.name, "embedded nodes", embedded.nodes);
   list_contact(deck.contact, list);

@@ -61,6 +61,8 @@ bool has_motion(const CheckedScene& scene) {
   return spins || deck.gravity.any() || !deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty() ||
          deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
+         std::any_of(deck.constraints.begin(), deck.constraints.end(),
+                     [](const ConstraintDeck& constraint) { return constraint.sum.has_value(); }) ||
          std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) || !deck.start.preloads.empty() ||
          !deck.start.fields.empty() || std::any_of(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& part) {
            return is_energetic(find_material(deck, part));

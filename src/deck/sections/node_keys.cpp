@@ -210,16 +210,62 @@ struct EqualValue {
   static ChoiceValue<std::size_t> direction() { return {{{"x", 0}, {"y", 1}, {"z", 2}}}; }
 };
 
-const Keys<ConstraintDeck>& constraint_keys() {
-  static const Keys<ConstraintDeck> keys = {
-      need("equal", &ConstraintDeck::equal, EqualValue{}),
-      may("nodes", &ConstraintDeck::nodes, SelectorValue{Chosen::nodes}),
-      may("between", &ConstraintDeck::between, TupleValue<SpringEndValue, 2>{}),
+const Keys<EquationTermDeck>& equation_term_keys() {
+  static const Keys<EquationTermDeck> keys = {
+      need("nodes", &EquationTermDeck::of, SpringEndValue{}),
+      need("direction", &EquationTermDeck::direction, EqualValue::direction()),
+      need("factor", &EquationTermDeck::factor, NumberValue{}),
   };
   return keys;
 }
 
+const Keys<ConstraintDeck>& constraint_keys() {
+  static const Keys<ConstraintDeck> keys = {
+      may("equal", &ConstraintDeck::equal, EqualValue{}),
+      may("nodes", &ConstraintDeck::nodes, SelectorValue{Chosen::nodes}),
+      may("between", &ConstraintDeck::between, TupleValue<SpringEndValue, 2>{}),
+      may("equation", &ConstraintDeck::equation, ListValue<MapValue<EquationTermDeck>>{{equation_term_keys}}),
+      may("sum", &ConstraintDeck::sum, CurveValue{}),
+  };
+  return keys;
+}
+
+/// An equation of its own: nothing that makes nodes equal goes with it.
+bool check_equation(const Reader& reader, const Node& node, const ConstraintDeck& constraint) {
+  for (const char* const other : {"equal", "nodes", "between"}) {
+    if (node.find(other) == nullptr) continue;
+    reader.error(node.find(other)->key,
+                 fmt::format("{} has equation and {} (an equation has its nodes and directions in its terms): leave "
+                             "one of them out",
+                             reader.self(), other));
+    return false;
+  }
+  for (const EquationTermDeck& term : constraint.equation) {
+    if (term.factor != 0) continue;
+    reader.error(
+        node.find("equation")->key,
+        fmt::format("{} has a factor of 0 (it would not count): leave the term out", reader.name_of("equation")));
+    return false;
+  }
+  if (!constraint.sum || (*constraint.sum)(0) == 0) return true;
+  reader.error(node.find("sum")->key, fmt::format("{} is {:g} at time 0 (must be 0 there: the nodes would jump): start "
+                                                  "the table at [0, 0]",
+                                                  reader.name_of("sum"), (*constraint.sum)(0)));
+  return false;
+}
+
 bool check_constraint(const Reader& reader, const Node& node, ConstraintDeck& constraint) {
+  if (node.find("equation") != nullptr) return check_equation(reader, node, constraint);
+  if (node.find("sum") != nullptr) {
+    reader.error(node.find("sum")->key,
+                 fmt::format("{} is without equation (it is the sum of its terms): add one", reader.name_of("sum")));
+    return false;
+  }
+  if (node.find("equal") == nullptr) {
+    reader.error(node.spot,
+                 fmt::format("{} is missing{} (must have equal or equation)", reader.name_of("equal"), reader.in()));
+    return false;
+  }
   if (constraint.nodes.has_value() != constraint.between.has_value()) return true;
   reader.error(node.spot, fmt::format("{} has {} (must have one of nodes and between)", reader.self(),
                                       constraint.nodes ? "both nodes and between" : "neither nodes nor between"));

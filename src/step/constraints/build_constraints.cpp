@@ -10,6 +10,7 @@
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/constraints/constraint_rows.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/connected_nodes.hpp"
 #include "src/step/springs/end_pairs.hpp"
@@ -19,9 +20,6 @@ namespace {
 
 /// Every rank moves all of them.
 constexpr std::size_t most_constrained_nodes = 200000;
-
-/// Nodes of the whole mesh that an entry makes equal: those of each list.
-using EqualLists = std::vector<std::vector<std::int64_t>>;
 
 std::vector<Item> gather_set(const Deck& deck, const ChunkedMesh& chunked, const Selector& where) {
   std::vector<int> own;
@@ -42,8 +40,19 @@ double find_mismatch(const std::vector<NodePair>& pairs) {
   return largest;
 }
 
+/// Nodes of the equations of an entry, a list for each.
+EqualLists list_nodes(const NodeEquations& equations) {
+  EqualLists lists;
+  for (const std::vector<NodeTerm>& terms : equations) {
+    std::vector<std::int64_t>& list = lists.emplace_back();
+    for (const NodeTerm& term : terms) list.push_back(term.number);
+  }
+  return lists;
+}
+
 /// Entry by entry. Collective.
-std::vector<EqualLists> find_lists(const Deck& deck, const ChunkedMesh& chunked, ConstraintModel& model) {
+std::vector<EqualLists> find_lists(const Deck& deck, const ChunkedMesh& chunked,
+                                   const std::vector<NodeEquations>& equations, ConstraintModel& model) {
   std::vector<PairOfEnds> entries;
   for (const ConstraintDeck& constraint : deck.constraints)
     if (constraint.between) entries.push_back({constraint.name, *constraint.between, constraint.place, true});
@@ -51,7 +60,11 @@ std::vector<EqualLists> find_lists(const Deck& deck, const ChunkedMesh& chunked,
   std::vector<EqualLists> all;
   auto next = pairs.begin();
   for (const ConstraintDeck& constraint : deck.constraints) {
-    EqualLists& lists = all.emplace_back();
+    EqualLists& lists = all.emplace_back(list_nodes(equations[all.size()]));
+    if (!constraint.equation.empty()) {
+      model.notes.push_back(fmt::format("constraint '{}': {} equations", constraint.name, lists.size()));
+      continue;
+    }
     if (constraint.nodes) {
       std::vector<std::int64_t>& list = lists.emplace_back();
       for (const Item& item : gather_set(deck, chunked, *constraint.nodes)) list.push_back(item.number);
@@ -72,10 +85,6 @@ void number_nodes(const std::vector<EqualLists>& entries, ConstraintModel& model
     for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-}
-
-int find_place(const ConstraintModel& model, std::int64_t number) {
-  return static_cast<int>(std::lower_bound(model.nodes.begin(), model.nodes.end(), number) - model.nodes.begin());
 }
 
 /// The lowest place of the group of each node, as lists are joined.
@@ -181,9 +190,15 @@ void build_constraints(const Deck& deck, const ChunkedMesh& chunked, Model& mode
   if (deck.constraints.empty()) return;
   ConstraintModel& constraints = model.constraints;
   for (const ConstraintDeck& of_deck : deck.constraints)
-    constraints.constraints.push_back(
-        {of_deck.name, deck.where(of_deck.place), of_deck.equal, of_deck.between.has_value(), {}});
-  const std::vector<EqualLists> entries = find_lists(deck, chunked, constraints);
+    constraints.constraints.push_back({of_deck.name,
+                                       deck.where(of_deck.place),
+                                       of_deck.equal,
+                                       of_deck.between.has_value(),
+                                       !of_deck.equation.empty(),
+                                       of_deck.sum,
+                                       {}});
+  const std::vector<NodeEquations> equations = find_equations(deck, chunked);
+  const std::vector<EqualLists> entries = find_lists(deck, chunked, equations, constraints);
   number_nodes(entries, constraints);
   if (constraints.nodes.size() > most_constrained_nodes)
     throw InputError(
@@ -200,7 +215,9 @@ void build_constraints(const Deck& deck, const ChunkedMesh& chunked, Model& mode
   }
   find_connected_nodes(chunked, constraints);
   refuse_connected(chunked, entries, model);
-  for (std::size_t k = 0; k < 3; ++k) {
+  if (std::any_of(equations.begin(), equations.end(), [](const NodeEquations& of) { return !of.empty(); }))
+    constraints.rows = make_constraint_rows(entries, equations, constraints);
+  for (std::size_t k = 0; k < 3 && constraints.rows.empty(); ++k) {
     constraints.groups[k] = find_groups(entries, constraints, k);
     refuse_held_to_differ(chunked, entries, model, k);
   }

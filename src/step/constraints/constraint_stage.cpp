@@ -2,27 +2,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/model/impulses.hpp"
 
 namespace percuss {
 
+namespace {
+
+/// What may be missing of an equation, as a share of the largest speed, and how long this is sought.
+constexpr ConstraintLimits limits_of_equations{1e-13, 1000};
+/// What shows that equations and conditions contradict each other.
+constexpr double contradiction = 1e-6;
+
+}  // namespace
+
 ConstraintStage::ConstraintStage(const Model& model)
     : model_(model),
       rows_(model.constraints.nodes.size() * NodeRow::count),
       outcomes_(3 * model.constraints.nodes.size()),
-      own_rows_("percuss::constrained_rows", model.constraints.owned_node.extent(0), NodeRow::count) {}
+      system_(limits_of_equations),
+      velocity_(model.constraints.rows.empty() ? 0 : outcomes_.size()),
+      inverse_(velocity_.size()),
+      after_(velocity_.size()),
+      rates_(model.constraints.rows.size()),
+      own_rows_("percuss::constrained_rows", model.constraints.owned_node.extent(0), NodeRow::count) {
+  for (const ConstraintRow& row : model.constraints.rows) system_.add_row(row.terms);
+}
 
 void ConstraintStage::gather(const State& state) {
   const auto& constraints = model_.constraints;
   gather_nodes(model_, state, {constraints.owned_node, constraints.owned_place}, own_rows_, rows_);
 }
 
-void ConstraintStage::solve() {
+void ConstraintStage::solve_groups() {
   for (std::size_t n = 0; n < model_.constraints.nodes.size(); ++n)
     for (std::size_t k = 0; k < 3; ++k) outcome(static_cast<int>(n), k) = {value(n, NodeRow::velocity, k), 0};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -57,6 +75,65 @@ void ConstraintStage::join_group(const int* first, const int* last, std::size_t 
     given += impulse;
   }
   if (held >= 0) outcome(held, k).impulse = -given;
+}
+
+/// Nodes that have vanished free their equations.
+void ConstraintStage::solve_rows(double time, double dt) {
+  for (std::size_t i = 0; i < velocity_.size(); ++i) {
+    velocity_[i] = value(i / 3, NodeRow::velocity, i % 3);
+    inverse_[i] = value(i / 3, NodeRow::inverse_mass, i % 3);
+  }
+  for (std::size_t r = 0; r < rates_.size(); ++r) {
+    const ConstraintRow& row = model_.constraints.rows[r];
+    const auto& sum = model_.constraints.constraints[at(row.constraint)].sum;
+    rates_[r] = sum ? ((*sum)(time + dt) - (*sum)(time)) / dt : 0;
+    system_.set_loose(r, std::any_of(row.terms.begin(), row.terms.end(), [&](const ConstraintTerm& term) {
+                        return !(value(at(term.unknown / 3), NodeRow::mass) > 0);
+                      }));
+  }
+  system_.solve(velocity_, inverse_, rates_);
+  for (std::size_t i = 0; i < velocity_.size(); ++i) {
+    after_[i] = velocity_[i] + inverse_[i] * system_.impulses()[i];
+    outcomes_[i] = {after_[i], system_.impulses()[i]};
+  }
+  check_rows(time);
+}
+
+/// Throws RunError, the same on all ranks, where conditions hold nodes against an equation.
+void ConstraintStage::check_rows(double time) const {
+  const double allowed = contradiction * std::max({find_largest_amount(velocity_), find_largest_amount(after_),
+                                                   find_largest_amount(rates_)});
+  for (std::size_t r = 0; r < rates_.size(); ++r) {
+    const double missing = rates_[r] - system_.sum(r, after_);
+    if (system_.is_loose(r) || std::abs(missing) <= allowed) continue;
+    const Constraint& constraint = model_.constraints.constraints[at(model_.constraints.rows[r].constraint)];
+    throw RunError(
+        fmt::format("{}: constraint '{}' does not hold at t = {:.6g} (other constraints or conditions move its nodes "
+                    "against it, at a rate of {:.3g}): leave one of them out",
+                    constraint.place, constraint.name, time, missing));
+  }
+}
+
+/// Equations whose factors have a sum push from outside, and those whose terms get a sum over time do work.
+void ConstraintStage::book_sums(State& state) const {
+  ExactSum driven;
+  double taken = 0;
+  std::vector<double> before(velocity_.size());
+  for (std::size_t i = 0; i < before.size(); ++i) before[i] = value(i / 3, NodeRow::velocity_before, i % 3);
+  for (std::size_t r = 0; r < rates_.size(); ++r) {
+    const int constraint = model_.constraints.rows[r].constraint;
+    if (!model_.constraints.constraints[at(constraint)].sum) continue;
+    const double work = 0.5 * system_.row_impulses()[r] * (system_.sum(r, before) + system_.sum(r, after_));
+    driven.add(work);
+    taken += work;
+  }
+  state.books.equal_work -= taken;
+  if (model_.ranks.rank() != 0) return;
+  add_work(driven, state.books);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = k; i < outcomes_.size(); i += 3) state.books.impulse[k].add(outcomes_[i].impulse);
+    state.books.impulse[k].normalize();
+  }
 }
 
 /// Forces at different places turn the nodes: their moment comes from outside.
@@ -94,11 +171,30 @@ void ConstraintStage::set_forces(State& state, double dt_mean) {
   }
 }
 
+/// Each from the impulses of its own rows.
+void ConstraintStage::set_row_forces(State& state, double dt_mean) const {
+  std::vector<std::array<double, 3>> sums(state.constraints.size()), amounts(state.constraints.size());
+  for (std::size_t r = 0; r < rates_.size(); ++r) {
+    const ConstraintRow& row = model_.constraints.rows[r];
+    const double force = system_.row_impulses()[r] / dt_mean;
+    sums[at(row.constraint)][row.direction] += force;
+    amounts[at(row.constraint)][row.direction] += std::abs(force);
+  }
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    const Constraint& constraint = model_.constraints.constraints[c];
+    if (!constraint.has_pairs && !constraint.is_equation)
+      for (std::size_t k = 0; k < 3; ++k) sums[c][k] = 0.5 * (std::abs(sums[c][k]) + amounts[c][k]);
+    state.constraints[c].force = {sums[c][0], sums[c][1], sums[c][2]};
+  }
+}
+
 void ConstraintStage::follow_contact(State& state, const StepTimes& times, const ContactReport* /*contact*/) {
   gather(state);
-  solve();
+  const bool has_rows = system_.count() > 0;
+  has_rows ? solve_rows(times.time, times.dt) : solve_groups();
   book(state);
-  set_forces(state, times.dt_mean);
+  if (has_rows) book_sums(state);
+  has_rows ? set_row_forces(state, times.dt_mean) : set_forces(state, times.dt_mean);
   give_joined_motion(model_.constraints, outcomes_, state);
 }
 

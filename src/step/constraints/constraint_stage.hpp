@@ -1,10 +1,12 @@
 #pragma once
-// Constraints of a step: nodes with equal displacements in a direction get the mean velocity of their masses.
+// Constraints of a step: nodes with equal displacements in a direction get the mean velocity of their masses. Where
+// there are equations, all constraints are rows of one linear system.
 //
 // Every rank computes all constraints, from what the owners of their nodes send to all.
 
 #include <vector>
 
+#include "src/step/constraints/linear_constraints.hpp"
 #include "src/step/model/action.hpp"
 #include "src/step/springs/joined_motion.hpp"
 
@@ -26,14 +28,21 @@ class ConstraintStage : public Action {
   }
   JoinedMotion& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
   void gather(const State& state);
-  void solve();
+  void solve_groups();
+  void solve_rows(double time, double dt);
+  void check_rows(double time) const;
   void join_group(const int* first, const int* last, std::size_t k);
   void book(State& state) const;
+  void book_sums(State& state) const;
   void set_forces(State& state, double dt_mean);
+  void set_row_forces(State& state, double dt_mean) const;
 
   const Model& model_;
-  std::vector<double> rows_;            // [ConstraintModel::nodes][NodeRow::count] of the last gather()
-  std::vector<JoinedMotion> outcomes_;  // [ConstraintModel::nodes][3]
+  std::vector<double> rows_;                        // [ConstraintModel::nodes][NodeRow::count] of the last gather()
+  std::vector<JoinedMotion> outcomes_;              // [ConstraintModel::nodes][3]
+  LinearConstraints system_;                        // of ConstraintModel::rows
+  std::vector<double> velocity_, inverse_, after_;  // [3 nodes] of the unknowns
+  std::vector<double> rates_;                       // [rows] of their sums
   OwnRows own_rows_;
 };
 

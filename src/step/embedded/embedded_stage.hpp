@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/mesh/ordering.hpp"
+#include "src/step/constraints/linear_constraints.hpp"
 #include "src/step/model/action.hpp"
 #include "src/step/springs/joined_motion.hpp"
 
@@ -28,20 +29,14 @@ class EmbeddedStage : public Action {
     return rows_[static_cast<std::size_t>(node) * NodeRow::count + what];
   }
   void gather(const State& state);
-  void start_direction(std::size_t k);
   void solve_direction(std::size_t k);
-  double find_difference(std::size_t row, const std::vector<double>& of_nodes) const;
-  void push(std::size_t row, double impulse, std::vector<double>& of_nodes) const;
-  void take_outcomes(std::size_t k);
 
   const ChunkedMesh& chunked_;
   const Model& model_;
-  std::vector<double> rows_;            // [EmbeddedModel::nodes][NodeRow::count] of the last gather()
-  std::vector<JoinedMotion> outcomes_;  // [EmbeddedModel::nodes][3]
-  std::vector<char> is_loose_;          // [EmbeddedModel::embedded] node or solid is gone
-  // Of the direction that is solved: [nodes] inverse masses, impulses, scratch; [embedded] of the system.
-  std::vector<double> inverse_, impulse_, moved_;
-  std::vector<double> diagonal_, missing_, search_, applied_, found_;
+  std::vector<double> rows_;                // [EmbeddedModel::nodes][NodeRow::count] of the last gather()
+  std::vector<JoinedMotion> outcomes_;      // [EmbeddedModel::nodes][3]
+  LinearConstraints system_;                // [EmbeddedModel::embedded] loose: node or solid is gone
+  std::vector<double> velocity_, inverse_;  // [EmbeddedModel::nodes] of the direction that is solved
   OwnRows own_rows_;
 };
 

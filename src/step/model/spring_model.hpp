@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -129,12 +130,27 @@ struct WeldState {
   std::int64_t is_broken = 0;
 };
 
-/// Nodes that move equally in some directions, as the deck names them; const after set-up.
+/// Nodes that move equally in some directions, or of which equations hold, as the deck names them; const after set-up.
 struct Constraint {
   std::string name, place;  // of the entry in the deck
   std::array<bool, 3> equal{};
   bool has_pairs = false;
-  std::vector<int> nodes;  // places in ConstraintModel::nodes: those of the first side of pairs, or all
+  bool is_equation = false;
+  std::optional<Curve> sum;  // of the terms of its equations [length]; none: 0
+  std::vector<int> nodes;    // places in ConstraintModel::nodes: those of the first side of pairs, or all
+};
+
+/// A factor times an unknown of a linear constraint.
+struct ConstraintTerm {
+  int unknown = 0;
+  double factor = 0;
+};
+
+/// A linear equation of displacements.
+struct ConstraintRow {
+  int constraint = 0;
+  std::size_t direction = 0;          // of a constraint that makes nodes equal
+  std::vector<ConstraintTerm> terms;  // unknown: three times the place in ConstraintModel::nodes, and the direction
 };
 
 /// Which nodes move equally in one direction: those of all constraints that share a node are one group.
@@ -145,7 +161,8 @@ struct EqualGroups {
 
 struct ConstraintModel : ConnectedNodes {
   std::vector<Constraint> constraints;
-  std::array<EqualGroups, 3> groups;  // by direction
+  std::array<EqualGroups, 3> groups;  // by direction; empty where there are rows
+  std::vector<ConstraintRow> rows;    // of all constraints, where one of them is an equation; else empty
   std::vector<std::string> notes;     // what is to be told of them
 
   bool any() const { return !constraints.empty(); }
@@ -170,7 +187,9 @@ struct EmbeddedModel : ConnectedNodes {
 
 /// A constraint in the loop.
 struct ConstraintState {
-  Vector3<double> force{};  // of the last step: on the first side of pairs, or half the sum of amounts on all nodes
+  // Of the last step: on the first side of pairs, or half the sum of amounts on all nodes; of equations x is the force
+  // on displacements of factor 1.
+  Vector3<double> force{};
 };
 
 }  // namespace percuss

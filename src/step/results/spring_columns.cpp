@@ -126,6 +126,9 @@ std::vector<HistoryColumn> list_constraint_columns(const ConstraintModel& constr
       {"equal_work", dimensions::energy,
        "work of constraints on their nodes, also of embedded ones, taken from the viscous energy"}};
   for (const Constraint& constraint : constraints.constraints) {
+    if (constraint.is_equation)
+      columns.push_back({"equation:" + constraint.name, dimensions::force,
+                         fmt::format("force of constraint '{}' on displacements of factor 1", constraint.name)});
     for (std::size_t k = 0; k < 3; ++k) {
       if (!constraint.equal[k]) continue;
       columns.push_back({fmt::format("equal_{}:{}", "xyz"[k], constraint.name), dimensions::force,
@@ -142,6 +145,7 @@ void append_constraints(const ConstraintModel& constraints, bool has_work, const
   for (std::size_t c = 0; c < state.constraints.size(); ++c) {
     const Vector3<double>& force = state.constraints[c].force;
     const double along[] = {force.x, force.y, force.z};
+    if (constraints.constraints[c].is_equation) row.push_back(force.x);
     for (std::size_t k = 0; k < 3; ++k)
       if (constraints.constraints[c].equal[k]) row.push_back(along[k]);
   }

@@ -18,16 +18,13 @@ namespace {
 /// Nodes of ends. Those that are single nodes are found together, since each search looks at the whole mesh.
 class EndFinder {
  public:
-  EndFinder(const Deck& deck, const ChunkedMesh& chunked, const std::vector<PairOfEnds>& entries,
-            const std::string& kind)
+  EndFinder(const Deck& deck, const ChunkedMesh& chunked, const std::vector<NamedEnd>& ends, const std::string& kind)
       : deck_(deck), chunked_(chunked) {
     std::vector<HistoryPoint> points;
-    for (const PairOfEnds& entry : entries) {
-      for (const SpringEndDeck& end : entry.between) {
-        if (!end.point) continue;
-        points.push_back(*end.point);
-        points.back().name = entry.name;
-      }
+    for (const NamedEnd& of : ends) {
+      if (!of.end.point) continue;
+      points.push_back(*of.end.point);
+      points.back().name = of.name;
     }
     found_ = find_points(deck, chunked, points, "end of " + kind);
   }
@@ -55,19 +52,22 @@ class EndFinder {
   std::size_t next_ = 0;
 };
 
-/// Collective, as is check_counterparts().
-void check_nearest(const ChunkedMesh& chunked, const std::string& place, const std::string& entry, const Item& item,
-                   const Nearest& found) {
+/// Collective, as are check_ends() and check_counterparts().
+void check_distance(const ChunkedMesh& chunked, const std::string& place, const std::string& entry, const Item& item,
+                    const Nearest& found) {
   if (found.score == std::numeric_limits<double>::infinity())
     throw InputError(
         fmt::format("{}: error: {} has no node at its second end whose distance from node {} is a number "
                     "(squares of coordinates this large overflow): move the parts together",
                     place, entry, find_node_id(chunked, item.number)));
-  if (found.number == item.number)
+}
+
+void check_ends(const ChunkedMesh& chunked, const std::string& place, const std::string& entry, const NodePair& pair) {
+  if (pair.first.number == pair.second.number)
     throw InputError(
         fmt::format("{}: error: both ends of {} are node {} (a {} connects two different nodes): let "
                     "its ends share no node",
-                    place, entry, find_node_id(chunked, found.number), entry.substr(0, entry.find(' '))));
+                    place, entry, find_node_id(chunked, pair.first.number), entry.substr(0, entry.find(' '))));
 }
 
 Vec3 find_mean(const std::vector<Item>& items) {
@@ -107,25 +107,43 @@ std::vector<Item> gather_nodes(const ChunkedMesh& chunked, const std::vector<int
   return items;
 }
 
+std::vector<std::vector<Item>> find_end_nodes(const Deck& deck, const ChunkedMesh& chunked,
+                                              const std::vector<NamedEnd>& ends, const std::string& kind) {
+  EndFinder finder(deck, chunked, ends, kind);
+  std::vector<std::vector<Item>> all;
+  for (const NamedEnd& of : ends) all.push_back(finder.find(of.end));
+  return all;
+}
+
+std::vector<NodePair> pair_nodes(const ChunkedMesh& chunked, const PairOfEnds& entry, const std::string& place,
+                                 const std::string& kind, const std::array<std::vector<Item>, 2>& nodes) {
+  const auto& [first, second] = nodes;
+  const std::string title = fmt::format("{} '{}'", kind, entry.name);
+  const NearestItems nearest(second);
+  const Vec3 shift = entry.are_counterparts ? subtract(find_mean(second), find_mean(first)) : Vec3{};
+  std::vector<NodePair> pairs;
+  for (const Item& item : first) {
+    const Nearest found = nearest.find({item.place[0] + shift[0], item.place[1] + shift[1], item.place[2] + shift[2]});
+    check_distance(chunked, place, title, item, found);
+    pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
+                                             [](const Item& i, std::int64_t number) { return i.number < number; })});
+  }
+  if (entry.are_counterparts) check_counterparts(chunked, place, title, second.size(), pairs);
+  return pairs;
+}
+
 std::vector<std::vector<NodePair>> find_node_pairs(const Deck& deck, const ChunkedMesh& chunked,
                                                    const std::vector<PairOfEnds>& entries, const std::string& kind) {
-  EndFinder ends(deck, chunked, entries, kind);
+  std::vector<NamedEnd> ends;
+  for (const PairOfEnds& entry : entries)
+    for (const SpringEndDeck& end : entry.between) ends.push_back({entry.name, end});
+  const std::vector<std::vector<Item>> nodes = find_end_nodes(deck, chunked, ends, kind);
   std::vector<std::vector<NodePair>> all;
-  for (const PairOfEnds& entry : entries) {
-    const std::vector<Item> first = ends.find(entry.between[0]), second = ends.find(entry.between[1]);
-    const NearestItems nearest(second);
-    const Vec3 shift = entry.are_counterparts ? subtract(find_mean(second), find_mean(first)) : Vec3{};
-    std::vector<NodePair>& pairs = all.emplace_back();
-    for (const Item& item : first) {
-      const Nearest found =
-          nearest.find({item.place[0] + shift[0], item.place[1] + shift[1], item.place[2] + shift[2]});
-      check_nearest(chunked, deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), item, found);
-      pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
-                                               [](const Item& i, std::int64_t number) { return i.number < number; })});
-    }
-    if (entry.are_counterparts)
-      check_counterparts(chunked, deck.where(entry.place), fmt::format("{} '{}'", kind, entry.name), second.size(),
-                         pairs);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string place = deck.where(entries[i].place);
+    all.push_back(pair_nodes(chunked, entries[i], place, kind, {nodes[2 * i], nodes[2 * i + 1]}));
+    for (const NodePair& pair : all.back())
+      check_ends(chunked, place, fmt::format("{} '{}'", kind, entries[i].name), pair);
   }
   return all;
 }

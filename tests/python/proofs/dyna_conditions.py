@@ -126,6 +126,10 @@ PROOFS = [
     Proof("CONSTRAINED_NODE_SET: NSID DOF",
           deck(two_cubes(), "*CONSTRAINED_NODE_SET\n6,1\n*SET_NODE_LIST\n6\n1,2,3,4,5,6,7,8\n11,12,13,14,15,16,17,18\n*INITIAL_VELOCITY_GENERATION\n2,2,0,100.0,20.0\n0\n*DATABASE_MATSUM\n1e-7\n"),
           [("momentum_x:part_1", LAST, 50.0 * CUBE_MASS, 1e-6), ("momentum_y:part_1", LAST, 0.0, 1e-12)], "both have the mean velocity along x"),
+    Proof("CONSTRAINED_LINEAR_GLOBAL: LCID NID DOF COEF",
+          deck(two_cubes(), *(f"*CONSTRAINED_LINEAR_GLOBAL\n{n}\n{n},1,2.0\n{n + 10},2,1.0\n" for n in range(1, 9)), "*INITIAL_VELOCITY_GENERATION\n2,2,0,100.0,20.0\n0\n*DATABASE_MATSUM\n1e-7\n"),
+          [("momentum_x:part_1", LAST, -8.0 * CUBE_MASS, 1e-6), ("momentum_y:part_2", LAST, 16.0 * CUBE_MASS, 1e-6)], "2 u + w = 0: w of 20 becomes 16, u becomes -8, the impulse of a row is shared as 2 to 1"),
+    Proof("CONSTRAINED_LINEAR_GLOBAL: DOF", deck(cube(), EVERYTHING, "*CONSTRAINED_LINEAR_GLOBAL\n1\n1,4,1.0\n2,1,1.0\n"), refused="CONSTRAINED_LINEAR_GLOBAL.DOF"),
     Proof("CONSTRAINED_NODE_SET: TF", deck(cube(), EVERYTHING, "*CONSTRAINED_NODE_SET\n4,1,5e-6\n"), refused="CONSTRAINED_NODE_SET.TF"),
 ]  # fmt: skip
 

@@ -113,7 +113,7 @@ def build_bodies(deck: AbaqusDeck) -> None:
     note_couplings(deck)
     for card in (card for card in deck.mesh.bodies if card.profile):
         add_wall(deck, card)
-    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.equal and not is_partial(deck, card)]):
+    for together in merge([list_members(deck, card) for card in deck.mesh.bodies if not card.profile and not card.is_constraint and not is_partial(deck, card)]):
         card = together[0].card
         nodes = {node for m in together for node in m.nodes if node in deck.used_nodes()}
         if not nodes:

@@ -8,6 +8,7 @@ from ..ledger import Place
 from ..model import Deck
 from .axisymmetric import hold_bodies, split_turned
 from .deck import AbaqusDeck
+from .equations import add_driven
 from .followers import follow, list_leaders
 from .lines import Block
 from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
@@ -56,7 +57,7 @@ def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value
     """Notes what a line does from its step on."""
     place = block.at(line[0])
     name = block.text(line, 0)
-    moving = deck.group_of_ref.keys() | list_leaders(deck).keys()
+    moving = deck.group_of_ref.keys() | list_leaders(deck).keys() | deck.leaders
     nodes = [node for node in deck.nodes_of(name, place) if node in deck.used_nodes() or node in moving]
     if not nodes:
         deck.ledger.ignored("BOUNDARY", place, "its nodes have no element")
@@ -118,6 +119,7 @@ def finish_conditions(deck: AbaqusDeck) -> None:
     """Conditions of nodes; those of reference nodes are noted with their bodies."""
     hold_references(deck)
     follow(deck)
+    add_driven(deck)
     turning = deck.model.turning_nodes()
     done: set[tuple] = set()
     for line in deck.condition_lines:

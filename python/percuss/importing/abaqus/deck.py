@@ -122,6 +122,8 @@ class AbaqusDeck:
         self.states_place: Place | None = None
         self.twins: dict[int, int] = {}  # of nodes of plane strain and of rotational symmetry: those of the other plane
         self.followings: list[Following] = []  # nodes with the motion of a node without elements
+        self.leaders: set[int] = set()  # nodes without elements whose displacements are in equations
+        self.driven_equations: list[tuple[BodyCard, list[list[int]]]] = []  # these, with the nodes of each term
         self.is_ring = False  # its elements are of rotational symmetry
         self.on_axis: set[int] = set()  # nodes on the axis of symmetry, and their twins
         self.turned: set[int] = set()  # twins of rotational symmetry, whose radius is along z

@@ -17,7 +17,7 @@ def is_partial(deck: AbaqusDeck, card: BodyCard) -> bool:
 def note_couplings(deck: AbaqusDeck) -> None:
     """Couplings with free directions, whose reference nodes have no element."""
     for card in deck.mesh.bodies:
-        if card.profile or card.equal or not is_partial(deck, card):
+        if card.profile or card.is_constraint or not is_partial(deck, card):
             continue
         leader = deck.nodes_of(card.ref, card.place)[0]
         nodes = sorted(deck.nodes_of_surface(card.surface, card.place) & deck.used_nodes() - {leader})

@@ -124,9 +124,15 @@ class BodyCard:
     surface: str = ""
     profile: str = ""  # an analytical surface
     equal: str = ""  # directions, where the nodes move equally instead
+    terms: list[tuple[str, int, float]] = field(default_factory=list)  # node or set, direction and factor, of an equation
     pinned: list[str] = field(default_factory=list)  # nodes whose rotations are free
     at_center: bool = False  # the reference node is moved to the centre
     held: str = ""  # directions that *KINEMATIC couples, where these are not all
+
+    @property
+    def is_constraint(self) -> bool:
+        """Whether it is of displacements, and makes nothing rigid."""
+        return bool(self.equal or self.terms)
 
 
 @dataclass

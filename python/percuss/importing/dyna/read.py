@@ -103,7 +103,7 @@ DEFINITIONS: dict[str, Handler] = {
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED": read_turn_springs,
-    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
+    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
     "SENSOR_": read_sensor, "LOAD_BLAST": read_blast, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
@@ -284,7 +284,7 @@ LAST: tuple[tuple[Callable[[KeywordDeck], None], str], ...] = (
     (rigid.apply_rigid_motions, "BOUNDARY_PRESCRIBED_MOTION_RIGID"), (rigid.apply_extra_nodes, "CONSTRAINED_EXTRA_NODES"),
     (balance_bodies, "INITIAL_VELOCITY"), (apply_body_holds, "BOUNDARY_"),
     (add_joints, "CONSTRAINED_JOINT"), (add_turn_springs, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED"), (start.add_masses, "ELEMENT_MASS"), (add_skin_masses, "MAT_NULL"), (add_masses_of_sets, "ELEMENT_MASS"),
-    (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_NODE_SET"),
+    (add_springs, "ELEMENT_DISCRETE"), (add_welds, "CONSTRAINED_"), (add_node_sets, "CONSTRAINED_"),
     (finish_contacts, "CONTACT_"), (finish_output, "DATABASE_"), (finish_sensors, "SENSOR_"), (check_relaxation, "DEFINE_CURVE"),
     (keep_sets, "SET_"), (note_unused, "DEFINE_CURVE"),
 )  # fmt: skip
