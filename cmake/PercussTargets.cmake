@@ -137,9 +137,10 @@ set(PERCUSS_COST_verification 100)
 set(PERCUSS_COST_mpi 10)
 set(PERCUSS_COST_unit 1)
 
-# percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
-function(percuss_add_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+# percuss_add_executable_of_tests(name SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable. Its arguments are
+# sources whose tests alone run.
+function(percuss_add_executable_of_tests name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_test_main)
   percuss_set_test_options(${name})
@@ -147,6 +148,13 @@ function(percuss_add_test name)
   if(NOT is_of_kernels) # those take most of their time one by one, and their names meet
     percuss_unite(${name})
   endif()
+endfunction()
+
+# percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
+function(percuss_add_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+  percuss_add_executable_of_tests(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK})
+  cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
   set(labels ${arg_LABEL})
   if(arg_LABEL STREQUAL unit)
     if(is_of_kernels)

@@ -10,7 +10,7 @@
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::beam_failure_test {
 namespace {
 
 constexpr double young = 100, shear = 40, radius = 0.1, speed = 0.5, pi = std::numbers::pi;
@@ -153,4 +153,4 @@ TEST(BeamFailure, IsRefusedForOtherElementsAndOtherCriteria) {
   EXPECT_EQ(refuse(line, "resultants: {axial: 1}"), "no refusal");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::beam_failure_test

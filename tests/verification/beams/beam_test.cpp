@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::beam_test {
 namespace {
 
 constexpr double pi = std::numbers::pi, young = 200e9, poisson = 0.3, density = 7800, shear = young / 2.6;
@@ -216,4 +216,4 @@ output: {history: {every: 1e-3}}
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-5);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::beam_test

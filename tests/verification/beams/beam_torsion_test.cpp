@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::beam_torsion_test {
 namespace {
 
 constexpr double pi = std::numbers::pi, young = 200e9, density = 7850, shear = young / 2.6;
@@ -227,4 +227,4 @@ output: {{history: {{every: {7}, nodes: [{{name: tip, near: [{3}, 0, {0}]}}]}}}}
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::beam_torsion_test

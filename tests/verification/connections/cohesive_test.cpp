@@ -10,7 +10,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::cohesive_test {
 namespace {
 
 constexpr double area = 1e-4;
@@ -214,4 +214,4 @@ TEST(Cohesive, RefusesWhatMakesNoSense) {
   EXPECT_THROW(run_deck(pull_block("", "0", "0.3"), {"contact.ties.0.cohesive.plateau=0.95"}), InputError);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::cohesive_test

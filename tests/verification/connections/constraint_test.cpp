@@ -10,7 +10,7 @@
 #include "tests/verification/connections/two_cubes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::constraint_test {
 namespace {
 
 std::string refuse(const std::string& deck) {
@@ -139,4 +139,4 @@ TEST(Constraint, IsRefusedWhereItCannotBe) {
             std::string::npos);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::constraint_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::crack_test {
 namespace {
 
 constexpr double youngs_modulus = 70e9, height = 2e-3, width = 1e-3, length = 50e-3, stiffness = 3e12;
@@ -102,4 +102,4 @@ output: {history: {every: 5e-6, forces: [{name: high, support: high/x_min}, {nam
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::crack_test

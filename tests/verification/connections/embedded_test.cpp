@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::embedded_test {
 namespace {
 
 const std::string materials = R"yaml(
@@ -228,4 +228,4 @@ parts:
   EXPECT_NE(refuse(rigid + "embedded: {bar: {nodes: bar, in: block}}\n").find("rigid body"), std::string::npos);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::embedded_test

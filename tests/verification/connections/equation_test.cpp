@@ -9,7 +9,7 @@
 #include "tests/verification/connections/two_cubes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::equation_test {
 namespace {
 
 /// A bar of one material between periodic ends, whose difference is driven; free across.
@@ -179,4 +179,4 @@ TEST(Equation, IsRefusedWhereItCannotBe) {
       std::string::npos);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::equation_test

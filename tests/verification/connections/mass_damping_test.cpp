@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::mass_damping_test {
 namespace {
 
 constexpr double coefficient = 50, dt = 4e-5;
@@ -109,4 +109,4 @@ TEST(MassDamping, RefusesToDampAPartOfABody) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::mass_damping_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::spring_test {
 namespace {
 
 constexpr double mass = 2, stiffness = 800, dt = 1e-3;  // omega = 20: omega dt = 0.02
@@ -152,4 +152,4 @@ output: {history: {every: 0}}
   EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::spring_test

@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::stiffness_damping_test {
 namespace {
 
 /// Damping ratio and circular frequency of a vibration about `rest` from its turning points after a time.
@@ -143,4 +143,4 @@ TEST(StiffnessDamping, IsRefusedWhereItCannotBe) {
   EXPECT_EQ(refuse(box, elastic, ""), "no refusal");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::stiffness_damping_test

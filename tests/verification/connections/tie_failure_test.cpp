@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/connections/pulled_block.hpp"
 
-namespace percuss::test {
+namespace percuss::test::tie_failure_test {
 namespace {
 
 std::string pull_block(const std::string& failure, const std::string& load) {
@@ -201,4 +201,4 @@ contact: {ties: [{a: sheet, b: block/x_max, failure: {normal: 2e6}}]}
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::tie_failure_test

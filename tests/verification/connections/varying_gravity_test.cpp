@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::varying_gravity_test {
 namespace {
 
 constexpr double amplitude = 10, rate = 100, time_step = 4e-5, mass = 6000;
@@ -60,4 +60,4 @@ TEST(VaryingGravity, DoesNoWorkInAllOnWhatIsDriven) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::varying_gravity_test

@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/connections/pulled_block.hpp"
 
-namespace percuss::test {
+namespace percuss::test::weld_test {
 namespace {
 
 std::string pull_block(const std::string& welds, const std::string& load) {
@@ -391,4 +391,4 @@ output: {history: {every: 0}}
   EXPECT_FALSE(warns(put("[100, 10, 1]"), "weld_rim"));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::weld_test

@@ -12,7 +12,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::beam_contact_test {
 namespace {
 
 constexpr double pi = std::numbers::pi, g = 9.81, density = 7800;
@@ -328,4 +328,4 @@ TEST(BeamContact, BeamsPassWhereNothingAsksForTheirContact) {
   EXPECT_NEAR(h.last("n_z") - h.last("m_z"), 0.0101 - 8 * 2e-4, 1e-9);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::beam_contact_test

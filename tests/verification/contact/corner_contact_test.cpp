@@ -11,7 +11,7 @@
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/contact/closest_depth.hpp"
 
-namespace percuss::test {
+namespace percuss::test::corner_contact_test {
 namespace {
 
 /// Two cubes of 0.1, the upper one of which comes down.
@@ -131,4 +131,4 @@ TEST(CornerContact, Corners) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::corner_contact_test

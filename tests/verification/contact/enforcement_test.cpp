@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::enforcement_test {
 namespace {
 
 struct Expected {
@@ -180,4 +180,4 @@ output: {history: {}}
   EXPECT_EQ(h.last("friction:a:b"), 0);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::enforcement_test

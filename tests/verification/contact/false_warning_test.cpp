@@ -7,7 +7,7 @@
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::false_warning_test {
 namespace {
 
 using testing::Contains;
@@ -145,4 +145,4 @@ TEST(FalseWarnings, AreNotGivenOfEnergiesOfTheFirstStepsOfARamp) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::false_warning_test

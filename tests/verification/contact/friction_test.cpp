@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::friction_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -120,4 +120,4 @@ output: {history: {every: 0}}
   EXPECT_LT(run.summary.momentum.angular_error, 1e-12);        // it acts where it touches
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::friction_test

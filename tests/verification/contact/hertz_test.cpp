@@ -14,7 +14,7 @@
 #include "tests/verification/support/graded_ball.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::hertz_test {
 namespace {
 
 constexpr double radius = 0.01, young = 210e9, poisson = 0.3;
@@ -214,4 +214,4 @@ contact: {{surfaces: [[low, high]]}}
   expect_hertz(hertz, last - first, largest);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::hertz_test

@@ -8,7 +8,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::late_tie_test {
 namespace {
 
 constexpr double density = 1000, modulus = 1e8, length = 1, area = 0.01, speed = 2, born_at = 2e-3;
@@ -87,4 +87,4 @@ TEST(LateTie, HoldsWhatHasComeIntoContact) {
   EXPECT_LT(std::abs(stuck.summary.energy.error), 1e-3);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::late_tie_test

@@ -9,7 +9,7 @@
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::momentum_test {
 namespace {
 
 const std::string materials = R"(
@@ -115,4 +115,4 @@ output: {{history: {{every: 1e-5, nodes: [{{name: first, near: [{}, 0, 0]}}, {{n
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::momentum_test

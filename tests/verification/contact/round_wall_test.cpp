@@ -9,7 +9,7 @@
 #include "tests/src/step/two_scenes.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::round_wall_test {
 namespace {
 
 /// A soft cube of one element and 1 mm with its bottom's middle at a point.
@@ -222,4 +222,4 @@ walls: [{{sphere: {{radius: 0.2}}{}}}]
   EXPECT_LT(find_lowest(""), 0.2019);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::round_wall_test

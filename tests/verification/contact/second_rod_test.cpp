@@ -9,7 +9,7 @@
 #include "src/mesh/hex_geometry.hpp"
 #include "tests/src/step/eroding_scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::second_rod_test {
 namespace {
 
 Deck read_scene(const std::vector<std::string>& settings) { return read_deck(PERCUSS_SECOND_ROD, settings); }
@@ -108,4 +108,4 @@ TEST(SecondRod, WouldGoIntoLivingElementsIfOpenedFacesDidNotTouch) {
   EXPECT_GT(shoot(eroding).deepest, 0.25 * shortest_edge);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::second_rod_test

@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::sharp_edge_test {
 namespace {
 
 using testing::AllOf;
@@ -161,4 +161,4 @@ TEST(MissedContact, IsToldOfShellsInSolids) {
   EXPECT_THAT(tell_missed(plate, 3.0e-5, 1), HasSubstr("lies 0.042 (0.42 of an element) inside part 'low'"));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::sharp_edge_test

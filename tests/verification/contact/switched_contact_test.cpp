@@ -11,7 +11,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::switched_contact_test {
 namespace {
 
 using testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST_P(Switched, RefusesOverlapAtItsEventWhereTheDeckDoes) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::switched_contact_test

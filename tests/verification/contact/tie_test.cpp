@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::tie_test {
 namespace {
 
 constexpr double young = 200e9, density = 7850;
@@ -154,4 +154,4 @@ materials: {soft: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::tie_test

@@ -7,7 +7,7 @@
 
 #include "tests/src/step/scene.hpp"
 
-namespace percuss::test {
+namespace percuss::test::wall_contact_test {
 namespace {
 
 TEST(WallContact, NoNodeOfAnObliqueRodGoesThrough) {
@@ -36,4 +36,4 @@ walls: [{normal: z, friction: 0.2}]
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::wall_contact_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::penalty_energy_test {
 namespace {
 
 /// Largest sum of what contact has given and what its springs hold.
@@ -132,4 +132,4 @@ output: {history: {every: 0}}
   EXPECT_GT(run.summary.steps, 300);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::penalty_energy_test

@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::push_out_test {
 namespace {
 
 const std::string steel =
@@ -102,4 +102,4 @@ output: {{history: {{every: 0, nodes: [{{name: a, near: [0.5, 0.5, 0.5], part: a
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::push_out_test

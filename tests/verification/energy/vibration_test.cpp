@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::vibration_test {
 namespace {
 
 using testing::Contains;
@@ -63,4 +63,4 @@ TEST(Vibration, OfAnElasticRubberBallIsBoundedWithFullIntegration) {
   expect_bounded(run_deck(ball, {"materials.soft.model=neo_hookean", "elements.integration=full"}), 0.01);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::vibration_test

@@ -11,7 +11,7 @@
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::failure_size_test {
 namespace {
 
 // A sheet that keeps its width: with the logarithmic strain e its force is 2/sqrt(3) Y(2/sqrt(3) e) exp(-e) t, and the
@@ -94,4 +94,4 @@ TEST(FailureSize, LetsSheetsOfThreeMeshesBreakAtTheSameElongation) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::failure_size_test

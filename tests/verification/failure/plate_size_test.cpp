@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::plate_size_test {
 namespace {
 
 /// Speed [m/s] of the punch behind the plate, of cells with this edge [mm].
@@ -57,4 +57,4 @@ TEST(PlateOfThreeMeshes, LeavesOneSpeedWhereTheFailureStrainDependsOnTheSize) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::plate_size_test

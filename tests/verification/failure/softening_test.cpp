@@ -10,7 +10,7 @@
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::softening_test {
 namespace {
 
 constexpr double young = 200e3, yield = 300, energy = 30;  // MPa, MPa, N/mm
@@ -243,4 +243,4 @@ TEST(Triaxiality, GivesTheFailureStrainOfTheStressState) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::softening_test

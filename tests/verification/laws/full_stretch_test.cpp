@@ -10,7 +10,7 @@
 #include "tests/kernels/element/random_element.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::full_stretch_test {
 namespace {
 
 /// What a neo-Hookean body has: E = 3, nu = 0.3.
@@ -190,4 +190,4 @@ TEST(FullStretch, StaysUniformInShear) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::full_stretch_test

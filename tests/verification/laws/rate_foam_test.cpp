@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rate_foam_test {
 namespace {
 
 constexpr double young = 5e6;
@@ -118,4 +118,4 @@ TEST(RateFoam, ColumnCrushedToATwentiethKeepsItsEnergyBalance) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::rate_foam_test

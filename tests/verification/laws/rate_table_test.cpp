@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rate_table_test {
 namespace {
 
 constexpr double young = 210e9, strain = 0.06;
@@ -79,4 +79,4 @@ TEST(RateTable, BarOfOneCellHasTheStressOfTheTable) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::rate_table_test

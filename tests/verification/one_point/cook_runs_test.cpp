@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::cook_runs_test {
 namespace {
 
 constexpr double tip = 0.0807;  // of the converged membrane in plane strain: 8.07 of a load of 100
@@ -57,4 +57,4 @@ TEST(CooksMembraneOfDecks, IsStifferOfWedgesThatAverageNothing) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::cook_runs_test

@@ -12,7 +12,7 @@
 #include "tests/verification/support/random_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::mixed_patch_test {
 namespace {
 
 using Cell = std::array<std::int64_t, 8>;
@@ -127,4 +127,4 @@ output: {{history: {{every: 1, elements: [{}]}}}}
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::mixed_patch_test

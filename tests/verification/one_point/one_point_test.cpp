@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/taylor_bar.hpp"
 
-namespace percuss::test {
+namespace percuss::test::one_point_test {
 namespace {
 
 TEST(OnePointSolids, ThatSpinFreelyKeepTheirMomentumAndEnergy) {
@@ -141,4 +141,4 @@ output: {history: {nodes: [{name: a, near: [0.2, 0, 0]}, {name: b, near: [0.9, 0
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::one_point_test

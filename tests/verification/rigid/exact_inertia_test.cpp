@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::exact_inertia_test {
 namespace {
 
 const std::string materials =
@@ -208,4 +208,4 @@ TEST(RigidInertia, BlockTurnsOverWhenEulersEquationsSay) {
   EXPECT_NEAR(found, over, 1e-3 * over);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::exact_inertia_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::free_body_test {
 namespace {
 
 const std::string materials =
@@ -110,4 +110,4 @@ output: {history: {every: 1.0e-3, nodes: [{name: n, near: [4, 1, 1]}]}}
   EXPECT_LT(run.summary.momentum.angular_error, 1e-13);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::free_body_test

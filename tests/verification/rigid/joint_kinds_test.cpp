@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::joint_kinds_test {
 namespace {
 
 constexpr const char* of_steel =
@@ -155,4 +155,4 @@ TEST(FixedJoint, HoldsARodByItsEnd) {
   EXPECT_NEAR(run.history.last("joint_my:clamp"), -20 * 0.5, 1e-9);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::joint_kinds_test

@@ -12,7 +12,7 @@
 #include "src/warning.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::joint_test {
 namespace {
 
 const std::string materials =
@@ -268,4 +268,4 @@ TEST(Joint, IsTornApartWhereItsBodiesAreDrivenApart) {
                RunError);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::joint_test

@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::restitution_test {
 namespace {
 
 constexpr double gravity = 9.81, drop = 0.05;
@@ -112,4 +112,4 @@ TEST(RestitutionAtRest, LeavesABlockWhereItIs) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::restitution_test

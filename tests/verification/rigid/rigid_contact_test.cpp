@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rigid_contact_test {
 namespace {
 
 const std::string materials = R"(
@@ -160,4 +160,4 @@ output: {history: {every: 1.0e-6}}
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);  // as of a bar without rigid parts at this step
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rigid_contact_test

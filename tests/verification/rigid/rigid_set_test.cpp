@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rigid_set_test {
 namespace {
 
 constexpr double area = 0.01, h = 0.1, density = 8000, modulus = 200e9;
@@ -148,4 +148,4 @@ output: {history: {every: 0, parts: all}}
   EXPECT_NEAR(joined["momentum_x:ram"].front(), 2 * 322, 1e-10);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rigid_set_test

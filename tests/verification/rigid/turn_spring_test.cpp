@@ -11,7 +11,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::turn_spring_test {
 namespace {
 
 constexpr double inertia = 0.3;  // about every axis, of the body that turns
@@ -171,4 +171,4 @@ TEST(TurnSpring, BeginsWithTheAngleBetweenItsAxes) {
   EXPECT_NEAR(run.history["turn_angle_z:s"].back(), angle * std::cos(0.1 * std::sqrt(50 / inertia)), 1e-4);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::turn_spring_test

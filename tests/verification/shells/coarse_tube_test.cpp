@@ -2,7 +2,7 @@
 
 #include "tests/verification/shells/square_tube.hpp"
 
-namespace percuss::test {
+namespace percuss::test::coarse_tube_test {
 
 using namespace square_tube;
 
@@ -19,4 +19,4 @@ TEST(CoarseTube, FoldsUnderTheForceOfAbramowiczAndJones) {
   EXPECT_LT(hourglass, 0.05);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::coarse_tube_test

@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::crash_box_test {
 
 TEST(CrashBox, IsCrushedWithBoundedStepsAndClosedBooks) {
   // A steel tube of 60 x 60 x 1.5 mm under 300 kg at 10 m/s, elements of 10 mm (perf/verify has 5 mm).
@@ -35,4 +35,4 @@ output: {history: {every: 1e-4, nodes: [{name: sled, part: sled, near: [0, 0, 0.
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::crash_box_test

@@ -2,7 +2,7 @@
 
 #include "tests/verification/shells/square_tube.hpp"
 
-namespace percuss::test {
+namespace percuss::test::crushed_tube_test {
 
 using namespace square_tube;
 
@@ -26,4 +26,4 @@ TEST(CrushedTube, FoldsUnderTheForceOfAbramowiczAndJones) {
   EXPECT_LT(static_cast<double>(scaled.summary.steps), 0.8 * static_cast<double>(run.summary.steps));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::crushed_tube_test

@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::fabric_test {
 namespace {
 
 constexpr double young = 200, poisson = 0.25;
@@ -93,4 +93,4 @@ TEST(Fabric, WhatCannotBeIsRefused) {
   expect_refused(box + ", integration: membrane", elastic, "membranes are shells");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::fabric_test

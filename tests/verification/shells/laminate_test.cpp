@@ -14,7 +14,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::laminate_test {
 namespace {
 
 struct Ply {
@@ -266,4 +266,4 @@ output: {{history: {{every: 1e-6}}}}
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::laminate_test

@@ -10,7 +10,7 @@
 #include "tests/verification/support/mapped_shell.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::membrane_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -199,4 +199,4 @@ audit: {{max_energy_error: 1e-2, max_momentum_error: 1e-10}}
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::membrane_test

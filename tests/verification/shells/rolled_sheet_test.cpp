@@ -10,7 +10,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rolled_sheet_test {
 namespace {
 
 constexpr double modulus = 70e3, poissons_ratio = 0.33, yield = 200, slope = 400, length = 10;
@@ -132,4 +132,4 @@ TEST(RolledSheet, WhatCannotBeIsRefused) {
   expect_refused("model: anisotropic_plasticity, first_axis: [0, 0, 1]", plate, "normal is first_axis");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rolled_sheet_test

@@ -10,7 +10,7 @@
 #include "tests/verification/support/mapped_shell.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_cap_test {
 namespace {
 
 /// History of a quarter of the cap with 3 n^2 elements.
@@ -66,4 +66,4 @@ TEST(ShellCap, GoesInByTheKnownDeflection) {
   EXPECT_LT(history.largest("energy_error"), 2e-3);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_cap_test

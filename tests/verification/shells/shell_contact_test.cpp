@@ -10,7 +10,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_contact_test {
 namespace {
 
 /// Plate a at 10 m/s on plate b at rest, b of `ratio` times its mass by its thickness; unlike meshes. The steps, 0.72
@@ -60,4 +60,4 @@ TEST(FlatPlates, BounceAsRigidBodiesDoOnSprings) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_contact_test

@@ -15,7 +15,7 @@
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_failure_test {
 namespace {
 
 constexpr double young = 100, poisson = 0.25, speed = 1;
@@ -286,4 +286,4 @@ TEST(ShellFailure, WithoutADeathNoBitChanges) {
     EXPECT_EQ(a.history[column], b.history[column]) << column;
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_failure_test

@@ -11,7 +11,7 @@
 #include "tests/verification/support/mapped_shell.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_motion_test {
 
 TEST(ShellMotion, WarpedPlateInFreeSpinKeepsItsMomentumAndItsEnergyForAHundredTurns) {
   auto mesh = make_mapped_shell({4, 4}, [](double u, double v) {
@@ -144,4 +144,4 @@ output: {{history: {{every: 1e-5, nodes: [{{name: low, near: [0, 0, 0.001]}}]}}}
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_motion_test

@@ -11,7 +11,7 @@
 #include "tests/verification/support/run_deck.hpp"
 #include "tests/verification/support/shell_rest.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_static_test {
 namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
@@ -128,4 +128,4 @@ TEST(ShellAtRest, DistortedMeshesConverge) {
   EXPECT_NEAR(share, 1, 0.06);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_static_test

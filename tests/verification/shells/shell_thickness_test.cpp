@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_thickness_test {
 namespace {
 
 constexpr double thin = 0.04, thick = 0.08;
@@ -89,4 +89,4 @@ output: {history: {every: 0, nodes: [{name: a, near: [0.5, 0.5, 0.05]}, {name: b
   EXPECT_NEAR(run.history.smallest("b_z"), 0.5 * (0.01 + 0.06), 1e-4);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_thickness_test

@@ -11,7 +11,7 @@
 #include "tests/verification/support/run_deck.hpp"
 #include "tests/verification/support/shell_rest.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_tie_test {
 namespace {
 
 constexpr double young = 1e7;
@@ -341,4 +341,4 @@ TEST(TiedShells, OfTrianglesSpinWithoutGainOrLoss) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_tie_test

@@ -10,7 +10,7 @@
 #include "tests/verification/support/run_deck.hpp"
 #include "tests/verification/support/shell_rest.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_torsion_test {
 namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
@@ -145,4 +145,4 @@ TEST(ShellTorsion, DrillingLeavesBendingInThePlaneFree) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_torsion_test

@@ -12,7 +12,7 @@
 #include "tests/verification/support/run_deck.hpp"
 #include "tests/verification/support/shell_rest.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shell_triangle_test {
 namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
@@ -233,4 +233,4 @@ TEST(ShellTrianglesInContact, ARestartEndsInTheSameBits) {
   EXPECT_EQ(summary.state_hash, expected.state_hash);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shell_triangle_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::bar_waves_test {
 namespace {
 
 constexpr double young = 200e9, poisson = 0.3, density = 7850;
@@ -222,4 +222,4 @@ TEST(BarImpact, AShortBarStopsAndTheContactEndsAfterItsTwoTransits) {
   EXPECT_NEAR(h.last("momentum_x") / (density * area * 0.2 * 10), 1, 1e-12);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::bar_waves_test

@@ -12,7 +12,7 @@
 #include "tests/verification/support/linear_model.hpp"
 #include "tests/verification/support/mapped_mesh.hpp"
 
-namespace percuss::test {
+namespace percuss::test::bending_test {
 namespace {
 
 constexpr double length = 20;
@@ -171,4 +171,4 @@ TEST(CooksMembrane, DoesNotLockWhenNearlyIncompressible) {
   });
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::bending_test

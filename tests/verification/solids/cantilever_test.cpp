@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::cantilever_test {
 namespace {
 
 /// Mean deflection of the tip [mm] after the strike, of a steel strip of 100 x 10 mm, in plane strain. Every node but
@@ -59,4 +59,4 @@ TEST(Cantilever, OtherKindsComeCloserWithTheMesh) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::cantilever_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::convergence_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -62,4 +62,4 @@ TEST(Convergence, IsOfSecondOrderInTheStep) {
   EXPECT_LT(coarse, 0.01);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::convergence_test

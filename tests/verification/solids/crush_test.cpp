@@ -8,7 +8,7 @@
 #include "tests/verification/support/mapped_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::crush_test {
 namespace {
 
 /// Copper; its dilatational wave speed.
@@ -62,4 +62,4 @@ TEST(CornerCrush, IsSurvivedAtATwentiethAFifthAndATenthOfTheWaveSpeed) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::crush_test

@@ -13,7 +13,7 @@
 #include "tests/verification/support/deaths.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::erosion_test {
 namespace {
 
 constexpr double speed = 1;  // of the face that is pulled; the cube has an edge of 1
@@ -374,4 +374,4 @@ output: {history: {every: 0}}
   EXPECT_LT(h["contact"][h.rows() - 1], 0);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::erosion_test

@@ -6,7 +6,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::global_step_test {
 namespace {
 
 struct Runs {
@@ -81,4 +81,4 @@ conditions: [{nodes: bar/start, fixed: [z]}]
   EXPECT_NEAR(runs.global.energy.internal() / runs.element.energy.internal(), 1, 1e-3);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::global_step_test

@@ -9,7 +9,7 @@
 #include "tests/verification/support/mapped_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::johnson_cook_test {
 
 TEST(JohnsonCookTaylorBar, HasTheShapeAndTheTemperatureOfTwoCodes) {
   const int n = 2;
@@ -48,4 +48,4 @@ output:
   EXPECT_NEAR(hot, 589.5, 0.03 * 589.5);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::johnson_cook_test

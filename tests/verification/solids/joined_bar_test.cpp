@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::joined_bar_test {
 namespace {
 
 /// A bar of 32 x 4 x 4 cells of an eighth, which begins to move askew on its left half. Cuts at the middle fall on the
@@ -78,4 +78,4 @@ output: {history: {elements: [{name: a, near: [0.5, 0.01, 0.01]}, {name: b, near
   EXPECT_NEAR(mean(arrival_b, 3.6e-4, "n_vx"), at_face, 2e-3 * v);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::joined_bar_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::nodal_load_test {
 namespace {
 
 constexpr double young = 1.2e6, thickness = 0.1, length = 10, width = 1;
@@ -148,4 +148,4 @@ TEST(ShellOffset, AnEccentricPullBendsTheSectionByForceTimesDistance) {
   }
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::nodal_load_test

@@ -11,7 +11,7 @@
 #include "tests/verification/support/random_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::patch_test {
 namespace {
 
 constexpr double young = 200e9, poisson = 0.3;
@@ -111,4 +111,4 @@ TEST_P(Patch, AFieldThatStretchesShearsAndTurnsKeepsEveryElementAlike) {
   EXPECT_LT(std::abs(run.summary.energy.hourglass()), 1e-12 * run.summary.energy.internal());
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::patch_test

@@ -12,7 +12,7 @@
 #include "tests/verification/support/random_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::prestress_test {
 namespace {
 
 constexpr double young = 200e9, poisson = 0.3, stretch = 1e-3, spin = 500;
@@ -77,4 +77,4 @@ output: {{history: {{every: 1e-3, elements: [{{name: a, id: 1}}, {{name: b, id: 
   EXPECT_LT(worst, 1e-9 * along);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::prestress_test

@@ -13,7 +13,7 @@
 #include "tests/verification/support/random_mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::rigid_motion_test {
 namespace {
 
 constexpr double young = 200e9, density = 7850;
@@ -259,4 +259,4 @@ TEST(RigidMotion, ASpinningBarWithBendingStiffnessFeelsItsVaryingContraction) {
   spin_bar("assumed_strain", {1.5e-3, 1.5e-3, 1.5e-3, 1e-2});
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::rigid_motion_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::shock_test {
 namespace {
 
 /// Two plates of 4 mm and `cells` elements, the left one at `speed`; elements followed 1 and 3 mm behind both faces.
@@ -226,4 +226,4 @@ elements: {skip_resting: )" +
   EXPECT_EQ(skipping.summary.state_hash, all.summary.state_hash);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::shock_test

@@ -4,7 +4,7 @@
 
 #include "tests/verification/support/taylor_bar.hpp"
 
-namespace percuss::test {
+namespace percuss::test::taylor_bar_fine_test {
 
 TEST(TaylorBarFine, AssumedStrainOn3840Elements) {
   const TaylorShape shape = run_taylor_bar(4, TaylorFoot::held);
@@ -23,4 +23,4 @@ TEST(TaylorBarFine, FullIntegrationOn3840Elements) {
   EXPECT_LT(shape.energy_error, 1e-4);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::taylor_bar_fine_test

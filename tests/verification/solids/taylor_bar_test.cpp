@@ -7,7 +7,7 @@
 
 #include "tests/verification/support/taylor_bar.hpp"
 
-namespace percuss::test {
+namespace percuss::test::taylor_bar_test {
 
 TEST(TaylorBar, ConvergesMonotonically) {
   const TaylorShape coarse = run_taylor_bar(2, TaylorFoot::held), fine = run_taylor_bar(3, TaylorFoot::held);
@@ -37,4 +37,4 @@ TEST(TaylorBar, OnAWallThatItMayLeaveHasTheSameLengthAndALiftedRim) {
   EXPECT_GT(free.foot_on_axes, held.foot_on_axes);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::taylor_bar_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::thick_shell_test {
 namespace {
 
 /// Deflection of the tip over that of a plate in cylindrical bending under its weight. length: of an element over its
@@ -45,4 +45,4 @@ TEST(ThickShell, CantileverBendsAsAPlate) {
   EXPECT_NEAR(ratio, 1, 0.01);
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::thick_shell_test

@@ -13,7 +13,7 @@
 #include "src/step/loads/blast_pressure.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::blast_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(Blast, FacesBeyondTheCurvesAreRefused) {
   refuse("[-100, 0.05, 0.05]", "is at a scaled distance of 50 m/kg^(1/3) from the charge");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::blast_test

@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::preload_test {
 namespace {
 
 using testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST(PreloadOfBeams, WithoutAPlaneIsOfBeamsAlone) {
               HasSubstr("point is missing (a section has point and normal; without both, each beam"));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::preload_test

@@ -9,7 +9,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::relaxation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -385,4 +385,4 @@ TEST(Preload, ThatCutsNothingIsRefused) {
                  "-0.45 and ends 0.45 from it along the normal): move its point into an element");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::relaxation_test

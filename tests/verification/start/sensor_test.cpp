@@ -13,7 +13,7 @@
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::sensor_test {
 namespace {
 
 using testing::HasSubstr;
@@ -298,4 +298,4 @@ output: {history: {every: 0}}
   EXPECT_EQ(run.summary.status, "completed");
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::sensor_test

@@ -14,7 +14,7 @@
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/deck_folder.hpp"
 
-namespace percuss::test {
+namespace percuss::test::start_chain_test {
 namespace {
 
 using testing::HasSubstr;
@@ -195,4 +195,4 @@ TEST(StartChain, VtkFilesThatDoNotFitAreRefused) {
   EXPECT_THAT(find(good.substr(0, good.size() / 2)), HasSubstr("cube.vtu"));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::start_chain_test

@@ -15,7 +15,7 @@
 #include "src/error.hpp"
 #include "tests/verification/support/deck_folder.hpp"
 
-namespace percuss::test {
+namespace percuss::test::start_fields_test {
 namespace {
 
 using testing::HasSubstr;
@@ -325,4 +325,4 @@ TEST(StartFields, AnElementHasAStressFromOneFileOnly) {
   EXPECT_THAT(scene.find_error(twice), HasSubstr("s.csv:2: error: element 2 has a stress from another file"));
 }
 
-}  // namespace percuss::test
+}  // namespace percuss::test::start_fields_test

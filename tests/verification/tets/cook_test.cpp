@@ -8,7 +8,7 @@
 #include "tests/kernels/tet/tet_patch.hpp"
 #include "tests/verification/support/mapped_mesh.hpp"
 
-namespace percuss::test {
+namespace percuss::test::cook_test {
 namespace {
 
 /// Solves K u = load for u on the free unknowns by conjugate gradients, scaled by the masses.
@@ -95,4 +95,4 @@ TEST(CooksMembrane, OfMixedTetrahedraDoesNotLockWhenNearlyIncompressible) {
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::cook_test

@@ -9,7 +9,7 @@
 #include "src/mesh/mesh.hpp"
 #include "tests/verification/support/run_deck.hpp"
 
-namespace percuss::test {
+namespace percuss::test::cut_patch_test {
 namespace {
 
 /// Every node starts with v = g x; those of the surface keep it, those inside are free.
@@ -63,4 +63,4 @@ output: {{history: {{every: 1, elements: [{}]}}}}
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::cut_patch_test

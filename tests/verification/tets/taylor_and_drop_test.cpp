@@ -8,7 +8,7 @@
 
 #include "tests/verification/support/taylor_bar.hpp"
 
-namespace percuss::test {
+namespace percuss::test::taylor_and_drop_test {
 namespace {
 
 TaylorShape run_tets(int n, const std::string& elements) {
@@ -110,4 +110,4 @@ output: {history: {every: 1e-6}}
 }
 
 }  // namespace
-}  // namespace percuss::test
+}  // namespace percuss::test::taylor_and_drop_test
