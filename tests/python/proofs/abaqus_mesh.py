@@ -123,6 +123,13 @@ PROOFS = [
                  "*ELCOPY, ELEMENT SHIFT=10, OLD SET=cube, SHIFT NODES=100, NEW SET=second\n", "*ELSET, ELSET=both\ncube, second\n", SOLID.replace("ELSET=cube", "ELSET=both"),
                  "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nmore, 5., 0., 0., 0.\n0., 0., 0., 0., 0., 1.\n"),
           [("momentum_x", FIRST, -125.0 * CUBE_MASS, 1e-6), ("momentum_y", FIRST, -25.0 * CUBE_MASS, 1e-6)], "the copy's centre lies at (25, 5), turned to (-5, 25)"),
+    Proof("NMAP: NSET TYPE",
+          abaqus(f"*NODE, NSET=all\n{ROWS}*NMAP, NSET=all, TYPE=TRANSLATION\n1., 2., 3., 1., 2., 7.\n-5.\n*NMAP, NSET=all, TYPE=TRANSLATION\n0., 0., 0., 9., 0., 0.\n20.\n"
+                 f"*NMAP, NSET=all, TYPE=ROTATION\n0., 0., 0., 0., 0., 2.\n20., 5., 4.\n90.\n*NMAP, NSET=all, TYPE=ROTATION\n1., 1., 1., 1., 2., 1.\n0., 0., 3.\n90.\n{HEX}", SOLID,
+                 "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nall, 5., 0., 0., 0.\n0., 0., 0., 0., 0., 1.\n"),
+          [("momentum_x", FIRST, -50.0 * CUBE_MASS, 1e-6), ("momentum_y", FIRST, -15.0 * CUBE_MASS, 1e-6)],
+          "the centre goes from (5, 5, 5) to (5, 5, 0), (25, 5, 0), (20, 10, 0) and (-3, 10, -17)"),
+    Proof("NMAP", moved(f"*NODE, NSET=all\n{ROWS}*NMAP, NSET=all, TYPE=CYLINDRICAL\n0., 0., 0., 0., 0., 1.\n1., 0., 0.\n{HEX}"), refused="TYPE=CYLINDRICAL"),
     Proof("NSET: NSET ELSET UNSORTED", abaqus(abaqus_cube(), "*NSET, NSET=of, ELSET=cube\n*NSET, NSET=two, UNSORTED\nof,\n*INITIAL CONDITIONS, TYPE=VELOCITY\ntwo, 1, 100.\n"), ALL_MOVE, "nodes of a set"),
     Proof("PART; END PART; ASSEMBLY; END ASSEMBLY; INSTANCE; END INSTANCE; NSET: INSTANCE", instances("*NSET, NSET=s, INSTANCE=two\nown\n", "s"), ALL_MOVE, "one of two cubes"),
     Proof("INSTANCE; NSET: INSTANCE GENERATE", instances("*NSET, NSET=s, INSTANCE=two, GENERATE\n1, 8, 1\n", "s"), ALL_MOVE, "one of two cubes"),

@@ -1,4 +1,4 @@
-"""Meshes by rule: *NGEN, *NFILL, *NCOPY, *ELGEN, *ELCOPY, and the systems of *NODE and *SYSTEM."""
+"""Meshes by rule: *NGEN, *NFILL, *NCOPY, *NMAP, *ELGEN, *ELCOPY, and the systems of *NODE and *SYSTEM."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -166,6 +166,32 @@ def read_ncopy(scope: Scope, block: Block) -> None:
     add_set(scope.node_sets, block.option("NEW SET"), [id + raise_ids for id in old])
 
 
+def read_nmap(scope: Scope, block: Block) -> None:
+    """Nodes that are in a set by now, moved along an axis by a length, or turned about it by an angle."""
+    kind = block.option("TYPE")
+    if kind not in ("TRANSLATION", "ROTATION"):
+        raise BadInput(block.place, f"*NMAP, TYPE={clip(kind)} (TRANSLATION or ROTATION is expected): write the nodes out")
+    nodes = scope.node_sets.get(block.option("NSET"))
+    if nodes is None:
+        raise BadInput(block.place, missing(f"node set '{clip(block.option('NSET'))}'"))
+    count = 2 if kind == "TRANSLATION" else 3
+    if len(block.lines) < count:
+        raise BadInput(block.place, f"*NMAP, TYPE={kind} has less than {count} lines: correct it")
+    ends = [block.number(block.lines[0], i) for i in range(6)]
+    axis = normalise((ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]))
+    if not any(axis):
+        raise BadInput(block.at(block.lines[0][0]), "the axis of *NMAP has no length: correct its two points")
+    amount = block.number(block.lines[count - 1], 0)
+    origin: Vector = (0.0, 0.0, 0.0)
+    if kind == "ROTATION":
+        origin = (block.number(block.lines[1], 0), block.number(block.lines[1], 1), block.number(block.lines[1], 2))
+    tip: Vector = (origin[0] + axis[0], origin[1] + axis[1], origin[2] + axis[2])
+    for id in dict.fromkeys(nodes):
+        x = find_node(scope, block, block.lines[0], id)
+        moved: Vector = (x[0] + amount * axis[0], x[1] + amount * axis[1], x[2] + amount * axis[2])
+        scope.nodes[id] = rotate(x, origin, tip, amount) if kind == "ROTATION" else moved
+
+
 def add_element(scope: Scope, block: Block, id: int, kind: str, corners: tuple[int, ...]) -> None:
     if not 1 <= id <= MOST_ID or len(scope.elements) >= MOST_MEMBERS:
         raise BadInput(block.place, f"*{block.keyword} makes element {id}, or too many of them: correct it")
@@ -206,4 +232,4 @@ def read_elcopy(scope: Scope, block: Block) -> None:
     add_set(scope.element_sets, block.option("NEW SET"), [id + raise_ids for id in old])
 
 
-GENERATORS = {"SYSTEM": read_system, "NGEN": read_ngen, "NFILL": read_nfill, "NCOPY": read_ncopy, "ELGEN": read_elgen, "ELCOPY": read_elcopy}
+GENERATORS = {"SYSTEM": read_system, "NGEN": read_ngen, "NFILL": read_nfill, "NCOPY": read_ncopy, "NMAP": read_nmap, "ELGEN": read_elgen, "ELCOPY": read_elcopy}
