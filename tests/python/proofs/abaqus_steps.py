@@ -22,6 +22,8 @@ def two_steps(before: str, first: str, second: str, lengths: tuple[float, float]
 
 
 PUSHED = "*CLOAD\nall, 1, 0.5\n"
+RIGID = "*NODE\n9, 5., 5., 15.\n*RIGID BODY, REF NODE=9, ELSET=cube\n"
+ALONG = "*BOUNDARY\n9, 2, 6\n"  # free along x
 
 PROOFS = [
     Proof("AMPLITUDE: NAME; BOUNDARY: TYPE AMPLITUDE; STEP; DYNAMIC: EXPLICIT",
@@ -77,6 +79,15 @@ PROOFS = [
     Proof("BOUNDARY: OP",
           two_steps("", PUSHED, "*BOUNDARY\nall, 1, 3\n"),
           [("momentum_x", 3.9e-4, 8 * 0.5 * 3.9e-4, 1e-2), ("momentum_x", LAST, 0.0, 1e-12)], "pushed by 4 N, then held"),
+    Proof("BOUNDARY: OP", two_steps(f"{RIGID}*BOUNDARY\n9, 1, 6\n", "*CLOAD\n9, 1, 4.\n", "*BOUNDARY, OP=NEW\n9, 2, 6\n"),
+          [("momentum_x", 4e-4, 0.0, 1e-12), ("momentum_x", LAST, 4.0 * 6e-4, 1e-2)], "a rigid body that is held for a step, then pushed by 4 N"),
+    Proof("BOUNDARY: OP TYPE", two_steps(f"{RIGID}{ALONG}", "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 30.\n", "*BOUNDARY, OP=NEW\n9, 2, 6\n*CLOAD\n9, 1, 4.\n"),
+          [("momentum_x", 2e-4, 30.0 * CUBE_MASS, 1e-6), ("momentum_x", LAST, 30.0 * CUBE_MASS + 4.0 * 6e-4, 1e-2)], "a rigid body that is driven for a step, then pushed by 4 N"),
+    Proof("BOUNDARY: OP AMPLITUDE", two_steps(f"{RIGID}{ALONG}*AMPLITUDE, NAME=a\n0., 0., 4e-4, 1.\n", "*BOUNDARY, AMPLITUDE=a\n9, 1, 1, 0.012\n", "*BOUNDARY, OP=NEW\n9, 2, 6\n"),
+          [("momentum_x", LAST, 30.0 * CUBE_MASS, 1e-3)], "a rigid body goes on with the speed of its displacement: 0.012 mm in 4e-4 s"),
+    Proof("BOUNDARY: OP TYPE", two_steps(f"{RIGID}{ALONG}*INITIAL CONDITIONS, TYPE=VELOCITY\n9, 1, 5.\nall, 1, 5.\n", "", "*BOUNDARY, TYPE=VELOCITY\n9, 1, 1, 30.\n"),
+          [("momentum_x", 2e-4, 5.0 * CUBE_MASS, 1e-6), ("momentum_x", LAST, 30.0 * CUBE_MASS, 1e-6)], "a rigid body that is driven from the second step on"),
+    Proof("BOUNDARY: OP", two_steps(f"{RIGID}*BOUNDARY\n9, 1, 3\n", "*CLOAD\n9, 1, 4.\n", "*BOUNDARY, OP=NEW\n9, 2, 3\n"), refused="a reference node away from the centre"),
     Proof("CLOAD: OP AMPLITUDE",
           two_steps("*AMPLITUDE, NAME=a\n0., 0., 4e-4, 1.\n", "*CLOAD, AMPLITUDE=a\nall, 1, 0.5\n", ""),
           [("momentum_x", 4e-4, 8 * 0.25 * 4e-4, 2e-2), ("momentum_x", LAST, 8 * (0.25 * 4e-4 + 0.5 * 6e-4), 1e-2)], "a ramp, whose last value goes on"),

@@ -103,6 +103,7 @@ def hold_bodies(deck: AbaqusDeck) -> None:
         ref = min(group.refs, default=0)
         for direction in HELD:
             group.held[direction] = (ref, None)
+            group.spells.pop(direction, None)
 
 
 def hold_rings(deck: AbaqusDeck) -> None:

@@ -1,5 +1,6 @@
 """*RIGID BODY, *COUPLING with *KINEMATIC, *MPC BEAM: nodes that move as one, with the reference nodes that move them."""
 
+import math
 from dataclasses import dataclass, field
 
 from ..ledger import BadInput, Ledger, Place
@@ -192,16 +193,19 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
     """At rest as a whole, a joint to the ground, or motions of the body."""
     rest = {d for d, (_, motion) in group.held.items() if motion is None}
     moved = {d: motion for d, (_, motion) in group.held.items() if motion is not None}
-    if not group.held:
+    directions = group.held.keys() | group.spells.keys()
+    if not directions:
         return
-    joint = make_joint(deck, group, rest) if not moved and not group.at_center else None
+    joint = make_joint(deck, group, rest) if not moved and not group.spells and not group.at_center else None
     if joint:
         deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
         return
-    if not (TURNS <= rest or group.at_center or not group.held.keys() & set(WAYS)):
+    if not (TURNS <= rest or group.at_center or not directions & set(WAYS)):
         tell_reference(deck, group)
     if rest:
         group.keys["fixed"] = [d for d in (*WAYS, "rx", "ry", "rz") if d in rest]
+    for spell in group.spells.values():
+        deck.model.add("conditions", {"body": group.name, **spell})
     if not moved:
         return
     which = {"body": group.name} if moves_body(group) else {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)}
@@ -217,7 +221,7 @@ def moves_body(group: RigidGroup) -> bool:
 
 def tell_reference(deck: AbaqusDeck, group: RigidGroup) -> None:
     """What acts on a node away from the centre acts on the centre."""
-    lever = find_lever(deck, group)
+    lever = find_lever(deck, group) if not group.spells else math.inf
     if lever <= MOST:
         text = f"held or moved at the mass centre, on the same line within {lever:.1g} of the body's reach: turns change its place to the second order"
         deck.ledger.approximated("BOUNDARY.reference", group.place, text)

@@ -7,7 +7,7 @@ from ..fields import clip
 from ..ledger import Place
 from ..model import Deck
 from .axisymmetric import hold_bodies, split_turned
-from .deck import AbaqusDeck
+from .deck import AbaqusDeck, RigidGroup
 from .equations import add_driven
 from .followers import follow, list_leaders
 from .lines import Block
@@ -176,14 +176,30 @@ def add_changing(deck: AbaqusDeck, direction: str, windows: list[Window], nodes:
     groups = split_groups(windows)
     if len(groups) > 1:
         deck.ledger.refuse("BOUNDARY.steps", place, "a condition that ends and begins again", "it ends for good")
-    group = groups[0]
-    entry: Deck = {"nodes": deck.model.add_node_set(f"held_{direction}", nodes), **make_motion(group, deck.end_time, direction)}
-    if group[0].start > 0:
-        entry["from"] = deck.sensor_at(group[0].start)
-    if group[-1].end < deck.end_time:
-        entry["until"] = deck.sensor_at(group[-1].end)
+    entry: Deck = {"nodes": deck.model.add_node_set(f"held_{direction}", nodes), **make_spell(deck, groups[0], direction)}
     deck.model.add("conditions", entry)
     deck.ledger.translated("BOUNDARY", place, "conditions, over the steps")
+
+
+def make_spell(deck: AbaqusDeck, windows: list[Window], direction: str) -> Deck:
+    """Windows without a gap, which a sensor begins or ends."""
+    entry = make_motion(windows, deck.end_time, direction)
+    if windows[0].start > 0:
+        entry["from"] = deck.sensor_at(windows[0].start)
+    if windows[-1].end < deck.end_time:
+        entry["until"] = deck.sensor_at(windows[-1].end)
+    return entry
+
+
+def hold_for_steps(deck: AbaqusDeck, group: RigidGroup, direction: str, windows: list[Window]) -> None:
+    """A body that is held or moved in some of the steps alone."""
+    place, spells = windows[0].action.place, split_groups(windows)
+    if group.wall or len(spells) > 1:
+        what = "a wall that is held or moved in some of the steps alone" if group.wall else "a condition that ends and begins again"
+        deck.ledger.refuse("BOUNDARY.steps", place, what, LEFT_OUT if group.wall else "it ends for good")
+    if not group.wall:
+        group.spells[direction] = make_spell(deck, spells[0], direction)
+        deck.ledger.translated("BOUNDARY", place, "conditions of a rigid body, over the steps")
 
 
 def hold_references(deck: AbaqusDeck) -> None:
@@ -193,12 +209,12 @@ def hold_references(deck: AbaqusDeck) -> None:
         if group is None:
             continue
         place = windows[0].action.place
+        if group.held.get(direction, (node, None))[0] != node or direction in group.spells:
+            deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved", "the last of them counts")
         if not is_whole(windows, deck.end_time):
-            deck.ledger.refuse("BOUNDARY.steps", place, "a rigid body that is held or moved in some of the steps alone", LEFT_OUT)
+            hold_for_steps(deck, group, direction, windows)
             continue
         motion = make_motion(windows, deck.end_time, direction)
-        if group.held.get(direction, (node, None))[0] != node:
-            deck.ledger.refuse("BOUNDARY.references", place, "two reference nodes of one body that are held or moved", "the last of them counts")
         group.held[direction] = (node, None if "fixed" in motion else motion)
         deck.ledger.translated("BOUNDARY", place, "what holds a rigid body")
     hold_bodies(deck)

@@ -37,6 +37,7 @@ class RigidGroup:
     name: str = ""  # of the body
     keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
     held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
+    spells: dict[str, Deck] = field(default_factory=dict)  # by direction: a motion or rest from one step to another
     at_center: bool = False  # the reference node is the centre
     moves_ref: bool = False  # POSITION=CENTER OF MASS: it goes there from its place
     rigid_keys: Deck = field(default_factory=dict)  # mass, centre and inertia at the reference node
