@@ -140,12 +140,15 @@ KOKKOS_INLINE_FUNCTION double find_beam_cushion(const EdgeSurface& surface, int 
   return surface.has_springs && (is_beam(surface, a) || is_beam(surface, b)) ? contact_limits::spring_cushion : 0;
 }
 
+/// The depth, share of h, from which on a pair has crossed for certain, whatever springs of nodes and faces give way.
+KOKKOS_INLINE_FUNCTION double find_crossed_depth(const EdgeSurface& surface) {
+  return contact_limits::crossed_depth + (surface.has_springs ? contact_limits::spring_cushion : 0);
+}
+
 /// How far a new pair has crossed before it touches, or overlaps at the start, share of h: 0 without a blunt edge. With
 /// one, springs of nodes and faces that give way hold their bodies without it.
 KOKKOS_INLINE_FUNCTION double find_least_depth(const EdgeSurface& surface, int a, int b) {
-  namespace limits = contact_limits;
-  if (!is_blunt_pair(surface, a, b)) return 0;
-  return limits::crossed_depth + (surface.has_springs ? limits::spring_cushion : 0);
+  return is_blunt_pair(surface, a, b) ? find_crossed_depth(surface) : 0;
 }
 
 /// How far the ridge across a warped face lies before the fan of the face at the predicted place: the diagonal through
@@ -199,6 +202,21 @@ KOKKOS_INLINE_FUNCTION double measure_line_gap(const Crossing& start, const Poin
   return dot(start.normal, normal) < 0 ? -start.gap : start.gap;
 }
 
+/// Whether a pair of solids that is too deep at n to be new has come there in the last step, where no check saw it
+/// going: a step before, if it came as it goes on, it was less deep, and either beside an end or not crossed. So it is
+/// where a node passes what it holds on to the edge behind it. crossed: how far it crosses before it touches.
+KOKKOS_INLINE_FUNCTION bool has_just_crossed(const MovingPair& pair, const EdgeTouch& touch, double deepest,
+                                             double crossed) {
+  if (touch.offset > 0 || touch.gap_start < -contact_limits::history_depth * touch.size) return false;
+  const Crossing before = find_crossing(pair.at(-1), contact_limits::least_sine);
+  const double gap = measure_line_gap(before, touch.normal);
+  return before.crosses && gap >= -deepest && (gap >= -crossed || !is_inside(before, contact_limits::end_band));
+}
+
+/// Share of an edge at each end that is left to nodes and faces. Where edges of solids have crossed at n none is: on
+/// edges longer than h their ends are already beside the faces there.
+KOKKOS_INLINE_FUNCTION double find_end_band(bool has_crossed) { return has_crossed ? 0 : contact_limits::end_band; }
+
 /// The first time at which the edges go through one another from the side of `normal`; false if they do not.
 KOKKOS_INLINE_FUNCTION bool sweep_edges(const MovingPair& pair, bool flips, EdgeTouch& touch) {
   const EdgePair &x = pair.start, &d = pair.move;
@@ -234,6 +252,7 @@ struct PairInReach {
   const Crossing &start, &end;
   double offset;  // what the shells of both edges take of the gap between the lines
   double dip;     // of warped faces: how far their ridges are before them
+  double band;    // find_end_band()
   bool known;     // a contact with history
   bool flips;     // the normal is against a x b
 };
@@ -249,7 +268,7 @@ KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
   namespace limits = contact_limits;
   const double reach = limits::capture * touch.size + p.offset + p.dip;
   const bool is_deep = touch.gap_end < -reach;
-  if (!is_deep && is_inside(p.end, p.known ? 0 : limits::end_band)) return true;
+  if (!is_deep && is_inside(p.end, p.known ? 0 : p.band)) return true;
   const EdgePair end_places = p.pair.at(1);
   const double depth = is_deep ? reach : touch.gap_end < 0 ? -touch.gap_end : 0;
   if (p.known && !is_deep && keep_on_edges(end_places, p.end, depth, touch)) {
@@ -301,8 +320,10 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const CheckedEdges& edges, const Mov
       crossed > 0 ? crossed - contact_limits::crossed_depth * h : find_beam_cushion(surface, a, b) * h;
   const double deepest =
       known ? contact_limits::history_depth * h + offset + dip : contact_limits::new_depth * h + cushion;
-  if (touch.gap_start < -deepest) return false;
-  return find_place({pair, start, end, offset, dip, known, dot(along_cross, end.normal) < 0}, touch);
+  const bool may_have_come = !known && reach <= contact_limits::reach_through;
+  if (touch.gap_start < -deepest && !(may_have_come && has_just_crossed(pair, touch, deepest, crossed))) return false;
+  const double band = find_end_band(!(offset > 0) && touch.gap_start < -find_crossed_depth(surface) * h);
+  return find_place({pair, start, end, offset, dip, band, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than

@@ -117,6 +117,23 @@ output: {history: {every: 5e-3, nodes: [{name: a, near: [-0.056, 0.156, 0.05], p
   EXPECT_NEAR(run.history.last("a_z"), 0, 5e-4);
 }
 
+// A corner is lowest, 1.4e-3 of an element outside the face of the block below: its nodes meet no face. Its edge, twice
+// as long, crosses that of the block at 0.0007 of its length, and at 0.007 of that of the other: the body rests there,
+// within the depth at which edges touch beside their ends (5e-3 of an element, 0.0005).
+TEST(SharpEdges, RestOnEachOtherBesideTheEndsOfBoth) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 0.1}
+parts:
+  low: {box: {size: [0.2, 0.2, 0.1], cells: [1, 1, 1]}, at: [0, 0, -0.1], material: m, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  high: {box: {size: [0.2, 0.1, 0.1], cells: [1, 1, 1]}, rotate: [{axis: x, angle: 20, center: [0, 0, 0]}, {axis: y, angle: -1, center: [0, 0, 0]}], at: [-0.00014, 0.0014, 0.002], material: m, rigid: {fixed: [x, y, rx, ry, rz]}}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+loads: {gravity: [0, 0, -9.81]}
+contact: {surfaces: all, restitution: 0}
+output: {history: {every: 5e-3, nodes: [{name: a, near: [-0.00014, 0.0014, 0.002], part: high}]}}
+)yaml");
+  EXPECT_NEAR(run.history.last("a_z"), 0, 1e-3);
+}
+
 namespace {
 
 /// What missed_contact says of a body that is moved by 0.05 into a block, over a gap of 0.01, in one step, and out of

@@ -78,6 +78,13 @@ struct Roofs {
     surface.ends = ends;
     surface.wings = to_rows4({{4, 5, 6, 7}, {8, 9, 10, 11}});
   }
+  /// A also moves by this towards -x in the step.
+  void slide(double by) {
+    std::vector<Point3> v;
+    for (int n = 0; n < 12; ++n)
+      v.push_back(load_row(motion.v, n) - (n < 2 || (n > 3 && n < 8) ? by : 0.0) * Point3{1, 0, 0});
+    motion = {motion.x, to_rows(v), motion.dt};
+  }
   /// The edge of A.
   void set_blunt() {
     const Array<int> blunt("test::blunt", 2);
@@ -134,6 +141,27 @@ TEST(EdgeCheck, EdgesDeepInsideAtTheStartDidNotComeThroughEachOther) {
   const Point3 up{0, 0, 1};
   EXPECT_TRUE(Roofs(-0.1, 0.01).check(&up));   // unless they are remembered
   EXPECT_FALSE(Roofs(-0.3, 0.01).check(&up));  // and not too deep for that
+}
+
+TEST(EdgeCheck, EdgesThatHaveCrossedInTheLastStepTouch) {
+  Roofs r(-0.1, 0.11);
+  ASSERT_TRUE(r.check());
+  EXPECT_NEAR(r.touch.gap_start, -0.1, tight);
+  EXPECT_NEAR(r.touch.gap_end, -0.21, tight);
+  EXPECT_FALSE(Roofs(-0.1, 0.09).check());   // it had crossed a step before, on both edges
+  EXPECT_FALSE(Roofs(-0.26, 0.27).check());  // it is deeper than any contact holds
+}
+
+// An edge that takes over what a node has held until then: a step before, its end was beside the other edge.
+TEST(EdgeCheck, EdgesThatSlideAcrossTheirEndsTouchThoughTheyHaveCrossed) {
+  const auto touches = [](double fall, double slide) {
+    Roofs r(-0.025, fall, 0.45);
+    r.slide(slide);
+    return r.check();
+  };
+  EXPECT_TRUE(touches(0.01, 0.06));
+  EXPECT_FALSE(touches(0.01, 0.04));   // it was on the edge
+  EXPECT_FALSE(touches(0.004, 0.06));  // it was as deep as no new pair may be
 }
 
 // One face of B rises through the plane of the crossing: so bricks in line run past each other, and so a stiff edge
@@ -234,6 +262,17 @@ TEST(EdgeCheck, EndsBelongToNodesAndFaces) {
   EXPECT_TRUE(Roofs(0.01, 0.02, 0.498).check());
   EXPECT_FALSE(Roofs(0.01, 0.02, 0.4995).check());
   EXPECT_FALSE(Roofs(0.01, 0.02, 0.6).check());
+}
+
+// The end of an edge longer than h is beside the face there, and meets nothing.
+TEST(EdgeCheck, EndsOfEdgesThatHaveCrossedTouch) {
+  Roofs r(-0.006, 0.003, 0.4995);
+  ASSERT_TRUE(r.check());
+  EXPECT_NEAR(r.touch.s, 0.0005, tight);
+  EXPECT_NEAR(r.touch.gap_end, -0.009, tight);
+  r.surface.has_springs = true;  // which nodes and faces have, too
+  EXPECT_FALSE(r.check());
+  EXPECT_FALSE(Roofs(-0.004, 0.003, 0.4995).check());
 }
 
 TEST(EdgeCheck, ARememberedContactIsKeptAtAnEndThatItsDepthTakesItPast) {
