@@ -77,7 +77,7 @@ void load_user_laws(const Deck& deck, const Command& command) {
       check_answer(deck, material, library);
     } catch (const InputError& error) {
       const std::string text = error.what(), place = deck.where(material.law.place);
-      throw InputError(text.starts_with(place) ? text : place + ": " + text);
+      throw InputError(text.starts_with(place) ? text : fmt::format("{}: {}", place, text));
     }
   }
 }
