@@ -13,7 +13,7 @@ struct ElementLoad {
   Symmetric3<double> stress{};   // Cauchy; the frame does not matter; 0 where no limit asks for it
   Symmetric3<double> stretch{};  // V, likewise
   double plastic_strain = 0;     // equivalent, at n+1
-  double remains = 1;            // 0 where code of a user has deleted all points
+  double remains = 1;            // 0 where the law has deleted all points
   double homologous = 0;         // (T - T room) / (T melt - T room)
   double volume = 1;             // V / V(0); 1 where no limit asks for it
 };

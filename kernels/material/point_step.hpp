@@ -7,7 +7,7 @@
 namespace percuss {
 
 /// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
-/// remains: 0 where code of a user has deleted the point; damage of plies: 0 to 1. Of a law with state variables: the
+/// remains: 0 where the law has deleted the point; damage of plies: 0 to 1. Of a law with state variables: the
 /// place of the first of them, and that after the last.
 enum class HistoryScalar {
   none,
@@ -17,10 +17,11 @@ enum class HistoryScalar {
   remains,
   fibre_damage,
   matrix_damage,
+  void_fraction,
   first_state,
   after_states
 };
-inline constexpr int history_scalars = 9;
+inline constexpr int history_scalars = 10;
 
 /// How J = V / V(0) changes over a step.
 template <class T>

@@ -3,7 +3,7 @@
 // temperature: the solid's own laws, returned to a yield surface without stress across the layer.
 
 #include "kernels/material/laws/materials.hpp"
-#include "kernels/shell/plane_stress.hpp"
+#include "kernels/shell/moving_surface.hpp"
 
 namespace percuss {
 
@@ -45,10 +45,10 @@ struct IsFlowLaw : std::bool_constant<FlowLaw<Law>> {};
 /// A layer of any of these laws, called through its number: one compiled shell serves them all. History: that of the
 /// law, p first. Of a law whose yield surface moves, the back stress in the plane follows: b, whose deviator is the
 /// solid's a, by xx, yy, xy. It moves by db = K l (s - b), which adds K, the kinematic modulus, to both rates at which
-/// the trial about b falls (Simo and Hughes 1998, section 3.4).
+/// the trial about b falls (Simo and Hughes 1998, section 3.4). A law with several back stresses has its own return.
 struct HardeningLayer {
   using Laws = FilterList<Materials, IsFlowLaw>::type;
-  static constexpr int most_history = 4;
+  static constexpr int most_history = Chaboche::plane_history_count;
   static constexpr bool can_yield = true;
   PlaneElasticity elasticity;
   double density = 0;
@@ -85,6 +85,7 @@ struct HardeningLayer {
   template <class T, class Law>
   PERCUSS_NO_INLINE LayerResponse<T> update_by(const Law& one, T (&stress)[3], T* history, const T (&de)[3],
                                                const T& dt) const {
+    if constexpr (requires { one.back_stresses; }) return return_about_terms(elasticity, one, stress, history, de, dt);
     constexpr bool moves = requires { one.kinematic_modulus(); };
     PlaneReturnRates rates = find_return_rates(elasticity);
     [[maybe_unused]] T* const back = history + 1;

@@ -2,8 +2,9 @@
 // A ply of a laminate: orthotropic and linear until it fails, fibres and matrix each in tension or compression.
 //
 // Criteria of Hashin (1980) in plane stress; with one strength for both shears they are those of Chang and Chang
-// (1987). Damage softens linearly with the strain, by an energy per area of crack whatever the size of the element
-// (Matzenmiller, Lubliner and Taylor 1995; Lapczyk and Hurtado 2007). Formulas: docs/theory_shells.md.
+// (1987). That of the matrix may be Tsai and Wu's (1971). Damage softens linearly with the strain, by an energy per
+// area of crack whatever the size of the element (Matzenmiller, Lubliner and Taylor 1995; Lapczyk and Hurtado 2007).
+// Formulas: docs/theory_shells.md.
 
 #include "kernels/material/laws/orthotropic.hpp"
 #include "kernels/shell/plane_stress.hpp"
@@ -76,7 +77,7 @@ struct OrthotropicPly {
   double fibre_tension = 0, fibre_compression = 0, matrix_tension = 0, matrix_compression = 0, shear = 0;  // 0: none
   double transverse_shear = 0, shear_in_fibre_tension = 0;
   double energy[4] = {};  // of cracks: fibres in tension and compression, matrix likewise
-  bool can_fail = false;
+  bool can_fail = false, is_tsai_wu = false;
 
   static OrthotropicPly make(const OrthotropicConstants& c) {
     OrthotropicPly ply;
@@ -98,6 +99,7 @@ struct OrthotropicPly {
                                 c.matrix_compression_energy};
     for (int k = 0; k < 4; ++k) ply.energy[k] = energies[k];
     ply.can_fail = c.has_strength();
+    ply.is_tsai_wu = c.is_tsai_wu;
     return ply;
   }
 
@@ -172,12 +174,17 @@ struct OrthotropicPly {
     const T in_shear = find_square(s[2], shear);
     const T tension = find_square(s[1], matrix_tension) + in_shear;
     T square = in_shear, linear = T(0);
-    if (matrix_compression > 0) {
+    if (is_tsai_wu) {  // in tension and compression alike
+      const double both = matrix_tension * matrix_compression;
+      square = square + T(1 / both) * s[1] * s[1];
+      linear = T((matrix_compression - matrix_tension) / both) * s[1];
+    } else if (matrix_compression > 0) {
       const double across = 0.5 * matrix_compression / transverse_shear;
       square = square + find_square(s[1], 2 * transverse_shear);
       linear = T((across * across - 1) / matrix_compression) * s[1];
     }
-    const T load = select(pulls, square_root(tension), find_load(square, linear));
+    const T failing = find_load(square, linear),
+            load = is_tsai_wu ? failing : select(pulls, square_root(tension), failing);
     return {load, T(0.5 / e2) * s[1] * s[1] + T(0.5 / g12) * s[2] * s[2], length};
   }
 

@@ -83,6 +83,8 @@ FEATURES = {
     "metals": [
         ("Johnson-Cook foot of a Taylor bar, 3840 elements", "johnson_cook", "foot diameter, against the middle of the range"),
         ("table of rates at 10 / s", "rate_table", "hexahedra, 10 / s, logarithmic"),
+        ("Chaboche, the tenth loop", "cyclic_metals", "Chaboche, hexahedra, hardens: largest stress of the tenth loop"),
+        ("Gurson, void fraction", "cyclic_metals", "Gurson, hexahedra: void fraction"),
     ],
     "rubber": [
         ("Ogden, two directions to 3", "rubber_laws", "ogden: two directions to 3"),

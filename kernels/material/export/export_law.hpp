@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "kernels/material/laws/advance_point.hpp"
-#include "kernels/material/laws/law_library.hpp"
-#include "kernels/material/laws/library_law.hpp"
+#include "kernels/material/user/law_library.hpp"
+#include "kernels/material/user/library_law.hpp"
 
 namespace percuss {
 

@@ -13,7 +13,7 @@ namespace percuss {
 struct OrthotropicConstants {
   double moduli[3] = {0, 0, 0}, poissons_ratios[3] = {0, 0, 0}, shear_moduli[3] = {0, 0, 0};
   double first_axis[3] = {1, 0, 0}, second_axis[3] = {0, 0, 0};  // of the second zeros: find_second_direction()
-  bool follows_elements = false;
+  bool follows_elements = false, is_tsai_wu = false;             // the criterion of the matrix
   // 0: never fails so
   double fibre_tension = 0, fibre_compression = 0, matrix_tension = 0, matrix_compression = 0, shear = 0;
   double transverse_shear = 0, shear_in_fibre_tension = 0;
@@ -34,6 +34,8 @@ struct OrthotropicConstants {
       return "poissons_ratios that no stable material has (nu_ab^2 < E_a / E_b of each pair, and all together)";
     if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     if (matrix_compression > 0 && !(shear > 0)) return "matrix_compression without shear, the strength in shear";
+    if (is_tsai_wu && !(matrix_tension > 0 && matrix_compression > 0))
+      return "matrix_criterion tsai_wu without matrix_tension and matrix_compression";
     if (matrix_tension > 0 && !(shear > 0)) return "matrix_tension without shear, the strength in shear";
     return "";
   }
@@ -69,6 +71,9 @@ struct Orthotropic {
         may("matrix_tension", &C::matrix_tension, KeyRange::not_negative, "pressure", "Strength along axis 2."),
         may("matrix_compression", &C::matrix_compression, KeyRange::not_negative, "pressure",
             "Likewise in compression."),
+        may("matrix_criterion", &C::is_tsai_wu, "hashin", "tsai_wu",
+            "hashin: Hashin's criteria of the matrix, those of Chang and Chang without transverse_shear. tsai_wu: that "
+            "of Tsai and Wu (1971)."),
         may("shear", &C::shear, KeyRange::not_negative, "pressure", "Strength in shear 12."),
         may("transverse_shear", &C::transverse_shear, KeyRange::not_negative, "pressure",
             "Strength in shear 23 (Hashin); 0: as `shear` (Chang and Chang)."),

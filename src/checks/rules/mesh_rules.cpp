@@ -5,6 +5,7 @@
 
 #include "kernels/material/elastic.hpp"
 #include "src/checks/rules.hpp"
+#include "src/deck/laws/law_traits.hpp"
 
 namespace percuss {
 namespace {
@@ -180,8 +181,8 @@ std::vector<Warning> check_failure_size(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     if (!material.failure) continue;
-    const bool by_strain = fails_by_strain(*material.failure);
-    if (!by_strain && !fails_by_stress(*material.failure)) continue;
+    const bool by_strain = fails_by_strain(*material.failure), by_voids = find_traits(material).has_void_fraction;
+    if (!by_strain && !by_voids && !fails_by_stress(*material.failure)) continue;
     const ElementRange range = find_elements(scene, material);
     const auto& rows = material.failure->size;
     const std::string what =
@@ -193,10 +194,14 @@ std::vector<Warning> check_failure_size(const CheckedScene& scene) {
     const bool takes_energy_by_area = evolution && !evolution->plastic_strain;
     if (rows.empty() && !takes_energy_by_area && range.largest > most * range.smallest)
       warnings.push_back(warn_at(
-          scene.deck, "failure_size", "materials." + material.name + ".failure",
+          scene.deck, "failure_size", "materials." + material.name + (by_voids ? "" : ".failure"),
           fmt::format("material '{}' fails at one {} in {} (necks and cracks are one element wide, so that the "
                       "largest take {:.2g} times the energy of the smallest): {}mesh evenly where the material fails",
-                      material.name, by_strain ? "strain" : "stress", what, range.largest / range.smallest,
+                      material.name,
+                      by_strain  ? "strain"
+                      : by_voids ? "void fraction"
+                                 : "stress",
+                      what, range.largest / range.smallest,
                       by_strain ? "give the factors of the strain over the size as failure.size, or " : "")));
     else if (!rows.empty() && range.largest > 0 &&
              (range.smallest < (1 - rounding) * rows.front()[0] || range.largest > (1 + rounding) * rows.back()[0]))

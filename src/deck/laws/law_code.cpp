@@ -10,7 +10,7 @@
 #include <new>
 #include <set>
 
-#include "kernels/material/laws/library_law.hpp"
+#include "kernels/material/user/library_law.hpp"
 #include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/user_code.hpp"
 #include "src/deck/range.hpp"

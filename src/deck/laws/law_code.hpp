@@ -1,5 +1,5 @@
 #pragma once
-// Laws of libraries that `percuss build-law` has made (kernels/material/laws/law_library.hpp).
+// Laws of libraries that `percuss build-law` has made (kernels/material/user/law_library.hpp).
 
 #include "kernels/material/material_key.hpp"
 #include "src/deck/deck.hpp"

@@ -33,6 +33,8 @@ LawTraits find_traits_of() {
   traits.has_temperature = remembers<Law>(HistoryScalar::temperature) || requires(const Law& law) {
     law.find_temperature();
   };
+  traits.has_void_fraction = remembers<Law>(HistoryScalar::void_fraction);
+  traits.deletes_points = remembers<Law>(HistoryScalar::remains);
   traits.has_axes = requires { &Law::Constants::follows_elements; };
   return traits;
 }

@@ -19,7 +19,9 @@ struct LawTraits {
   bool is_compiled_in = false;      // elements call it without a branch
   bool has_plastic_strain = false;  // its history has the equivalent plastic strain
   bool has_temperature = false;
-  bool has_axes = false;  // directions of its own, by which a shell of it is a laminate
+  bool has_void_fraction = false;
+  bool deletes_points = false;  // whatever the constants; their elements erode
+  bool has_axes = false;        // directions of its own, by which a shell of it is a laminate
   bool is_of_membranes_alone = false;
 };
 

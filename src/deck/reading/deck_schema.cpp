@@ -143,6 +143,7 @@ Json write_laws() {
                       {"is_of_beams", law.is_of_beams},
                       {"has_plastic_strain", law.has_plastic_strain},
                       {"has_temperature", law.has_temperature},
+                      {"has_void_fraction", law.has_void_fraction},
                       {"has_axes", law.has_axes}};
   }
   return json;

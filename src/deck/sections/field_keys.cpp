@@ -204,7 +204,8 @@ const std::vector<std::string>& field_names() {
     std::vector<std::string> all = {"displacement",  "velocity",        "contact_force",  "contact_pressure",
                                     "mass",          "contact_rank",  // of nodes
                                     "stress",        "pressure",        "von_mises",      "equivalent_plastic_strain",
-                                    "temperature",   "internal_energy", "alive",          "damage",  // of elements
+                                    "temperature",   "internal_energy", "alive",          "damage",
+                                    "void_fraction",  // of elements
                                     "stress_bottom", "stress_top",      "thickness",      "fibre_damage",
                                     "matrix_damage",                                       // of shells
                                     "axial_force",   "section_force",   "section_moment",  // of beams

@@ -9,6 +9,7 @@
 #include "src/deck/keys/foreign_names.hpp"
 #include "src/deck/keys/table_value.hpp"
 #include "src/deck/laws/law_code.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/laws/make_material.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/deck/sections/deck_keys.hpp"
@@ -418,6 +419,7 @@ bool check_constants_in_vain(const Reader& reader, const Node& node, const LawDe
 
 /// A law that deletes points erodes their elements, with the defaults of `failure` if the deck has none.
 bool check_deletion(const Reader& reader, const Node& node, MaterialDeck& out) {
+  if (find_traits(out).deletes_points && !out.failure) out.failure.emplace();
   const auto deletes = out.law.numbers.find("delete_variable");
   if (deletes == out.law.numbers.end() || deletes->second == 0) return true;
   const auto states = out.law.numbers.find("state_variables");

@@ -79,13 +79,15 @@ UserElement describe_to_user(const Deck& deck, const Mesh& mesh, std::size_t ele
 KernelMaterial make_kernel_material(const MaterialDeck& material) {
   KernelMaterial made;
   visit_law(material, [&]<class Law>(const Law& law) {
-    if (material.equation_of_state) {
-      if constexpr (takes_equation_of_state<Law>) {
+    if constexpr (takes_equation_of_state<Law>) {
+      if (material.equation_of_state) {
         visit_state(*material.equation_of_state, [&](const auto& state) {
           made = name_history(law, make_called_material(law, material.density, state));
         });
+        return;
       }
-    } else if constexpr (is_compiled_in<Law>) {
+    }
+    if constexpr (is_compiled_in<Law>) {
       made = name_history(law, law);
     } else if constexpr (is_of_solids<Law>) {
       made = name_history(law, make_called_material(law, material.density));

@@ -62,16 +62,24 @@ bool has_sections(const Deck& deck) {
 }
 
 /// Columns of a followed element that only some materials fill.
-struct ThermalColumn {
+struct ScalarColumn {
   HistoryScalar name;
   const char* suffix;
+  Dimension dimension;
+  const char* meaning;
+  HistoryColumn::Kind kind = HistoryColumn::Kind::by_dimension;
+};
+
+const ScalarColumn scalar_columns[] = {
+    {HistoryScalar::temperature, "temperature", {}, "temperature of {}", HistoryColumn::Kind::temperature},
+    {HistoryScalar::internal_energy, "energy", dimensions::stress, "internal energy of {}, per initial volume"},
+    {HistoryScalar::void_fraction, "void_fraction", {}, "void fraction of {}"},
 };
 
 /// Those that a material of the scene fills.
-std::vector<ThermalColumn> find_thermal_columns(const Deck& deck) {
-  std::vector<ThermalColumn> columns;
-  for (const ThermalColumn& column : {ThermalColumn{HistoryScalar::temperature, "temperature"},
-                                      ThermalColumn{HistoryScalar::internal_energy, "energy"}}) {
+std::vector<ScalarColumn> find_scalar_columns(const Deck& deck) {
+  std::vector<ScalarColumn> columns;
+  for (const ScalarColumn& column : scalar_columns) {
     if (std::any_of(deck.materials.begin(), deck.materials.end(),
                     [&](const MaterialDeck& material) { return has_scalar(material, column.name); })) {
       columns.push_back(column);
@@ -80,9 +88,9 @@ std::vector<ThermalColumn> find_thermal_columns(const Deck& deck) {
   return columns;
 }
 
-std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
+std::vector<HistoryScalar> name_scalar_columns(const Deck& deck) {
   std::vector<HistoryScalar> names;
-  for (const ThermalColumn& column : find_thermal_columns(deck)) names.push_back(column.name);
+  for (const ScalarColumn& column : find_scalar_columns(deck)) names.push_back(column.name);
   return names;
 }
 
@@ -106,13 +114,8 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
   if (!point.is_element) return add(node_columns);
   add(element_columns);
   if (has_sections(deck)) add(beam_columns);
-  for (const ThermalColumn& c : find_thermal_columns(deck)) {
-    const bool is_temperature = c.name == HistoryScalar::temperature;
-    columns.push_back(
-        {point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
-         describe_point(is_temperature ? "temperature of {}" : "internal energy of {}, per initial volume", point),
-         is_temperature ? HistoryColumn::Kind::temperature : HistoryColumn::Kind::by_dimension});
-  }
+  for (const ScalarColumn& c : find_scalar_columns(deck))
+    columns.push_back({point.name + "_" + c.suffix, c.dimension, describe_point(c.meaning, point), c.kind});
   for (int i = 1; i <= count_state_variables(deck); ++i)
     columns.push_back({fmt::format("{}_state_{}", point.name, i), Dimension{},
                        fmt::format("state variable {} of '{}'", i, point.name), HistoryColumn::Kind::by_dimension});
@@ -158,7 +161,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       motions_(deck, chunked),
       blocks_(deck, chunked),
       has_sections_(has_sections(deck)),
-      thermal_(name_thermal_columns(deck)),
+      scalars_(name_scalar_columns(deck)),
       states_(count_state_variables(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || directory.empty()) return;
@@ -255,7 +258,7 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   const std::vector<double> sections =
       has_sections_ ? find_section_results(model, state, elements) : std::vector<double>();
   std::vector<std::vector<double>> others;
-  for (const HistoryScalar name : thermal_) others.push_back(find_history(model, state, name, elements));
+  for (const HistoryScalar name : scalars_) others.push_back(find_history(model, state, name, elements));
   for (int i = 0; i < states_; ++i) others.push_back(find_state_variables(model, state, i, elements));
   const std::vector<double> pressures = find_pressures(stresses), von_mises = find_von_mises(stresses);
   const auto x = to_host(state.x), v = to_host(state.v);

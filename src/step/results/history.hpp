@@ -62,7 +62,7 @@ class History {
   BlockEnergies blocks_;
   BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams
-  std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
+  std::vector<HistoryScalar> scalars_;  // columns of followed elements that only some materials fill
   int states_;                          // state variables of users' laws, likewise
   std::vector<double> row_;
   std::optional<HistoryFile> file_;  // of rank 0, if it has a directory

@@ -35,6 +35,15 @@ inline RateTablePlasticity make_sample(Of<RateTablePlasticity>) {
   return law;
 }
 inline CombinedHardening make_sample(Of<CombinedHardening>) { return {20e9, 0.3, 150e6, 2e9, 0.6, 2, 3}; }
+inline Chaboche make_sample(Of<Chaboche>) {
+  return {20e9, 0.3, 100e6, {3, {0, 40, 300}, {0.5e9, 3e9, 20e9}}, 60e6, 20, 0.5e9, 2, 3};
+}
+inline Gurson make_sample(Of<Gurson>) {
+  Gurson law{20e9, 0.3, {3, {0, 0.02, 0.06}, {150e6, 220e6, 250e6}}};
+  law.void_fraction = 0.01, law.nucleation_fraction = 0.02, law.nucleation_strain = 0.03;
+  law.nucleation_deviation = 0.02, law.cowper_symonds_rate = 2, law.cowper_symonds_exponent = 3;
+  return law;
+}
 inline JohnsonCook make_sample(Of<JohnsonCook>) {
   JohnsonCook law{20e9, 0.3, 150e6, 200e6, 0.4, 0.02, 1.1};
   law.reference_rate = 0.1;

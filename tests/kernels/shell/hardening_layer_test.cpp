@@ -46,6 +46,12 @@ CombinedHardening make_combined() { return {young, poisson, 220e6, 4e9, 0.6}; }
 
 CombinedHardening make_fast_combined() { return {young, poisson, 220e6, 4e9, 0.3, 40, 5}; }
 
+Chaboche make_chaboche() { return {young, poisson, 150e6, {3, {0, 50, 400}, {0.5e9, 4e9, 40e9}}, 60e6, 15, 1e9}; }
+
+Chaboche make_softening_chaboche() {
+  return {young, poisson, 250e6, {2, {30, 500}, {3e9, 30e9}}, -90e6, 40, 0, 100, 4};
+}
+
 JohnsonCook make_johnson_cook() {
   JohnsonCook law;
   law.youngs_modulus = young;
@@ -70,6 +76,8 @@ void for_each_law(const F& f) {
   f(make_rate_table(), "table of rates");
   f(make_combined(), "combined");
   f(make_fast_combined(), "combined with rate");
+  f(make_chaboche(), "Chaboche");
+  f(make_softening_chaboche(), "Chaboche, softening, with rate");
   f(make_johnson_cook(), "Johnson-Cook");
 }
 
@@ -115,6 +123,10 @@ struct SolidLayer {
   double remembered(int k) const {
     if constexpr (requires { law.kinematic_modulus(); }) {  // p, a by xx, yy, zz, xy, ...: b = a - a_zz I
       if (k > 0) return k == 3 ? history[4] : history[k] - history[3];
+    }
+    if constexpr (requires { law.back_stresses; }) {  // such rows of each term
+      const double* const a = history + 1 + 6 * ((k - 1) / 3);
+      if (k > 0) return k % 3 == 0 ? a[3] : a[(k - 1) % 3] - a[2];
     }
     return history[k];
   }

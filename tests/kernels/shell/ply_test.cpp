@@ -137,6 +137,21 @@ TEST(Ply, FailsWhereTheCriteriaSay) {
   }
 }
 
+TEST(Ply, FailsWhereTsaiAndWuSay) {
+  OrthotropicConstants c = make_constants();
+  c.is_tsai_wu = true;
+  c.matrix_tension_energy = c.matrix_compression_energy = 1;
+  const double paths[][3] = {{0, 1, 0}, {0, -1, 0}, {0, 1, 0.5}, {0, -1, 1}, {0.02, -1, 0.2}, {0, 0, 1}};
+  for (const auto& path : paths) {
+    PlyPoint point(c);
+    while (point.history[PlyHistory::matrix_damage] == 0)
+      point.strain(1e-6 * path[0], 1e-6 * path[1], 1e-6 * path[2], 0.01);
+    const auto& s = point.stress;
+    const double load = s[1] * s[1] / (60 * 200) + (1.0 / 60 - 1.0 / 200) * s[1] + s[2] * s[2] / (80 * 80);
+    EXPECT_NEAR(load, 1, 2e-3) << path[0] << " " << path[1] << " " << path[2];
+  }
+}
+
 TEST(Ply, KeepsItsDamageAndClosesItsCracks) {
   OrthotropicConstants c = make_constants();
   c.matrix_tension_energy = 0.3;

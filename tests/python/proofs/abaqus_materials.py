@@ -135,7 +135,6 @@ PROOFS = [
     Proof("PLASTIC: RATE", stretched(ELASTIC + f"*PLASTIC, RATE=0.\n300., 0.\n*PLASTIC, RATE={2 * RATE!r}\n600., 0.\n"), [("internal", LAST, plastic_work(450.0), 2e-2)],
           "half way between the tables of two rates"),
     Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=USER\n300., 0.\n"), refused="a subroutine of the user"),
-    Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=COMBINED\n300., 0.\n"), refused="COMBINED"),
     Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 800., 0.5, 1., 1e5, 0.\n"),
           [("internal", LAST, plastic_work(300.0) + 1000 * 800 * (strain() - 300 / (3 * SHEAR)) ** 1.5 / 1.5, 2e-2)], "300 + 800 p^0.5"),
     Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.01\n500., 0.1\n"), refused="the first plastic strain is 0.01"),

@@ -217,6 +217,12 @@ def first(s1=0.0, s2=0.0, t=0.0, share=0.0, st=SC):
     return find_load(s1, s2, t, XT, XC, YT, YC, SC, st, share)
 
 
+def tsai_wu(s2, t):
+    """The load at which s2^2 / (YT YC) + (t / SC)^2 + (1 / YT - 1 / YC) s2 is 1."""
+    square, linear = s2**2 / (YT * YC) + (t / SC) ** 2, (1 / YT - 1 / YC) * s2
+    return (math.sqrt(linear**2 + 4 * square) - linear) / (2 * square)
+
+
 def crack(strength, modulus, strain, share=1.0):
     """Energy per volume of a stress that stays at a share of the strength until a strain, times 1000 mm3 of the element over its length and width."""
     return 100.0 * (strength**2 / modulus / 2 + share * strength * (strain - strength / modulus))
@@ -256,7 +262,10 @@ FAILURE = [
     Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: V1 V2 V3 AOPT", broken(m54(shear="3.0", vectors="1.0,0,0"), yy=3e-3), peaks("yy", XT), "V x n = -y"),
     Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: XT", broken(m54(word="MAT_054"), xx=3e-3), peaks("xx", XT), "by its number"),
     Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: XT", broken(m54(word="MAT_054-055"), xx=3e-3), peaks("xx", XT), "by its numbers"),
-    Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: CRIT", broken(m54(limits=f"{XC},{XT},{YC},{YT},{SC},55"), xx=1e-3), refused="Tsai and Wu"),
+    *[Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: CRIT", broken(m54(limits=f"{XC},{XT},{YC},{YT},{SC},55"), yy=yy, xy=6e-3), peaks("yy", EB * yy * tsai_wu(EB * yy, GAB * 6e-3), when), "Tsai and Wu's criterion")
+      for yy, when in ((3e-3, MAX), (-5e-3, MIN))],
+    Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: CRIT", broken(m54(limits=f"{XC},{XT},0,{YT},{SC},55"), xx=1e-3), refused="needs YT and YC"),
+    Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: CRIT", broken(m54(limits=f"{XC},{XT},{YC},{YT},{SC},56"), xx=1e-3), refused="another criterion"),
     Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: BETA", broken(m54(limits=f"{XC},{XT},{YC},{YT},{SC},54,2.0"), xx=1e-3), refused="a weight of the shear from 0 to 1"),
     Proof("MAT_ENHANCED_COMPOSITE_DAMAGE: TFAIL", broken(m54("0.7"), xx=1e-3), refused="a share of the first step"),
     *[Proof(f"MAT_ENHANCED_COMPOSITE_DAMAGE: {name}", broken(law, xx=1e-3), refused=name)

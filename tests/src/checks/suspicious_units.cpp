@@ -30,6 +30,16 @@ std::pair<std::string, std::string> honeycomb(const std::string& yield_stress) {
               yield_stress};
 }
 
+const std::pair<std::string, std::string> porous{
+    steel,
+    "gurson, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, hardening: [[0, 3e8]], void_fraction: 0.01"};
+
+/// A part of steel of 4 mm.
+std::pair<std::string, std::string> small_part(const std::string& cells) {
+  return {"  plate: {box", "  small: {box: {size: [0.004, 0.004, 0.004], cells: [" + cells + ", " + cells + ", " +
+                               cells + "]}, at: [0.2, 0.2, 0.2], material: steel}\n  plate: {box"};
+}
+
 /// Foam of such curves.
 std::string rate_foam(const std::string& curves) {
   return "rate_table_foam, density: 60, youngs_modulus: 5e6, compression_at_rates: " + curves;
@@ -280,6 +290,11 @@ std::vector<SuspiciousDeck> material_decks() {
        "failure: {pressure: 300e6}",
        {{"400e6}", "400e6, failure: {pressure: 300e6}}"}, fine_sheet},
        {{"400e6}", "400e6, failure: {yield_time: 1e-4}}"}, fine_sheet}},
+      {"VoidsOfTwoMeshes",
+       "failure_size",
+       "steel: {model: gurson",
+       {porous, small_part("2")},
+       {porous, small_part("1")}},
       {"PrincipalStrainOfTwoMeshes",
        "failure_size",
        "failure: {principal_strain: 0.3}",

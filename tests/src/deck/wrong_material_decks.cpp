@@ -70,6 +70,34 @@ std::vector<WrongDeck> wrong_material_decks() {
        material("model: combined_hardening, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
                 "1e8, kinematic_share: 1.5"),
        "5:133", "kinematic_share is 1.5 in material 'steel' (must be from 0 to 1)"},
+      {"TsaiAndWuWithoutCompression",
+       material("model: orthotropic, density: 1600, moduli: [140e9, 10e9, 10e9], poissons_ratios: [0.3, 0.4, 0.3], "
+                "shear_moduli: [5e9, 3.5e9, 5e9], matrix_tension: 6e7, shear: 8e7, matrix_criterion: tsai_wu"),
+       "5:3", "material 'steel' has matrix_criterion tsai_wu without matrix_tension and matrix_compression"},
+      {"TooManyBackStresses",
+       material("model: chaboche, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
+                "back_stresses: [[1, 1e8], [2, 1e8], [3, 1e8], [4, 1e8], [5, 1e8]]"),
+       "5:3", "material 'steel' has more than 4 rows of back_stresses"},
+      {"NegativeRecovery",
+       material("model: chaboche, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
+                "back_stresses: [[-1, 1e8]]"),
+       "5:3", "material 'steel' has a rate of back_stresses that is negative"},
+      {"SoftensToNothing",
+       material("model: chaboche, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
+                "back_stresses: [[1, 1e8]], cyclic_stress: -1e8"),
+       "5:3", "material 'steel' has a sum of yield_stress and cyclic_stress that is not positive"},
+      {"CriticalVoidsAtTheStart",
+       material("model: gurson, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, 1e8]], "
+                "void_fraction: 0.1, critical_void_fraction: 0.1"),
+       "5:3", "material 'steel' has a void_fraction that is not below critical_void_fraction"},
+      {"FailsBeforeVoidsCoalesce",
+       material("model: gurson, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, 1e8]], "
+                "critical_void_fraction: 0.2, failure_void_fraction: 0.1"),
+       "5:3", "material 'steel' has a failure_void_fraction that is not above critical_void_fraction"},
+      {"VoidsThatKeepStrength",
+       material("model: gurson, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: [[0, 1e8]], "
+                "q1: 1.4"),
+       "5:3", "material 'steel' has a q3 above the square of q1"},
       {"NegativeRate",
        material("model: voce_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
                 "saturation_stress: 1e8, saturation_rate: 3, cowper_symonds_rate: -1"),

@@ -8,12 +8,14 @@ from ..laws import make_mooney_rivlin
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import add_rates, order_curves, scale_curve
+from .cyclic import add_combined
 from .damage import take_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
 from .plies import COUNTS, read_constants
 from .user_code import add_lengths, is_user_code, is_user_hardening, translate_hardening, translate_user_code
+from .voids import add_voids
 
 INSTEAD = "it is left out"
 NEVER = 1e15
@@ -52,7 +54,8 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     law = {"model": law.pop("model"), "density": density.number(require_line(density), 0), **law}
     if law["density"] <= 0:
         raise BadInput(density.place, "the density is not positive: correct *DENSITY")
-    done = take_heat(deck, law, material.parts) | take_failure(deck, name, law, material.parts) | READ
+    done = add_voids(deck, law, material)
+    done |= take_heat(deck, law, material.parts) | take_failure(deck, name, law, material.parts) | READ
     refuse_several(material)
     for block in material.parts:
         if block.keyword in OF_OUTPUT and not (block.keyword == "DEPVAR" and is_user_code(material)):
@@ -108,7 +111,7 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     if plastic and is_user_hardening(plastic):
         return add_user_hardening(deck, name, law, plastic, material)
     if plastic:
-        add_plastic(deck, law, plastic)
+        add_plastic(deck, law, plastic, find(material, "CYCLIC HARDENING"))
         add_rate(deck, law, find(material, "RATE DEPENDENT"))
         add_rate_tables(deck, law, [block for block in material.parts if block.keyword == "PLASTIC"])
     add_potential(deck, law, find(material, "POTENTIAL"), state)
@@ -202,8 +205,8 @@ def relax(deck: AbaqusDeck, law: Deck, elastic: Block, block: Block) -> Deck | N
     return made
 
 
-def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
-    """A table, Johnson and Cook's law, or kinematic hardening."""
+def add_plastic(deck: AbaqusDeck, law: Deck, block: Block, cyclic: Block | None = None) -> None:
+    """A table, Johnson and Cook's law, kinematic hardening, or both kinds of hardening."""
     kind = block.option("HARDENING")
     line = require_line(block)
     if kind == "JOHNSON COOK":
@@ -216,6 +219,11 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     if is_user_hardening(block):  # its lines are constants of a subroutine
         deck.ledger.refuse("PLASTIC.HARDENING", block.place, "hardening by a subroutine of the user beside *EOS", "the material is elastic")
         return
+    if kind == "COMBINED":
+        add_combined(deck, law, block, cyclic)
+        return
+    if cyclic:
+        deck.ledger.refuse("CYCLIC HARDENING", cyclic.place, "*CYCLIC HARDENING without HARDENING=COMBINED", INSTEAD)
     if kind not in ("", "ISOTROPIC", "KINEMATIC"):
         deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of type {clip(kind)}", "isotropic hardening is used")
     points = [(block.number(row, 1), block.number(row, 0)) for row in take_rows(deck, block)]
@@ -414,4 +422,4 @@ def read_rubber(block: Block, line: tuple[int, list[str]]) -> tuple[Deck, float,
     return make_mooney_rivlin(values[0], c01), 2 * (values[0] + c01), d1
 
 
-READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "HYPERFOAM", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL"}
+READ = {"DAMPING", "DENSITY", "ELASTIC", "PLASTIC", "RATE DEPENDENT", "EOS", "HYPERELASTIC", "HYPERFOAM", "VISCOELASTIC", "USER MATERIAL", "DEPVAR", "POTENTIAL", "CYCLIC HARDENING"}

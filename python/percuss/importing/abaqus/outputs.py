@@ -13,7 +13,7 @@ from .lines import Block
 
 FIELDS = {  # of a variable, or of its letters
     "V": "velocity", "S": "stress", "MISES": "von_mises", "MISESMAX": "von_mises", "MISESONLY": "von_mises", "PRESS": "pressure",
-    "PRESSONLY": "pressure", "PEEQ": "equivalent_plastic_strain", "PEEQMAX": "equivalent_plastic_strain", "TEMP": "temperature",
+    "PRESSONLY": "pressure", "PEEQ": "equivalent_plastic_strain", "PEEQMAX": "equivalent_plastic_strain", "TEMP": "temperature", "VVF": "void_fraction",
     "STATUS": "alive", "SDEG": "damage", "DUCTCRT": "damage", "JCCRT": "damage", "SHRCRT": "damage", "DMICRT": "damage", "STH": "thickness",
     "ENER": "internal_energy", "ELEN": "internal_energy", "SENER": "internal_energy", "CSTRESS": "contact_pressure", "CPRESS": "contact_pressure",
     "CFORCE": "contact_force", "CNORMF": "contact_force", "CSHEARF": "contact_force", "SF": "section_force", "SM": "section_moment",
@@ -123,7 +123,7 @@ class Writer:
         blocks, laws = self.deck.model.blocks, self.deck.model.materials.values()
         needs = {
             "thickness": any(b.shells for b in blocks), "section_force": any(b.beams for b in blocks), "section_moment": any(b.beams for b in blocks),
-            "temperature": any(has(law, "has_temperature") for law in laws), "damage": any("failure" in law for law in laws),
+            "temperature": any(has(law, "has_temperature") for law in laws), "void_fraction": any(has(law, "has_void_fraction") for law in laws), "damage": any("failure" in law for law in laws),
             "alive": any("failure" in law or "delete_variable" in law for law in laws), "contact_force": "contact" in self.deck.model.deck,
             "contact_pressure": "contact" in self.deck.model.deck,
         }  # fmt: skip

@@ -67,6 +67,10 @@ constexpr FrameField frame_fields[] = {
      [](const FrameSource& of) {
        return find_history(of.model, of.state, HistoryScalar::internal_energy, of.elements());
      }},
+    {"void_fraction", FieldPlace::element, 1,
+     [](const FrameSource& of) {
+       return find_history(of.model, of.state, HistoryScalar::void_fraction, of.elements());
+     }},
     {"alive", FieldPlace::element, 1,
      [](const FrameSource& of) { return find_alive(of.model, of.state, of.elements()); }, FieldNumber::byte},
     {"damage", FieldPlace::element, 1,

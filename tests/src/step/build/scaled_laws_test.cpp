@@ -40,6 +40,16 @@ const std::vector<SampleLaw> sample_laws = {
      7850},
     {"combined",
      "model: combined_hardening, yield_stress: 3e8, hardening_modulus: 1e9, kinematic_share: 0.5" + of_steel, 7850},
+    {"chaboche",
+     "model: chaboche, yield_stress: 2e8, back_stresses: [[50, 4e9], [400, 4e10]], cyclic_stress: 5e7, cyclic_rate: "
+     "20" +
+         of_steel,
+     7850},
+    {"gurson",
+     "model: gurson, hardening: [[0, 3e8], [0.1, 4e8]], void_fraction: 0.02, nucleation_fraction: 0.04, "
+     "nucleation_strain: 0.02, nucleation_deviation: 0.01" +
+         of_steel,
+     7850},
     {"johnson_cook",
      "model: johnson_cook, a: 3e8, b: 4e8, n: 0.3, c: 0.02, melt_temperature: 1800, specific_heat: HEAT" + of_steel,
      7850, 450},

@@ -14,6 +14,7 @@ from .cohesive import FORMS as COHESIVE_FORMS
 from .cohesive import LAW as COHESIVE_LAW
 from .cohesive import bond_solids
 from .crushable import CRUSHABLE
+from .cyclic import CYCLIC
 from .diem import add_diem
 from .elastic import ELASTIC
 from .erosion import add_erosion
@@ -28,11 +29,12 @@ from .rolled import ROLLED
 from .rubber import RUBBER
 from .shared import COROTATIONAL, Use
 from .skins import cover
+from .voids import VOIDS
 
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
-LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER, **CYCLIC, **VOIDS}
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:

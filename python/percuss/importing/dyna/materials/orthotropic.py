@@ -218,15 +218,19 @@ def add_strengths(deck: KeywordDeck, card: Card, use: Use, law: Deck, lines: Lim
     if not 0 <= weight <= 1:
         row.fail("BETA", "a weight of the shear from 0 to 1 is expected")
     set_strengths(law, fibre_tension=xt, fibre_compression=xc, matrix_tension=yt, matrix_compression=yc, shear=sc, shear_in_fibre_tension=weight)
-    if row.number("CRIT") != 54:
-        deck.ledger.refuse(f"{card.keyword}.CRIT", row.place, f"CRIT = {row.number('CRIT'):g}: Tsai and Wu's criterion of the matrix", "that of Chang and Chang counts")
+    if row.number("CRIT") == 55 and yt > 0 and yc > 0:
+        law["matrix_criterion"] = "tsai_wu"
+    elif row.number("CRIT") == 55:
+        row.fail("CRIT", "of 55 (Tsai and Wu) needs YT and YC")
+    elif row.number("CRIT") != 54:
+        deck.ledger.refuse(f"{card.keyword}.CRIT", row.place, f"CRIT = {row.number('CRIT'):g}: another criterion of the matrix", "that of Chang and Chang counts")
     if weight:
         deck.ledger.approximated(f"{card.keyword}.BETA", row.place, "BETA weighs the square of the shear over SC in the criterion of fibres in tension")
     if xc > 0 and yc > 0:
         lines.failing.skip("YCFAC")
         deck.ledger.approximated(f"{card.keyword}.YCFAC", lines.failing.place, "fibres keep their strength in compression when the matrix has failed, in place of YCFAC times YC")
     if use.is_shell:
-        deck.ledger.approximated(card.keyword, card.place, "plies by the criteria of Chang and Chang; an element is removed when the fibres of all plies have failed")
+        deck.ledger.approximated(card.keyword, card.place, "plies by the criteria of Chang and Chang, that of the matrix with CRIT of 55 by Tsai and Wu; an element is removed when the fibres of all plies have failed")
     if xt > 0 or xc > 0:
         set_failure(law, fibre_damage=1.0)
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "kernels/material/laws/law_library.hpp"
+#include "kernels/material/user/law_library.hpp"
 
 namespace percuss {
 
