@@ -29,9 +29,9 @@ struct BackStresses {
 };
 
 /// Yield where the von Mises stress of s - a reaches yield_stress + Q (1 - exp(-b p)) + H p, p the equivalent plastic
-/// strain. a is a sum of terms with da = (2/3) C dep - gamma a dp (Armstrong and Frederick, CEGB report RD/B/N731, 1966;
-/// Chaboche, Int. J. Plasticity 5, 247, 1989). The step is that of backward Euler. History: p, then the terms, each a
-/// deviator by xx, yy, zz, xy, yz, zx.
+/// strain. a is a sum of terms with da = (2/3) C dep - gamma a dp (Armstrong and Frederick, CEGB report RD/B/N731,
+/// 1966; Chaboche, Int. J. Plasticity 5, 247, 1989). The step is that of backward Euler. History: p, then the terms,
+/// each a deviator by xx, yy, zz, xy, yz, zx.
 struct Chaboche {
   static constexpr const char* name = "chaboche";
   using Constants = Chaboche;
@@ -142,8 +142,8 @@ struct Chaboche {
     return {stress, size, T(1.5) * contract(stress, slope) / larger(size, T(1e-300))};
   }
 
-  /// dp with |relative(dp)| - (3 mu + K(dp)) dp = flow(dp), 0 where the trial is elastic. The left side falls by 3 mu or
-  /// more, since no term is above C / gamma.
+  /// dp with |relative(dp)| - (3 mu + K(dp)) dp = flow(dp), 0 where the trial is elastic. The left side falls by 3 mu
+  /// or more, since no term is above C / gamma.
   template <class T>
   KOKKOS_INLINE_FUNCTION T find_increment(const LameConstants& c, const ElasticTrial<T>& trial, const T* terms,
                                           const T& start, const Flow<T>& flow) const {

@@ -7,8 +7,8 @@ namespace percuss {
 
 /// (q/Y)^2 + 2 q1 g cosh(3 q2 P / (2 Y)) - 1 - q3 g^2 = 0, with von Mises stress q, mean stress P (tension), the yield
 /// stress Y(p) of the metal between the voids, and g(f): the void fraction f, above the critical one steeper by voids
-/// that coalesce (Gurson, J. Eng. Mater. Technol. 99, 2, 1977; Tvergaard and Needleman, Acta Metall. 32, 157, 1984). Flow
-/// is normal to it; (1 - f) Y dp = stress : dep; df = (1 - f) tr(dep) + A(p) dp, A a normal distribution (Chu and
+/// that coalesce (Gurson, J. Eng. Mater. Technol. 99, 2, 1977; Tvergaard and Needleman, Acta Metall. 32, 157, 1984).
+/// Flow is normal to it; (1 - f) Y dp = stress : dep; df = (1 - f) tr(dep) + A(p) dp, A a normal distribution (Chu and
 /// Needleman, J. Eng. Mater. Technol. 102, 249, 1980). Stress and p are those of backward Euler (Aravas, Int. J. Numer.
 /// Methods Eng. 24, 1395, 1987) with the f of the start of the step. History: p, f, and 0 once f has reached that of
 /// failure, else 1.
@@ -121,7 +121,8 @@ struct Gurson {
       return T(1) + effective * (T(law.q3) * effective - T(law.q1) * (exp + T(1) / exp));
     }
 
-    /// The root of normality between P = 0 and the trial's: 2 q tr(dep) = 3 q1 q2 g Y sinh(angle) (q_trial - q) / (3 mu).
+    /// The root of normality between P = 0 and the trial's: 2 q tr(dep) = 3 q1 q2 g Y sinh(angle) (q_trial - q) / (3
+    /// mu).
     KOKKOS_INLINE_FUNCTION Return<T> return_to(const T& yield) const {
       const T square = find_square(trial.mean, yield);
       const auto outside = trial.von_mises * trial.von_mises > yield * yield * square;
@@ -130,8 +131,8 @@ struct Gurson {
       const T end = (T(1) + T(law.q3) * effective * effective) / larger(T(2 * law.q1) * effective, T(1e-250));
       const T last = logarithm(end + square_root(larger(end * end - T(1), T(0))));
       const T size = larger(trial.mean, -trial.mean), high = smaller(find_angle(trial.mean, yield), last);
-      const T per_angle = yield * T(1 / (1.5 * law.q2)), scale = yield * (size * T(1 / stiffness.bulk) +
-                                                                         trial.von_mises * T(1 / stiffness.deviatoric));
+      const T per_angle = yield * T(1 / (1.5 * law.q2)),
+              scale = yield * (size * T(1 / stiffness.bulk) + trial.von_mises * T(1 / stiffness.deviatoric));
       const auto porous = outside && effective > T(0);  // without voids nothing pulls the volume, not even round-off
       const T angle = find_falling_root<true>(porous, select(porous, high, T(1)), scale, [&](const T& at) {
         const T exp = exponential(at), sinh = T(0.5) * (exp - T(1) / exp), cosh = T(0.5) * (exp + T(1) / exp);
@@ -155,7 +156,8 @@ struct Gurson {
   /// g(f): above the critical fraction it rises to where it leaves no strength at that of failure.
   template <class T>
   KOKKOS_INLINE_FUNCTION T find_effective(const T& f) const {
-    const double last = (q1 + sqrt(larger(q1 * q1 - q3, 0.0))) / q3;  // q1 g - 1 = q3 g^2 - q1 g: the surface is a point
+    const double last =
+        (q1 + sqrt(larger(q1 * q1 - q3, 0.0))) / q3;  // q1 g - 1 = q3 g^2 - q1 g: the surface is a point
     if (critical_void_fraction >= 1) return smaller(f, T(0.999 * last));
     const double steeper = (last - critical_void_fraction) / (failure_void_fraction - critical_void_fraction);
     const T above = larger(f - T(critical_void_fraction), T(0));
@@ -187,9 +189,9 @@ struct Gurson {
     return find_falling_root<true>(yields, high, select(yields, most, T(1)), [&](const T& dp) {
       const FlowStress<T> now = flow(dp);
       const Return<T> to = voids.return_to(now.value);
-      return ValueAndSlope<T>{to.mean * to.volume + to.von_mises * to.shape - solid * now.value * dp,
-                              -solid * (now.value + now.slope * dp) -
-                                  now.slope * to.von_mises * T(1 / voids.stiffness.deviatoric)};
+      return ValueAndSlope<T>{
+          to.mean * to.volume + to.von_mises * to.shape - solid * now.value * dp,
+          -solid * (now.value + now.slope * dp) - now.slope * to.von_mises * T(1 / voids.stiffness.deviatoric)};
     });
   }
 };

@@ -100,8 +100,8 @@ output: {{history: {{every: 0.01, elements: [{{name: m, near: [0.5, 0.5, 0.5]}}]
     const double f = run.history.last("m_void_fraction"), mean = -run.history.last("m_pressure");
     const double right = 2 * yield / 3 * std::acosh((1 + 2.25 * f * f) / (3 * f));
     const double voids = 1 - 0.99 * std::exp(-(3 * std::log(1.02) - right / 175e9));
-    fmt::print("{}: {:.5g} MPa, closed form {:.5g} MPa, voids {:.5g}, {:.5g}\n", body.name, 1e-6 * mean, 1e-6 * right, f,
-               voids);
+    fmt::print("{}: {:.5g} MPa, closed form {:.5g} MPa, voids {:.5g}, {:.5g}\n", body.name, 1e-6 * mean, 1e-6 * right,
+               f, voids);
     EXPECT_NEAR(mean, right, 1e-3 * right) << body.name;
     EXPECT_NEAR(f, voids, 1e-3 * voids) << body.name;
   }
