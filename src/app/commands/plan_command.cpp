@@ -15,13 +15,13 @@
 namespace percuss {
 namespace {
 
-/// First time step of the scene, as `check` finds it [time unit of the deck].
-double find_first_step(const Deck& deck, const ChunkedMesh& whole, const Communicator& self) {
+/// The scene at time 0, with its first time step, as `check` finds it.
+State start_scene(const Deck& deck, const ChunkedMesh& whole, const Communicator& self) {
   const Model model = build_model(deck, whole);
   ContactStage contact(whole, deck, self);
   State state = make_initial_state(model);
   Stepper(deck, whole, model, contact).start(state);
-  return state.next_dt;
+  return state;
 }
 
 std::string make_plan(const Command& command) {
@@ -30,7 +30,12 @@ std::string make_plan(const Command& command) {
   const ComputeSession session(self, deck);
   const DecompositionPlanner mesh(deck);
   const ChunkedMesh whole = load_mesh(deck, self);
-  const ContactPlanner contact(whole, deck);
+  const State start = start_scene(deck, whole, self);
+  const PlanFigures& figures = command.figures;
+  const ContactPlanner contact(whole, deck,
+                               {{start.x, start.v, start.next_dt},
+                                figures.steps_per_search,
+                                figures.all_touch ? PlannedTouches::near : PlannedTouches::start});
   std::vector<RanksPlan> plans;
   for (const int ranks : command.rank_counts) {
     DecompositionPlan divided = mesh.plan(ranks);
@@ -44,10 +49,11 @@ std::string make_plan(const Command& command) {
                            numbering.chunk_count(),
                            contact.nodes(),
                            contact.faces(),
-                           find_first_step(deck, whole, self),
+                           contact.contacts(),
+                           start.next_dt,
                            find_step_pattern(deck, contact)};
   const std::string& threads = session.note();
-  return format_plan(scene, command.figures, plans) + (threads.empty() ? "" : "\n" + threads + "\n");
+  return format_plan(scene, figures, plans) + (threads.empty() ? "" : "\n" + threads + "\n");
 }
 
 }  // namespace

@@ -142,6 +142,8 @@ struct Parser {
     figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS", "Core time per contact node or face, and step");
     figure("--iterations", f.iterations, zero_or_more, "COUNT", "Iterations of the contact enforcement in a step");
     figure("--steps-per-search", f.steps_per_search, one_or_more, "COUNT", "Steps between two contact searches");
+    plan->add_flag("--all-touch", f.all_touch,
+                   "Every node near a face touches it (default: those that do at the start)");
   }
 
   /// --report and --out are those of the program that writes the page (tools.hpp), here for their lines of help.

@@ -17,6 +17,7 @@ struct PlanFigures {
   double contact_node_ns = 550;  // of a core, a contact node or face and step
   double iterations = 22;        // of the contact enforcement in a step
   double steps_per_search = 7;   // for which candidate pairs are used
+  bool all_touch = false;        // each node touches the nearest face that it may touch
 };
 
 struct Command {

@@ -17,9 +17,9 @@ struct Cost {
   double messages = 0, bytes = 0;
 };
 
-void add(const Traffic& traffic, double times, Cost& cost) {
-  cost.messages += times * static_cast<double>(traffic.messages);
-  cost.bytes += times * static_cast<double>(traffic.bytes);
+void add(const PlannedTraffic& traffic, double times, Cost& cost) {
+  cost.messages += times * traffic.messages;
+  cost.bytes += times * traffic.bytes;
 }
 
 /// Shells and beams swap moments besides forces.
@@ -29,6 +29,9 @@ Cost find_halo_cost(const RankPlan& rank, const StepPattern& pattern) {
 }
 
 bool has_contact(const StepPattern& pattern) { return pattern.has_pairs || pattern.has_walls; }
+
+/// Whether there are rows to enforce.
+bool has_rows(const StepPattern& pattern) { return has_contact(pattern) && pattern.has_contacts; }
 
 double find_steps_per_search(const StepPattern& pattern, const PlanFigures& figures) {
   return pattern.reuses_search ? figures.steps_per_search : 1;
@@ -45,6 +48,7 @@ Cost find_contact_cost(const RankPlan& mesh, const ContactRankPlan& contact, con
   add(contact.step, 1, cost);
   add(contact.pass, count_passes(figures), cost);
   // Velocities and impulses of shared nodes from their owners to the copies.
+  if (!contact.is_touched) return cost;
   cost.messages += mesh.copy_receivers;
   cost.bytes += 2.0 * static_cast<double>(mesh.copies_sent * halo_slot_bytes);
   return cost;
@@ -71,7 +75,8 @@ StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
   const bool has_rotations = std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) {
     return part.has_thickness() || (part.section && bends(*part.section));
   });
-  return {deck.gravity.any(), contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_rotations};
+  return {deck.gravity.any(),        contact.points() > 0, !deck.walls.empty(),
+          deck.contact.reuse_search, has_rotations,        contact.contacts() > 0};
 }
 
 double count_steps(const TimeDeck& time, double first_step) {
@@ -83,7 +88,8 @@ double count_reductions(const StepPattern& pattern, const PlanFigures& figures) 
   double count = 1;                  // the step, failures and stops
   if (pattern.has_gravity) ++count;  // momentum
   if (!has_contact(pattern)) return count;
-  count += 2 + figures.iterations;  // who has rows and touches foreign nodes; each iteration; what was done
+  ++count;                                                 // who has rows and touches foreign nodes
+  if (has_rows(pattern)) count += 1 + figures.iterations;  // each iteration; what was done
   if (!pattern.has_pairs) return count;
   // A search: largest motion with the mean edge, places beside the cuts, which parts are reached, and pairs.
   count += 4 / find_steps_per_search(pattern, figures);
@@ -106,6 +112,7 @@ RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, cons
   spreads.halo_messages = spread([&](std::size_t r) { return find_halo_cost(mesh[r], pattern).messages; });
   spreads.halo_bytes = spread([&](std::size_t r) { return find_halo_cost(mesh[r], pattern).bytes; });
   spreads.contact_points = spread([&](std::size_t r) { return number(contact[r].points()); });
+  spreads.contacts = spread([&](std::size_t r) { return number(contact[r].contacts); });
   spreads.contact_messages = spread([&](std::size_t r) { return contact_cost(r).messages; });
   spreads.contact_bytes = spread([&](std::size_t r) { return contact_cost(r).bytes; });
   spreads.memory = spread([&](std::size_t r) {

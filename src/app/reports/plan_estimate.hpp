@@ -19,6 +19,7 @@ struct StepPattern {
   bool has_walls = false;
   bool reuses_search = true;
   bool has_rotations = false;
+  bool has_contacts = true;  // where surfaces or walls may touch, whether some do
 };
 
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact);
@@ -39,7 +40,7 @@ struct Spread {
 /// What the ranks have and send in a step; messages and bytes are means over the steps between two searches.
 struct RankSpreads {
   Spread chunks, elements, work, shared_nodes, neighbours, halo_messages, halo_bytes;
-  Spread contact_points, contact_messages, contact_bytes, memory;  // work [hexahedra]; memory [byte]
+  Spread contact_points, contacts, contact_messages, contact_bytes, memory;  // work [hexahedra]; memory [byte]
 };
 
 /// Times of a step [s].

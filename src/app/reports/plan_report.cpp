@@ -95,10 +95,17 @@ void add_mesh_rows(PlanTable& table) {
   table.add_mean_and_most("halo bytes per step", &RankSpreads::halo_bytes);
 }
 
-void add_contact_rows(PlanTable& table) {
-  table.add_mean_and_most("contact points per rank", &RankSpreads::contact_points);
-  table.add_most_over_mean(&RankSpreads::contact_points);
-  table.add("ghost faces, all ranks", "{}", [](const Column& c) { return c.plan.contact.ghost_faces; });
+void add_contact_rows(PlanTable& table, const StepPattern& pattern) {
+  if (pattern.has_pairs) {
+    table.add_mean_and_most("contact points per rank", &RankSpreads::contact_points);
+    table.add_most_over_mean(&RankSpreads::contact_points);
+  }
+  if (pattern.has_contacts) {
+    table.add_mean_and_most("contacts per rank", &RankSpreads::contacts);
+    table.add_most_over_mean(&RankSpreads::contacts);
+  }
+  if (pattern.has_pairs)
+    table.add("ghost faces, all ranks", "{}", [](const Column& c) { return c.plan.contact.ghost_faces; });
   table.add_mean_and_most("contact messages per step", &RankSpreads::contact_messages);
   table.add_mean_and_most("contact bytes per step", &RankSpreads::contact_bytes);
 }
@@ -127,6 +134,15 @@ void add_run_rows(PlanTable& table, double steps) {
             [=](const Column& c) { return format_core_hours(c.plan.ranks * steps * c.step.step() / 3600); });
 }
 
+/// Which contacts the messages are planned for.
+std::string format_contacts(const PlannedScene& scene, const PlanFigures& figures) {
+  if (!scene.pattern.has_pairs && !scene.pattern.has_walls) return "";
+  const std::string text = fmt::format("\ncontacts {}", scene.contacts);
+  if (figures.all_touch) return text + ": every node near a face touches one (--all-touch)";
+  return text + ", those of the start, for the whole run" +
+         (scene.pattern.has_pairs ? "; bodies that meet later send more (--all-touch)" : "");
+}
+
 std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   const Deck& deck = scene.deck;
   std::string text = fmt::format("deck     {}{}\n", deck.file, deck.title.empty() ? "" : ": " + deck.title);
@@ -134,6 +150,7 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   if (scene.pattern.has_pairs) {
     text += fmt::format("; {} contact nodes, {} contact faces", scene.contact_nodes, scene.contact_faces);
   }
+  text += format_contacts(scene, figures);
   text += fmt::format("\ntime     0 to {:g}; first step {:.4g}, {:.0f} steps of this length", deck.time.end,
                       scene.first_step, count_steps(deck.time, scene.first_step));
   text += fmt::format("\nassumed  {:g} ns per element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
@@ -198,7 +215,7 @@ std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, c
   PlanTable table(columns);
   table.add("ranks", "{}", [](const Column& c) { return c.plan.ranks; });
   add_mesh_rows(table);
-  if (scene.pattern.has_pairs) add_contact_rows(table);
+  if (scene.pattern.has_pairs || scene.pattern.has_walls) add_contact_rows(table, scene.pattern);
   add_time_rows(table, count_reductions(scene.pattern, figures));
   add_run_rows(table, count_steps(scene.deck.time, scene.first_step));
   std::string text = format_head(scene, figures) + table.format();

@@ -12,7 +12,8 @@ namespace percuss {
 struct PlannedScene {
   const Deck& deck;
   std::int64_t elements = 0, nodes = 0, chunks = 0, contact_nodes = 0, contact_faces = 0;
-  double first_step = 0;  // time unit of the deck, above zero
+  std::int64_t contacts = 0;  // that are planned for
+  double first_step = 0;      // time unit of the deck, above zero
   StepPattern pattern;
 };
 

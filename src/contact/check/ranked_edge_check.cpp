@@ -141,6 +141,7 @@ EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExc
   const auto a = to_host(history.a), b = to_host(history.b);
   const auto holds = to_host(history.holds);
   const auto normal = to_host(history.normal);
+  static_assert(sizeof(EdgeHistoryItem) == history_bytes);
   std::vector<EdgeHistoryItem> items;
   const auto add_items_of = [&](int e) {
     const std::int64_t number = share_.edges[at(e)].number;
@@ -198,6 +199,7 @@ std::vector<Record> RankedEdgeCheck::send_results_to_homes(const EdgePart& part,
 
 /// The touches of the last check, by paired edge.
 std::vector<RankedEdgeCheck::TouchRecord> RankedEdgeCheck::list_touches() const {
+  static_assert(sizeof(TouchRecord) == touch_bytes);
   const EdgePairs& pairs = space_.checked_pairs();
   const auto list = to_host(space_.touches.list), a = to_host(pairs.a), b = to_host(pairs.b);
   const auto touches = to_host(space_.touches.by_pair);

@@ -11,6 +11,9 @@ namespace percuss {
 /// All calls but space() and narrow() are collective.
 class RankedEdgeCheck {
  public:
+  /// Size of a touch on its way to the home of its edge A, and of a contact that is remembered on its way from there.
+  static constexpr int touch_bytes = 64 + sizeof(EdgeTouch), history_bytes = 40;
+
   /// The share outlives this.
   RankedEdgeCheck(const ContactRanks& ranks, const SurfaceShare& share, bool keeps_still);
 

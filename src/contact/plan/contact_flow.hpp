@@ -10,34 +10,39 @@
 
 namespace percuss {
 
+/// Bytes of an item as a run sends it: the number of a node or an edge, whether something is wanted, a place, and a
+/// place with its velocity.
+inline constexpr double number_bytes = 8, flag_bytes = 1, place_bytes = 24, motion_bytes = 48;
+
 /// Items that go from rank to rank; what stays on a rank does not count.
 class Flow {
  public:
+  /// No items: a message that may be empty.
   void add(int from, int to, std::int64_t items = 1) {
     if (from != to) items_[{from, to}] += items;
   }
 
-  /// A message from every sender to every receiver, of so many bytes an item ...
-  void send(std::int64_t bytes, Traffic ContactRankPlan::*phase, ContactPlan& plan) const {
-    for (const auto& [pair, items] : items_) count(pair.first, items * bytes, phase, plan);
+  /// A message from every sender to every receiver, of so many bytes an item, so many times ...
+  void send(double bytes, PlannedTraffic ContactRankPlan::*phase, ContactPlan& plan, double times = 1) const {
+    for (const auto& [pair, items] : items_) count(pair.first, static_cast<double>(items) * bytes, times, plan, phase);
   }
   /// ... or back along the same ways ...
-  void send_back(std::int64_t bytes, Traffic ContactRankPlan::*phase, ContactPlan& plan) const {
-    for (const auto& [pair, items] : items_) count(pair.second, items * bytes, phase, plan);
+  void send_back(double bytes, PlannedTraffic ContactRankPlan::*phase, ContactPlan& plan, double times = 1) const {
+    for (const auto& [pair, items] : items_) count(pair.second, static_cast<double>(items) * bytes, times, plan, phase);
   }
   /// ... or of so many bytes in all.
-  void announce(std::int64_t bytes, Traffic ContactRankPlan::*phase, ContactPlan& plan) const {
-    for (const auto& [pair, items] : items_) count(pair.first, bytes, phase, plan);
+  void announce(double bytes, PlannedTraffic ContactRankPlan::*phase, ContactPlan& plan) const {
+    for (const auto& [pair, items] : items_) count(pair.first, bytes, 1, plan, phase);
   }
-  void announce_back(std::int64_t bytes, Traffic ContactRankPlan::*phase, ContactPlan& plan) const {
-    for (const auto& [pair, items] : items_) count(pair.second, bytes, phase, plan);
+  void announce_back(double bytes, PlannedTraffic ContactRankPlan::*phase, ContactPlan& plan) const {
+    for (const auto& [pair, items] : items_) count(pair.second, bytes, 1, plan, phase);
   }
 
  private:
-  static void count(int rank, std::int64_t bytes, Traffic ContactRankPlan::*phase, ContactPlan& plan) {
-    Traffic& traffic = plan.ranks[static_cast<std::size_t>(rank)].*phase;
-    ++traffic.messages;
-    traffic.bytes += bytes;
+  static void count(int rank, double bytes, double times, ContactPlan& plan, PlannedTraffic ContactRankPlan::*phase) {
+    PlannedTraffic& traffic = plan.ranks[static_cast<std::size_t>(rank)].*phase;
+    traffic.messages += times;
+    traffic.bytes += times * bytes;
   }
 
   std::map<std::pair<int, int>, std::int64_t> items_;  // by sender and receiver
@@ -48,9 +53,17 @@ struct ContactPlanner::Places {
   Numbering fe;  // of the mesh, with the ranks of the plan
   CutTree tree;
   std::vector<int> rank_of_part;
-  std::vector<int> owners;  // [points] ranks
+  std::vector<int> owners;       // [points] ranks
+  std::vector<int> edge_owners;  // [edges] parts
 
   int find_fe_rank(int mesh_node) const { return fe.find_node_owner(mesh_node); }
+  /// The rank that has the contacts of an edge.
+  int find_home(const EdgeTopology& edge) const { return fe.find_element_owner(edge.elements[0]); }
+};
+
+/// Nodes and histories that ranks ask others for.
+struct ContactPlanner::Named {
+  Flow nodes, history;
 };
 
 /// Marks nodes that a rank knows.

@@ -1,26 +1,27 @@
 #include "src/contact/plan/plan_contact.hpp"
 
+#include <limits>
+
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/plan/contact_flow.hpp"
-#include "src/contact/search/local_finder.hpp"
-#include "src/contact/search/pair_limit.hpp"
-#include "src/contact/search/reuse_bound.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
-ContactPlanner::ContactPlanner(const ChunkedMesh& whole, const Deck& deck)
+ContactPlanner::ContactPlanner(const ChunkedMesh& whole, const Deck& deck, const ContactScene& scene)
     : whole_(whole),
       exchange_(Communicator(MPI_COMM_SELF)),
-      share_(build_surface_share(whole, deck, find_ties(whole, deck, exchange_.ranks()), exchange_)),
-      x_(to_rows("contact::start_places", whole.mesh.nodes)),
+      ties_(find_ties(whole, deck, exchange_.ranks())),
+      share_(build_surface_share(whole, deck, ties_, exchange_)),
+      steps_per_search_(deck.contact.reuse_search ? scene.steps_per_search : 1),
+      pairs_(find_start_pairs(deck, share_, scene.motion, steps_per_search_)),
       contact_nodes_(whole.mesh.nodes.size(), -1) {
   for (int n = 0; n < share_.nodes.count(); ++n) {
     contact_nodes_[at(share_.nodes.mesh_nodes[at(n)])] = n;
     if (share_.nodes.searched[at(n)] != 0) searched_nodes_.push_back(n);
   }
   locate_points();
-  if (!share_.searched_faces.empty()) find_boxes(deck.contact.reuse_search);
+  list_rows(deck, scene);
 }
 
 /// As ContactDecomposition::locate_points does.
@@ -38,34 +39,50 @@ void ContactPlanner::locate_points() {
   }
 }
 
-/// Capture boxes of the faces at rest, widened as a run widens them, and the candidate pairs in them.
-void ContactPlanner::find_boxes(bool reuse_search) {
-  const SurfaceMotion at_rest{x_, x_, 0};
-  ReuseBound bound(exchange_.ranks(), share_, reuse_search);
-  const double margin = margin_ = bound.restart(at_rest);
-  const Boxes boxes("contact::boxes", share_.searched_faces.size());
-  bound_faces(ExecSpace(), share_.bounded_faces(), at_rest, margin, boxes);
-  ExecSpace().fence();
-  const auto host = to_host(boxes);
-  boxes_.resize(share_.searched_faces.size());
-  for (std::size_t f = 0; f < boxes_.size(); ++f) {
-    for (std::size_t k = 0; k < 6; ++k) boxes_[f][k] = host(f, k);
+/// Of the candidate faces of a contact node, the one whose centre is nearest; -1 if it has none.
+int ContactPlanner::find_nearest_candidate(int node) const {
+  const Vec3& x = whole_.mesh.nodes[at(share_.nodes.mesh_nodes[at(node)])];
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = pairs_.all.first[at(node)]; i < pairs_.all.first[at(node) + 1]; ++i) {
+    double distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double centre = 0;
+      for (const int corner : share_.face_corners[at(pairs_.all.face[at(i)])]) {
+        centre += 0.25 * whole_.mesh.nodes[at(corner)][k];
+      }
+      distance += (centre - x[k]) * (centre - x[k]);
+    }
+    if (distance < least) nearest = pairs_.all.face[at(i)];
+    least = std::min(least, distance);
   }
-  find_pairs(boxes, margin);
+  return nearest;
 }
 
-void ContactPlanner::find_pairs(const Boxes& boxes, double margin) {
-  const ContactSurface surface = make_whole_surface(share_);
-  const std::int64_t limit = find_pair_limit(share_);
-  SearchScratch scratch;
-  CandidateList found;
-  const std::int64_t pairs = find_candidate_pairs(ExecSpace(), surface, {x_, boxes}, limit, scratch, found);
-  refuse_too_many_pairs(pairs, limit, margin);
-  const auto offset = to_host(found.offset);
-  const auto face = to_host(found.face);
-  first_pair_.assign(at(share_.nodes.count()) + 1, 0);
-  if (found.num_pairs > 0) first_pair_.assign(offset.data(), offset.data() + first_pair_.size());
-  pair_face_.assign(face.data(), face.data() + found.num_pairs);
+void ContactPlanner::list_rows(const Deck& deck, const ContactScene& scene) {
+  const auto add = [&](int node, int face) {
+    const std::array<int, 4>& c = share_.face_corners[at(face)];
+    rows_.push_back({{share_.nodes.mesh_nodes[at(node)], c[0], c[1], c[2], c[3]}, -1, true});
+  };
+  if (scene.touches == PlannedTouches::start)
+    for (const auto& [node, face] : pairs_.touches) add(node, face);
+  else
+    for (const int node : searched_nodes_)
+      if (const int face = find_nearest_candidate(node); face >= 0) add(node, face);
+  for (const auto& [a, b] : pairs_.edge_touches) {
+    const std::int64_t(&of_a)[2] = share_.edges[at(a)].ends, (&of_b)[2] = share_.edges[at(b)].ends;
+    rows_.push_back({{static_cast<int>(of_a[0]), static_cast<int>(of_a[1]), static_cast<int>(of_b[0]),
+                      static_cast<int>(of_b[1]), -1},
+                     a});
+  }
+  for (const TiedNode& tied : ties_.nodes) {
+    Row row{{static_cast<int>(tied.node), -1, -1, -1, -1}};
+    for (std::size_t i = 0; i < 4; ++i) row.nodes[i + 1] = static_cast<int>(tied.corners[i]);
+    rows_.push_back(row);
+  }
+  if (deck.walls.empty()) return;
+  for (const int node : find_walled_nodes(whole_, deck, share_, scene.motion))
+    rows_.push_back({{node, -1, -1, -1, -1}});
 }
 
 /// The rank that has a point in the FE decomposition.
@@ -76,7 +93,8 @@ int ContactPlanner::find_point_rank(const Places& places, std::size_t point) con
 }
 
 ContactPlanner::Places ContactPlanner::divide(const std::vector<int>& chunk_ranks, int rank_count) const {
-  Places places{whole_.numbering, {rank_count, to_view("contact::cuts", bisect_points(points_, rank_count))}, {}, {}};
+  Places places{
+      whole_.numbering, {rank_count, to_view("contact::cuts", bisect_points(points_, rank_count))}, {}, {}, {}};
   places.fe.ranks = chunk_ranks;
   std::vector<std::vector<int>> parts(at(rank_count));
   for (std::size_t p = 0; p < points_.size(); ++p) {
@@ -89,6 +107,7 @@ ContactPlanner::Places ContactPlanner::divide(const std::vector<int>& chunk_rank
     overlaps.insert(overlaps.end(), own.begin(), own.end());
   }
   places.rank_of_part = assign_parts(std::move(overlaps), rank_count);
+  find_edge_owners(places);
   for (int& owner : places.owners) owner = places.rank_of_part[at(owner)];
   return places;
 }
@@ -96,12 +115,15 @@ ContactPlanner::Places ContactPlanner::divide(const std::vector<int>& chunk_rank
 ContactPlan ContactPlanner::plan(const std::vector<int>& chunk_ranks, int rank_count) const {
   ContactPlan plan;
   plan.ranks.resize(at(rank_count));
-  if (boxes_.empty()) return plan;
+  if (points_.empty() && rows_.empty()) return plan;
   const Places places = divide(chunk_ranks, rank_count);
   plan_search(places, plan);
+  count_contacts(places, plan);
   if (rank_count == 1) return plan;  // nothing is sent
   plan_telling(places, plan);
   plan_check(places, plan);
+  plan_edge_search(places, plan);
+  plan_edge_check(places, plan);
   plan_enforcement(places, plan);
   return plan;
 }

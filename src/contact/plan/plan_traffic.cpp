@@ -1,7 +1,6 @@
 // What ranks send each other for contact, by the steps of a run.
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "src/contact/check/ranked_check.hpp"
@@ -13,19 +12,15 @@
 namespace percuss {
 namespace {
 
-// Bytes of an item as a run sends it.
-constexpr std::int64_t number_bytes = 8;  // of a node
-constexpr std::int64_t plan_bytes = 8;    // items of a message that is to follow, when a plan is made (2.4)
-constexpr std::int64_t place_bytes = 24;
-constexpr std::int64_t box_bytes = 48;
-constexpr std::int64_t flag_bytes = 1;                          // whether something is wanted
-constexpr std::int64_t motion_bytes = 48;                       // place and velocity
-constexpr std::int64_t history_bytes = 24;                      // three faces
-constexpr std::int64_t touch_bytes = RankedCheck::touch_bytes;  // a touch with its node, face and corners
-constexpr std::int64_t notice_bytes = sizeof(RowNotice);        // a corner and its row
-constexpr std::int64_t corner_bytes = sizeof(NodeAnswer);       // place, velocities, inverse mass, spring
-constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);       // a row of another rank on a corner
-constexpr std::int64_t value_bytes = 24;                        // a coefficient, an impulse
+// Bytes of an item as a run sends it, besides those of contact_flow.hpp.
+constexpr double plan_bytes = 8;  // items of a message that is to follow, when a plan is made (2.4)
+constexpr double box_bytes = 48;
+constexpr double history_bytes = 24;                       // three faces
+constexpr double touch_bytes = RankedCheck::touch_bytes;   // a touch with its node, face and corners
+constexpr double notice_bytes = sizeof(RowNotice);         // a corner and its row
+constexpr double value_bytes = 24;                         // a coefficient, an impulse
+constexpr std::int64_t corner_bytes = sizeof(NodeAnswer);  // place, velocities, inverse mass, spring
+constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);  // a row of another rank on a corner
 
 }  // namespace
 
@@ -62,30 +57,10 @@ struct ContactPlanner::Reach {
   }
 };
 
-/// Of the candidate faces of a contact node, the one whose centre is nearest; -1 if it has none.
-int ContactPlanner::find_nearest_candidate(int node) const {
-  const Vec3& x = whole_.mesh.nodes[at(share_.nodes.mesh_nodes[at(node)])];
-  int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = first_pair_[at(node)]; i < first_pair_[at(node) + 1]; ++i) {
-    double distance = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      double centre = 0;
-      for (const int corner : share_.face_corners[at(pair_face_[at(i)])]) {
-        centre += 0.25 * whole_.mesh.nodes[at(corner)][k];
-      }
-      distance += (centre - x[k]) * (centre - x[k]);
-    }
-    if (distance < least) nearest = pair_face_[at(i)];
-    least = std::min(least, distance);
-  }
-  return nearest;
-}
-
 /// Calls call(rank) for the ranks that the box of a searched face reaches, if it is so much wider.
 template <class Call>
 void ContactPlanner::visit_ranks(const Places& places, std::size_t face, double wider, const Call& call) const {
-  const std::array<double, 6>& box = boxes_[face];
+  const std::array<double, 6>& box = pairs_.boxes[face];
   visit_reached_ranks(places.tree, std::array{box[0] - wider, box[1] - wider, box[2] - wider},
                       std::array{box[3] + wider, box[4] + wider, box[5] + wider},
                       [&](int part) { call(places.rank_of_part[at(part)]); });
@@ -98,13 +73,14 @@ void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const 
     ++plan.ranks[at(places.owners[i])].nodes;
     nodes.add(find_point_rank(places, i), places.owners[i]);
   }
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+  for (std::size_t i = 0; i < pairs_.boxes.size(); ++i) {
     const std::size_t point = searched_nodes_.size() + i;
     ++plan.ranks[at(places.owners[point])].faces;
     visit_ranks(places, i, 0, [&](int rank) { ++plan.ranks[at(rank)].faces_here; });
-    visit_ranks(places, i, told_margins * margin_, [&](int rank) { faces.add(find_point_rank(places, point), rank); });
+    visit_ranks(places, i, told_margins * pairs_.margin,
+                [&](int rank) { faces.add(find_point_rank(places, point), rank); });
   }
-  plan.ghost_faces = -static_cast<std::int64_t>(boxes_.size());
+  plan.ghost_faces = -static_cast<std::int64_t>(pairs_.boxes.size());
   for (const ContactRankPlan& rank : plan.ranks) plan.ghost_faces += rank.faces_here;
   const auto telling = &ContactRankPlan::telling, search = &ContactRankPlan::search;
   for (const Flow* flow : {&nodes, &faces}) flow->announce(plan_bytes, telling, plan);
@@ -123,8 +99,8 @@ void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const
     nodes[at(places.owners[i])].push_back(share_.nodes.mesh_nodes[at(searched_nodes_[i])]);
     history.add(find_point_rank(places, i), places.owners[i]);
   }
-  for (std::size_t i = 0; i < boxes_.size(); ++i)
-    visit_ranks(places, i, told_margins * margin_,
+  for (std::size_t i = 0; i < pairs_.boxes.size(); ++i)
+    visit_ranks(places, i, told_margins * pairs_.margin,
                 [&](int rank) { faces[at(rank)].push_back(share_.searched_faces[i]); });
   Reach reach(*this, places);
   for (int rank = 0; rank < static_cast<int>(nodes.size()); ++rank) {
@@ -145,13 +121,13 @@ void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const
   }
 }
 
-/// What a rank is sent for the check of its candidate pairs, in every step: (5.6) and (5.7).
-void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
+/// What a rank is sent for the check of some pairs, so many times a step: (5.6) and (5.7). lists: how often in a step
+/// it asks for some of it.
+void ContactPlanner::send_check(const Places& places, const FacesOfNodes& pairs, double times, double lists,
+                                ContactPlan& plan) const {
   std::vector<std::vector<int>> checked(plan.ranks.size());  // by rank, places among the contact nodes
-  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
-    const int n = searched_nodes_[i];
-    if (first_pair_[at(n)] < first_pair_[at(n) + 1]) checked[at(places.owners[i])].push_back(n);
-  }
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i)
+    if (pairs.has(searched_nodes_[i])) checked[at(places.owners[i])].push_back(searched_nodes_[i]);
   Reach reach(*this, places);
   Visit faces(share_.faces.size());
   Flow history;
@@ -161,8 +137,8 @@ void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
       history.add(places.find_fe_rank(node), rank);
       reach.need(node, rank);
       reach.ask(node, rank);
-      for (int i = first_pair_[at(n)]; i < first_pair_[at(n) + 1]; ++i) {
-        const int face = pair_face_[at(i)];
+      for (int i = pairs.first[at(n)]; i < pairs.first[at(n) + 1]; ++i) {
+        const int face = pairs.face[at(i)];
         if (!faces.is_first(face, rank)) continue;
         for (const int corner : share_.face_corners[at(face)]) reach.ask(corner, rank);
         for (const int back : share_.face_backs[at(face)]) reach.need(back, rank);
@@ -170,25 +146,57 @@ void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
     }
   }
   const auto step = &ContactRankPlan::step;
-  reach.nodes.send(motion_bytes, step, plan);
-  history.send(history_bytes, step, plan);
-  history.send_back(touch_bytes, step, plan);
+  reach.nodes.send(motion_bytes, step, plan, times);
+  history.send(history_bytes, step, plan, times);
+  history.send_back(0, step, plan, times);  // touches; their bytes are plan_check()'s
+  reach.nodes.send_back(flag_bytes, step, plan, lists);
+  history.send_back(flag_bytes, step, plan, lists);
+}
+
+/// All pairs in the first step after a search, near ones until they are listed again, and then those of which they are.
+void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
+  const double searches = 1 / steps_per_search_, lists = 1 / pairs_.steps_per_list;
+  if (!pairs_.lists_near) {
+    send_check(places, pairs_.all, 1, 0, plan);
+  } else {
+    send_check(places, pairs_.all, searches, searches, plan);
+    send_check(places, pairs_.reachable, std::max(0.0, lists - searches), lists, plan);
+    send_check(places, pairs_.near, 1 - std::max(lists, searches), 0, plan);
+  }
+  std::vector<int> owners(at(share_.nodes.count()), -1);  // [contact nodes]
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) owners[at(searched_nodes_[i])] = places.owners[i];
+  for (const Row& row : rows_) {
+    if (!row.is_sent) continue;
+    const int home = places.find_fe_rank(row.nodes[0]), rank = owners[at(contact_nodes_[at(row.nodes[0])])];
+    if (home != rank) plan.ranks[at(rank)].step.bytes += touch_bytes;
+  }
+}
+
+int ContactPlanner::find_row_rank(const Places& places, const Row& row) const {
+  return row.edge >= 0 ? places.find_home(share_.edges[at(row.edge)]) : places.find_fe_rank(row.nodes[0]);
+}
+
+void ContactPlanner::count_contacts(const Places& places, ContactPlan& plan) const {
+  for (const Row& row : rows_) {
+    ContactRankPlan& rank = plan.ranks[at(find_row_rank(places, row))];
+    ++rank.contacts;
+    rank.is_touched = true;
+  }
 }
 
 /// What rows exchange with all ranks that have rows on the same nodes, and with the owners of these.
 void ContactPlanner::plan_enforcement(const Places& places, ContactPlan& plan) const {
   std::vector<std::map<int, std::int64_t>> rows(whole_.mesh.nodes.size());  // of a node: how many each rank has on it
-  for (const int n : searched_nodes_) {
-    const int face = find_nearest_candidate(n);
-    if (face < 0) continue;
-    const int node = share_.nodes.mesh_nodes[at(n)], rank = places.find_fe_rank(node);
-    ++rows[at(node)][rank];
-    for (const int corner : share_.face_corners[at(face)]) ++rows[at(corner)][rank];
+  for (const Row& row : rows_) {
+    const int rank = find_row_rank(places, row);
+    for (const int node : row.nodes)
+      if (node >= 0) ++rows[at(node)][rank];
   }
   Flow notices, answers, swaps;
   for (std::size_t node = 0; node < rows.size(); ++node) {
     if (rows[node].empty()) continue;
     const int owner = places.find_fe_rank(static_cast<int>(node));
+    plan.ranks[at(owner)].is_touched = true;
     rows[node].try_emplace(owner, 0);
     std::int64_t all = 0;
     for (const auto& [rank, count] : rows[node]) all += count;

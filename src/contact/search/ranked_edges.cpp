@@ -97,6 +97,7 @@ void RankedEdges::find_reached_ranks(const SurfaceMotion& motion, double margin)
 }
 
 void RankedEdges::send_overlapping_edges(const SurfaceMotion& motion) {
+  static_assert(sizeof(EdgeRecord) == record_bytes);
   if (!data_) return;
   const auto boxes = to_host(boxes_);
   const auto x = to_host(motion.x);

@@ -15,6 +15,9 @@ namespace percuss {
 
 class RankedEdges {
  public:
+  /// Size of an edge on its way to a rank that its box reaches.
+  static constexpr int record_bytes = sizeof(EdgeTopology) + 104;
+
   /// Collective, as are all calls; a scene without edges sends nothing. The share outlives this.
   RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 

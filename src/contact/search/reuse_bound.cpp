@@ -147,6 +147,12 @@ NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   return way;
 }
 
+PlannedLists plan_near_lists(double margin, double steps_per_search) {
+  const double whole = margin / travels_in_margin, steps = std::min(near_share * steps_per_search, near_steps);
+  if (steps < least_near_steps) return {};
+  return {{0.999 * whole * steps / steps_per_search, std::sqrt(3.0) * whole, false}, steps};
+}
+
 void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_nodes) {
   archive.integer("contact/search/valid", valid_);
   archive.number("contact/search/margin", margin_);

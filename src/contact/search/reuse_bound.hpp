@@ -96,4 +96,12 @@ class ReuseBound {
   Rows3<double> near_origin_, first_origin_;
 };
 
+/// Lists of near pairs between two searches so many steps apart, after a search, where ways are equal from step to
+/// step.
+struct PlannedLists {
+  NearWay way;       // none: none are made
+  double steps = 1;  // for which a list serves
+};
+PlannedLists plan_near_lists(double margin, double steps_per_search);
+
 }  // namespace percuss

@@ -110,6 +110,42 @@ TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
   EXPECT_EQ(run_percuss({"plan", file, "--ranks", "1,3"}, launch_on(2)).out, result.out);
 }
 
+/// The number that a line of a table with one column of numbers ends with.
+double find_planned(const std::string& table, const std::string& label) {
+  const std::size_t line = table.find("\n" + label);
+  if (line == std::string::npos) return -1;
+  return std::stod(table.substr(line + 1 + label.size()));
+}
+
+// One plate slides over the other, within reach of the search, and does not touch it.
+TEST(PercussPlan, ForecastsWhatARunSends) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out", file = folder.write("deck.yaml", R"yaml(
+time: {end: 100, max_steps: 150}
+parts:
+  lower: {box: {size: [2, 1, 0.1], cells: [20, 10, 1]}, material: soft}
+  upper: {box: {size: [2, 1, 0.1], cells: [18, 9, 1]}, at: [0.03, 0.02, 0.13], material: soft}
+materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{part: upper, velocity: [0.05, 0, 0]}]
+contact: {surfaces: all}
+)yaml");
+  const ProcessResult run = run_percuss({"run", file, "-o", out}, launch_on(3));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Summary summary = read_summary(out + "/summary.json");
+  ASSERT_LT(summary.skipped.searches, 1);
+  const std::string steps = std::to_string(1 / (1 - summary.skipped.searches));
+  const ProcessResult plan =
+      run_percuss({"plan", file, "--ranks", "3", "--iterations", "0", "--steps-per-search", steps});
+  EXPECT_THAT(plan.out,
+              HasSubstr("\ncontacts 0, those of the start, for the whole run; bodies that meet later send more"));
+  for (const auto& [what, sent] : {std::pair("messages", static_cast<double>(summary.messages.count)),
+                                   std::pair("bytes", static_cast<double>(summary.messages.bytes))}) {
+    const double planned = find_planned(plan.out, std::string("halo ") + what + " per step, mean") +
+                           find_planned(plan.out, std::string("contact ") + what + " per step, mean");
+    EXPECT_NEAR(planned, sent, 0.2 * sent) << what << " with " << steps << " steps per search\n" << plan.out;
+  }
+}
+
 TEST(PercussPlan, RefusesAWrongDeckWithItsPlace) {
   const TemporaryFolder folder;
   const std::string file =

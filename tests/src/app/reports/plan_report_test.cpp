@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
 
@@ -20,10 +21,19 @@ parts: {bar: {box: {size: [8, 1, 1], cells: [32, 4, 4]}, material: steel}}
 materials: {steel: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
 )";
 
+/// At rest.
+ContactScene make_scene(const ChunkedMesh& whole) {
+  const Rows3<double> v("test::v", whole.mesh.nodes.size());
+  return {{to_rows("test::x", whole.mesh.nodes), v, 0}, 7};
+}
+
 /// Plans of a deck for some numbers of ranks.
 struct Planned {
   Planned(const std::string& text, const std::vector<int>& rank_counts)
-      : deck(parse_deck(text, "deck.yaml")), mesh(deck), whole(load_mesh(deck, self)), contact(whole, deck) {
+      : deck(parse_deck(text, "deck.yaml")),
+        mesh(deck),
+        whole(load_mesh(deck, self)),
+        contact(whole, deck, make_scene(whole)) {
     for (const int ranks : rank_counts) {
       DecompositionPlan divided = mesh.plan(ranks);
       ContactPlan surfaces = contact.plan(divided.partition.parts, ranks);
@@ -33,9 +43,10 @@ struct Planned {
 
   std::string format() const {
     const Numbering& numbering = whole.numbering;
-    return format_plan({deck, numbering.element_count(), numbering.node_count(), numbering.chunk_count(),
-                        contact.nodes(), contact.faces(), first_step, find_step_pattern(deck, contact)},
-                       figures, plans);
+    return format_plan(
+        {deck, numbering.element_count(), numbering.node_count(), numbering.chunk_count(), contact.nodes(),
+         contact.faces(), contact.contacts(), first_step, find_step_pattern(deck, contact)},
+        figures, plans);
   }
 
   const Communicator self{MPI_COMM_SELF};
@@ -70,6 +81,7 @@ TEST(PlanEstimate, CountsTheReductionsOfEveryKindOfScene) {
   EXPECT_EQ(count_reductions({.has_walls = true}, figures), 1 + 2 + 10);
   EXPECT_EQ(count_reductions({.has_pairs = true}, figures), 1 + 2 + 10 + 1 + 4.0 / 4);
   EXPECT_EQ(count_reductions({.has_pairs = true, .reuses_search = false}, figures), 1 + 2 + 10 + 4);
+  EXPECT_EQ(count_reductions({.has_pairs = true, .has_contacts = false}, figures), 1 + 1 + 1 + 4.0 / 4);
 }
 
 TEST(PlanReport, HasAColumnForEachNumberOfRanks) {
@@ -125,10 +137,23 @@ TEST(PlanReport, WarnsOfTooFewChunksToBeEven) {
 TEST(PlanReport, WarnsOfTooFewContactPoints) {
   // 31 sections with 16 nodes outside and two ends of 25; 4 x 4 x 32 + 2 x 16 faces.
   const std::string text = Planned(bar + "contact: {surfaces: all}\n", {2, 16}).format();
-  EXPECT_THAT(text, HasSubstr("; 546 contact nodes, 544 contact faces\n"));
+  EXPECT_THAT(text, HasSubstr("; 546 contact nodes, 544 contact faces\ncontacts 0, those of the start, for the whole "
+                              "run; bodies that meet later"));
   EXPECT_THAT(text, testing::ContainsRegex("\ncontact points per rank, most +545 +69\n"));
   EXPECT_THAT(text, HasSubstr("warning: on 16 ranks each has only 68 contact nodes and faces"));
   EXPECT_EQ(text.find("warning: on 2 ranks"), std::string::npos);
+}
+
+// The bar stands on a wall with the 25 nodes of its end.
+TEST(PlanReport, TellsForWhichContactsItIs) {
+  Planned planned(bar + "walls: [{normal: x}]\n", {1, 2});
+  const std::string text = planned.format();
+  EXPECT_THAT(text, HasSubstr("\ncontacts 25, those of the start, for the whole run\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\ncontacts per rank, most +25 +25\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\ncontact messages per step, most +0 +1\n"));
+  EXPECT_EQ(text.find("contact points"), std::string::npos);
+  planned.figures.all_touch = true;
+  EXPECT_THAT(planned.format(), HasSubstr("\ncontacts 25: every node near a face touches one (--all-touch)\n"));
 }
 
 }  // namespace
