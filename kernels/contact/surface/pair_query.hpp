@@ -105,13 +105,13 @@ struct EdgePairRule {
 
   /// What the rule asks of sixteen points.
   struct Lanes {
-    LaneNumbers edge, kind;
+    LaneNumbers edge, kind, part;
     int first_pair[block_size];  // place in the table of pairs
   };
 
   KOKKOS_INLINE_FUNCTION bool operator()(int point, int b) const {
     const int a = edge_of_point(point);
-    return a < b && !(find_kind(a) == line && find_kind(b) == line) && find_edge_friction(surface, a, b) >= 0;
+    return a < b && may_meet(surface, a, b) && find_edge_friction(surface, a, b) >= 0;
   }
 
   /// EdgeSurface::is_blunt, of ridges that of lines.
@@ -120,24 +120,40 @@ struct EdgePairRule {
     return kind < line ? kind : line;
   }
 
+  /// Told apart only where the scene has lines.
+  KOKKOS_FORCEINLINE_FUNCTION int find_part(int edge) const {
+    return surface.scale.extent(0) > 0 ? surface.scale(edge).part : 0;
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION void load(int lane, int point, int, Lanes& lanes) const {
     lanes.edge.lane[lane] = edge_of_point(point);
     lanes.kind.lane[lane] = find_kind(lanes.edge.lane[lane]);
+    lanes.part.lane[lane] = find_part(lanes.edge.lane[lane]);
     lanes.first_pair[lane] = surface.edge_class(lanes.edge.lane[lane]) * surface.num_classes;
   }
 
   KOKKOS_FORCEINLINE_FUNCTION void fetch(int) const {}
 
   KOKKOS_FORCEINLINE_FUNCTION BoxMark mark(int edge) const {
-    const int kind = find_kind(edge);
-    return {edge, surface.edge_class(edge), {kind, kind, kind, kind}, {}};
+    const int kind = find_kind(edge), part = find_part(edge);
+    return {edge, surface.edge_class(edge), {kind, kind, kind, kind}, {part, part, part, part}};
+  }
+
+  /// The lanes that may_meet() leaves out for their kinds and parts: lines meet features of other parts only.
+  KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_kept_apart(const Lanes& lanes, const BoxMark& box) const {
+    const int lines[4] = {line, line, line, line}, blunt_or_line[4] = {line, blunt_edge, line, blunt_edge};
+    const int kind = box.corners[0];
+    if (kind == blunt_edge) return find_equal_lanes(lanes.kind, lines);
+    const std::uint32_t of_part = find_equal_lanes(lanes.part, box.backs);
+    return kind == line ? find_equal_lanes(lanes.kind, blunt_or_line) | of_part
+                        : find_equal_lanes(lanes.kind, lines) & of_part;
   }
 
   /// The lanes of `near` for which the rule holds.
   KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_allowed(const Lanes& lanes, const BoxMark& box,
                                                          std::uint32_t near) const {
     near &= find_lanes_below(lanes.edge, box.name);
-    if (box.corners[0] == line) near &= ~find_equal_lanes(lanes.kind, box.corners);
+    if (surface.scale.extent(0) > 0) near &= ~find_kept_apart(lanes, box);
     return find_lanes_with_friction(surface.pair_friction, surface.num_classes, lanes.first_pair, box.box_class, near);
   }
 };

@@ -12,8 +12,13 @@ LocalEdges::LocalEdges(const SurfaceShare& share, const ContactDeck& deck) : sha
   scratch_.points.method = find_method(deck.search);
   space_.keeps_still = deck.reuse_search;
   if (share.edges.empty()) return;
+  // A table, because the faces around an edge ask for its nodes again and again.
+  const OwnedContactNodes& nodes = share.nodes;
+  std::vector<int> rows(static_cast<std::size_t>(nodes.numbers.back() - nodes.numbers.front()) + 1, -1);
+  for (std::size_t n = 0; n < nodes.numbers.size(); ++n)
+    rows[static_cast<std::size_t>(nodes.numbers[n] - nodes.numbers.front())] = nodes.mesh_nodes[n];
   const auto find_row = [&](std::int64_t number) {
-    return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
+    return rows[static_cast<std::size_t>(number - nodes.numbers.front())];
   };
   set_edge_surface(make_edge_surface(share.edges, find_row, share), space_);
   divided_edges_ = share.edges;
@@ -21,11 +26,30 @@ LocalEdges::LocalEdges(const SurfaceShare& share, const ContactDeck& deck) : sha
   boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
+void LocalEdges::take_over(const LocalEdges& before) {
+  if (share_.edges.empty() || scratch_.points.method != SearchMethod::blocks) return;
+  scratch_.points.blocks = before.scratch_.points.blocks;
+  identify_edges();
+}
+
+/// By numbers, which may name another edge of the same lower node later: it lies there, too.
+void LocalEdges::identify_edges() {
+  constexpr std::int64_t most_pieces = 1024;  // count_pieces()
+  std::vector<std::int64_t> points, edges;
+  for (const EdgeTopology& edge : divided_edges_) {
+    edges.push_back(edge.number);
+    for (int piece = 0; piece < edge.pieces; ++piece) points.push_back(most_pieces * edge.number + piece);
+  }
+  identify(points, edges, scratch_.points.blocks);
+}
+
 std::int64_t LocalEdges::find_candidates(const SurfaceMotion& motion, double margin) {
   if (share_.edges.empty()) return 0;
   const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
-  if (divide_again(space_.surface.ends, motion.x, share_.edge_piece, divided_edges_))
+  if (divide_again(space_.surface.ends, motion.x, share_.edge_piece, divided_edges_)) {
     points_ = list_edge_points(divided_edges_, space_.surface.ends, {});
+    if (scratch_.points.method == SearchMethod::blocks) identify_edges();
+  }
   reserve(places_, points_.points.num_points);
   std::int64_t hits = 0;
   run_where_it_pays(static_cast<int>(share_.edges.size()) / 2, [&](const auto& space) {

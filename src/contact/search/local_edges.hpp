@@ -14,6 +14,9 @@ class LocalEdges {
   /// The share outlives this. A scene without edges does nothing in any call.
   LocalEdges(const SurfaceShare& share, const ContactDeck& deck);
 
+  /// Goes on with the order of the search of other edges, of which most are the same.
+  void take_over(const LocalEdges& before);
+
   /// Finds the pairs for boxes widened by `margin` and returns how many there are. Throws RunError if they are absurdly
   /// many.
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin);
@@ -36,6 +39,8 @@ class LocalEdges {
   }
 
  private:
+  void identify_edges();
+
   const SurfaceShare& share_;
   EdgeSpace space_;
   std::vector<EdgeTopology> divided_edges_;  // SurfaceShare::edges, in pieces of now

@@ -53,6 +53,7 @@ LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : s
 void LocalFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
   check_.counts = other.check_.counts;
+  edges_.take_over(other.edges_);
   if (scratch_.method != SearchMethod::blocks) return;
   scratch_.blocks = other.scratch_.blocks;
   std::vector<std::int64_t> nodes, faces;

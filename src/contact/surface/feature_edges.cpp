@@ -152,6 +152,14 @@ std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, 
   return ItemExchange(ranks).send(to, beams);
 }
 
+/// By number. Those of faces nearly are so on one rank, and long to move.
+void sort_edges(std::vector<FoundEdge>& edges) {
+  const auto is_before = [](const FoundEdge& a, const FoundEdge& b) { return a.edge.number < b.edge.number; };
+  const auto rest = std::is_sorted_until(edges.begin(), edges.end(), is_before);
+  std::sort(rest, edges.end(), is_before);
+  std::inplace_merge(edges.begin(), rest, edges.end(), is_before);
+}
+
 /// Edges by lower node, numbered.
 std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const EdgeRule& rule) {
   std::vector<FoundEdge> edges;
@@ -180,10 +188,11 @@ std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, con
 }  // namespace
 
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,
-                                          UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds) {
+                                          UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds,
+                                          std::vector<double>& passing) {
   const Communicator& ranks = exchange.ranks();
   const ToldSides sides(chunked, share.faces, share.face_corners, ranks);
-  const std::vector<double> passing = find_passing_lengths(sides, chunked.mesh, share.beams, ranks);
+  if (passing.empty()) passing = find_passing_lengths(sides, chunked.mesh, share.beams, ranks);
   std::vector<FoundEdge> beams = share.beams;
   list_ridges(chunked.mesh, share, folds, ranks.rank(), beams);
   if (share.has_beams || !folds.empty()) beams = send_to_lower_nodes(beams, chunked.numbering, ranks);
@@ -196,8 +205,7 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const Surf
   homes.reserve(numbered.size());
   for (const FoundEdge& found : numbered) homes.push_back(found.edge.home);
   std::vector<FoundEdge> edges = ItemExchange(exchange.ranks()).send(homes, numbered);
-  std::sort(edges.begin(), edges.end(),
-            [](const FoundEdge& a, const FoundEdge& b) { return a.edge.number < b.edge.number; });
+  sort_edges(edges);
   return edges;
 }
 

@@ -48,10 +48,12 @@ struct FoundEdge {
 /// The feature edges whose home this rank is, ascending in number, with the blunt ones, and with the lines of smooth
 /// surfaces between whose nodes a longer feature edge of another part can pass, with the ridges across faces that have
 /// warped, and with beams that touch. share: with its faces and beams; folds: edges that have become sharp in the run,
-/// and diagonals of warped faces, of all ranks, ascending. Throws
-/// InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
+/// and diagonals of warped faces, of all ranks, ascending; passing: by part, the longest feature edge of any other
+/// part, 0 where none can pass between the nodes of the part; found where it is empty, the same as long as the faces
+/// are. Throws InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
 std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const SurfaceShare& share,
-                                          UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds);
+                                          UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds,
+                                          std::vector<double>& passing);
 
 /// Into how many pieces of at most this length an edge is divided.
 int count_pieces(double length, double piece);

@@ -8,6 +8,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "src/contact/surface/number_map.hpp"
 
 namespace percuss {
 namespace {
@@ -33,6 +34,20 @@ KOKKOS_INLINE_FUNCTION FoldChange find_change(const SideShape& a, const SideShap
   if (rule.is_fold != 0) return !is_convex || level > rule.smooth ? FoldChange::slow : FoldChange::none;
   if (!is_convex || !(level < rule.sharp)) return FoldChange::none;
   return level < rule.fast ? FoldChange::fast : FoldChange::slow;
+}
+
+/// Whether an edge is none and stays none, by more than round-off: nearly all are, and this takes no roots.
+KOKKOS_INLINE_FUNCTION bool is_surely_smooth(const Rows3<const double>& x, const WatchedEdge& edge) {
+  constexpr double slack = 1 + 1e-6;
+  const Point3 origin = load_row(x, edge.side.ends[0]), along = load_row(x, edge.side.ends[1]) - origin;
+  const double square = dot(along, along);
+  const auto find_long_inward = [&](const WatchedSide& side) {
+    const Point3 across = load_row(x, side.wings[0]) - origin + (load_row(x, side.wings[1]) - origin - along);
+    return square * across - dot(across, along) * along;
+  };
+  const Point3 a = find_long_inward(edge.side), b = find_long_inward(edge.other);
+  const double level = -dot(a, b), sharp = edge.rule.sharp;
+  return edge.rule.is_fold == 0 && level > 0 && level * level > slack * sharp * sharp * dot(a, a) * dot(b, b);
 }
 
 /// start: angle at the start, negative where it is concave.
@@ -142,6 +157,7 @@ std::int64_t FoldWatch::look_at_own(const Rows3<const double>& x, FoldChange lea
   const int count = static_cast<int>(own_.size());
   const auto has_changed = [edges, x] KOKKOS_FUNCTION(int i, FoldChange by) {
     const WatchedEdge& e = edges(i);
+    if (is_surely_smooth(x, e)) return false;  // asked for changes only
     return find_change(find_shape(x, e.side), find_shape(x, e.other), e.rule) >= by;
   };
   std::int64_t num_due = 0;
@@ -189,12 +205,29 @@ void FoldWatch::note(std::vector<EdgeEnds> changed) {
   std::set_symmetric_difference(folds_.begin(), folds_.end(), changed.begin(), changed.end(),
                                 std::back_inserter(folds));
   folds_ = std::move(folds);
-  for (WatchedEdge& edge : own_) {
-    const auto& numbers = chunked_.mesh.node_numbers;
-    edge.rule.is_fold = is_fold({numbers[at(edge.side.ends[0])], numbers[at(edge.side.ends[1])]}) ? 1 : 0;
-  }
-  own_edges_ = to_view("contact::watched_edges", own_);
+  note_own(changed);
   for (SharedEdge& edge : shared_) edge.rule.is_fold = is_fold(edge.ends) ? 1 : 0;
+}
+
+/// changed: ascending.
+void FoldWatch::note_own(const std::vector<EdgeEnds>& changed) {
+  const std::vector<std::int64_t>& numbers = chunked_.mesh.node_numbers;
+  std::vector<char> is_lower_of_changed(numbers.size(), 0);
+  for (const EdgeEnds& ends : changed)
+    if (const int node = find_number(numbers, ends.lower); node >= 0) is_lower_of_changed[at(node)] = 1;
+  std::vector<int> places, values;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const int* const ends = own_[i].side.ends;
+    if (is_lower_of_changed[at(ends[0])] == 0) continue;
+    own_[i].rule.is_fold = is_fold({numbers[at(ends[0])], numbers[at(ends[1])]}) ? 1 : 0;
+    places.push_back(static_cast<int>(i));
+    values.push_back(own_[i].rule.is_fold);
+  }
+  const Array<const int> place = to_view("contact::noted_edges", places), value = to_view("contact::noted", values);
+  const Array<WatchedEdge> edges = own_edges_;
+  Kokkos::parallel_for(
+      "contact::note_folds", Range(ExecSpace(), 0, static_cast<int>(places.size())),
+      KOKKOS_LAMBDA(int i) { edges(place(i)).rule.is_fold = value(i); });
 }
 
 bool FoldWatch::look(const SurfaceShare& share, const Rows3<const double>& x, long step) {

@@ -86,6 +86,7 @@ class FoldWatch {
   std::int64_t look_at_own(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
   std::int64_t look_at_shared(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
   void note(std::vector<EdgeEnds> changed);
+  void note_own(const std::vector<EdgeEnds>& changed);
 
   const ChunkedMesh& chunked_;
   const Communicator ranks_;

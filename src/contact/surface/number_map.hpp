@@ -96,6 +96,11 @@ class NumberWalk {
 
 /// Index of a number in an ascending list, -1 if it is not there.
 inline int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
+  // Most lists have no gaps: those of a whole mesh.
+  const std::int64_t guess = numbers.empty() ? -1 : number - numbers.front();
+  if (guess >= 0 && guess < static_cast<std::int64_t>(numbers.size()) &&
+      numbers[static_cast<std::size_t>(guess)] == number)
+    return static_cast<int>(guess);
   const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
   return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;
 }

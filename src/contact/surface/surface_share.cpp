@@ -12,6 +12,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/face_springs.hpp"
+#include "src/contact/surface/number_map.hpp"
 #include "src/contact/surface/surface_classes.hpp"
 #include "src/contact/surface/touching_beams.hpp"
 #include "src/index.hpp"
@@ -332,38 +333,48 @@ void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector
   }
 }
 
+/// Surfaces of edges: few sets of many edges.
+struct EdgeSurfaces {
+  std::vector<SurfaceSet> sets;  // by two classes of faces
+  std::vector<int> of_edge;      // which of these
+};
+
 /// Surfaces of each edge: those of its two faces, or of its beam.
-std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
-  std::vector<SurfaceSet> sets;
-  for (const FoundEdge& found : edges) {
-    const SurfaceSet &a = classes.sets[at(found.face_classes[0])], &b = classes.sets[at(found.face_classes[1])];
-    SurfaceSet both;
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    sets.push_back(std::move(both));
+EdgeSurfaces find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
+  EdgeSurfaces found;
+  std::vector<std::array<int, 2>> of_set;
+  found.of_edge.reserve(edges.size());
+  for (const FoundEdge& edge : edges) {
+    const std::array<int, 2> faces{edge.face_classes[0], edge.face_classes[1]};
+    const auto place = std::find(of_set.begin(), of_set.end(), faces);
+    found.of_edge.push_back(static_cast<int>(place - of_set.begin()));
+    if (place != of_set.end()) continue;
+    of_set.push_back(faces);
+    const SurfaceSet &a = classes.sets[at(faces[0])], &b = classes.sets[at(faces[1])];
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(found.sets.emplace_back()));
   }
-  return sets;
+  return found;
 }
 
 /// Keeps the edges that may touch others, with their mesh nodes.
 void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<FoundEdge>& edges,
-               const std::vector<SurfaceSet>& sets, SurfaceShare& share) {
+               const EdgeSurfaces& surfaces, SurfaceShare& share) {
   const SurfaceClasses& classes = share.classes;
   const auto friction = to_host(share.pair_friction);
   const std::size_t n = at(classes.count());
   share.edges.clear();
   share.edge_ends.clear();
   std::vector<double> lengths;
+  std::vector<int> class_of_set;
+  for (const SurfaceSet& set : surfaces.sets) class_of_set.push_back(classes.find(set));
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const int surface_class = classes.find(sets[e]);
+    const int surface_class = class_of_set[at(surfaces.of_edge[e])];
     const double* const row = friction.data() + at(surface_class) * n;
     if (std::all_of(row, row + n, [](double f) { return f < 0; })) continue;
     share.edges.push_back(edges[e].edge);
     share.edges.back().surface_class = surface_class;
     std::array<int, 2> ends{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), edges[e].edge.ends[i]);
-      ends[i] = static_cast<int>(place - mesh.node_numbers.begin());
-    }
+    for (std::size_t i = 0; i < 2; ++i) ends[i] = find_number(mesh.node_numbers, edges[e].edge.ends[i]);
     share.edge_ends.push_back(ends);
     const Vec3 &p = mesh.nodes[at(ends[0])], &q = mesh.nodes[at(ends[1])];
     lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
@@ -486,12 +497,12 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<SurfaceSet> all = share.own_sets;
   std::vector<FoundEdge> edges;
   const bool has_edges = has_edge_contact(deck.contact);
-  if (has_edges) edges = find_feature_edges(chunked, share, exchange, folds);
-  const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
-  all.insert(all.end(), edge_sets.begin(), edge_sets.end());
+  if (has_edges) edges = find_feature_edges(chunked, share, exchange, folds, share.passing_lengths);
+  const EdgeSurfaces edge_surfaces = find_edge_surfaces(edges, of_faces);
+  all.insert(all.end(), edge_surfaces.sets.begin(), edge_surfaces.sets.end());
   share.classes = agree_on_classes(mesh, std::move(all));
   set_classes(deck, of_faces, node_sets, share);
-  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, share);
+  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_surfaces, share);
   set_lists(mesh, exchange.ranks(), share);
   set_offsets(mesh, exchange.ranks(), share);
   return share;
@@ -499,15 +510,15 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
 
 bool change_folds(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                   UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds, SurfaceShare& share) {
-  const std::vector<FoundEdge> edges = find_feature_edges(chunked, share, exchange, folds);
-  const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, share.classes);
+  const std::vector<FoundEdge> edges = find_feature_edges(chunked, share, exchange, folds, share.passing_lengths);
+  const EdgeSurfaces edge_surfaces = find_edge_surfaces(edges, share.classes);
   std::vector<SurfaceSet> all = share.own_sets;
-  all.insert(all.end(), edge_sets.begin(), edge_sets.end());
+  all.insert(all.end(), edge_surfaces.sets.begin(), edge_surfaces.sets.end());
   if (agree_on_classes(chunked.mesh, std::move(all)).sets != share.classes.sets) {  // the same on all ranks
     share = build_surface_share(chunked, deck, ties, exchange, folds, ActiveContact(share.active));
     return false;
   }
-  set_edges(chunked.mesh, exchange.ranks(), edges, edge_sets, share);
+  set_edges(chunked.mesh, exchange.ranks(), edges, edge_surfaces, share);
   share.total_edges = static_cast<std::int64_t>(share.edges.size());
   all_reduce(exchange.ranks(), Reduce::sum, share.total_edges);
   return true;

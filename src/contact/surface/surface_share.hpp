@@ -62,6 +62,7 @@ struct SurfaceShare {
   std::vector<EdgeTopology> edges;            // feature edges whose home this rank is, ascending number; those searched
   std::vector<std::array<int, 2>> edge_ends;  // mesh nodes of this rank
   double edge_piece = 0;                      // longest of the pieces by which edges are searched [length]
+  std::vector<double> passing_lengths;        // find_feature_edges()
   std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
