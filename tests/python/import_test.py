@@ -1297,7 +1297,7 @@ class Abaqus(InFolder):
     def test_other_content_is_refused(self):
         for old, new, key in (("*DYNAMIC, EXPLICIT", "*STATIC", "STATIC"), ("C3D8R", "C3D8P", "ELEMENT.C3D8P"),
                               ("*BULK VISCOSITY", "*CONNECTOR BEHAVIOR", "CONNECTOR BEHAVIOR"), ("TYPE=POWER LAW", "TYPE=USER", "RATE DEPENDENT"),
-                              ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE"), ("1.5e8, 0.2\n", "1.5e8, 0.2\n5.e7, 0., 300.\n9.e7, 0.2, 300.\n", "PLASTIC.TEMPERATURE"),
+                              ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE"), ("1.5e8, 0.2\n", "1.5e8, 0.2\n5.e7, 0.1, 300.\n9.e7, 0.2, 300.\n", "PLASTIC.TEMPERATURE"),
                               ("foot, ENCASTRE\n", "foot, 11, 11, 20.\n", "BOUNDARY.dof")):  # fmt: skip
             with self.subTest(key):
                 refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS.replace(old, new))[1].list_refused()}

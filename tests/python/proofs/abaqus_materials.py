@@ -43,6 +43,7 @@ def plastic_work(stress: float, slope: float = 0.0, stretch: float = 0.02) -> fl
 
 
 PLASTIC = "*PLASTIC\n300., 0.\n"
+WARM = "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nall, 40.\n"
 RATE = strain() / END
 DUCTILE = ELASTIC + PLASTIC + "*DAMAGE INITIATION, CRITERION=DUCTILE\n0.05, 0., 0.\n"
 def absorbed(history):
@@ -126,7 +127,13 @@ PROOFS = [
     Proof("ELASTIC: TYPE", driven(ELASTIC, 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "half of (lambda + 2 mu) e^2"),
     Proof("ELASTIC: TYPE", driven("*ELASTIC, TYPE=ANISOTROPIC\n1e5, 1e5, 1e5, 0.3, 0.3, 0.3, 4e4, 4e4\n4e4\n", 1e-4, 0.0, 0.0), refused="ANISOTROPIC"),
     Proof("ELASTIC", driven(ELASTIC + ELASTIC, 1e-4, 0.0, 0.0), refused="stands twice"),
-    Proof("ELASTIC", driven(ELASTIC + "1e5, 0.3, 100.\n", 1e-4, 0.0, 0.0), refused="temperature"),
+    Proof("ELASTIC", driven(ELASTIC + "1e5, 0.3, 100.\n", 1e-4, 0.0, 0.0), [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "without a temperature it is 0, below the table"),
+    Proof("ELASTIC; INITIAL CONDITIONS: TYPE", driven(f"*ELASTIC\n{1.4 * YOUNG!r}, {POISSON!r}, 20.\n{0.4 * YOUNG!r}, {POISSON!r}, 70.\n", 1e-4, 0.0, 0.0, before=WARM),
+          [("internal", LAST, 1000 * 0.5 * (BULK + 4 / 3 * SHEAR) * 1e-8, 1e-2)], "two fifths of the way between two temperatures"),
+    Proof("ELASTIC", driven(ELASTIC + "1e5, 0.3, 100.\n", 1e-4, 0.0, 0.0, before=WARM + "xp, 50.\n"), refused="depend on the temperature"),
+    Proof("ELASTIC", driven(f"*ELASTIC\n{YOUNG!r}, {POISSON!r}, 20.\n1e5, 0.3, 20.\n", 1e-4, 0.0, 0.0, before=WARM), refused="depend on the temperature"),
+    Proof("DENSITY", driven(ELASTIC, 1e-4, 0.0, 0.0, before=WARM).replace(f"*DENSITY\n{DENSITY!r}\n", f"*DENSITY\n{1.4 * DENSITY!r}, 20.\n{0.4 * DENSITY!r}, 70.\n"),
+          [("momentum_x", LAST, 0.5 * 1000 * DENSITY * 1e-3 / END, 1e-2)], "half of the nodes move by 1e-3 mm"),
     Proof("PLASTIC: HARDENING", stretched(ELASTIC + PLASTIC), [("internal", LAST, plastic_work(300.0), 1e-2)], "elastic to 300 MPa, then constant"),
     Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC\n300., 0.\n500., 0.1\n"), [("internal", LAST, plastic_work(300.0, 2000.0), 1e-2)], "a slope of 2000 MPa"),
     Proof("PLASTIC: HARDENING",
@@ -139,7 +146,14 @@ PROOFS = [
           [("internal", LAST, plastic_work(300.0) + 1000 * 800 * (strain() - 300 / (3 * SHEAR)) ** 1.5 / 1.5, 2e-2)], "300 + 800 p^0.5"),
     Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.01\n500., 0.1\n"), refused="the first plastic strain is 0.01"),
     Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n500., 0.1\n550., 0.05\n"), refused="do not ascend"),
-    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n200., 0., 400.\n"), refused="several temperatures"),
+    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n200., 0., 400.\n"), [("internal", LAST, plastic_work(300.0), 1e-2)], "without a temperature it is 0"),
+    Proof("PLASTIC: HARDENING; INITIAL CONDITIONS: TYPE",
+          stretched(ELASTIC + "*PLASTIC\n340., 0., 20.\n540., 0.1, 20.\n240., 0., 70.\n340., 0.05, 70.\n440., 0.1, 70.\n", before=WARM),
+          [("internal", LAST, plastic_work(300.0, 2000.0), 1e-2)], "300 MPa and a slope of 2000 MPa at 40 degrees"),
+    Proof("PLASTIC: RATE", stretched(ELASTIC + f"*PLASTIC, RATE=0.\n340., 0., 20.\n240., 0., 70.\n*PLASTIC, RATE={2 * RATE!r}\n680., 0., 20.\n480., 0., 70.\n", before=WARM),
+          [("internal", LAST, plastic_work(450.0), 2e-2)], "of two rates, each at 40 degrees"),
+    Proof("PLASTIC", stretched(ELASTIC + "*PLASTIC\n300., 0.\n200., 0., 400.\n*INELASTIC HEAT FRACTION\n1.,\n*SPECIFIC HEAT\n1e7,\n", dynamic=", ADIABATIC"), refused="several temperatures"),
+    Proof("PLASTIC: HARDENING", stretched(ELASTIC + "*PLASTIC, HARDENING=KINEMATIC\n300., 0., 20.\n500., 0.1, 20.\n300., 0., 70.\n"), refused="several temperatures"),
     Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + f"*RATE DEPENDENT, TYPE=POWER LAW\n{RATE / 0.25!r}, 2.\n"), [("internal", LAST, plastic_work(450.0), 2e-2)],
           "1 + (rate / D)^(1 / n) = 1.5"),
     Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 1e5, 0.\n" + f"*RATE DEPENDENT, TYPE=JOHNSON COOK\n0.1, {RATE / math.exp(2)!r}\n"),

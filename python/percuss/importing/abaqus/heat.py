@@ -112,6 +112,13 @@ def find_shortest_edge(deck: AbaqusDeck, part: ModelBlock) -> float:
     return min((length for length in lengths if length > 0), default=math.inf)
 
 
+def note_temperatures(deck: AbaqusDeck, blocks: list[Block]) -> None:
+    """Temperatures of nodes, before the materials are made."""
+    for block in blocks:
+        if block.keyword == "INITIAL CONDITIONS" and block.option("TYPE") == "TEMPERATURE":
+            read_temperature(deck, block)
+
+
 def read_temperature(deck: AbaqusDeck, block: Block) -> None:
     """*INITIAL CONDITIONS, TYPE=TEMPERATURE: of nodes; apply_temperatures() does the rest."""
     for line in block.lines:

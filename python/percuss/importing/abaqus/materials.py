@@ -13,6 +13,7 @@ from .damage import take_failure
 from .deck import AbaqusDeck, MaterialBlocks
 from .heat import take_heat
 from .lines import Block
+from .one_temperature import settle_temperature
 from .plies import COUNTS, read_constants
 from .user_code import add_lengths, is_user_code, is_user_hardening, translate_hardening, translate_user_code
 from .voids import add_voids
@@ -45,6 +46,7 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     material = deck.materials.get(name.upper())
     if material is None:
         raise BadInput(place, missing(f"material '{clip(name)}'"))
+    material = settle_temperature(deck, name, material)
     density = find(material, "DENSITY")
     if density is None:
         raise BadInput(material.place, f"material {clip(name)} has no *DENSITY (a dynamic run needs mass): add it")

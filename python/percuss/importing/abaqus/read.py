@@ -347,6 +347,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     extrude(deck)
     turn_rings(deck)
     deck.model.nodes = deck.mesh.nodes
+    heat.note_temperatures(deck, reader.waiting)
     build_parts(deck)
     choose_integration(deck)
     damage.finish_failure(deck)
