@@ -27,6 +27,9 @@ def fabric(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     weft = row.number("EB") or warp
     law: Deck = {"model": "fabric", "density": row.positive("RO"), "warp_modulus": warp, "weft_modulus": weft,
                  "shear_modulus": shear.number("GAB") or warp / (2 * (1 + ratio)), "warp_poissons_ratio": ratio * warp / weft}  # fmt: skip
+    other = row.number("PRAB")
+    if other and abs(other - law["warp_poissons_ratio"]) > 0.01 * abs(other):
+        deck.ledger.refuse("MAT_FABRIC.PRAB", row.place, f"PRAB is {other:g}, where {law['warp_poissons_ratio']:g} follows from PRBA", "it is taken from PRBA")
     if shear.number("CSE"):
         law["no_compression"] = True
     if not shear.number("EL") and not shear.number("LRATIO"):  # without a liner
