@@ -76,11 +76,12 @@ WatchedSide make_watched(const SurfaceShare& share, const ToldSides::OwnSide& ow
 /// A diagonal of a face of solids: a ridge once the face has warped.
 WatchedEdge make_diagonal(const SurfaceShare& share, std::size_t face, std::size_t which) {
   const std::array<int, 4>& nodes = share.face_corners[face];
-  const auto [ends, wings, turn] = find_diagonal(share.faces[face].corners, which);
-  const auto make_side = [&](std::size_t wing, int side_turn) {
-    return WatchedSide{{nodes[ends[0]], nodes[ends[1]]}, {nodes[wing], nodes[wing]}, side_turn};
+  const FaceDiagonal diagonal = find_diagonal(share.faces[face].corners, which);
+  const auto make_side = [&](std::size_t wing, int turn) {
+    return WatchedSide{{nodes[diagonal.ends[0]], nodes[diagonal.ends[1]]}, {nodes[wing], nodes[wing]}, turn};
   };
-  return {make_side(wings[0], -turn), make_side(wings[1], turn), make_rule(ridge_angles, 0, true, false)};
+  return {make_side(diagonal.wings[0], -diagonal.turn), make_side(diagonal.wings[1], diagonal.turn),
+          make_rule(ridge_angles, 0, true, false)};
 }
 
 /// [classes] whether it may touch any.
