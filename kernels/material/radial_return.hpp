@@ -62,11 +62,11 @@ KOKKOS_INLINE_FUNCTION ElasticTrial<T> find_trial(const LameConstants& c, const 
 /// Where f falls through 0 between 0 and `high`, of the lanes that are open; 0 of others. f(x): ValueAndSlope, not
 /// positive at `high`; scale: what its value is small against. Newton's method from above, kept between bounds: where f
 /// is convex, it comes down once and then rises to the root from one side. A lane stays as it is once it has converged,
-/// so that its bits do not depend on its neighbours. Where f may rise in between (Bends), each third step halves the
-/// bounds, which are then at round-off in any case.
-template <bool Bends = false, class T, class Mask, class F>
+/// so that its bits do not depend on its neighbours. Where f may rise or bend in between, each step number `Halving`
+/// halves the bounds, which are then at round-off in any case; 0: none does.
+template <int Halving = 0, class T, class Mask, class F>
 KOKKOS_INLINE_FUNCTION T find_falling_root(const Mask& lanes, T high, const T& scale, const F& f) {
-  constexpr int most_steps = Bends ? 160 : 60;
+  constexpr int most_steps = Halving > 0 ? 53 * Halving + 1 : 60;
   constexpr double tolerance = 1e-13;
   T low = T(0), x = high;
   auto open = lanes;
@@ -76,7 +76,9 @@ KOKKOS_INLINE_FUNCTION T find_falling_root(const Mask& lanes, T high, const T& s
     high = select(open && now.value <= T(0), x, high);
     const T newton = x - now.value / now.slope;
     T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
-    if (Bends && i % 3 == 2) next = T(0.5) * (low + high);
+    if constexpr (Halving > 0) {
+      if (i % Halving == Halving - 1) next = T(0.5) * (low + high);
+    }
     open = open && larger(now.value, -now.value) > T(tolerance) * scale && high - low > T(1e-15) * high;
     x = select(open, next, x);
   }
@@ -88,6 +90,10 @@ template <class Flow>
 inline constexpr bool may_fall = requires(const Flow& flow) {
   flow.lowest;
 };
+
+/// Halving of find_falling_root() for a flow stress.
+template <class Flow>
+inline constexpr int halving_of = may_fall<Flow> ? 3 : 0;
 
 /// What the flow stress does not fall below, whatever dp.
 template <class Flow>
@@ -105,7 +111,7 @@ KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resis
   const auto yields = von_mises > flow.at_rest;
   if (!any(yields)) return T(0);
   const T high = select(yields, (von_mises - find_floor(flow)) * T(1 / resistance), T(1));
-  return find_falling_root<may_fall<Flow>>(yields, high, von_mises, [&](const T& dp) {
+  return find_falling_root<halving_of<Flow>>(yields, high, von_mises, [&](const T& dp) {
     const FlowStress<T> now = flow(dp);
     return ValueAndSlope<T>{von_mises - T(resistance) * dp - now.value, -(T(resistance) + now.slope)};
   });

@@ -20,7 +20,7 @@ PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneReturnRates& rates, cons
   if (!any(yields)) return T(0);
   const T floor = select(yields, larger(find_floor(flow), T(next_to_molten) * start), T(1));
   const T high = select(yields, (start - floor) / (T(smaller(k_normal, k_shear)) * floor), T(1));
-  return find_falling_root<may_fall<Flow>>(yields, high, start, [&, kn = k_normal, ks = k_shear](const T& l) {
+  return find_falling_root<halving_of<Flow>>(yields, high, start, [&, kn = k_normal, ks = k_shear](const T& l) {
     const T a = T(1) / (T(1) + T(kn) * l), b = T(1) / (T(1) + T(ks) * l);
     const T normal = trial.normal * a * a, shear = trial.shear * b * b;
     const T equivalent = larger(square_root(normal + shear), T(1e-300));

@@ -88,7 +88,7 @@ PERCUSS_FORCE_INLINE LayerResponse<T> return_about_terms(const PlaneElasticity& 
   T dp(0);
   if (any(yields)) {
     const T high = select(yields, (start - flow.lowest) * T(1 / smaller(rates.normal, rates.shear)), T(1));
-    dp = find_falling_root<true>(yields, high, start, [&](const T& x) {
+    dp = find_falling_root<BackStresses::halving>(yields, high, start, [&](const T& x) {
       const FlowStress<T> now = flow(x);
       const ValueAndSlope<T> reached = step.at(x, now).equivalent;
       return ValueAndSlope<T>{reached.value - now.value, reached.slope - now.slope};

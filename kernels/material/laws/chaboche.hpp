@@ -8,6 +8,7 @@ namespace percuss {
 /// Terms of the back stress: rows of recovery rate gamma, ascending, and modulus C.
 struct BackStresses {
   static constexpr int most = 4;
+  static constexpr int halving = 8;  // the equations fall, but may bend (find_falling_root)
 
   /// What is left of a term over dp, with its implicit recovery.
   template <class T>
@@ -150,7 +151,7 @@ struct Chaboche {
     const auto yields = start > flow.at_rest;
     if (!any(yields)) return T(0);
     const T high = select(yields, (start - flow.lowest) * T(1 / (3 * c.mu)), T(1));
-    return find_falling_root<true>(yields, high, start, [&](const T& dp) {
+    return find_falling_root<BackStresses::halving>(yields, high, start, [&](const T& dp) {
       const Relative<T> relative = find_relative(trial, terms, dp);
       const ValueAndSlope<T> modulus = BackStresses::find_modulus(back_stresses, dp);
       const FlowStress<T> now = flow(dp);

@@ -15,6 +15,7 @@ namespace percuss {
 struct Gurson {
   static constexpr const char* name = "gurson";
   static constexpr double rounding = 1e-9;  // of a q3 that is meant to be the square of q1
+  static constexpr int halving = 8;         // the equations fall, but may bend (find_falling_root)
   static constexpr bool grows_in_increments = true;
   using Constants = Gurson;
   double youngs_modulus = 0, poissons_ratio = 0;
@@ -98,6 +99,8 @@ struct Gurson {
   template <class T>
   struct Return {
     T mean, von_mises, volume, shape;
+
+    KOKKOS_INLINE_FUNCTION T work() const { return mean * volume + von_mises * shape; }
   };
 
   /// The surface at one void fraction, about a trial.
@@ -134,7 +137,7 @@ struct Gurson {
       const T per_angle = yield * T(1 / (1.5 * law.q2)),
               scale = yield * (size * T(1 / stiffness.bulk) + trial.von_mises * T(1 / stiffness.deviatoric));
       const auto porous = outside && effective > T(0);  // without voids nothing pulls the volume, not even round-off
-      const T angle = find_falling_root<true>(porous, select(porous, high, T(1)), scale, [&](const T& at) {
+      const T angle = find_falling_root<halving>(porous, select(porous, high, T(1)), scale, [&](const T& at) {
         const T exp = exponential(at), sinh = T(0.5) * (exp - T(1) / exp), cosh = T(0.5) * (exp + T(1) / exp);
         const T q = yield * square_root(larger(square_at(exp), T(0)));
         const T volume = (size - per_angle * at) * T(1 / stiffness.bulk);
@@ -180,19 +183,26 @@ struct Gurson {
     const auto yields = trial.von_mises * trial.von_mises > flow.at_rest * flow.at_rest * square;
     if (!any(yields)) return T(0);
     const T solid = T(1) - f;
-    double lowest = hardening.y[0];
-    for (int i = 1; i < hardening.rows; ++i) lowest = hardening.y[i] < lowest ? hardening.y[i] : lowest;
-    // no return works more than the trial would without hardening
-    const T most = trial.mean * trial.mean * T(1 / voids.stiffness.bulk) +
-                   trial.von_mises * trial.von_mises * T(1 / voids.stiffness.deviatoric);
-    const T high = select(yields, most / (solid * T(lowest)), T(1));
-    return find_falling_root<true>(yields, high, select(yields, most, T(1)), [&](const T& dp) {
+    const auto find_excess = [&](const T& dp) {
       const FlowStress<T> now = flow(dp);
       const Return<T> to = voids.return_to(now.value);
       return ValueAndSlope<T>{
-          to.mean * to.volume + to.von_mises * to.shape - solid * now.value * dp,
+          to.work() - solid * now.value * dp,
           -solid * (now.value + now.slope * dp) - now.slope * to.von_mises * T(1 / voids.stiffness.deviatoric)};
-    });
+    };
+    // dp without hardening, which with hardening is too large and mostly near; else all work of the trial
+    const T near = T(1 + rounding) * voids.return_to(flow.at_rest).work() / (solid * flow.at_rest);
+    const T most = trial.mean * trial.mean * T(1 / voids.stiffness.bulk) +
+                   trial.von_mises * trial.von_mises * T(1 / voids.stiffness.deviatoric);
+    const auto is_bound = find_excess(near).value <= T(0);
+    const T high = select(yields, select(is_bound, near, most / (solid * T(find_lowest_yield()))), T(1));
+    return find_falling_root<halving>(yields, high, select(yields, most, T(1)), find_excess);
+  }
+
+  KOKKOS_INLINE_FUNCTION double find_lowest_yield() const {
+    double lowest = hardening.y[0];
+    for (int i = 1; i < hardening.rows; ++i) lowest = hardening.y[i] < lowest ? hardening.y[i] : lowest;
+    return lowest;
   }
 };
 

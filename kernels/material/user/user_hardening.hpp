@@ -189,7 +189,7 @@ struct UserHardening {
     };
     if (any(yields)) {
       const T high = select(yields, trial.von_mises * T(1 / resistance), T(1));
-      dp = find_falling_root<true>(yields, high, trial.von_mises, [&](const T& strain) {
+      dp = find_falling_root<3>(yields, high, trial.von_mises, [&](const T& strain) {
         const T stress = trial.von_mises - T(resistance) * strain;
         const Answer<T> now = asked.ask(strain, temperature + heat(strain));
         const T hotter = T(0.5 * degrees) * (before + stress - T(resistance) * strain);
