@@ -152,7 +152,7 @@ std::vector<FoundEdge> send_to_lower_nodes(const std::vector<FoundEdge>& beams, 
   return ItemExchange(ranks).send(to, beams);
 }
 
-/// By number. Those of faces nearly are so on one rank, and long to move.
+/// By number. On one rank those of faces come in order, and an edge is large to move: only those behind are sorted.
 void sort_edges(std::vector<FoundEdge>& edges) {
   const auto is_before = [](const FoundEdge& a, const FoundEdge& b) { return a.edge.number < b.edge.number; };
   const auto rest = std::is_sorted_until(edges.begin(), edges.end(), is_before);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "comm/all_reduce.hpp"
@@ -342,14 +343,13 @@ struct EdgeSurfaces {
 /// Surfaces of each edge: those of its two faces, or of its beam.
 EdgeSurfaces find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
   EdgeSurfaces found;
-  std::vector<std::array<int, 2>> of_set;
+  std::map<std::array<int, 2>, int> place_of_faces;
   found.of_edge.reserve(edges.size());
   for (const FoundEdge& edge : edges) {
     const std::array<int, 2> faces{edge.face_classes[0], edge.face_classes[1]};
-    const auto place = std::find(of_set.begin(), of_set.end(), faces);
-    found.of_edge.push_back(static_cast<int>(place - of_set.begin()));
-    if (place != of_set.end()) continue;
-    of_set.push_back(faces);
+    const auto [place, is_new] = place_of_faces.try_emplace(faces, static_cast<int>(found.sets.size()));
+    found.of_edge.push_back(place->second);
+    if (!is_new) continue;
     const SurfaceSet &a = classes.sets[at(faces[0])], &b = classes.sets[at(faces[1])];
     std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(found.sets.emplace_back()));
   }

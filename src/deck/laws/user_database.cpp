@@ -20,11 +20,10 @@ constexpr int status = 4;  // place among the integers: not 0 where the code ask
 
 UserDatabases::UserDatabases(const Deck& deck) {
   for (const MaterialDeck& material : deck.materials) {
-    const std::string library = find_code_file(material.law);
-    const bool is_known =
-        std::any_of(all_.begin(), all_.end(), [&](const Entry& entry) { return entry.library == library; });
-    if (material.law.model == "library" || library.empty() || is_known) continue;
-    if (void* const place = find_user_entry(library, "vexternaldb"); place != nullptr) all_.push_back({library, place});
+    const std::string file = find_code_file(material.law);
+    const bool is_known = std::any_of(all_.begin(), all_.end(), [&](const Entry& entry) { return entry.file == file; });
+    if (material.law.model == "library" || file.empty() || is_known) continue;
+    if (void* const place = find_user_entry(file, "vexternaldb"); place != nullptr) all_.push_back({file, place});
   }
 }
 
@@ -36,7 +35,7 @@ std::string UserDatabases::call(RunMoment moment, const RunState& state) const {
         static_cast<int>(state.nodes), static_cast<int>(state.elements), 1, static_cast<int>(state.increment), 0, 0};
     double reals[3] = {state.time, state.time, state.dt};
     reinterpret_cast<DatabaseFunction>(entry.place)(&kind, integers, &integer_count, reals, &real_count);
-    if (integers[status] != 0 && asked.empty()) asked = entry.library;
+    if (integers[status] != 0 && asked.empty()) asked = entry.file;
   }
   return asked;
 }

@@ -39,7 +39,7 @@ class UserDatabases {
 
  private:
   struct Entry {
-    std::string library;
+    std::string file;
     void* place;
   };
   std::vector<Entry> all_;
