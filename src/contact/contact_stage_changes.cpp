@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "src/contact/contact_stage_impl.hpp"
 #include "src/error.hpp"
@@ -185,52 +184,6 @@ bool ContactStage::break_ties(Rows3<const double> x, Rows3<const double> v) {
   if (!stage.late.grows(stage.active) || !stage.stick(x)) return are_failing;
   stage.redefine({x, v, 0}, nullptr);
   return true;
-}
-
-/// None: the scene began with overlap, and which nodes were inside another body is not known. Collective.
-std::optional<KnownContact> ContactStage::Impl::find_known() const {
-  // Which nodes began inside another body is not in a checkpoint.
-  KnownContact known{start_overlap.inside, std::vector<char>(mesh.parts.size(), 0)};
-  std::int64_t count = static_cast<std::int64_t>(known.inside.size());
-  all_reduce(ranks, Reduce::sum, count);
-  if (overlap_at_start > 0 && count == 0) return std::nullopt;
-  known.holds_deep = share.has_springs || overlap_at_start > 0;
-  std::sort(known.inside.begin(), known.inside.end());
-  for (const ElementBlock& block : mesh.elements.blocks)
-    if (block.section.thickness > 0) known.of_shells[static_cast<std::size_t>(block.part)] = 1;
-  return known;
-}
-
-void ContactStage::Impl::tell_missed(const MissedContact& found, double time) {
-  has_told_missed = true;
-  missed.push_back({"missed_contact", describe_missed_contact(found, mesh, find_user_id(found.node)), "", time});
-}
-
-void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
-  Impl& stage = *impl_;
-  if (!stage.has_pairs() || stage.has_told_missed) return;
-  const std::optional<KnownContact> known = stage.find_known();
-  if (!known) return;
-  ContactDeck once = stage.contact;
-  once.rebalance = ContactDeck::Rebalance::never;
-  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
-  const OverlapSearch search = stage.look_for_overlap(*finder);
-  auto missed = find_missed_contact(search, {x, v, 0}, stage.history, *known);
-  if (!missed) missed = find_missed_edge(search, x, stage.history, *known).missed;
-  if (missed) stage.tell_missed(*missed, time);
-}
-
-void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
-  constexpr long least_steps = 32, most_steps = 4096;  // between looks
-  constexpr long tests_of_step = 64;                   // hundreds of nanoseconds: far below the cost of a step
-  Impl& stage = *impl_;
-  if (!stage.has_pairs() || stage.share.total_edges == 0 || stage.has_told_missed) return;
-  if (step % least_steps != 0 || step < stage.next_edge_look) return;
-  const std::optional<KnownContact> known = stage.find_known();
-  const MissedEdge look =
-      known ? find_missed_edge(stage.look_for_overlap(*stage.finder), x, stage.history, *known) : MissedEdge{};
-  if (look.missed) stage.tell_missed(*look.missed, time);
-  stage.next_edge_look = step + std::clamp(static_cast<long>(look.tests / tests_of_step), least_steps, most_steps);
 }
 
 std::vector<Warning> ContactStage::take_warnings() {

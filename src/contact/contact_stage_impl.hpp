@@ -1,10 +1,11 @@
 #pragma once
 // The parts of the contact stage and its state. contact_stage.cpp has the steps, contact_stage_changes.cpp what makes
-// the surface another, contact_stage_results.cpp what the stage tells.
+// the surface another, contact_stage_watch.cpp what is missed, contact_stage_results.cpp what the stage tells.
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/contact/approach/approach_bound.hpp"
@@ -70,7 +71,8 @@ struct ContactStage::Impl {
   RowMeeting meet(const ContactMotion& motion, int num_touches);
   void judge_ties(double time, ContactReport& report);
   std::optional<KnownContact> find_known() const;
-  void tell_missed(const MissedContact& missed, double time);
+  PiercingEdges find_piercings(const Rows3<const double>& x);
+  void tell_missed(const std::optional<MissedContact>& missed, double time);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
@@ -140,7 +142,8 @@ struct ContactStage::Impl {
   long rebalances_at_start = 0;    // likewise
   std::vector<Warning> missed;     // of watch_depth() and watch_edges()
   bool has_told_missed = false;
-  long next_edge_look = 0;  // step
+  long next_edge_look = 0, next_piercing_look = 0;                   // steps
+  std::optional<std::vector<std::pair<int, int>>> pierced_at_start;  // bodies, ascending; none: not looked at yet
 };
 
 }  // namespace percuss

@@ -29,6 +29,11 @@ struct HostBox {
       high[k] += by;
     }
   }
+  bool meets(const HostBox& other) const {
+    for (int k = 0; k < 3; ++k)
+      if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
+    return true;
+  }
   bool holds(const Point3& p) const {
     return p.x > low[0] && p.x < high[0] && p.y > low[1] && p.y < high[1] && p.z > low[2] && p.z < high[2];
   }

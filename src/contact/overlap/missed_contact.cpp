@@ -15,6 +15,8 @@ namespace percuss {
 namespace {
 
 constexpr double least_ratio = 0.1;  // of an element
+/// The same of a body in itself: tight folds reach through their neighbours.
+constexpr double least_own_ratio = 0.5;
 
 bool is_deeper(const MissedContact& a, const MissedContact& b) {
   return a.ratio != b.ratio ? a.ratio > b.ratio : a.node < b.node;
@@ -42,7 +44,8 @@ void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const 
     if (has_face(face, p.node) || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(nodes.parts[n]) ||
         known.is_of_shells(p.part) || std::binary_search(known.inside.begin(), known.inside.end(), nodes.numbers[n]))
       continue;
-    MissedContact found{p.depth / p.size, p.depth, nodes.numbers[n], false, nodes.parts[n], p.part, {}};
+    MissedContact found{p.depth / p.size, p.depth, nodes.numbers[n],  false,
+                        nodes.parts[n],   p.part,  MissedWay::inside, {}};
     for (int k = 0; k < 3; ++k) found.x[k] = x(nodes.mesh_nodes[n], k);
     take(found, deepest);
   }
@@ -60,7 +63,7 @@ void find_edges(const OverlapSearch& search, const SurfaceMotion& motion, const 
     const auto edge = std::lower_bound(edges.begin(), edges.end(), p.a,
                                        [](const EdgeTopology& e, std::int64_t number) { return e.number < number; });
     const auto place = static_cast<std::size_t>(edge - edges.begin());
-    MissedContact found{p.depth / p.size, p.depth, edge->ends[0], true, -1, -1, {}};
+    MissedContact found{p.depth / p.size, p.depth, edge->ends[0], true, -1, -1, MissedWay::across_edge, {}};
     for (int k = 0; k < 3; ++k) found.x[k] = x(search.share.edge_ends[place][0], k);
     take(found, deepest);
   }
@@ -91,14 +94,11 @@ std::vector<int> find_known(const OverlapSearch& search, const ContactHistory& h
   return flags;
 }
 
-}  // namespace
-
-MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
-                            const KnownContact& known) {
-  const SunkenEdges sunken = find_sunken_edges(search.ranks, search.share, x, least_ratio);
-  MissedEdge result;
-  result.tests = sunken.tests;
-  const std::vector<SunkenEdge> edges = gather_items(search.ranks, sunken.found);
+/// The deepest of edges of all ranks that is not known.
+std::optional<MissedContact> find_deepest(const OverlapSearch& search, const ContactHistory& history,
+                                          const KnownContact& known, const std::vector<SunkenEdge>& edges,
+                                          MissedWay way) {
+  std::optional<MissedContact> deepest;
   std::vector<int> flags = find_known(search, history, known, edges), inside;
   for (int& flag : flags) {
     inside.push_back(flag & began_inside);
@@ -110,10 +110,27 @@ MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const doubl
     const SunkenEdge& edge = edges[e];
     const bool may_be_held = known.holds_deep && flags[e] != 0 && edge.ratio() <= contact_limits::history_depth;
     if (inside[e] != 0 || may_be_held) continue;
-    take({edge.ratio(), edge.depth, edge.ends[0], true, edge.part, edge.other, {edge.x[0], edge.x[1], edge.x[2]}},
-         result.missed);
+    take({edge.ratio(), edge.depth, edge.ends[0], true, edge.part, edge.other, way, {edge.x[0], edge.x[1], edge.x[2]}},
+         deepest);
   }
-  return result;
+  return deepest;
+}
+
+}  // namespace
+
+MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
+                            const KnownContact& known) {
+  const SunkenEdges sunken = find_sunken_edges(search.ranks, search.share, x, least_ratio);
+  const std::vector<SunkenEdge> edges = gather_items(search.ranks, sunken.found);
+  return {find_deepest(search, history, known, edges, MissedWay::inside), sunken.tests};
+}
+
+std::optional<MissedContact> find_missed_piercing(const OverlapSearch& search, const ContactHistory& history,
+                                                  const KnownContact& known, const std::vector<PiercingEdge>& found) {
+  std::vector<SunkenEdge> edges;
+  for (const PiercingEdge& piercing : found)
+    if (piercing.body != piercing.in || piercing.edge.ratio() > least_own_ratio) edges.push_back(piercing.edge);
+  return find_deepest(search, history, known, edges, MissedWay::through);
 }
 
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
@@ -134,14 +151,20 @@ std::string describe_missed_contact(const MissedContact& missed, const Mesh& mes
   const auto name = [&](int part) {
     return part < 0 ? std::string() : fmt::format(" part '{}'", mesh.parts[static_cast<std::size_t>(part)].name);
   };
-  const std::string of = name(missed.part), inside = missed.other < 0 ? "" : " inside" + name(missed.other);
-  const std::string what = !missed.is_edge  ? fmt::format("node {} of{} lies", id, of)
-                           : inside.empty() ? fmt::format("an edge at node {} crosses another by", id)
-                                            : fmt::format("an edge of{} at node {} lies", of, id);
+  const bool is_own = missed.way == MissedWay::through && missed.part == missed.other;
+  const std::string of = name(missed.part), other = is_own ? " its own part" : name(missed.other);
+  const std::string what = !missed.is_edge ? fmt::format("node {} of{} lies", id, of)
+                           : missed.way == MissedWay::across_edge
+                               ? fmt::format("an edge at node {} crosses another by", id)
+                           : missed.way == MissedWay::through ? fmt::format("an edge of{} at node {} has gone", of, id)
+                                                              : fmt::format("an edge of{} at node {} lies", of, id);
+  const std::string where = missed.way == MissedWay::inside    ? " inside" + other
+                            : missed.way == MissedWay::through ? " through" + other
+                                                               : "";
   return fmt::format(
       "{} {:.3g} ({:.2g} of an element){} at ({:.6g}, {:.6g}, {:.6g}) and no contact holds it (it came there "
       "where no check saw it, or another contact pushed it in): refine the coarser surface there",
-      what, missed.depth, missed.ratio, inside, missed.x[0], missed.x[1], missed.x[2]);
+      what, missed.depth, missed.ratio, where, missed.x[0], missed.x[1], missed.x[2]);
 }
 
 }  // namespace percuss

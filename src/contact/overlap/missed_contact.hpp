@@ -7,9 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "src/contact/overlap/pierced_faces.hpp"
 #include "src/contact/overlap/start_overlap.hpp"
 
 namespace percuss {
+
+/// How something lies in what no contact keeps it out of.
+enum class MissedWay { inside, across_edge, through };
 
 /// The deepest node or edge, as a share of the size of what it is inside of.
 struct MissedContact {
@@ -17,7 +21,8 @@ struct MissedContact {
   std::int64_t node = -1;       // number; of an edge its lower end
   bool is_edge = false;
   int part = -1, other = -1;  // index into Mesh::parts; -1: of edges that cross edges
-  double x[3] = {0, 0, 0};    // [length]
+  MissedWay way = MissedWay::inside;
+  double x[3] = {0, 0, 0};  // [length]
 };
 
 /// What is not missed. What lies beside the rim of a shell, within its thickness, is not inside it.
@@ -47,6 +52,11 @@ struct MissedEdge {
 /// Searches nothing. Collective.
 MissedEdge find_missed_edge(const OverlapSearch& search, const Rows3<const double>& x, const ContactHistory& history,
                             const KnownContact& known);
+
+/// The same of edges that go through sheets by more than a tenth of an element, or through their own body by more than
+/// half of one, or as above where contact holds an end. found: of all ranks. Collective.
+std::optional<MissedContact> find_missed_piercing(const OverlapSearch& search, const ContactHistory& history,
+                                                  const KnownContact& known, const std::vector<PiercingEdge>& found);
 
 /// "node 17 of part 'ball' lies 0.01 (0.8 of an element) inside part 'sheet' at (...) and no contact holds it".
 std::string describe_missed_contact(const MissedContact& missed, const Mesh& mesh, std::int64_t id);

@@ -136,13 +136,21 @@ output: {history: {every: 5e-3, nodes: [{name: a, near: [-0.00014, 0.0014, 0.002
 
 namespace {
 
+std::string find_missed(const Outcome& run) {
+  const auto& warnings = run.summary.warnings;
+  const auto told = std::find_if(warnings.begin(), warnings.end(),
+                                 [](const Warning& warning) { return warning.rule == "missed_contact"; });
+  return told == warnings.end() ? "nothing" : told->text;
+}
+
 /// What missed_contact says of a body that is moved by 0.05 into a block, over a gap of 0.01, in one step, and out of
 /// it again at a time; neither gives way, so that no row acts.
-std::string tell_missed(const std::string& high, double end, double out) {
+std::string tell_missed(const std::string& high, double end, double out,
+                        const std::string& low = "box: {size: [0.4, 0.4, 0.4], cells: [4, 4, 4]}") {
   const Outcome run = run_deck(fmt::format(R"yaml(
 time: {{end: {}, max_step: 1.0e-6}}
 parts:
-  low: {{box: {{size: [0.4, 0.4, 0.4], cells: [4, 4, 4]}}, material: m, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
+  low: {{{}, material: m, rigid: {{fixed: [x, y, z, rx, ry, rz]}}}}
   high: {{{}, material: m}}
 materials: {{m: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}}}
 conditions:
@@ -150,11 +158,29 @@ conditions:
 contact: {{surfaces: all}}
 audit: {{max_energy_error: 10}}
 )yaml",
-                                           end, high, out, out + 1e-9));
-  const auto& warnings = run.summary.warnings;
-  const auto told = std::find_if(warnings.begin(), warnings.end(),
-                                 [](const Warning& warning) { return warning.rule == "missed_contact"; });
-  return told == warnings.end() ? "nothing" : told->text;
+                                           end, low, high, out, out + 1e-9));
+  return find_missed(run);
+}
+
+/// The same of a tube of four walls, the middle of one of which goes `by` towards the one opposite, 0.2 away.
+std::string tell_folded(double by) {
+  const Outcome run = run_deck(fmt::format(R"yaml(
+time: {{end: 3.0e-5, max_step: 1.0e-6}}
+parts:
+  tube: {{shell_box_tube: {{size: [0.2, 0.2], length: 0.2, cells: [2, 2, 2], closed: none}}, thickness: 0.002, material: m}}
+materials: {{m: {{model: elastic, density: 7850, youngs_modulus: 1e6, poissons_ratio: 0.3}}}}
+conditions:
+  - {{nodes: {{name: tube, inside: [[-0.2, -0.2, -0.1], [0.2, 0.05, 0.3]]}}, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {{name: tube, inside: [[-0.2, 0.05, -0.1], [-0.05, 0.2, 0.3]]}}, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {{name: tube, inside: [[0.05, 0.05, -0.1], [0.2, 0.2, 0.3]]}}, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {{name: tube, inside: [[-0.05, 0.05, -0.1], [0.05, 0.2, 0.05]]}}, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {{name: tube, inside: [[-0.05, 0.05, 0.15], [0.05, 0.2, 0.3]]}}, fixed: [x, y, z, rx, ry, rz]}}
+  - {{nodes: {{name: tube, inside: [[-0.05, 0.05, 0.05], [0.05, 0.2, 0.15]]}}, displacement: {{x: 0, z: 0, y: {{table: [[0, 0], [1.0e-5, 0], [1.0001e-5, {}], [1, {}]]}}}}}}
+contact: {{surfaces: all}}
+audit: {{max_energy_error: 10}}
+)yaml",
+                                           -by, -by));
+  return find_missed(run);
 }
 
 const std::string block = "box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [0.11, 0.09, 0.41]";
@@ -176,6 +202,23 @@ TEST(MissedContact, IsToldWhereItHasGoneBeforeTheEnd) {
 TEST(MissedContact, IsToldOfShellsInSolids) {
   const std::string plate = "shell_plate: {size: [0.2, 0.2], cells: [2, 2]}, thickness: 0.004, at: [0.11, 0.09, 0.41]";
   EXPECT_THAT(tell_missed(plate, 3.0e-5, 1), HasSubstr("lies 0.042 (0.42 of an element) inside part 'low'"));
+}
+
+// Smooth or sharp, of solids and of shells.
+TEST(MissedContact, IsToldOfWhatHasGoneThroughASheet) {
+  const std::string sheet = "shell_plate: {size: [0.4, 0.4], cells: [4, 4]}, thickness: 0.004, at: [0, 0, 0.4]";
+  EXPECT_THAT(tell_missed(block, 3.0e-5, 1, sheet),
+              AllOf(HasSubstr("an edge of part 'high' at node"),
+                    HasSubstr("has gone 0.04 (0.4 of an element) through part 'low'")));
+  const std::string ball = "shell_sphere: {radius: 0.1, cells: 3}, thickness: 0.004, at: [0.21, 0.19, 0.503]";
+  EXPECT_THAT(tell_missed(ball, 3.0e-5, 1, sheet), HasSubstr("has gone"));
+  const std::string beside = "box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [0.405, 0.09, 0.41]";
+  EXPECT_EQ(tell_missed(beside, 3.0e-5, 1, sheet), "nothing");
+}
+
+TEST(MissedContact, IsToldOfABodyThatHasGoneThroughItself) {
+  EXPECT_THAT(tell_folded(0.27), HasSubstr("has gone 0.07 (0.7 of an element) through its own part"));
+  EXPECT_EQ(tell_folded(0.16), "nothing");
 }
 
 }  // namespace percuss::test::sharp_edge_test

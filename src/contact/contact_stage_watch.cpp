@@ -1,0 +1,94 @@
+// What the stage tells of what lies inside other bodies, or has gone through them, without a contact.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "comm/all_reduce.hpp"
+#include "src/contact/contact_stage_impl.hpp"
+
+namespace percuss {
+
+/// None: the scene began with overlap, and which nodes were inside another body is not known. Collective.
+std::optional<KnownContact> ContactStage::Impl::find_known() const {
+  // Which nodes began inside another body is not in a checkpoint.
+  KnownContact known{start_overlap.inside, std::vector<char>(mesh.parts.size(), 0)};
+  std::int64_t count = static_cast<std::int64_t>(known.inside.size());
+  all_reduce(ranks, Reduce::sum, count);
+  if (overlap_at_start > 0 && count == 0) return std::nullopt;
+  known.holds_deep = share.has_springs || overlap_at_start > 0;
+  std::sort(known.inside.begin(), known.inside.end());
+  for (const ElementBlock& block : mesh.elements.blocks)
+    if (block.section.thickness > 0) known.of_shells[static_cast<std::size_t>(block.part)] = 1;
+  return known;
+}
+
+/// Edges that go through sheets and through their own bodies, but those of bodies that did at the start. Collective.
+PiercingEdges ContactStage::Impl::find_piercings(const Rows3<const double>& x) {
+  if (has_switched_pairs(deck.contact)) return {};  // what passed while a pair did not act
+  PiercingEdges look = find_piercing_edges(ranks, share, x, PiercedPairs::that_may_touch);
+  if (look.found.empty()) return look;
+  if (!pierced_at_start) {
+    pierced_at_start.emplace();
+    for (const PiercingEdge& edge : find_piercing_edges(ranks, share, place_at_start(), PiercedPairs::all).found)
+      pierced_at_start->push_back(edge.bodies());
+    std::sort(pierced_at_start->begin(), pierced_at_start->end());
+  }
+  std::erase_if(look.found, [&](const PiercingEdge& edge) {
+    return std::binary_search(pierced_at_start->begin(), pierced_at_start->end(), edge.bodies());
+  });
+  return look;
+}
+
+void ContactStage::Impl::tell_missed(const std::optional<MissedContact>& found, double time) {
+  if (!found || has_told_missed) return;
+  has_told_missed = true;
+  missed.push_back({"missed_contact", describe_missed_contact(*found, mesh, find_user_id(found->node)), "", time});
+}
+
+void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
+  Impl& stage = *impl_;
+  if (!stage.has_pairs() || stage.has_told_missed) return;
+  const std::optional<KnownContact> known = stage.find_known();
+  if (!known) return;
+  ContactDeck once = stage.contact;
+  once.rebalance = ContactDeck::Rebalance::never;
+  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
+  const OverlapSearch search = stage.look_for_overlap(*finder);
+  auto missed = find_missed_contact(search, {x, v, 0}, stage.history, *known);
+  if (!missed) missed = find_missed_edge(search, x, stage.history, *known).missed;
+  if (!missed) missed = find_missed_piercing(search, stage.history, *known, stage.find_piercings(x).found);
+  stage.tell_missed(missed, time);
+}
+
+void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
+  constexpr long least_steps = 32, most_steps = 4096;  // between looks
+  constexpr long tests_of_step = 64;      // of boxes: hundreds of nanoseconds, far below the cost of a step
+  constexpr std::int64_t of_a_face = 16;  // tests of a look through faces, before the first has counted them
+  Impl& stage = *impl_;
+  if (!stage.has_pairs() || stage.has_told_missed || step % least_steps != 0) return;
+  const bool looks_at_edges = stage.share.total_edges > 0 && step >= stage.next_edge_look;
+  const auto find_next = [&](std::int64_t tests) {
+    return step + std::clamp(static_cast<long>(tests / tests_of_step), least_steps, most_steps);
+  };
+  if (stage.next_piercing_look == 0)
+    stage.next_piercing_look = find_next(of_a_face * stage.share.total_faces) - least_steps;
+  const bool looks_through = step >= stage.next_piercing_look;
+  if (!looks_at_edges && !looks_through) return;
+  const std::optional<KnownContact> known = stage.find_known();
+  const OverlapSearch search = stage.look_for_overlap(*stage.finder);
+  if (looks_at_edges) {
+    const MissedEdge look = known ? find_missed_edge(search, x, stage.history, *known) : MissedEdge{};
+    stage.tell_missed(look.missed, time);
+    stage.next_edge_look = find_next(look.tests);
+  }
+  if (looks_through) {
+    const PiercingEdges look = known ? stage.find_piercings(x) : PiercingEdges{};
+    if (known) stage.tell_missed(find_missed_piercing(search, stage.history, *known, look.found), time);
+    stage.next_piercing_look = find_next(look.tests);
+  }
+}
+
+}  // namespace percuss
