@@ -349,12 +349,14 @@ struct GravityDeck {
   bool any() const { return !is_constant() || at(0) != Vec3{}; }
 };
 
-/// A hemispherical charge of TNT on the ground.
+/// A charge of TNT: a hemisphere on the ground, or a sphere in free air.
 struct BlastDeck {
+  enum class Burst { ground, air };
   double charge = 0;  // [mass]
   Vec3 center{};
   double time = 0;  // of the detonation
   bool has_negative_phase = false;
+  Burst burst = Burst::ground;
 };
 
 /// Pressure on faces, positive acts against the outward normal, on the current area. With a direction (a unit vector):

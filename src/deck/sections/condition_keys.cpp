@@ -76,11 +76,13 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
 }
 
 const Keys<BlastDeck>& blast_keys() {
+  using Burst = BlastDeck::Burst;
   static const Keys<BlastDeck> keys = {
       need("charge", &BlastDeck::charge, NumberValue{positive}),
       need("center", &BlastDeck::center, vector3()),
       may("time", &BlastDeck::time, NumberValue{}),
       may("negative_phase", &BlastDeck::has_negative_phase, BooleanValue{}),
+      may("burst", &BlastDeck::burst, ChoiceValue<Burst>{{{"ground", Burst::ground}, {"air", Burst::air}}}),
   };
   return keys;
 }

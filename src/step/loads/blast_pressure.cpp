@@ -51,7 +51,7 @@ double find_scaled_distance(const BlastDeck& blast, const Units& units, const Ve
 Pulse find_blast_pulse(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
   const Vec3 ray = subtract(middle, blast.center);
   const double distance = find_distance(middle, blast.center), cosine = std::max(0.0, -dot(normal, ray) / distance);
-  const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance);
+  const BlastWave wave = find_blast_wave(units.mass.in_si * blast.charge, units.length.in_si * distance, blast.burst);
   const double pressure = kilo / units.in_si(dimensions::stress), time = 1 / (kilo * units.time.in_si);
   const double of_reflected = cosine * cosine, of_incident = 1 + of_reflected - 2 * cosine;
   return {blast.time + wave.arrival * time,
@@ -75,17 +75,18 @@ Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
                          const std::vector<ElementFace>& faces) {
   const Units units = *find_units(deck.units);
+  const BlastRange range = find_blast_range(load.blast->burst);
   std::int64_t first = no_finding;
   std::string text;
   for (const ElementFace& face : faces) {
     const double z = find_scaled_distance(*load.blast, units, find_place(chunked.mesh, face).middle);
     const std::int64_t number = find_element_number(chunked, face.element);
-    if ((z >= least_scaled_distance && z <= largest_scaled_distance) || number >= first) continue;
+    if ((z >= range.least && z <= range.largest) || number >= first) continue;
     first = number;
     text = fmt::format(
         "{} is at a scaled distance of {:.3g} m/kg^(1/3) from the charge (the curves reach from {:g} to "
         "{:g}): move the charge, or select other faces",
-        name_element(chunked.mesh, face.element), z, least_scaled_distance, largest_scaled_distance);
+        name_element(chunked.mesh, face.element), z, range.least, range.largest);
   }
   if (const auto refused = agree_on_first(find_ranks(chunked.mesh), first, text))
     throw InputError(fmt::format("{}: error: {}", deck.where(load.where.place), *refused));

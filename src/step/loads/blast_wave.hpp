@@ -1,9 +1,11 @@
 #pragma once
-// The blast wave of a hemispherical charge of TNT on the ground.
+// The blast wave of a charge of TNT: a hemisphere on the ground, or a sphere in free air.
 //
 // Kingery and Bulmash, Airblast parameters from TNT spherical air burst and hemispherical surface burst, ARBRL-TR-02555
-// (1984), in the simplified form of Swisdak, Simplified Kingery airblast calculations, Naval Surface Warfare Center
-// (1994), metric tables.
+// (1984). That on the ground in the simplified form of Swisdak, Simplified Kingery airblast calculations, Naval Surface
+// Warfare Center (1994), metric tables; that in free air by the polynomials of 1984.
+
+#include "src/deck/deck.hpp"
 
 namespace percuss {
 
@@ -15,10 +17,13 @@ struct BlastWave {
 };
 
 /// Scaled distances, in m / kg^(1/3), for which there are curves of all quantities.
-inline constexpr double least_scaled_distance = 0.2, largest_scaled_distance = 40;
+struct BlastRange {
+  double least = 0, largest = 40;
+};
+BlastRange find_blast_range(BlastDeck::Burst burst);
 
 /// Of a charge in kg at a distance in m, within these scaled distances.
-BlastWave find_blast_wave(double charge, double distance);
+BlastWave find_blast_wave(double charge, double distance, BlastDeck::Burst burst = BlastDeck::Burst::ground);
 
 /// The decay b of a pulse p (1 - t/T) exp(-b t/T), 0 < t < T, (Friedlander) with the impulse:
 /// i / (p T) = 1/b - (1 - exp(-b)) / b^2.

@@ -31,6 +31,7 @@ NEAR, FAR = "1,1e-3,-1000.0,5.0,5.0", "1,1e-3,-3000.0,5.0,5.0"  # 1 kg at 1 m an
 SEGMENT = f"*LOAD_BLAST_SEGMENT\n1,{FACE}\n"
 # Kingery and Bulmash, by their polynomials of 1984, of 1 kg on the ground: reflected impulse at 1 m and 3 m, peak and duration at 3 m, in MPa and s.
 IMPULSE_1, IMPULSE_3, PEAK_3, DURATION_3 = 884.8e-6, 224.3e-6, 330.7e-3, 2.830e-3
+AIR_IMPULSE_1 = 559.03e-6  # likewise in free air
 
 
 def whole_pulse(peak: float, duration: float, impulse: float) -> float:
@@ -51,9 +52,13 @@ BLASTS = [
           [("momentum_x", LAST, 0.0, 1e-12)], "it arrives at TBO + 0.4675 ms"),
     Proof("LOAD_BLAST: WGT XBO YBO ZBO TBO IUNIT ISURF; LOAD_SEGMENT: LCID", blast("1e-3,-1000.0,5.0,5.0,0,7,1", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""),
           [("momentum_x", LAST, 100.0 * IMPULSE_1, 1.2e-2)], "on the segments of LCID = -2"),
-    Proof("LOAD_BLAST: ISURF", blast("1e-3,-1000.0,5.0,5.0,0,7", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""), refused="ISURF"),
+    Proof("LOAD_BLAST: ISURF", blast("1e-3,-1000.0,5.0,5.0,0,7", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""),
+          [("momentum_x", LAST, 100.0 * AIR_IMPULSE_1, 1e-2)], "by default a sphere in free air"),
+    Proof("LOAD_BLAST: ISURF", blast("1e-3,-1000.0,5.0,5.0,0,7,3", f"*LOAD_SEGMENT\n-2,1.0,0,{FACE}\n", 2.5e-3, card=""), refused="ISURF"),
+    *(Proof("LOAD_BLAST_ENHANCED: BLAST", blast(NEAR + kind + "\n0,0,0,0,0,0,1", SEGMENT, 2.5e-3), [("momentum_x", LAST, 100.0 * AIR_IMPULSE_1, 1e-2)], "2, and by default: a sphere in free air")
+      for kind in (",0,7,2", ",0,7")),
     Proof("LOAD_BLAST: IUNIT", blast("1e-3,-1000.0,5.0,5.0,0,1,1", SEGMENT, 1e-3, card=""), refused="English"),
-    Proof("LOAD_BLAST_ENHANCED: BLAST", blast(NEAR + ",0,7", SEGMENT, 1e-3), refused="BLAST"),
+    *(Proof("LOAD_BLAST_ENHANCED: BLAST", blast(f"{NEAR},0,7,{kind}", SEGMENT, 1e-3), refused="whose charge moves, or whose wave the ground reflects") for kind in (3, 4)),
     Proof("LOAD_BLAST_ENHANCED: UNIT", blast(NEAR + ",0,3,1", SEGMENT, 1e-3), refused="English"),
     Proof("LOAD_BLAST_ENHANCED: NIDBO DEATH", blast(NEAR + ",0,7,1\n0,0,0,0,9", SEGMENT, 1e-3), refused="NIDBO"),
     Proof("LOAD_BLAST_ENHANCED: DEATH", blast(NEAR + ",0,7,1\n0,0,0,0,0,5e-4", SEGMENT, 1e-3), refused="DEATH"),

@@ -252,11 +252,11 @@ def press_on(deck: KeywordDeck, card: Card, faces: list[Face], load: Deck) -> No
 BLAST_CURVE = -2  # of *LOAD_SEGMENT: the pressure of *LOAD_BLAST
 # Systems of units by the code of the cards. Others are English, or need factors.
 BLAST_UNITS = {2: "m, kg, s", 4: "cm, g, us", 6: "mm, kg, ms", 7: "mm, t, s", 8: "mm, g, ms"}
-HEMISPHERE = 1  # a burst on the ground
+BURSTS = {1: "ground", 2: "air"}  # a hemisphere, a sphere
 
 
 def read_blast(deck: KeywordDeck, card: Card) -> None:
-    """*LOAD_BLAST and *LOAD_BLAST_ENHANCED: a charge of TNT on the ground. Segments name it by its number, 0 of the former."""
+    """*LOAD_BLAST and *LOAD_BLAST_ENHANCED: a charge of TNT. Segments name it by its number, 0 of the former."""
     reader = card.reader()
     is_old = card.keyword == "LOAD_BLAST"
     if is_old:
@@ -278,8 +278,10 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
         entry["time"] = row.number("TBO")
     row.finish(deck.ledger)
     more.finish(deck.ledger, "the charge stays at its place")
-    if kind != HEMISPHERE:
-        deck.ledger.refuse(f"{card.keyword}.{'ISURF' if is_old else 'BLAST'}", row.place, "a burst in the air (percuss knows a hemispherical one on the ground)", "it is taken as one on the ground")
+    if kind not in BURSTS:
+        deck.ledger.refuse(f"{card.keyword}.{'ISURF' if is_old else 'BLAST'}", row.place, "a burst whose charge moves, or whose wave the ground reflects (percuss knows a sphere in free air, and a hemisphere on the ground)", "it is taken as one in free air")
+    if BURSTS.get(kind) != "ground":
+        entry["burst"] = "air"
     if units not in BLAST_UNITS:
         deck.ledger.refuse(f"{card.keyword}.{'IUNIT' if is_old else 'UNIT'}", row.place, "a blast in English units, or with factors of its own", "the blast is left out")
         return
