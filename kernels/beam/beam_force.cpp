@@ -91,8 +91,8 @@ struct AdvanceBeamChunk {
   /// changed: true from here on if a bit of the record does.
   KOKKOS_FUNCTION static BeamResult advance_element(const BeamParameters& parameters, const BeamMotion& motion,
                                                     const LaneRecord<Real>& record, bool& changed) {
-    double fibres[2 * most_beam_fibres] = {};
-    const int scalars = 2 * parameters.fibres.count;
+    double fibres[(1 + most_fibre_history) * most_beam_fibres] = {};
+    const int scalars = (2 + count_more_history(parameters)) * parameters.fibres.count;
     const LaneRecord<Real> stored = record.from(BeamRecord::fibres);
     for (int k = 0; k < scalars; ++k) fibres[k] = stored[k];
     BeamState now = load_state(record);

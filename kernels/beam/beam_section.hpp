@@ -50,4 +50,17 @@ inline BeamSection make_box(double width_y, double width_z, double wall) {
           2 * wall * middle_z};
 }
 
+/// A symmetric I: flanges along y at both ends of a web along z. Shear along y in the flanges, each a rectangle, along
+/// z in the web over the whole depth; J of thin walls; no stiffness against warping.
+inline BeamSection make_i_shape(double width, double depth, double flange, double web) {
+  const auto cube = [](double x) { return x * x * x; };
+  const double high = depth - 2 * flange;
+  return {2 * width * flange + web * high,
+          (width * cube(depth) - (width - web) * cube(high)) / 12,
+          (2 * flange * cube(width) + high * cube(web)) / 12,
+          (2 * width * cube(flange) + (depth - flange) * cube(web)) / 3,
+          2 * width * flange * 5 / 6,
+          web * depth};
+}
+
 }  // namespace percuss

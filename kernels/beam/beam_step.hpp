@@ -6,6 +6,7 @@
 
 #include "kernels/beam/beam_fibres.hpp"
 #include "kernels/beam/beam_limits.hpp"
+#include "kernels/beam/fibre_laws.hpp"
 
 namespace percuss {
 
@@ -15,12 +16,19 @@ struct BeamParameters {
   double area = 0;
   double polar_square = 0;  // rotary inertia about the beam over mass [length^2]
   bool bends = false;       // else a truss
-  FibreLaw law;
-  BeamFibres fibres;  // none: the section is elastic
-  BeamLimits limits;  // of an element that can fail
+  FibreLaw law;             // of linear hardening; its Young's modulus also of other laws
+  CalledFibreLaw called;    // in place of it
+  BeamFibres fibres;        // none: the section is elastic
+  BeamLimits limits;        // of an element that can fail
 };
 
-/// What an element remembers between steps. The stress and plastic strain of each fibre follow it in the record.
+/// Scalars of each fibre besides its stress and plastic strain.
+KOKKOS_INLINE_FUNCTION int count_more_history(const BeamParameters& par) {
+  return par.called.history_count > 1 ? par.called.history_count - 1 : 0;
+}
+
+/// What an element remembers between steps. In the record follow the stress and plastic strain of each fibre, then what
+/// else each remembers.
 struct BeamState {
   double mass = 0, gyration_square = 0;  // gyration_square: rotary inertia across over mass; both constant
   Vector3<double> e2{};                  // the axis y of the section, at n
@@ -46,13 +54,35 @@ KOKKOS_INLINE_FUNCTION double find_section_work(const BeamForces<double>& f, con
          f.moment_y * strain.curvature_y + f.moment_z * strain.curvature_z;
 }
 
-/// fibres: stress and plastic strain of each; in and out.
+/// The fibres of a law that is called; adds to the forces.
+KOKKOS_INLINE_FUNCTION void advance_called_fibres(const BeamParameters& par, const BeamRates<double>& strain, double dt,
+                                                  double* fibres, BeamForces<double>& f) {
+  const int count = par.fibres.count, more = count_more_history(par);
+  const FibreStep step{par.law.youngs_modulus, par.called.density, dt};
+  visit_any_of(par.called.law, FibreLaws(), [&](const auto& law) {
+    for (int i = 0; i < count; ++i) {
+      double* const rest = fibres + 2 * count + more * i;
+      double history[most_fibre_history] = {fibres[2 * i + 1]};
+      for (int k = 0; k < more; ++k) history[1 + k] = rest[k];
+      if (dt > 0) {
+        const double along = find_fibre_strain(par.fibres.fibre[i], strain);
+        fibres[2 * i] = advance_fibre(law, step, fibres[2 * i], along, history);
+      }
+      fibres[2 * i + 1] = history[0];
+      for (int k = 0; k < more; ++k) rest[k] = history[1 + k];
+      add_fibre(par.fibres.fibre[i], fibres[2 * i], f);
+    }
+  });
+}
+
+/// fibres: stress and plastic strain of each, then what else each remembers; in and out.
 KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& par, const BeamForces<double>& before,
-                                                          const BeamRates<double>& strain, double* fibres) {
+                                                          const BeamRates<double>& strain, double dt, double* fibres) {
   BeamForces<double> f = add_elastic(before, par.stiffness, strain);
   if (par.fibres.count == 0) return f;
   f.normal = f.moment_y = f.moment_z = 0;
-  for (int i = 0; i < par.fibres.count; ++i) {
+  if (par.called.history_count > 0) advance_called_fibres(par, strain, dt, fibres, f);
+  for (int i = 0; i < par.fibres.count && par.called.history_count == 0; ++i) {
     double &stress = fibres[2 * i], &plastic_strain = fibres[2 * i + 1];
     const BeamFibre& fibre = par.fibres.fibre[i];
     const FibreState now = par.law.advance({stress, plastic_strain}, find_fibre_strain(fibre, strain));
@@ -80,7 +110,7 @@ KOKKOS_INLINE_FUNCTION BeamResult advance_truss(const BeamParameters& par, const
   BeamRates<double> strain{};
   strain.stretch = m.dt * dot(middle, change) / middle_square;
   const BeamForces<double> before = state.forces;
-  state.forces = advance_section(par, before, strain, fibres);
+  state.forces = advance_section(par, before, strain, m.dt, fibres);
   const double mean = 0.5 * (before.normal + state.forces.normal);
   return {std::sqrt(middle_square) * mean * strain.stretch,
           find_beam_step(par, state, length),
@@ -100,7 +130,7 @@ KOKKOS_INLINE_FUNCTION BeamResult advance_beam(const BeamParameters& par, const 
   const BeamRates<double> strain{m.dt * rate.stretch, m.dt * rate.shear_y,     m.dt * rate.shear_z,
                                  m.dt * rate.twist,   m.dt * rate.curvature_y, m.dt * rate.curvature_z};
   const BeamForces<double> before = state.forces;
-  state.forces = advance_section(par, before, strain, fibres);
+  state.forces = advance_section(par, before, strain, m.dt, fibres);
   const BeamFrame<double> end = find_beam_frame(m.x, turn_by_spin(middle.e2, spin, half));
   state.e2 = end.e2;
   const double work = 0.5 * (find_section_work(before, strain) + find_section_work(state.forces, strain));

@@ -4,6 +4,7 @@
 #include "kernels/material/laws/j2_plasticity.hpp"
 #include "kernels/shell/fabric.hpp"
 #include "kernels/shell/laminate.hpp"
+#include "kernels/shell/skin.hpp"
 
 namespace percuss {
 
@@ -23,6 +24,9 @@ HardeningLayer make_layer(const Law& law, double density) {
 }
 
 inline FabricLayer make_layer(const Fabric& law, double /*density*/) { return FabricLayer::make(law); }
+
+/// Of a skin, which nobody computes: no stress.
+inline ElasticLayer make_layer(const Skin& /*law*/, double /*density*/) { return {}; }
 
 /// As a ply of a laminate.
 inline PlyMaterial make_ply(const Orthotropic& law, double /*density*/) {

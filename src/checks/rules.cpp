@@ -79,6 +79,7 @@ const std::vector<CheckRule>& check_rules() {
       {"stopped_velocity", check_stopped_velocity, Needs::mesh},
       {"unused_velocity", check_unused_velocity, Needs::mesh},
       {"held_part", check_held_parts, Needs::mesh},
+      {"loose_skin", check_loose_skins, Needs::mesh},
       {"fast_velocity", check_fast_velocity, Needs::mesh},
       {"prescribed_speed", check_prescribed_speed},
       {"curve_end", check_curve_end},

@@ -90,6 +90,7 @@ std::vector<Warning> check_shell_reference(const CheckedScene& scene);
 
 // Parts that are held or joined as a whole, elements of a material that fails (mesh_rules.cpp)
 std::vector<Warning> check_held_parts(const CheckedScene& scene);
+std::vector<Warning> check_loose_skins(const CheckedScene& scene);
 std::vector<Warning> check_join_glue(const CheckedScene& scene);
 std::vector<Warning> check_failure_size(const CheckedScene& scene);
 

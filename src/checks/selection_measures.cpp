@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "comm/all_reduce.hpp"
+#include "src/checks/loose_skins.hpp"
 #include "src/deck/beam_deck.hpp"
 #include "src/index.hpp"
 
@@ -147,7 +148,8 @@ void reduce(const Communicator& ranks, SelectionMeasures& selections) {
 SelectionMeasures measure_selections(const Deck& deck, const ChunkedMesh& chunked, const std::vector<bool>& owned) {
   const Mesh& mesh = chunked.mesh;
   SelectionMeasures selections{std::vector<LoadMeasures>(deck.nodal_loads.size()),
-                               std::vector<ConditionMeasures>(deck.conditions.size()), count_held(deck, mesh, owned)};
+                               std::vector<ConditionMeasures>(deck.conditions.size()), count_held(deck, mesh, owned),
+                               count_loose_nodes(deck, chunked, owned)};
   const bool is_shared = mesh.ranks && mesh.ranks->size() > 1;
   measure_loads(deck, mesh, owned, selections.loads);
   measure_conditions(deck, mesh, selections.conditions);

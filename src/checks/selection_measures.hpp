@@ -29,6 +29,7 @@ struct SelectionMeasures {
   std::vector<LoadMeasures> loads;            // as Deck::nodal_loads
   std::vector<ConditionMeasures> conditions;  // as Deck::conditions
   std::vector<std::int64_t> held;             // [parts] nodes that conditions hold at their place all the run
+  std::vector<std::int64_t> loose;            // [parts] of skins, nodes that nothing else has (loose_skins.hpp)
   friend bool operator==(const SelectionMeasures&, const SelectionMeasures&) = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include "kernels/material/pressure/equation_of_state.hpp"
 #include "src/checks/checked_scene.hpp"
+#include "src/deck/laws/law_traits.hpp"
 
 namespace percuss {
 
@@ -11,6 +12,7 @@ std::vector<const MaterialDeck*> list_used_materials(const Deck& deck) {
   std::vector<const MaterialDeck*> used;
   for (const MaterialDeck& material : deck.materials) {
     const auto uses = [&](const PartDeck& part) { return part.material == material.name; };
+    if (find_traits(material).is_skin) continue;  // its mass may be that of air, its stiffness none
     if (std::any_of(deck.parts.begin(), deck.parts.end(), uses)) used.push_back(&material);
   }
   return used;

@@ -29,6 +29,12 @@ struct BoxSection {
   double wall = 0;
 };
 
+/// A symmetric I: flanges along y of the section, a web along z.
+struct IShapeSection {
+  std::array<double, 2> size{};  // outer, along y and z of the section
+  double flange = 0, web = 0;    // thicknesses
+};
+
 /// A bar that carries nothing but a force along it.
 struct TrussSection {
   double area = 0;
@@ -36,7 +42,7 @@ struct TrussSection {
 
 /// BeamSection: its constants one by one.
 using BeamSectionDeck =
-    std::variant<TrussSection, RoundSection, TubeSection, RectangleSection, BoxSection, BeamSection>;
+    std::variant<TrussSection, RoundSection, TubeSection, RectangleSection, BoxSection, IShapeSection, BeamSection>;
 
 /// Whether its nodes have rotations.
 inline bool bends(const BeamSectionDeck& section) { return !std::holds_alternative<TrussSection>(section); }
@@ -45,7 +51,8 @@ inline bool bends(const BeamSectionDeck& section) { return !std::holds_alternati
 inline bool has_axes(const BeamSectionDeck& section) {
   if (const auto* of = std::get_if<BeamSection>(&section))
     return of->inertia_y != of->inertia_z || of->shear_area_y != of->shear_area_z;
-  return std::holds_alternative<RectangleSection>(section) || std::holds_alternative<BoxSection>(section);
+  return std::holds_alternative<RectangleSection>(section) || std::holds_alternative<BoxSection>(section) ||
+         std::holds_alternative<IShapeSection>(section);
 }
 
 inline BeamSection make_beam_section(const BeamSectionDeck& section) {
@@ -55,13 +62,14 @@ inline BeamSection make_beam_section(const BeamSectionDeck& section) {
     BeamSection operator()(const TubeSection& s) const { return make_tube(s.outer_radius, s.inner_radius); }
     BeamSection operator()(const RectangleSection& s) const { return make_rectangle(s.size[0], s.size[1]); }
     BeamSection operator()(const BoxSection& s) const { return make_box(s.size[0], s.size[1], s.wall); }
+    BeamSection operator()(const IShapeSection& s) const { return make_i_shape(s.size[0], s.size[1], s.flange, s.web); }
     BeamSection operator()(const BeamSection& s) const { return s; }
   };
   return std::visit(Make{}, section);
 }
 
-/// Radius with which a beam touches: of a circle and a tube that of their outside, of a rectangle and a box that of the
-/// circle with the area of their outline, else of the circle with the area of the section.
+/// Radius with which a beam touches: of a circle and a tube that of their outside, of a rectangle, a box and
+/// an I that of the circle with the area of their outline, else of the circle with the area of the section.
 inline double find_contact_radius(const BeamSectionDeck& section) {
   struct Find {
     static double round(double area) { return std::sqrt(area / std::numbers::pi); }
@@ -70,6 +78,7 @@ inline double find_contact_radius(const BeamSectionDeck& section) {
     double operator()(const TubeSection& s) const { return s.outer_radius; }
     double operator()(const RectangleSection& s) const { return round(s.size[0] * s.size[1]); }
     double operator()(const BoxSection& s) const { return round(s.size[0] * s.size[1]); }
+    double operator()(const IShapeSection& s) const { return round(s.size[0] * s.size[1]); }
     double operator()(const BeamSection& s) const { return round(s.area); }
   };
   return std::visit(Find{}, section);

@@ -55,6 +55,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"stopped_velocity", "initial velocity of nodes that a condition holds"},
       {"unused_velocity", "initial velocity that later entries override on all nodes"},
       {"held_part", "deformable part of which all nodes are held"},
+      {"loose_skin", "skin with nodes that nothing holds together"},
       {"fast_velocity", "initial velocity above the wave speed"},
       {"prescribed_speed", "prescribed motion faster than the wave speed"},
       {"curve_end", "table that is cut off before the run ends"},

@@ -59,6 +59,9 @@ def section_area(section: dict) -> float:
         if kind == "box":
             (y, z), wall = keys["size"], keys["wall"]
             return y * z - (y - 2 * wall) * (z - 2 * wall)
+        if kind == "i_shape":
+            (y, z), flange, web = keys["size"], keys["flange"], keys["web"]
+            return 2 * y * flange + web * (z - 2 * flange)
         return keys["area"]
     return 0.0
 

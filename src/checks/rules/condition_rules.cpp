@@ -154,6 +154,7 @@ std::vector<Warning> check_fast_velocity(const CheckedScene& scene) {
     const auto& state = material.equation_of_state;
     if (state && state->model == IdealGasState::name) continue;  // cold gases run into each other at any speed
     const double wave = find_wave_speed(material), speed = find_speed(p);
+    if (wave == 0) continue;  // a skin
     if (speed <= (state ? most_of_state : most_of_solid) * wave) continue;
     const char* why = state ? "light-gas guns reach 2" : "such a shock needs an equation of state";
     warnings.push_back(warn_at(scene.deck, "fast_velocity", find_initial_path(scene.deck, p),

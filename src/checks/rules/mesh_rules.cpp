@@ -148,6 +148,21 @@ std::vector<Warning> check_held_parts(const CheckedScene& scene) {
   return warnings;
 }
 
+std::vector<Warning> check_loose_skins(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const std::int64_t loose = scene.measures->selections.loose[p];
+    if (loose == 0) continue;
+    const PartDeck& part = scene.deck.parts[p];
+    warnings.push_back(warn_at(scene.deck, "loose_skin", "parts." + part.name + ".material",
+                               fmt::format("{} of {} nodes of the skin '{}' belong to nothing else (a skin has no "
+                                           "stress, so each of them flies by itself): join them to a body, tie them or "
+                                           "make them a rigid set, or give the part a material with strength",
+                                           loose, scene.measures->parts[p].nodes, part.name)));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_join_glue(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   const Fasteners fasteners(scene);

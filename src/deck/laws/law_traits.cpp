@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kernels/beam/fibre_laws.hpp"
 #include "kernels/shell/layer_of_law.hpp"
 #include "src/deck/laws/make_material.hpp"
 
@@ -25,9 +26,10 @@ LawTraits find_traits_of() {
   traits.takes_equation_of_state = takes_equation_of_state<Law>;
   traits.needs_equation_of_state = needs_equation_of_state<Law>;
   traits.grows_in_increments = GrowingLaw<Law>;
-  traits.is_of_shells = LayerLaw<Law>;
-  traits.is_of_membranes_alone = !is_of_solids<Law>;
-  traits.is_of_beams = LawOfFibres<Law>;
+  traits.is_skin = std::is_same_v<Law, Skin>;
+  traits.is_of_shells = LayerLaw<Law> || traits.is_skin;
+  traits.is_of_membranes_alone = !is_of_solids<Law> && !traits.is_skin;
+  traits.is_of_beams = BeamLaw<Law>;
   traits.is_compiled_in = requires { requires Law::is_compiled_in; };
   traits.has_plastic_strain = remembers<Law>(HistoryScalar::equivalent_plastic_strain);
   traits.has_temperature = remembers<Law>(HistoryScalar::temperature) || requires(const Law& law) {
@@ -49,6 +51,14 @@ std::vector<LawTraits> list_traits(TypeList<Laws...>) {
 const std::vector<LawTraits>& list_law_traits() {
   static const std::vector<LawTraits> traits = list_traits(AllLaws());
   return traits;
+}
+
+bool is_uncomputed(const Deck& deck, std::size_t part) {
+  if (deck.parts[part].rigid) return true;
+  const std::string& name = deck.parts[part].material;
+  return std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
+    return material.name == name && find_traits(material).is_skin;
+  });
 }
 
 const LawTraits& find_traits(const std::string& model) {

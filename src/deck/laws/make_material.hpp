@@ -10,17 +10,18 @@
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
 #include "kernels/shell/fabric.hpp"
+#include "kernels/shell/skin.hpp"
 #include "src/deck/deck.hpp"
 #include "src/deck/laws/make_law.hpp"
 
 namespace percuss {
 
-/// Those of solids, of which shells have some, and those that only membranes have.
-using AllLaws = JoinLists<Materials, TypeList<Fabric>>::type;
+/// Those of solids, of which shells have some, and those that only membranes or shells have.
+using AllLaws = JoinLists<Materials, TypeList<Fabric, Skin>>::type;
 
 /// Whether solids have the law.
 template <class Law>
-inline constexpr bool is_of_solids = !std::is_same_v<Law, Fabric>;
+inline constexpr bool is_of_solids = !std::is_same_v<Law, Fabric> && !std::is_same_v<Law, Skin>;
 
 template <class... M, class F>
 void visit_law_of(TypeList<M...>, const LawDeck& law, const F& f) {

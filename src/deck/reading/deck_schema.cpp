@@ -140,6 +140,7 @@ Json write_laws() {
                       {"grows_in_increments", law.grows_in_increments},
                       {"is_of_shells", law.is_of_shells},
                       {"is_of_membranes_alone", law.is_of_membranes_alone},
+                      {"is_skin", law.is_skin},
                       {"is_of_beams", law.is_of_beams},
                       {"has_plastic_strain", law.has_plastic_strain},
                       {"has_temperature", law.has_temperature},

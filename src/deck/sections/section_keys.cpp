@@ -58,6 +58,26 @@ bool check_box_section(const Reader& reader, const Node& node, BoxSection& box) 
   return false;
 }
 
+const Keys<IShapeSection>& i_shape_section_keys() {
+  static const Keys<IShapeSection> keys = {
+      need("size", &IShapeSection::size, TupleValue<NumberValue, 2>{{positive}}),
+      need("flange", &IShapeSection::flange, NumberValue{positive}),
+      need("web", &IShapeSection::web, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool check_i_shape_section(const Reader& reader, const Node& node, IShapeSection& section) {
+  const bool is_high = 2 * section.flange >= section.size[1];
+  if (!is_high && section.web < section.size[0]) return true;
+  const char* const key = is_high ? "flange" : "web";
+  reader.error(node.find(key)->spot,
+               fmt::format("{} is {}{} (must be less than {} {}): use rectangle for a solid section",
+                           reader.name_of(key), is_high ? section.flange : section.web, reader.in(),
+                           is_high ? "half of the depth" : "the width", section.size[is_high ? 1 : 0]));
+  return false;
+}
+
 const Keys<BeamSection>& general_section_keys() {
   static const Keys<BeamSection> keys = {
       need("area", &BeamSection::area, NumberValue{positive}),
@@ -91,6 +111,7 @@ const Keys<BeamSectionDeck>& beam_section_keys() {
       beam_section_key<TubeSection>("tube", tube_section_keys, check_tube_section),
       beam_section_key<RectangleSection>("rectangle", rectangle_section_keys),
       beam_section_key<BoxSection>("box", box_section_keys, check_box_section),
+      beam_section_key<IShapeSection>("i_shape", i_shape_section_keys, check_i_shape_section),
       beam_section_key<BeamSection>("general", general_section_keys),
   };
   return keys;

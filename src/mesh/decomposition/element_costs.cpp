@@ -37,7 +37,7 @@ KindCost find_kind_cost(TopologyKind kind, const ElementDeck& settings) {
 }  // namespace
 
 int find_element_cost(const Deck& deck, const ElementBlock& block) {
-  if (deck.parts[at(block.part)].rigid) return rigid_cost;
+  if (is_uncomputed(deck, at(block.part))) return rigid_cost;
   const KindCost cost = find_kind_cost(block.topology, deck.find_elements(at(block.part)));
   const bool is_compiled_in = find_traits(deck.materials[at(block.material)]).is_compiled_in;
   return is_compiled_in ? cost.own : cost.own + cost.called;

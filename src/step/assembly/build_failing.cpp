@@ -226,7 +226,8 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
   FailingChunks& failing = model.failing;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     const int material = find_block(chunked, chunked.chunks[c]).material;
-    row.push_back(is_rigid_chunk(deck, chunked.chunks[c]) ? -1 : row_of_material[static_cast<std::size_t>(material)]);
+    row.push_back(is_uncomputed_chunk(deck, chunked.chunks[c]) ? -1
+                                                               : row_of_material[static_cast<std::size_t>(material)]);
     first.push_back(row.back() < 0 ? -1 : failing.pack_count);
     if (row.back() < 0) continue;
     refuse_other_elements(deck, find_block(chunked, chunked.chunks[c]));

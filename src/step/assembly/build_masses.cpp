@@ -152,7 +152,7 @@ RigidMasses find_rigid_masses(const Deck& deck, const ChunkedMesh& chunked, cons
              gyration_square = to_host(model.gyration_square);
   std::vector<double> element_mass(chunked.mesh.elements.size(), 0), turning;
   for (const Chunk& chunk : chunked.chunks) {
-    if (is_rigid_chunk(deck, chunk)) continue;
+    if (deck.parts[static_cast<std::size_t>(chunk.part)].rigid) continue;
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
       element_mass[static_cast<std::size_t>(e)] = of_elements(e);
   }

@@ -100,7 +100,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.has_rotations = has_shells(mesh) || has_bending_beams(deck, mesh);
   model.ties_rotations = deck.contact.ties_rotations();
   build_chunks(deck, chunked, model);
-  mark_rigid_chunks(deck, chunked, model);
+  mark_uncomputed_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);
   build_stiffness_damping(deck, chunked, model);
   build_numbers(chunked, model);

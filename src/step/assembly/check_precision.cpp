@@ -59,7 +59,8 @@ void check_single_precision(const Deck& deck, const ChunkedMesh& chunked, const 
   for (std::size_t e = 0; e < masses.size(); ++e) {
     const auto material = static_cast<std::size_t>(mesh.block_of(e).material);
     const double volume = masses[e] / deck.materials[material].density;
-    const double values[count] = {volume, masses[e] * volume, stiffness[material] * volume};
+    const double values[count] = {volume, masses[e] * volume,
+                                  stiffness[material] > 0 ? stiffness[material] * volume : 1};  // skins have none
     for (std::size_t k = 0; k < count; ++k) {
       extremes[2 * k] = std::max(extremes[2 * k], values[k]);
       extremes[2 * k + 1] = std::max(extremes[2 * k + 1], 1 / values[k]);

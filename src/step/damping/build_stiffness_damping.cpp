@@ -81,7 +81,7 @@ struct DampedLists {
 
 void list_chunk(const Deck& deck, const ChunkedMesh& chunked, int points, std::size_t c, DampedLists& lists) {
   const Chunk& chunk = chunked.chunks[c];
-  const double beta = lists.factor[c] = find_factor(deck, chunk.part);
+  const double beta = lists.factor[c] = is_uncomputed(deck, at(chunk.part)) ? 0 : find_factor(deck, chunk.part);
   if (beta == 0) return;
   const ElementBlock& block = find_block(chunked, chunk);
   const LameConstants moduli = find_moduli(deck.materials[at(block.material)]);

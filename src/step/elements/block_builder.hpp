@@ -139,7 +139,7 @@ struct BlockBuilder {
         rows.push_back(make_parameters(material, settings));
       }
       const Material& material = rows[static_cast<std::size_t>(row->second)].material;
-      if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
+      if (!is_uncomputed_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
       parameters[c] = row->second;
       describe(c, material, of_chunk.named_history);
       if constexpr (is_called<Material>) add_start_history(c, material);

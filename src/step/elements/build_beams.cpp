@@ -7,9 +7,8 @@
 #include <map>
 
 #include "kernels/core/host_copy.hpp"
-#include "kernels/material/laws/j2_plasticity.hpp"
 #include "src/deck/laws/law_traits.hpp"
-#include "src/deck/laws/make_law.hpp"
+#include "src/deck/laws/make_material.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
@@ -68,7 +67,7 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
       refuse_beams(
           deck, block,
           "with a general section of a material that yields (plasticity needs the shape of the section): use round, "
-          "tube, rectangle or box, or an elastic material");
+          "tube, rectangle, box or i_shape, or an elastic material");
   }
 }
 
@@ -83,6 +82,9 @@ BeamFibres list_fibres(const BeamSectionDeck& section) {
     BeamFibres operator()(const TubeSection& s) const { return list_ring_fibres<2>(s.outer_radius, s.inner_radius); }
     BeamFibres operator()(const RectangleSection& s) const { return list_rectangle_fibres(s.size[0], s.size[1]); }
     BeamFibres operator()(const BoxSection& s) const { return list_box_fibres(s.size[0], s.size[1], s.wall); }
+    BeamFibres operator()(const IShapeSection& s) const {
+      return list_i_shape_fibres(s.size[0], s.size[1], s.flange, s.web);
+    }
     BeamFibres operator()(const BeamSection&) const { return {}; }
   };
   return std::visit(List{}, section);
@@ -96,6 +98,19 @@ BeamLimits make_limits(const FailureDeck& failure) {
           failure.time.value_or(none)};
 }
 
+/// The law of fibres that yield.
+void set_fibre_law(const MaterialDeck& material, BeamParameters& parameters) {
+  visit_law(material, [&](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    if constexpr (std::is_same_v<Law, J2Plasticity>)
+      parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};
+    else if constexpr (FlowLaw<Law>) {
+      parameters.law.youngs_modulus = find_youngs_modulus(law.moduli());
+      parameters.called = CalledFibreLaw::make(law, material.density);
+    }
+  });
+}
+
 BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   const BeamSectionDeck& section = *find_part(deck, block).section;
   BeamParameters parameters;
@@ -106,17 +121,16 @@ BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   parameters.polar_square = find_polar_moment(form) / form.area;
   parameters.bends = bends(section);
   if (const auto& failure = find_material(deck, block).failure) parameters.limits = make_limits(*failure);
-  if (find_material(deck, block).law.model == J2Plasticity::name) {
-    const auto law = make_law<J2Plasticity>(find_material(deck, block).law);
-    parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};
+  if (find_traits(find_material(deck, block)).has_plastic_strain) {
+    set_fibre_law(find_material(deck, block), parameters);
     parameters.fibres = list_fibres(section);
   }
   return parameters;
 }
 
-void describe_records(std::size_t c, int fibre_count, const BeamRecords& records) {
-  records.record_size[c] = BeamRecord::find_size(fibre_count);
-  records.points[c] = fibre_count;
+void describe_records(std::size_t c, const BeamParameters& parameters, const BeamRecords& records) {
+  records.record_size[c] = BeamRecord::find_size(parameters.fibres.count, count_more_history(parameters));
+  records.points[c] = parameters.fibres.count;
   records.history[c] = -1;
   for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[c * history_scalars + k] = -1;
 }
@@ -132,7 +146,7 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRecords
     if (is_new) rows.push_back(make_parameters(deck, block));
     if (!find_part(deck, block).rigid) chunks.push_back(static_cast<int>(c));
     records.parameters[c] = row->second;
-    describe_records(c, rows[static_cast<std::size_t>(row->second)].fibres.count, records);
+    describe_records(c, rows[static_cast<std::size_t>(row->second)], records);
   }
   model.others->beams.chunks = to_view("percuss::chunks_of_beams", chunks);
   model.others->beams.parameters = to_view("percuss::beam_parameters", rows);

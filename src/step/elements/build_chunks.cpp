@@ -114,10 +114,12 @@ std::vector<ElementFamily> list_families(const ChunkedMesh& chunked) {
 void refuse_plies(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-    const bool is_fabric = find_traits(material).is_of_membranes_alone;
-    if (find_topology(block.topology).is_surface() || !(is_laminate(material) || is_fabric)) continue;
+    const bool is_fabric = find_traits(material).is_of_membranes_alone, is_skin = find_traits(material).is_skin;
+    if (find_topology(block.topology).is_surface() || !(is_laminate(material) || is_fabric || is_skin)) continue;
     const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
-    const char* what = is_fabric ? "a material of the model fabric" : nullptr;
+    const char* what = is_fabric ? "a material of the model fabric"
+                       : is_skin ? "a material of the model skin"
+                                 : nullptr;
     if (!part.plies.empty()) what = "plies";
     visit_law(material, [&]<class Law>(const Law& law) {
       if constexpr (requires { law.constants.follows_elements; }) {
@@ -206,11 +208,17 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.scalars = to_view("percuss::history_scalars", builder.scalars);
 }
 
-void mark_rigid_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
-  if (!has_rigid_bodies(deck)) return;
-  std::vector<int> is_rigid;
-  for (const Chunk& chunk : chunked.chunks) is_rigid.push_back(is_rigid_chunk(deck, chunk) ? 1 : 0);
-  model.is_rigid_chunk = to_view("percuss::is_rigid_chunk", is_rigid);
+void mark_uncomputed_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  std::vector<int> rigid, uncomputed;
+  bool has_any = false;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) has_any = has_any || is_uncomputed(deck, p);
+  if (!has_any) return;
+  for (const Chunk& chunk : chunked.chunks) {
+    rigid.push_back(deck.parts[static_cast<std::size_t>(chunk.part)].rigid ? 1 : 0);
+    uncomputed.push_back(is_uncomputed_chunk(deck, chunk) ? 1 : 0);
+  }
+  model.is_rigid_chunk = to_view("percuss::is_rigid_chunk", rigid);
+  model.is_uncomputed_chunk = to_view("percuss::is_uncomputed_chunk", uncomputed);
 }
 
 }  // namespace percuss

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -15,6 +16,7 @@
 #include "src/deck/laws/laminates.hpp"
 #include "src/deck/laws/law_traits.hpp"
 #include "src/deck/laws/make_material.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -74,8 +76,21 @@ void visit_section(const MaterialDeck& material, const ElementBlock& block, cons
   });
 }
 
+/// Why shells cannot be a skin as the deck has it; empty: they can.
+std::string find_skin_fault(const Deck& deck, const MaterialDeck& material, const ElementBlock& block) {
+  if (material.failure) return "a skin, which never fails: leave failure out, or make it of another material";
+  if (!deck.parts[static_cast<std::size_t>(block.part)].plies.empty()) return "a skin, which has no plies";
+  const auto& contact = deck.contact;
+  const bool has_springs =
+      contact.enforcement == ContactDeck::Enforcement::penalty && contact.surfaces != ContactDeck::Surfaces::none;
+  return has_springs && !(find_moduli(material).lambda > 0)
+             ? "a skin, which needs contact_modulus beside enforcement: penalty"
+             : "";
+}
+
 /// Why shells cannot have a material; empty: they can.
-std::string find_fault(const MaterialDeck& material, const ElementBlock& block) {
+std::string find_fault(const Deck& deck, const MaterialDeck& material, const ElementBlock& block) {
+  if (find_traits(material).is_skin) return find_skin_fault(deck, material, block);
   if (find_traits(material).is_of_membranes_alone && !material.equation_of_state)
     return block.section.is_membrane ? "" : "which does not bend: it needs integration: membrane";
   const std::string known = name_laws(&LawTraits::is_of_shells);
@@ -93,13 +108,25 @@ void find_shell_corners(const Mesh& mesh, std::size_t element, Vector3<double> (
   for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
 }
 
+/// Skins alone have nothing that bounds the step.
+void refuse_skins_alone(const Deck& deck) {
+  for (std::size_t p = 0; p < deck.parts.size(); ++p)
+    if (!is_uncomputed(deck, p) || deck.parts[p].rigid) return;
+  if (!deck.rigid_sets.empty()) return;
+  throw InputError(
+      fmt::format("{}: error: all parts are skins (a skin has no stress, so nothing bounds the time step): "
+                  "add what they cover, or give one a material with strength",
+                  deck.where(deck.parts.front().place)));
+}
+
 /// On all ranks alike: they know all blocks.
 void check_materials(const Deck& deck, const Mesh& mesh) {
+  refuse_skins_alone(deck);
   for (const ElementBlock& block : mesh.elements.blocks) {
     if (!find_topology(block.topology).is_surface()) continue;
     const auto p = static_cast<std::size_t>(block.part);
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
-    const std::string fault = find_fault(material, block);
+    const std::string fault = find_fault(deck, material, block);
     if (fault.empty() || (deck.parts[p].rigid && find_traits(material).is_of_membranes_alone)) continue;
     throw InputError(fmt::format("{}: error: part '{}' has shells of material '{}' ({}): give it another, or solids",
                                  deck.where(deck.parts[p].place), mesh.parts[p].name, material.name, fault));
@@ -232,7 +259,7 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
       if constexpr (std::is_same_v<std::decay_t<decltype(section.layer)>, Layer>) {
         list_chunk(deck, chunked, section, c, listed, rules);
         block.has_triangles = block.has_triangles || holds_triangle(chunked, chunk);
-        if (!is_rigid_chunk(deck, chunk)) listed.chunks.push_back(static_cast<int>(c));
+        if (!is_uncomputed_chunk(deck, chunk)) listed.chunks.push_back(static_cast<int>(c));
         records.parameters[c] = listed.row_of_part.at(chunk.part);
         records.rule[c] = listed.rule_of_row[static_cast<std::size_t>(records.parameters[c])];
         describe_records(section, c, records);
@@ -299,10 +326,14 @@ std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const 
   std::vector<double> bounds(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
+    const ElementBlock& block = mesh.block_of(e);
+    if (find_traits(deck.materials[static_cast<std::size_t>(block.material)]).is_skin) {
+      bounds[e] = std::numeric_limits<double>::infinity();
+      continue;
+    }
     Vector3<double> corners[4];
     find_shell_corners(mesh, e, corners);
     const MixedShapes<bool> shapes{mesh.topology_of(e).corner_count == 3};
-    const ElementBlock& block = mesh.block_of(e);
     const ShellSection<double> section{mesh.thickness_of(e), element_mass[e], gyration_square[e],
                                        deck.parts[static_cast<std::size_t>(block.part)].offset};
     const auto b = static_cast<std::size_t>(mesh.elements.block_index(e));

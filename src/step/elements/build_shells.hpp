@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/deck/deck.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/model.hpp"
 
@@ -12,9 +13,9 @@ namespace percuss {
 /// Whether the elements of a chunk are shells.
 bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
 
-/// Whether the elements of a chunk are rigid: then nobody computes them.
-inline bool is_rigid_chunk(const Deck& deck, const Chunk& chunk) {
-  return deck.parts[static_cast<std::size_t>(chunk.part)].rigid.has_value();
+/// Whether nobody computes the elements of a chunk.
+inline bool is_uncomputed_chunk(const Deck& deck, const Chunk& chunk) {
+  return is_uncomputed(deck, static_cast<std::size_t>(chunk.part));
 }
 
 /// What the launchers need to know of each chunk, by chunk; filled by who builds its block.

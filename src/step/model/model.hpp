@@ -84,9 +84,10 @@ struct Model {
   Boxed<ElementBlocks> others;   // the other chunks
   std::size_t state_size = 0;    // scalars of all element records
   StartHistory start_history;
-  Array<int> is_rigid_chunk;  // [chunks] 1: of a rigid part, which no block has; empty without rigid bodies
-  FailingChunks failing;      // those whose material can fail
-  bool can_erode = false;     // whether there are any on any rank
+  // [chunks] 1: of a rigid part; of a part that no block has, rigid or a skin. Both empty if there is none.
+  Array<int> is_rigid_chunk, is_uncomputed_chunk;
+  FailingChunks failing;   // those whose material can fail
+  bool can_erode = false;  // whether there are any on any rank
 
   // Whether any rank has shells or beams that bend, whose nodes turn; without them what follows is empty.
   bool has_rotations = false;

@@ -141,12 +141,21 @@ void start_connections(const Model& model, State& s) {
   s.weld_moment = Rows3<double>("percuss::weld_moment", nodes);
 }
 
+/// What fibres remember at the start besides their stress and plastic strain.
+KOKKOS_INLINE_FUNCTION void start_fibres(const BeamParameters& parameters, const LaneRecord<Real>& record) {
+  const int count = parameters.fibres.count, more = count_more_history(parameters);
+  const LaneRecord<Real> rest = record.from(BeamRecord::fibres + 2 * count);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < more; ++k) rest[more * i + k] = static_cast<Real>(parameters.called.start[1 + k]);
+}
+
 /// Rotary inertia and axes of beams into the records.
 void start_beams(const Model& model, const Array<Real>& elements) {
   if (!model.has_beams) return;
   const ElementChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square;  // empty if all are trusses
   const Rows3<double> axes = model.start_beam_axes;
+  const auto parameters = model.others->beams.parameters;
   Kokkos::parallel_for(
       "percuss::start_beams", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         if (!is_beam(chunks, c)) return;
@@ -156,6 +165,7 @@ void start_beams(const Model& model, const Array<Real>& elements) {
           if (gyration_square.extent(0) > 0)
             record[BeamRecord::gyration_square] = static_cast<Real>(gyration_square(e));
           for (int k = 0; k < 3; ++k) record[BeamRecord::e2 + k] = static_cast<Real>(axes(e, k));
+          start_fibres(parameters(chunks.parameters(c)), record);
         }
       });
 }
@@ -243,14 +253,14 @@ void start_rotations(const Model& model, State& s) {
   Kokkos::deep_copy(s.spin_tensors.excess, model.spin_tensors.excess);
 }
 
-/// Chunks of rigid parts are never computed: they hold no step down, and nothing fails.
-void rest_rigid_chunks(const Model& model, const ChunkResults& results) {
-  if (!model.rigid.any()) return;
-  const Array<int> is_rigid = model.is_rigid_chunk;
+/// Chunks that nobody computes hold no step down, and nothing fails.
+void rest_uncomputed_chunks(const Model& model, const ChunkResults& results) {
+  if (model.is_uncomputed_chunk.extent(0) == 0) return;
+  const Array<int> is_uncomputed = model.is_uncomputed_chunk;
   const ElementChunks chunks = model.chunks;
   Kokkos::parallel_for(
-      "percuss::rest_rigid_chunks", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        if (is_rigid(c) == 0) return;
+      "percuss::rest_uncomputed_chunks", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (is_uncomputed(c) == 0) return;
         results.stable_step(c) = INFINITY;
         results.controlling_element(c) = chunks.first_element(c);
         results.failed_element(c) = -1;
@@ -322,7 +332,7 @@ State make_initial_state(const Model& model) {
   if (model.has_rotations) start_rotations(model, s);
   start_damping(model, s);
   s.results = make_results(model.chunks);
-  rest_rigid_chunks(model, s.results);
+  rest_uncomputed_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
   s.joints.resize(model.rigid.joints.size());
   start_connections(model, s);

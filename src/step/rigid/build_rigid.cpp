@@ -13,6 +13,7 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -319,8 +320,8 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   int some = rigid.loads.first.back() > 0 ? 1 : 0;
   all_reduce(model.ranks, Reduce::largest, some);
   rigid.is_loaded = some != 0;
-  rigid.is_all =
-      std::all_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+  rigid.is_all = true;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) rigid.is_all = rigid.is_all && is_uncomputed(deck, p);
   if (rigid.is_all)
     model.mass_notes.emplace_back(
         "nothing deforms: the step follows from the speeds of the rigid bodies, time.end and "

@@ -369,6 +369,7 @@ TEST(BeamFibres, HaveAreaAndMomentsOfTheirSections) {
     BeamFibres fibres;
   } cases[] = {{make_rectangle(2, 3), list_rectangle_fibres(2, 3)},
                {make_box(2, 3, 0.3), list_box_fibres(2, 3, 0.3)},
+               {make_i_shape(2, 3, 0.3, 0.2), list_i_shape_fibres(2, 3, 0.3, 0.2)},
                {make_round(1.5), list_ring_fibres<3>(1.5, 0)},
                {make_tube(1.5, 1.2), list_ring_fibres<2>(1.5, 1.2)}};
   for (const auto& [section, fibres] : cases) {
@@ -389,6 +390,7 @@ TEST(BeamFibres, HaveThePlasticModulusOfTheirSections) {
   };
   EXPECT_NEAR(about_y(list_rectangle_fibres(2, 3)), 2 * 9.0 / 4, 1e-13);
   EXPECT_NEAR(about_y(list_box_fibres(2, 3, 0.3)), 2 * 9.0 / 4 - 1.4 * 2.4 * 2.4 / 4, 1e-13);
+  EXPECT_NEAR(about_y(list_i_shape_fibres(2, 3, 0.3, 0.2)), 2 * 9.0 / 4 - 1.8 * 2.4 * 2.4 / 4, 1e-13);
   EXPECT_NEAR(about_y(list_ring_fibres<3>(1.5, 0)), 4.0 / 3 * std::pow(1.5, 3), 0.013 * 4.5);
   EXPECT_NEAR(about_y(list_ring_fibres<2>(1.5, 1.2)), 4.0 / 3 * (std::pow(1.5, 3) - std::pow(1.2, 3)), 0.013 * 2.2);
 }

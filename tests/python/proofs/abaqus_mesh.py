@@ -170,6 +170,9 @@ PROOFS = [
     Proof("BEAM SECTION: ELSET MATERIAL SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=RECT\n2., 3.\n0., 1., 0.\n" + STEEL), of(60.0), "10 mm of 2 x 3 mm"),
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=BOX\n4., 3., 0.5, 0.5, 0.5, 0.5\n0., 1., 0.\n" + STEEL), of(60.0), "12 - 3 x 2 mm2"),
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=PIPE\n2., 0.5\n0., 1., 0.\n" + STEEL), of(10 * 3.141592653589793 * 1.75), "pi (4 - 2.25)"),
+    Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=I\n2., 4., 3., 3., 0.5, 0.5, 0.2\n0., 1., 0.\n" + STEEL), of(36.0), "2 x 3 x 0.5 + 3 x 0.2 mm2"),
+    *(Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), f"*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=I\n{sizes}\n0., 1., 0.\n" + STEEL), refused="whose flanges differ")
+      for sizes in ("2., 4., 3., 2., 0.5, 0.5, 0.2", "2., 4., 3., 3., 0.5, 0.4, 0.2", "1., 4., 3., 3., 0.5, 0.5, 0.2")),
     Proof("BEAM SECTION: SECTION", moved(BEAM.format("B31"), "*BEAM SECTION, ELSET=bar, MATERIAL=steel, SECTION=L\n2., 2., 0.5, 0.5\n0., 1., 0.\n" + STEEL), refused="a section of type L"),
     *[Proof("BEAM GENERAL SECTION: ELSET SECTION DENSITY", moved(BEAM.format("B31"), f"*BEAM GENERAL SECTION, ELSET=bar{shape}, DENSITY={DENSITY!r}\n{sizes}\n0., 1., 0.\n{MODULI}"),
             of(volume), "area times 10 mm")

@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, FIRST, LARGEST, LAST, MAX, MIN, Proof
-from .pieces import CUBE_MASS, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
+from .pieces import CUBE_MASS, cube, curve, deck, elastic, hexahedron, node_set, nodes, part, rigid, shell, shell_section, solid_section, square, two_cubes, velocity
 
 OUTPUTS = "*DATABASE_RCFORC\n2e-7\n*DATABASE_MATSUM\n2e-7\n"
 MOVES = "*INITIAL_VELOCITY_GENERATION\n1,2,0,2000.0,0,-1000.0\n0\n"
@@ -122,6 +122,11 @@ SHEET = square(3, 21, (0.0, 0.0, 30.0), of=3) + part(3, 3) + shell_section(3, 0.
 SKIN = 3e-9 * 100.0 * 0.5  # density, area, thickness
 
 
+FLOOR_HELD = node_set(1, *range(1, 9)) + "*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
+FLYING_SKIN = node_set(6, 31, 32, 33, 34) + "*INITIAL_VELOCITY\n6\n100.0,0,0\n"
+FALLING = node_set(6, 31, 32, 33, 34) + "*INITIAL_VELOCITY\n6\n0,0,-1000.0\n"
+
+
 def skinned(contact):
     """The sliding cube with a skin below, which alone is in contact with the floor."""
     sheet = "*ELEMENT_SHELL\n3,3,1,2,3,4\n" + part(3, 3, 3) + shell_section(3, 0.5) + "*MAT_NULL\n3,3e-9\n"
@@ -142,7 +147,15 @@ FAMILIES = [
           "shells of no strength below the cube: their mass counts, and they touch"),
     Proof("MAT_NULL", skinned("*SET_PART_LIST\n8\n2,3\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n8,0,2\n0.2\n\n"), [(friction, LAST, -0.2, 5e-2)], "likewise, as one of a set of parts"),
     Proof("MAT_NULL", skinned("*SET_SHELL_LIST\n8\n3\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n8,2,1,3\n0.2\n\n"), refused="a set of shells of *MAT_NULL on solids"),
-    Proof("MAT_NULL", deck(shell(material="*MAT_NULL\n1,7.8e-9\n")), refused="without strength"),
+    Proof("MAT_NULL: RO", deck(cube(), square(3, 31, (0.0, 0.0, 30.0), of=3) + part(3, 3, 3) + shell_section(3, 1.0) + "*MAT_NULL\n3,3e-9\n", FLYING_SKIN,
+                               "*LOAD_SHELL_ELEMENT\n3,7,2.0\n", curve(7, (0, 1.0), (1, 1.0)), end=1e-4),
+          [("momentum_x", LAST, 100.0 * 3e-9 * 100.0, 1e-9), ("momentum_z", LAST, -200.0 * 1e-4, 1e-2), ("internal", LARGEST, 0.0, 1e-12)],
+          "shells on nothing are a skin: mass, the pressure on them, and no stress"),
+    Proof("MAT_NULL: RO", deck(cube(), FLOOR_HELD, square(3, 31, (2.0, 2.0, 12.0), 6.0, of=3) + part(3, 3, 3) + shell_section(3, 0.5) + "*MAT_NULL\n3,3e-9\n", FALLING,
+                               "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n3,1,3,3\n\n\n", "*DATABASE_HISTORY_NODE\n31,33\n", end=3e-3),
+          [("momentum_z", FIRST, -1000.0 * 3e-9 * 36.0 * 0.5, 1e-9), ("node_31_z", LAST, 10.25, 1e-3), ("node_33_z", LAST, 10.25, 1e-3)], "a skin touches with half its thickness"),
+    Proof("MAT_NULL", deck(shell(material="*MAT_NULL\n1,3e-9\n*MAT_ADD_EROSION\n1\n0,0,0,0.1\n")), refused="shells without strength that fail"),
+    *(Proof(f"MAT_NULL: {name}", deck(shell(material=f"*MAT_NULL\n1,3e-9,0,0,{values}\n")), refused=name) for name, values in (("TEROD", "1.2"), ("CEROD", "0,0.5"))),
     Proof("PART_CONTACT: OPTT", slide(PAIR + "0.2\n\n", parts=("*PART_CONTACT", "0,0,0,0,0.7\n")), refused="a thickness of contact of 0.7"),
     Proof("PART_CONTACT: OPTT", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n", SHEET.replace("*PART\npart_3\n3,3,1\n", "*PART_CONTACT\nsheet\n3,3,1\n0,0,0,0,0.5\n")), [(friction, LAST, -0.2, 5e-2)], "that of its shells changes nothing"),
     Proof("CONTROL_CONTACT: TH_SF SHLTRW", slide("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0\n\n*CONTROL_CONTACT\n0.1\n\n0,0,0,0,0,0.5\n"), refused="TH_SF"),

@@ -124,6 +124,45 @@ def prove_walls(shape, name, area, about_s, about_t, torsion):
     ]
 
 
+def pulled_flow(flow):
+    """Stress of a bar that is pulled by 1 % in END: flow(p, rate of p), by the strain ln(1.01) and its rate at the end."""
+    rate, p = 0.01 / END / 1.01, 0.0
+    for _ in range(200):
+        p = math.log(1.01) - flow(p, rate) / YOUNG
+    return flow(p, rate)
+
+
+BAR = "*SECTION_BEAM\n1,3\n5.0\n"
+BILINEAR = f"*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,{DENSITY!r},{YOUNG!r},{POISSON!r},300.0,2000.0\n{{rates}}\n"
+MODULUS = YOUNG * 2000.0 / (YOUNG - 2000.0)
+CURVED = "*DEFINE_CURVE\n8\n0.0,300.0\n0.004,350.0\n0.02,430.0\n"
+COOK = f"*MAT_SIMPLIFIED_JOHNSON_COOK\n1,{DENSITY!r},{YOUNG!r},{POISSON!r}\n300.0,200.0,0.4,0.02,1e17,0,0,1.0\n"
+
+
+def curved(p, rate):
+    return 300.0 + 50.0 * p / 0.004 if p < 0.004 else 350.0 + 80.0 * (p - 0.004) / 0.016
+
+
+def yields(shape_of_i, plastic_modulus, motion):
+    law = f"*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,{DENSITY!r},{YOUNG!r},{POISSON!r},10.0,1.0\n0\n"
+    return Proof("INTEGRATION_BEAM: ICST; MAT_PIECEWISE_LINEAR_PLASTICITY: SIGY; SECTION_BEAM: QR", beam(WALLS.format(shape=1), motion, law=law, end=END),
+                 [(largest_moment, LAST, 10.0 * plastic_modulus, 1.5e-2)], f"the plastic moment of an I {shape_of_i}")  # fmt: skip
+
+
+BEAM_LAWS = [
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: SIGY ETAN; SECTION_BEAM: ELFORM A", beam(BAR, PULLED, law=BILINEAR.format(rates="0"), end=END),
+          [(AXIAL, LAST, 5.0 * pulled_flow(lambda p, rate: 300.0 + MODULUS * p), 2e-3)], "beams of a bilinear law"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: C P VP; SECTION_BEAM: ELFORM", beam(BAR, PULLED, law=BILINEAR.format(rates="40.0,5.0,0,0,1"), end=END),
+          [(AXIAL, LAST, 5.0 * pulled_flow(lambda p, rate: (300.0 + MODULUS * p) * (1 + (rate / 40.0) ** 0.2)), 3e-3)], "with the factor of Cowper and Symonds"),
+    Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: LCSS; SECTION_BEAM: ELFORM", beam(BAR, PULLED, law=BILINEAR.format(rates="0,0,8"), end=END).replace("*END\n", CURVED + "*END\n"),
+          [(AXIAL, LAST, 5.0 * pulled_flow(curved), 2e-3)], "of a curve"),
+    Proof("MAT_SIMPLIFIED_JOHNSON_COOK: A B N C EPSO; SECTION_BEAM: ELFORM", beam(BAR, PULLED, law=COOK, end=END),
+          [(AXIAL, LAST, 5.0 * pulled_flow(lambda p, rate: (300.0 + 200.0 * max(p, 0.0) ** 0.4) * (1 + 0.02 * math.log(rate))), 5e-3)], "of Johnson and Cook"),
+    # With z_e = 10 / (E k) elastic about the axis: the web lacks 0.2 z_e^2 / 3; the flanges z_e^2 / 3, beside a web that stays elastic.
+    yields("about its strong axis", (3 * 16 - 2.8 * 9) / 4 - 0.2 * (10 / YOUNG / 4e-4) ** 2 / 3, ABOUT_Z),
+    yields("about its weak axis", 2.25 - (10 / YOUNG / 4e-4) ** 2 / 3 + 0.002 / (10 / YOUNG / 4e-4), ABOUT_Y),
+]  # fmt: skip
+
 SECTIONS = [
     Proof("SECTION_SHELL: SECID T1; PART: SECID", plate(shell_section(1, 1.5)), [("momentum_x", FIRST, 150.0 * PLATE_MASS, 1e-9)], "mass of the thickness"),
     Proof("SECTION_SHELL: T1 T2 T3 T4", plate("*SECTION_SHELL\n1,2\n1.0,2.0,3.0,4.0\n"), [("momentum_x", FIRST, 250.0 * PLATE_MASS, 1e-9)], "the mean of the corners"),
@@ -376,4 +415,4 @@ ENDS = [
           [("time", LAST, 2.5e-7, 5e-2)], "the distance of two nodes that approach with 40 m/s"),
     Proof("SENSOR_SWITCH: TIMWIN", ended("*SENSOR_SWITCH\n6,TIME,0,GT,7.3e-6,0,1e-6\n*TERMINATION_SENSOR\n6\n"), refused="TIMWIN"),
 ]
-PROOFS = STARTS + MORE + SECTIONS + WELDS + CONTROLS + OUTPUTS + SPRINGS + ENDS
+PROOFS = STARTS + MORE + BEAM_LAWS + SECTIONS + WELDS + CONTROLS + OUTPUTS + SPRINGS + ENDS

@@ -21,6 +21,9 @@ const std::pair<std::string, std::string> rubber{
 const std::pair<std::string, std::string> still{"initial: [" + velocity + "]\n", ""};
 const std::string gravity = "loads: {gravity: [0, 0, -9.81]}\n";
 
+const std::pair<std::string, std::string> skin_law{"\nmaterials:\n",
+                                                   "\nmaterials:\n  paint: {model: skin, density: 1500}\n"};
+
 std::pair<std::string, std::string> add_condition(const std::string& condition) {
   return {last_condition, last_condition + "  - " + condition + "\n"};
 }
@@ -349,6 +352,14 @@ std::vector<SuspiciousDeck> load_decks() {
        "symmetry: z",
        {add_condition("{nodes: plate, symmetry: z}")},
        {add_condition("{nodes: sheet, symmetry: z}")}},
+      {"SkinOfWhichMostNodesAreFree",
+       "loose_skin",
+       "material: paint",
+       {{"thickness: 0.002, material: aluminium", "thickness: 0.002, material: paint"}, skin_law},
+       {{"thickness: 0.002, material: aluminium", "thickness: 0.002, material: paint"},
+        no_sheet_condition,
+        skin_law,
+        {"\nmaterials:", "\nrigid_sets: {sheet_nodes: {nodes: sheet}}\nmaterials:"}}},
       {"PlateThatIsHeldEverywhere",
        "held_part",
        "{nodes: plate, fixed: [x, y, z]}",

@@ -148,6 +148,37 @@ output: {{history: {{every: 1e-3, forces: [{{name: root, support: bar/start}}], 
   };
   EXPECT_NEAR(push("{rectangle: {size: [0.02, 0.04]}}"), yield * 0.02 * 0.04 * 0.04 / 4, 0.01 * yield * 8e-6);
   EXPECT_NEAR(push("{round: {radius: 0.02}}"), yield * 4.0 / 3 * 8e-6, 0.02 * yield * 4.0 / 3 * 8e-6);
+  const double i_shape = yield * (0.03 * 0.04 * 0.04 - 0.026 * 0.03 * 0.03) / 4;  // an outline less what it lacks
+  EXPECT_NEAR(push("{i_shape: {size: [0.03, 0.04], flange: 0.005, web: 0.004}}"), i_shape, 0.01 * i_shape);
+}
+
+// A truss that is pulled at a rate r yields at Y (1 + (r / D)^(1/q)); after it turns back it yields at the stress less
+// twice the isotropic part of that, the back stress stays. One element, so the rate is that of its ends.
+TEST(Truss, YieldsLaterAtAHigherRateAndMovesItsYieldSurface) {
+  const double yield = 300e6, hardening = 2e9, factor = 1 + std::pow(100.0 / 40, 0.2);
+  const Outcome run = run_deck(R"yaml(
+parts: {bar: {line: {from: [0, 0, 0], to: [1, 0, 0], cells: 1}, section: {truss: {area: 1e-4}}, material: steel}}
+materials: {steel: {model: combined_hardening, density: 7800, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 300e6, hardening_modulus: 2e9, kinematic_share: 1, cowper_symonds_rate: 40, cowper_symonds_exponent: 5}}
+conditions: [{nodes: bar/start, fixed: [x, y, z]}, {nodes: bar/end, velocity: {x: {expression: "(t < 2e-4 ? 100 : -100)"}}}]
+time: {end: 4e-4, max_step: 1e-7}
+output: {history: {every: 0, elements: [{name: bar, near: [0.5, 0, 0]}]}}
+)yaml");
+  const auto stress = [&](double time) { return run.history.at(time, "bar_axial_force") / 1e-4; };
+  const auto strain = [](double time) { return std::log(time < 2e-4 ? 1 + 100 * time : 1 + 0.04 - 100 * time); };
+  // p = strain - stress / E, stress = Y factor + H p; its rate is that of the strain over 1 + H / E, which p lowers
+  const auto expect = [&](double time, double p, double sign, double back) {
+    const double rate = 100 / std::exp(strain(time));
+    const double flow = yield * (1 + std::pow(rate / (1 + hardening / young) / 40, 0.2));
+    EXPECT_NEAR(stress(time), sign * flow + back, 2e-3 * yield) << time << " " << p;
+  };
+  const double out = (strain(1.9e-4) - yield * factor / young) / (1 + hardening / young);
+  expect(1.9e-4, out, 1, hardening * out);
+  const double top = (strain(2e-4) - yield * factor / young) / (1 + hardening / young);
+  // back by the width of the surface, then on
+  const double before = strain(2e-4) - 2 * yield * factor / young;
+  const double again = (before - strain(3.8e-4)) / (1 + hardening / young);
+  expect(3.8e-4, again, -1, hardening * (top - again));
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
 }
 
 // A portal frame with fixed feet, columns h and beam L of one section: sway P h^3 / (12 E I) (2 + 3 k) / (1 + 6 k),

@@ -8,7 +8,7 @@ from .deck import AbaqusDeck
 from .lines import Block
 from .mesh import Section
 
-DIMENSIONS = {"CIRC": 1, "PIPE": 2, "RECT": 2, "BOX": 6}
+DIMENSIONS = {"CIRC": 1, "PIPE": 2, "RECT": 2, "BOX": 6, "I": 7}
 
 
 def read_beam_section(section: Section, block: Block) -> None:
@@ -43,12 +43,25 @@ def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
         return {"tube": {"outer_radius": sizes[0], "inner_radius": sizes[0] - sizes[1]}}
     if section.shape == "RECT":
         return {"rectangle": {"size": sizes}}
+    if section.shape == "I":
+        return make_i_shape(deck, section)
     if len(set(sizes[2:])) > 1:
         deck.ledger.refuse("BEAM SECTION.BOX", section.place, "walls of different thickness", "all have their mean")
     wall = sizes[2] if len(set(sizes[2:])) == 1 else sum(sizes[2:]) / 4
     if 2 * wall >= min(sizes[:2]):
         raise BadInput(section.place, "the walls of this box are thicker than half of its width: correct them")
     return {"box": {"size": sizes[:2], "wall": wall}}
+
+
+def make_i_shape(deck: AbaqusDeck, section: Section) -> Deck | None:
+    """Where the origin is, the height, widths of both flanges, their thicknesses and that of the web."""
+    below, depth, width, top, flange, upper, web = section.sizes
+    if top != width or upper != flange or abs(below - depth / 2) > 1e-6 * depth:
+        deck.ledger.refuse("BEAM SECTION.I", section.place, "an I whose flanges differ, or whose nodes are not in its middle", "it is left out")
+        return None
+    if 2 * flange >= depth or web >= width:
+        raise BadInput(section.place, "the flanges or the web of this I are thicker than it is: correct them")
+    return {"i_shape": {"size": [width, depth], "flange": flange, "web": web}}
 
 
 def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> bool:
@@ -60,7 +73,7 @@ def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> 
         deck.ledger.refuse("BEAM SECTION.MATERIAL", section.place, f"beams of the material model {law['model']}", "they are left out")
         return False
     part.keys["section"] = found
-    if {"rectangle", "box", "general"} & found.keys():
+    if {"rectangle", "box", "i_shape", "general"} & found.keys():
         part.keys["toward"] = section.toward
     if section.added and "general" not in found:
         deck.ledger.refuse("BEAM ADDED INERTIA", section.added[0].place, "added inertia of sections other than GENERAL", "it is left out")

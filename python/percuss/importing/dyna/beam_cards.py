@@ -125,19 +125,19 @@ def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
     if name == "box" and flange == web:
         deck.ledger.translated("INTEGRATION_BEAM", row.place, "section: box")
         return {"box": {"size": [width, depth], "wall": flange}}
-    high = depth - 2 * flange
-    across = [(webs * web, high), (width, 2 * flange)]  # breadth along s, height along t
-    about_s = (width * depth**3 - (width - webs * web) * high**3) / 12
-    about_t = (2 * flange * width**3 + high * (web**3 if name == "I" else width**3 - (width - 2 * web) ** 3)) / 12
     if name == "I":
-        torsion = (2 * width * flange**3 + (depth - flange) * web**3) / 3
-    else:
-        torsion = 2 * ((width - web) * (depth - flange)) ** 2 / ((width - web) / flange + (depth - flange) / web)
-    text = f"section: general constants of {'an I' if name == 'I' else 'a box'} with thin walls; shear in flanges along s, in webs along t"
+        deck.ledger.translated("INTEGRATION_BEAM", row.place, "section: i_shape")
+        return {"i_shape": {"size": [width, depth], "flange": flange, "web": web}}
+    high = depth - 2 * flange
+    across = [(2 * web, high), (width, 2 * flange)]  # breadth along s, height along t
+    about_s = (width * depth**3 - (width - 2 * web) * high**3) / 12
+    about_t = (2 * flange * width**3 + high * (width**3 - (width - 2 * web) ** 3)) / 12
+    torsion = 2 * ((width - web) * (depth - flange)) ** 2 / ((width - web) / flange + (depth - flange) / web)
+    text = "section: general constants of a box with thin walls; shear in flanges along s, in webs along t"
     deck.ledger.approximated("INTEGRATION_BEAM", row.place, text)
     return {
         "general": {"area": sum(a * b for a, b in across), "inertia_y": about_s, "inertia_z": about_t, "torsion": torsion,
-                    "shear_area_y": 2 * width * flange * 5 / 6, "shear_area_z": webs * web * depth}
+                    "shear_area_y": 2 * width * flange * 5 / 6, "shear_area_z": 2 * web * depth}
     }  # fmt: skip
 
 
@@ -195,6 +195,8 @@ def width_of_section(section: Deck) -> float:
         return 2 * section["round"]["radius"]
     if "tube" in section:
         return 2 * section["tube"]["outer_radius"]
+    if "i_shape" in section:
+        return section_area(section) ** 0.5
     if "general" in section or "truss" in section:
         return (section["general"] if "general" in section else section["truss"])["area"] ** 0.5
     return next(iter(section.values()))["size"][0]
@@ -203,7 +205,7 @@ def width_of_section(section: Deck) -> float:
 def has_axes(section: Deck) -> bool:
     """As percuss judges whether it matters how a section is turned."""
     general = section.get("general")
-    return "rectangle" in section or "box" in section or (general is not None and general["inertia_y"] != general["inertia_z"])
+    return bool({"rectangle", "box", "i_shape"} & section.keys()) or (general is not None and general["inertia_y"] != general["inertia_z"])
 
 
 def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], name: str, next_id: int) -> list[Block]:

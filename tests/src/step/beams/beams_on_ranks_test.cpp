@@ -80,7 +80,7 @@ TEST(BeamsOnRanks, AreRefusedWithWhatTheyDoNotHave) {
   };
   build(round, elastic);
   expect(round, "model: neo_hookean, density: 1, youngs_modulus: 1, poissons_ratio: 0.3",
-         "part 'bar' has beams of material 'm' (beams support elastic and j2_plasticity");
+         "part 'bar' has beams of material 'm' (beams support elastic, j2_plasticity, power_law_plasticity");
   build(round, yielding + ", failure: {plastic_strain: 0.1}");
   for (const char* other : {"pressure: 1", "principal_strain: 0.1", "volume_above: 2"})
     expect(round, yielding + ", failure: {" + other + "}", "which fails by a criterion of other elements");

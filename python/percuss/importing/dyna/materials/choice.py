@@ -191,6 +191,8 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     add_gissmo(deck, part.material, law, use)
     add_diem(deck, part.material, law, use)
     invert_when_asked(deck, part, law, use)
+    if law["model"] == "skin" and law.pop("failure", None):
+        deck.ledger.refuse(f"{card.keyword}.failure", use.place, "shells without strength that fail (percuss keeps a skin)", "they stay")
     if use.is_beam and "failure" in law:
         keep_limits_of_beams(deck, card, law, use)
     law["density"] += block.more_density
@@ -212,7 +214,7 @@ def read_form(deck: KeywordDeck, part: PartCard) -> int:
 
 def invert_when_asked(deck: KeywordDeck, part: PartCard, law: Deck, use: Use) -> None:
     """NFAIL1 of *CONTROL_SHELL and PSFAIL of *CONTROL_SOLID: what has folded over is eroded."""
-    if law_name_is_rigid(deck, part) or use.is_beam:
+    if law_name_is_rigid(deck, part) or use.is_beam or law["model"] == "skin":
         return
     asked = deck.erodes_folded_shells if use.is_shell else deck.eroded_when_inverted != 0
     set_id = deck.folded_shells if use.is_shell else deck.eroded_when_inverted

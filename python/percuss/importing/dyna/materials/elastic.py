@@ -42,18 +42,24 @@ def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 
 
 def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
-    """A fluid with an equation of state. Without one it is a skin for contact."""
+    """A fluid with an equation of state. Shells without one are a skin."""
     reader = card.reader()
     row = reader.row("MID RO PC MU TEROD CEROD YM~absent PR~absent")
     row.skip("MID")
     state = translate_state(deck, use)
     if state is None and use.state:  # which is refused
         return None
+    if state is None and use.is_shell:
+        skin: Deck = {"model": "skin", "density": row.positive("RO")}
+        row.skip("PC", "MU")
+        row.finish(deck.ledger, "they do not fail")
+        finish_lines(deck, card, reader)
+        return skin
     if state is None:
         deck.ledger.refuse(
             f"{card.keyword}.skin",
             card.place,
-            "a material without strength and without an equation of state",
+            "a material without strength and without an equation of state, of other elements than shells",
             "the parts made of it are left out",
         )
         return None

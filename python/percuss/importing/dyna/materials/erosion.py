@@ -3,6 +3,7 @@
 import math
 
 from ... import laws
+from ...curves import interpolate
 from ...fields import Row
 from ...model import Deck
 from ..deck import KeywordDeck
@@ -40,7 +41,7 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
             deck.ledger.refuse(f"MAT_ADD_EROSION.{name}", more.place, f"{name} of {value:g}, a curve or a limit in compression", "it is left out")
     strain = limit(row, "EFFEPS")
     if strain > 0:
-        deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by the effective strain", "it is left out")
+        strain = -find_plastic_limit(deck, law, strain, row)
     if 0 < abs(limit(more, "FAILTM")) < deck.end_time:
         deck.ledger.refuse("MAT_ADD_EROSION.FAILTM", more.place, "failure at a time", "it is left out")
     limits = {"principal_stress": limit(more, "SIGP1"), "principal_strain": limit(more, "MXEPS"), "pressure": -limit(more, "MNPRES")}
@@ -60,6 +61,27 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     add_idam(deck, law, reader, use)
     finish_lines(deck, card, reader)
     deck.ledger.translated("MAT_ADD_EROSION", card.place, "failure of the material")
+
+
+def find_plastic_limit(deck: KeywordDeck, law: Deck, strain: float, row: Row) -> float:
+    """The plastic strain at which a metal has an effective strain: less the elastic one, of the yield stress over 3 G. 0 where it is refused."""
+    plastic = strain
+    for _ in range(50):
+        plastic = strain - find_yield_stress(law, max(plastic, 0.0)) * 2 * (1 + law.get("poissons_ratio", 0.0)) / (3 * law.get("youngs_modulus", 1.0))
+    if plastic <= 0:
+        deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by the effective strain of a law that does not yield before it", "it is left out")
+        return 0.0
+    deck.ledger.approximated("MAT_ADD_EROSION.EFFEPS", row.place, f"a plastic strain of {plastic:.6g}: the effective strain of a load in one direction, at rest")
+    return plastic
+
+
+def find_yield_stress(law: Deck, plastic: float) -> float:
+    """At rest, of laws whose constants tell it; infinite of others."""
+    if law["model"] == "tabulated_plasticity":
+        return interpolate([(x, y) for x, y in law["hardening"]], plastic)
+    if law["model"] not in ("j2_plasticity", "combined_hardening"):
+        return math.inf
+    return law["yield_stress"] + law.get("hardening_modulus", 0.0) * plastic
 
 
 def add_volume(deck: KeywordDeck, limits: dict[str, float], strain: float, row: Row, use: Use) -> None:
