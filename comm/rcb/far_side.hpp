@@ -40,13 +40,14 @@ class TravellingPoints {
   /// side. Follows send_far_points() on every rank of the group. Throws MpiError.
   void receive_near_points(const ExecSpace& space, const Communicator& group, int lower_ranks);
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   using Records = Kokkos::View<PointRecord*, Kokkos::LayoutRight, MemSpace>;
-
   void take_own_copy(const ExecSpace& space);
   void list_leaving(const ExecSpace& space, const Cut& cut, bool is_lower);
   Records pack_leaving(const ExecSpace& space) const;
   void replace_leaving(const ExecSpace& space, const std::vector<PointRecord>& arrived);
+
+ private:
   void make_room(std::size_t count);
 
   RcbPoints points_;

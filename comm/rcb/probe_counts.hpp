@@ -95,13 +95,14 @@ class PointCounter {
   /// Points of a bin on this rank, as last counted.
   int count_of(int bin) const { return static_cast<int>(last_counts_.bins[bin].points); }
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   template <class Source, class Extents>
   Survey count_blocks(const ExecSpace& space, const Source& source, int n, const Probes& probes,
                       const Extents& extents);
   template <class Source>
   CandidateKeys take(const ExecSpace& space, const Source& source, int n, int bin);
 
+ private:
   ProbeCounts last_counts_;
   Array<unsigned char> bins_;    // [n] bin of each, as last counted
   Array<Survey> block_surveys_;  // [blocks]

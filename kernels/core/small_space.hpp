@@ -5,6 +5,7 @@
 // Every contact kernel gives the same bits in either space.
 
 #include <string>
+#include <type_traits>
 
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
@@ -40,6 +41,15 @@ void run_where_it_pays(int items, Work&& work) {
     work(SmallSpace());
   else
     work(ExecSpace());
+}
+
+/// Calls loop(i) for each i below `count`, in the space that suits `items` items, and waits for it.
+template <class Loop>
+void loop_where_it_pays(const char* name, int count, int items, const Loop& loop) {
+  run_where_it_pays(items, [&](const auto& space) {
+    Kokkos::parallel_for(name, RangeOf<std::decay_t<decltype(space)>>(space, 0, count), loop);
+    space.fence();
+  });
 }
 
 /// Makes room for n items, with some to spare; contents are lost when it grows.

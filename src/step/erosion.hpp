@@ -33,10 +33,12 @@ class Erosion {
   /// Elements of this rank that are dead.
   const std::vector<std::uint8_t>& dead() const { return chunked_.mesh.eroded.dead; }
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void count_holders(const State& state);
+
  private:
   std::vector<int> list_newly_dead(const State& state);
   void open_faces(const std::vector<int>& newly_dead);
-  void count_holders(const State& state);
   void sort_nodes(State& state, Bookkeeper* books);
   void unload_nodes(const std::vector<int>& vanished, State& state, bool is_booked) const;
   void unload_faces(State& state, bool is_booked) const;

@@ -50,12 +50,10 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
 bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, double piece,
                   std::vector<EdgeTopology>& edges) {
   const Array<double> lengths("contact::edge_lengths", edges.size());
-  run_where_it_pays(static_cast<int>(edges.size()) / 2, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::edge_lengths", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(edges.size())),
-        KOKKOS_LAMBDA(int e) { lengths(e) = norm(load_row(x, ends(e, 1)) - load_row(x, ends(e, 0))); });
-    space.fence();
-  });
+  const int count = static_cast<int>(edges.size());
+  loop_where_it_pays(
+      "contact::edge_lengths", count, count / 2,
+      KOKKOS_LAMBDA(int e) { lengths(e) = norm(load_row(x, ends(e, 1)) - load_row(x, ends(e, 0))); });
   const auto length = to_host(lengths);
   bool has_changed = false;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -135,32 +133,28 @@ int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, Ed
 void append_edge_touches(const EdgeSpace& space, int count, Array<RowTouch>& touches) {
   const int added = space.touches.count;
   if (added == 0) return;
-  run_where_it_pays(added, [&](const auto& where) {
-    using Space = std::decay_t<decltype(where)>;
-    keep_and_reserve(where, touches, count, count + added);
-    const EdgeSurface s = space.surface;
-    const Array<const int> a = space.checked_pairs().a, b = space.checked_pairs().b, list = space.touches.list;
-    const Array<const EdgeTouch> by_pair = space.touches.by_pair;
-    const Array<RowTouch> out = touches;
-    Kokkos::parallel_for(
-        "contact::append_edge_touches", RangeOf<Space>(where, 0, added), KOKKOS_LAMBDA(int k) {
-          const int pair = list(k), edge = a(pair), other = b(pair);
-          int order = 0;
-          while (order < k && a(list(k - order - 1)) == edge) ++order;
-          RowTouch row = make_edge_row_touch(by_pair(pair));
-          row.key = make_edge_row_key(s.numbers(edge), order);
-          row.face = s.numbers(other);
-          row.friction = find_edge_friction(s, edge, other);
-          row.pair = find_edge_pair_number(s, edge, other);
-          row.record = k;
-          for (int i = 0; i < 2; ++i) {
-            row.node[i] = s.ends(edge, i);
-            row.node[i + 2] = s.ends(other, i);
-          }
-          out(count + k) = row;
-        });
-    where.fence();
-  });
+  run_where_it_pays(added, [&](const auto& where) { keep_and_reserve(where, touches, count, count + added); });
+  const EdgeSurface s = space.surface;
+  const Array<const int> a = space.checked_pairs().a, b = space.checked_pairs().b, list = space.touches.list;
+  const Array<const EdgeTouch> by_pair = space.touches.by_pair;
+  const Array<RowTouch> out = touches;
+  loop_where_it_pays(
+      "contact::append_edge_touches", added, added, KOKKOS_LAMBDA(int k) {
+        const int pair = list(k), edge = a(pair), other = b(pair);
+        int order = 0;
+        while (order < k && a(list(k - order - 1)) == edge) ++order;
+        RowTouch row = make_edge_row_touch(by_pair(pair));
+        row.key = make_edge_row_key(s.numbers(edge), order);
+        row.face = s.numbers(other);
+        row.friction = find_edge_friction(s, edge, other);
+        row.pair = find_edge_pair_number(s, edge, other);
+        row.record = k;
+        for (int i = 0; i < 2; ++i) {
+          row.node[i] = s.ends(edge, i);
+          row.node[i + 2] = s.ends(other, i);
+        }
+        out(count + k) = row;
+      });
 }
 
 std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, EdgeSpace& space) {

@@ -101,11 +101,9 @@ void Enforcer::list_pushed(const ContactMotion& motion) {
     num_pushed_ = num_own + static_cast<int>(copies.extent(0));
     reserve(pushed_, num_pushed_);
     const Array<int> pushed = pushed_;
-    run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-      Kokkos::parallel_for(
-          "contact::list_pushed", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
-          KOKKOS_LAMBDA(int i) { pushed(i) = i < num_own ? own(i) : copies(i - num_own); });
-    });
+    loop_where_it_pays(
+        "contact::list_pushed", num_pushed_, num_pushed_ / 10,
+        KOKKOS_LAMBDA(int i) { pushed(i) = i < num_own ? own(i) : copies(i - num_own); });
   }
 }
 
@@ -116,16 +114,12 @@ void Enforcer::set_contact_velocities(const ContactMotion& motion) {
   const Array<const int> pushed = pushed_;
   const Rows3<double> v = motion.v, predicted = predicted_;
   const Rows3<const double> v_before = motion.v_before, impulse = motion.impulse;
-  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::set_contact_velocities", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
-        KOKKOS_LAMBDA(int i) {
-          const int n = pushed(i);
-          store_row(predicted, i, load_row(v, n));
-          if (was_pushed(impulse, n)) store_row(v, n, load_row(v_before, n));
-        });
-    space.fence();
-  });
+  loop_where_it_pays(
+      "contact::set_contact_velocities", num_pushed_, num_pushed_ / 10, KOKKOS_LAMBDA(int i) {
+        const int n = pushed(i);
+        store_row(predicted, i, load_row(v, n));
+        if (was_pushed(impulse, n)) store_row(v, n, load_row(v_before, n));
+      });
 }
 
 void Enforcer::restore_predicted_velocities(const ContactMotion& motion) {
@@ -133,12 +127,9 @@ void Enforcer::restore_predicted_velocities(const ContactMotion& motion) {
   const Array<const int> pushed = pushed_;
   const Rows3<double> v = motion.v;
   const Rows3<const double> predicted = predicted_;
-  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::restore_predicted_velocities", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
-        KOKKOS_LAMBDA(int i) { store_row(v, pushed(i), load_row(predicted, i)); });
-    space.fence();
-  });
+  loop_where_it_pays(
+      "contact::restore_predicted_velocities", num_pushed_, num_pushed_ / 10,
+      KOKKOS_LAMBDA(int i) { store_row(v, pushed(i), load_row(predicted, i)); });
 }
 
 void Enforcer::clear_last_impulse(const ContactMotion& motion) {

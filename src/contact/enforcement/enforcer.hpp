@@ -74,6 +74,9 @@ class Enforcer {
 
   Traffic traffic() const;
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void list_pushed(const ContactMotion& motion);
+
  private:
   RowInputs make_inputs(const ContactMotion& motion) const;
   WallWays find_wall_ways(const ContactMotion& motion) const;
@@ -86,7 +89,6 @@ class Enforcer {
   void book_pairs(const Space& space);
   template <class Space>
   void finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report);
-  void list_pushed(const ContactMotion& motion);
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 

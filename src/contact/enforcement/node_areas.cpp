@@ -46,19 +46,16 @@ NodeAreas::NodeAreas(const ContactRanks& ranks, const SurfaceShare& share)
 void NodeAreas::update(const Rows3<const double>& x) {
   const Rows4<const int> corners = corners_;
   const Rows3<double> areas = areas_;
-  run_where_it_pays(num_own_ / 4, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::corner_areas", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_own_), KOKKOS_LAMBDA(int f) {
-          Point3 corner[4];
-          bool is_triangle = false;
-          for (int i = 0; i < 4; ++i) {
-            corner[i] = load_row(x, corners(f, i));
-            is_triangle = is_triangle || corners(f, i) == corners(f, (i + 1) % 4);
-          }
-          store_row(areas, f, find_corner_area(corner, is_triangle));
-        });
-    space.fence();
-  });
+  loop_where_it_pays(
+      "contact::corner_areas", num_own_, num_own_ / 4, KOKKOS_LAMBDA(int f) {
+        Point3 corner[4];
+        bool is_triangle = false;
+        for (int i = 0; i < 4; ++i) {
+          corner[i] = load_row(x, corners(f, i));
+          is_triangle = is_triangle || corners(f, i) == corners(f, (i + 1) % 4);
+        }
+        store_row(areas, f, find_corner_area(corner, is_triangle));
+      });
   receive_areas();
 }
 

@@ -88,6 +88,9 @@ class ContactDecomposition {
   const DecompositionReport& report() const { return report_; }
   const Traffic& traffic() const { return data_.traffic(); }
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void locate_points(const SurfaceMotion& motion);
+
  private:
   /// Points of the FE share: searched nodes, then centres of searched faces.
   struct SharePoints {
@@ -97,7 +100,6 @@ class ContactDecomposition {
 
   void begin_search(const SurfaceMotion& motion);
   bool adopt_cuts();
-  void locate_points(const SurfaceMotion& motion);
   RcbPoints send_points_to_previous_owners();
   void take_report(const RcbReport& done);
   void assign_parts_once(const std::vector<int>& parts);

@@ -40,52 +40,44 @@ void MotionCopy::begin(DataExchange& data, const MotionPart& part, const Surface
   reserve(sent_, sent);
   reserve(received_, received);
   const Array<const int> published = part.published;
-  const Array<Item> send = sent_;
+  const Array<NodeMotion> send = sent_;
   const SurfaceMotion m = motion;
-  run_where_it_pays(sent / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::pack_motion", RangeOf<std::decay_t<decltype(space)>>(space, 0, sent), KOKKOS_LAMBDA(int i) {
-          for (int k = 0; k < 3; ++k) {
-            send(i).x[k] = m.x(published(i), k);
-            send(i).v[k] = m.v(published(i), k);
-          }
-        });
-    space.fence();
-  });
+  loop_where_it_pays(
+      "contact::pack_motion", sent, sent / 10, KOKKOS_LAMBDA(int i) {
+        for (int k = 0; k < 3; ++k) {
+          send(i).x[k] = m.x(published(i), k);
+          send(i).v[k] = m.v(published(i), k);
+        }
+      });
   send_buffer_ = to_host(sent_);
   receive_buffer_ = Kokkos::create_mirror_view(received_);
-  data.begin<Item>(reverse(part.request), {send_buffer_.data(), send_buffer_.extent(0)},
-                   {receive_buffer_.data(), receive_buffer_.extent(0)});
+  data.begin<NodeMotion>(reverse(part.request), {send_buffer_.data(), send_buffer_.extent(0)},
+                         {receive_buffer_.data(), receive_buffer_.extent(0)});
 }
 
 SurfaceMotion MotionCopy::end(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion) {
   const Rows3<double> x = x_, v = v_;
   const SurfaceMotion m = motion;
   const Array<const int> own_rows = part.own_rows, own_nodes = part.own_nodes, rows = part.rows;
-  const Array<Item> received = received_;
+  const Array<NodeMotion> received = received_;
   const int own = static_cast<int>(own_rows.extent(0)), others = static_cast<int>(rows.extent(0));
-  run_where_it_pays(own / 10, [&](const auto& space) {  // while the messages are under way
-    Kokkos::parallel_for(
-        "contact::copy_own_motion", RangeOf<std::decay_t<decltype(space)>>(space, 0, own), KOKKOS_LAMBDA(int i) {
-          for (int k = 0; k < 3; ++k) {
-            x(own_rows(i), k) = m.x(own_nodes(i), k);
-            v(own_rows(i), k) = m.v(own_nodes(i), k);
-          }
-        });
-    space.fence();
-  });
+  // While the messages are under way.
+  loop_where_it_pays(
+      "contact::copy_own_motion", own, own / 10, KOKKOS_LAMBDA(int i) {
+        for (int k = 0; k < 3; ++k) {
+          x(own_rows(i), k) = m.x(own_nodes(i), k);
+          v(own_rows(i), k) = m.v(own_nodes(i), k);
+        }
+      });
   data.end();
   Kokkos::deep_copy(received_, receive_buffer_);
-  run_where_it_pays(others / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::unpack_motion", RangeOf<std::decay_t<decltype(space)>>(space, 0, others), KOKKOS_LAMBDA(int i) {
-          for (int k = 0; k < 3; ++k) {
-            x(rows(i), k) = received(i).x[k];
-            v(rows(i), k) = received(i).v[k];
-          }
-        });
-    space.fence();
-  });
+  loop_where_it_pays(
+      "contact::unpack_motion", others, others / 10, KOKKOS_LAMBDA(int i) {
+        for (int k = 0; k < 3; ++k) {
+          x(rows(i), k) = received(i).x[k];
+          v(rows(i), k) = received(i).v[k];
+        }
+      });
   return {x_, v_, motion.dt};
 }
 

@@ -19,6 +19,11 @@ struct MotionPart {
   Array<int> own_rows, own_nodes;  // of this rank itself
 };
 
+/// Position and velocity of a node, on its way.
+struct NodeMotion {
+  double x[3], v[3];
+};
+
 /// The motion of nodes by number, one row a node.
 class MotionCopy {
  public:
@@ -44,15 +49,10 @@ class MotionCopy {
   }
 
  private:
-  /// Position and velocity of a node.
-  struct Item {
-    double x[3], v[3];
-  };
-
   RemoteItems nodes_;
-  Array<Item> sent_ = Array<Item>("contact::sent_motion", 0);
-  Array<Item> received_ = Array<Item>("contact::received_motion", 0);
-  HostMirror<Array<Item>> send_buffer_, receive_buffer_;
+  Array<NodeMotion> sent_ = Array<NodeMotion>("contact::sent_motion", 0);
+  Array<NodeMotion> received_ = Array<NodeMotion>("contact::received_motion", 0);
+  HostMirror<Array<NodeMotion>> send_buffer_, receive_buffer_;
   Rows3<double> x_ = Rows3<double>("contact::check_x", 0), v_ = Rows3<double>("contact::check_v", 0);
 };
 

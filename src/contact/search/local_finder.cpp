@@ -113,16 +113,13 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
   const Array<const int> nodes = read.nodes;
   const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;
   const Array<int> history_face = check_.history_face;
-  run_where_it_pays(read.num_nodes, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::load_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, read.num_nodes),
-        KOKKOS_LAMBDA(int i) {
-          for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
-            const int record = contact_limits::max_touches * nodes(i) + slot;
-            history_face(record) = find_remembered_face(numbers, old(record), history_face(record));
-          }
-        });
-  });
+  loop_where_it_pays(
+      "contact::load_history", read.num_nodes, read.num_nodes, KOKKOS_LAMBDA(int i) {
+        for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+          const int record = contact_limits::max_touches * nodes(i) + slot;
+          history_face(record) = find_remembered_face(numbers, old(record), history_face(record));
+        }
+      });
   check_candidates(motion, check_);
   return check_.touches.count;
 }

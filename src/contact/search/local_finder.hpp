@@ -33,13 +33,15 @@ class LocalFinder : public ContactFinder {
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }
 
+  // Kernels of its own: nvcc takes none in a private function.
+  int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
+
  private:
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
   void check_pairs(const SurfaceMotion& motion, const ContactHistory& history) override;
   int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
 
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
-  int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
 
   const SurfaceShare& share_;
   CheckSpace check_;

@@ -54,8 +54,10 @@ class RankedEdges {
 
   Traffic traffic() const { return data_ ? data_->traffic() : Traffic{}; }
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   void find_owners(const SurfaceMotion& motion);
+
+ private:
   Point3 find_half_piece_of_all(const SurfaceMotion& motion) const;
   std::int64_t find_pairs_here(const Point3& slack, std::int64_t limit);
 

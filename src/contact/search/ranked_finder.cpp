@@ -253,10 +253,11 @@ std::int64_t RankedFinder::find_candidate_pairs_here(std::int64_t limit) {
   const Rows3<const double> found = decomposition_.places();
   const Rows3<double> x = places_;
   std::int64_t pairs = 0;
-  run_where_it_pays(static_cast<int>(decomposition_.faces().size()) / 2, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::searched_places", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
-        KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
+  const int items = static_cast<int>(decomposition_.faces().size()) / 2;
+  loop_where_it_pays(
+      "contact::searched_places", static_cast<int>(nodes.extent(0)), items,
+      KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
+  run_where_it_pays(items, [&](const auto& space) {
     pairs = find_candidate_pairs(space, surface, {x, decomposition_.boxes()}, limit, scratch_, candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, candidates);
   });

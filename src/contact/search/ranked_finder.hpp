@@ -39,6 +39,9 @@ class RankedFinder : public ContactFinder {
   PhaseClock decomposition_clock() const override { return decomposition_clock_; }
   Traffic traffic() const override;
 
+  // Kernels of its own: nvcc takes none in a private function.
+  std::int64_t find_candidate_pairs_here(std::int64_t limit);
+
  private:
   void send_contact_data_to_previous_owners(const SurfaceMotion& motion) override;
   void rebalance() override;
@@ -60,7 +63,6 @@ class RankedFinder : public ContactFinder {
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
   void number_surface(std::vector<FaceTopology> more);
   std::int64_t search_faces(double margin);
-  std::int64_t find_candidate_pairs_here(std::int64_t limit);
 
   ContactRanks ranks_;
   const SurfaceShare& share_;

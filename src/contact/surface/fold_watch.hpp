@@ -72,6 +72,11 @@ class FoldWatch {
   /// Returns whether folds were loaded. Collective.
   bool archive(CheckpointArchive& archive, const SurfaceShare& share);
 
+  // Kernels of its own: nvcc takes none in a private function.
+  std::int64_t look_at_own(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
+  std::int64_t look_at_shared(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
+  void note_own(const std::vector<EdgeEnds>& changed);
+
  private:
   /// An edge with a side of another rank, whose lower node is this rank's.
   struct SharedEdge {
@@ -83,10 +88,7 @@ class FoldWatch {
   void list_edges(const SurfaceShare& share);
   void list_diagonals(const SurfaceShare& share, const std::vector<char>& touches);
   bool is_fold(const EdgeEnds& ends) const { return std::binary_search(folds_.begin(), folds_.end(), ends); }
-  std::int64_t look_at_own(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
-  std::int64_t look_at_shared(const Rows3<const double>& x, FoldChange least, std::vector<EdgeEnds>& changed) const;
   void note(std::vector<EdgeEnds> changed);
-  void note_own(const std::vector<EdgeEnds>& changed);
 
   const ChunkedMesh& chunked_;
   const Communicator ranks_;

@@ -68,21 +68,20 @@ TieRows::TieRows(const ContactRanks& ranks, const TiedSurfaces& ties, const Cont
 int TieRows::append(int num_touches, Array<RowTouch>& touches) const {
   const int num_ties = static_cast<int>(rows_.extent(0)), total = num_touches + num_ties;
   if (num_ties == 0) return total;
+  int foreign = 0;
   run_where_it_pays(total, [&](const auto& space) {
-    using Space = std::decay_t<decltype(space)>;
-    const int foreign = count_foreign(space, touches, num_touches);
+    foreign = count_foreign(space, touches, num_touches);
     keep_and_reserve(space, touches, num_touches, total);
-    const Array<RowTouch> out = touches;
-    const Array<const RowTouch> rows = rows_;
-    Kokkos::parallel_for(
-        "contact::append_ties", RangeOf<Space>(space, 0, num_ties), KOKKOS_LAMBDA(int t) {
-          RowTouch row = rows(t);
-          for (int& node : row.node)
-            if (node < 0) node -= foreign;
-          out(num_touches + t) = row;
-        });
-    space.fence();
   });
+  const Array<RowTouch> out = touches;
+  const Array<const RowTouch> rows = rows_;
+  loop_where_it_pays(
+      "contact::append_ties", num_ties, total, KOKKOS_LAMBDA(int t) {
+        RowTouch row = rows(t);
+        for (int& node : row.node)
+          if (node < 0) node -= foreign;
+        out(num_touches + t) = row;
+      });
   return total;
 }
 

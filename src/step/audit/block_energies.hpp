@@ -30,12 +30,14 @@ class BlockEnergies {
   /// where the deck names no block.
   void append(const Model& model, const State& state, std::vector<double>& row);
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void find_shares(const Model& model, const State& state);
+  void sum_nodes(const Model& model, const State& state);
+
  private:
   using Shares = Kokkos::View<double* [2], Kokkos::LayoutRight, MemSpace>;
 
   void lay_out(const Model& model);
-  void find_shares(const Model& model, const State& state);
-  void sum_nodes(const Model& model, const State& state);
   void add_rigid_chunks(const Model& model, const State& state, std::vector<ExactSum>& sums);
 
   const ChunkedMesh& chunked_;

@@ -60,8 +60,10 @@ class Bookkeeper {
   /// Force of all walls on the scene in the last step: their impulses over dt. Collective.
   Vec3 find_wall_force() const;
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   void note_center(const State& state);
+
+ private:
   void book_gravity(State& state, double dt, double dt_mean);
   void book_gravity_work(State& state, double dt) const;
   void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;

@@ -35,6 +35,14 @@ class MassScaler : public Action {
   /// What each part was given, and the masses of the elements.
   void archive(CheckpointArchive& archive, State& state) override;
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void find_missing(const State& state);
+  std::vector<double> find_shares();
+  void give(const State& state, const std::vector<double>& shares);
+  void sum_lumped(const State& state);
+  void scale_tensors(const State& state) const;
+  void set_nodes(State& state) const;
+
  private:
   struct ScaledPart {
     std::string name;
@@ -45,12 +53,6 @@ class MassScaler : public Action {
   };
 
   bool is_due(const ScaledPart& part, long step) const { return step % *part.request.every == 0 && !part.is_full(); }
-  void find_missing(const State& state);
-  std::vector<double> find_shares();
-  void give(const State& state, const std::vector<double>& shares);
-  void sum_lumped(const State& state);
-  void scale_tensors(const State& state) const;
-  void set_nodes(State& state) const;
   void restore(State& state);
 
   const ChunkedMesh& chunked_;

@@ -26,10 +26,11 @@ class SharedMass {
   /// if each had its nodes for itself. Collective.
   void spread(const Array<const double>& element_mass, LumpedMasses& summer, const Array<double>& missing);
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   template <class Value>
   void sum(Column column, LumpedMasses& summer, const Value& value);
 
+ private:
   const Model& model_;
   Array<int> shares_;     // [chunks] 1: its elements do; empty: none of any rank
   Array<double> values_;  // [elements]

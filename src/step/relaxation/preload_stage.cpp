@@ -174,6 +174,54 @@ struct ShortenLayer {
   }
 };
 
+/// The beams of a layer, by chunk.
+struct BeamLists {
+  Array<const int> chunks, first, elements;
+};
+
+struct BeamForce {
+  double force;  // that each beam shall have
+  double gain;   // share of what it lacks that it gets now
+};
+
+/// Of the beams of a rank; 0 where none lacks any.
+struct LackingForces {
+  double largest = 0, smallest = 0;
+};
+
+/// Gives each beam what its own force lacks.
+LackingForces shorten_lacking(const Model& model, const BeamLists& lists, const BeamForce& wanted, const State& state) {
+  const RecordLanes lanes{model.chunks, state.elements};
+  const CornerPositions places{model.chunks, state.x};
+  const auto beams = model.others->beams.parameters;
+  const auto chunks = lists.chunks, first = lists.first, elements = lists.elements;
+  const ChunkResults results = state.results;
+  const double force = wanted.force, gain = wanted.gain;
+  LackingForces found;
+  Kokkos::parallel_reduce(
+      "percuss::preload_beams", Range(ExecSpace(), 0, static_cast<int>(chunks.extent(0))),
+      KOKKOS_LAMBDA(const int i, double& largest, double& smallest) {
+        const int c = chunks(i);
+        const BeamParameters& parameters = beams(lanes.chunks.parameters(c));
+        double work = 0;
+        for (int j = first(i); j < first(i + 1); ++j) {
+          const int e = elements(j), end = lanes.find_end(c, e);
+          const double lack = force - lanes.find(c, e).get(BeamRecord::forces);
+          largest = lack > largest ? lack : largest;
+          smallest = lack < smallest ? lack : smallest;
+          for (int lane = e; lane < end; ++lane) {
+            const double energy =
+                shorten_beam(lanes.find(c, lane), parameters, gain * lack / parameters.stiffness.axial);
+            if (lane == e) work += places.find_length(c, e) * energy;
+          }
+        }
+        results.work(c, WorkKind::internal) += work;
+        results.is_settled(c) = 0;
+      },
+      Kokkos::Max<double>(found.largest), Kokkos::Min<double>(found.smallest));
+  return found;
+}
+
 }  // namespace
 
 PreloadStage::PreloadStage(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
@@ -260,34 +308,9 @@ void PreloadStage::shorten(const Layer& layer, double strain, State& state) cons
 
 /// Gives each beam what its own force lacks. Returns the largest of that, with its sign; the same on all ranks.
 double PreloadStage::shorten_beams(const Layer& layer, double force, State& state) const {
-  const RecordLanes lanes{model_.chunks, state.elements};
-  const CornerPositions places{model_.chunks, state.x};
-  const auto beams = model_.others->beams.parameters;
-  const auto chunks = layer.chunks, first = layer.first, elements = layer.elements;
-  const ChunkResults results = state.results;
-  const double gain = gain_;
-  double most = 0, least = 0;
-  Kokkos::parallel_reduce(
-      "percuss::preload_beams", Range(ExecSpace(), 0, static_cast<int>(chunks.extent(0))),
-      KOKKOS_LAMBDA(const int i, double& largest, double& smallest) {
-        const int c = chunks(i);
-        const BeamParameters& parameters = beams(lanes.chunks.parameters(c));
-        double work = 0;
-        for (int j = first(i); j < first(i + 1); ++j) {
-          const int e = elements(j), end = lanes.find_end(c, e);
-          const double lack = force - lanes.find(c, e).get(BeamRecord::forces);
-          largest = lack > largest ? lack : largest;
-          smallest = lack < smallest ? lack : smallest;
-          for (int lane = e; lane < end; ++lane) {
-            const double energy =
-                shorten_beam(lanes.find(c, lane), parameters, gain * lack / parameters.stiffness.axial);
-            if (lane == e) work += places.find_length(c, e) * energy;
-          }
-        }
-        results.work(c, WorkKind::internal) += work;
-        results.is_settled(c) = 0;
-      },
-      Kokkos::Max<double>(most), Kokkos::Min<double>(least));
+  const LackingForces found =
+      shorten_lacking(model_, {layer.chunks, layer.first, layer.elements}, {force, gain_}, state);
+  double most = found.largest, least = found.smallest;
   all_reduce(model_.ranks, Reduce::largest, most);
   all_reduce(model_.ranks, Reduce::least, least);
   return most > -least ? most : least;

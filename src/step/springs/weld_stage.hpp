@@ -25,6 +25,9 @@ class WeldStage : public Action {
   std::vector<Warning> take_warnings() override;
   bool comes_between() const override { return true; }
 
+  // Kernels of its own: nvcc takes none in a private function.
+  void give_back(const State& state) const;
+
  private:
   Vector3<double> vector(std::size_t node, std::size_t first) const {
     const double* row = &rows_[node * NodeRow::count + first];
@@ -42,7 +45,6 @@ class WeldStage : public Action {
   void judge(State& state, double dt, double dt_mean);
   double find_work() const;
   double find_work_of_contact() const;
-  void give_back(const State& state) const;
 
   const Model& model_;
   std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()

@@ -26,12 +26,14 @@ class MeshEigenvalue {
   /// fall short of it. Collective.
   double find(const State& state, double step);
 
- private:
+  // Kernels of its own: nvcc takes none in a private function.
   void start_vector();
-  void apply(const State& state, double step);
   void subtract_previous(double beta);
   double take_out();
   double normalise();
+
+ private:
+  void apply(const State& state, double step);
 
   const Model& model_;
   std::int64_t unknowns_;
