@@ -11,6 +11,11 @@ target_compile_options(percuss_options INTERFACE
   -ffp-contract=off
   # sqrt and friends need no errno; no effect on values.
   -fno-math-errno -fno-trapping-math)
+if(PERCUSS_BACKEND STREQUAL "CUDA")
+  target_compile_options(percuss_options INTERFACE --expt-relaxed-constexpr -fmad=false)
+  # nvcc 13.0 takes no format text of fmt 9 for a constant; it is then checked when it is used.
+  target_compile_definitions(percuss_options INTERFACE "FMT_CONSTEVAL=")
+endif()
 if(PERCUSS_NATIVE)
   target_compile_options(percuss_options INTERFACE -march=native)
 endif()
@@ -40,7 +45,7 @@ endif()
 # once; what calls percuss_reuse_headers(target name) takes them from there. A compiler cache does better without.
 function(percuss_precompile name)
   cmake_parse_arguments(arg "" "" "LINK;HEADERS" ${ARGN})
-  if(CMAKE_CXX_COMPILER_LAUNCHER OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(CMAKE_CXX_COMPILER_LAUNCHER OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR PERCUSS_BACKEND STREQUAL "CUDA")
     return()
   endif()
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/headers.cpp)

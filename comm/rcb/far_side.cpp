@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "comm/exchange/exchange_buffers.hpp"
+#include "kernels/core/host_copy.hpp"
 
 namespace percuss {
 
@@ -154,7 +155,7 @@ TravellingPoints::Records TravellingPoints::pack_leaving(const ExecSpace& space)
 void TravellingPoints::replace_leaving(const ExecSpace& space, const std::vector<PointRecord>& arrived) {
   const int n = points_.count();
   const int count = n - leaving_count_ + static_cast<int>(arrived.size());
-  const auto leaving = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), leaving_);
+  const auto leaving = to_host(leaving_);
   const Refill refill = plan_refill(n, leaving, leaving_count_, static_cast<int>(arrived.size()));
   take_own_copy(space);
   make_room(static_cast<std::size_t>(std::max(n, count)));
@@ -191,7 +192,7 @@ std::int64_t TravellingPoints::send_far_points(const ExecSpace& space, const Com
   list_leaving(space, cut, group.rank() < lower_ranks);
   if (partners.to < 0) return 0;
   const RecordType record;
-  sent_ = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), pack_leaving(space));
+  sent_ = to_host(pack_leaving(space));
   check_mpi(
       MPI_Isend(sent_.data(), leaving_count_, record.handle, partners.to, far_side_tag, group.handle(), &request_),
       "MPI_Isend");

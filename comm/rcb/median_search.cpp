@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "kernels/core/host_copy.hpp"
+
 namespace percuss {
 
 namespace {
@@ -24,7 +26,7 @@ std::int64_t find_lower_share(std::int64_t weight, int lower_ranks, int ranks) {
 /// The first n entries on the host.
 template <class View>
 auto copy_to_host(const View& view, int n) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), Kokkos::subview(view, std::make_pair(0, n)));
+  return to_host(Kokkos::subview(view, std::make_pair(0, n)));
 }
 
 KeyList make_sorted_list(const CandidateKeys& candidates, int n) {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "kernels/core/host_copy.hpp"
+
 namespace percuss {
 
 namespace {
@@ -123,7 +125,7 @@ Survey PointCounter::count_blocks(const ExecSpace& space, const Source& source, 
       });
   space.fence();
   Survey total;
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), block_surveys);
+  const auto host = to_host(block_surveys);
   for (int block = 0; block < block_count; ++block) total.merge(host(block));
   last_counts_ = total.counts;
   return total;

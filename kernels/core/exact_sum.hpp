@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+#include "kernels/core/host_copy.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -129,7 +130,7 @@ class ExactSums {
           for (int i = begin; i < end; ++i) body(i, add);
         });
     space.fence();
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums);
+    const auto host = to_host(sums);
     for (int b = 0; b < blocks; ++b) {
       for (int k = 0; k < K; ++k) {
         ExactSum& sum = host(b, k);

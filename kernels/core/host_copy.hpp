@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// Whether kernels run on host memory. Copies of vectors then need no deep_copy(), whose kernels each source would
+/// Whether kernels run on memory that the host reads. Copies of vectors then need no deep_copy(), whose kernels each source would
 /// compile for each type.
 inline constexpr bool is_host_memory = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible;
 
@@ -42,10 +42,13 @@ auto to_rows(const std::string& label, const std::vector<std::array<T, N>>& valu
   return view;
 }
 
-/// The view's values on the host: the view itself where it is host memory.
+/// The view's values on the host: the view itself where the host reads its memory.
 template <class View>
 auto to_host(const View& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+  if constexpr (is_host_memory)
+    return view;
+  else
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 
 }  // namespace percuss

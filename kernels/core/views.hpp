@@ -20,9 +20,12 @@ using ExecSpace = Kokkos::Cuda;
 #else
 using ExecSpace = Kokkos::DefaultExecutionSpace;
 #endif
-#ifdef PERCUSS_PINNED_MEMORY
+#if defined(PERCUSS_PINNED_MEMORY)
 // Of the host, read by the device too: for tests that look into views.
 using MemSpace = Kokkos::SharedHostPinnedSpace;
+#elif defined(PERCUSS_BACKEND_CUDA) && !defined(PERCUSS_DEVICE_MEMORY)
+// Moved between host and device as either reads it: the host looks into views between kernels.
+using MemSpace = Kokkos::SharedSpace;
 #else
 using MemSpace = ExecSpace::memory_space;
 #endif

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "kernels/core/host_copy.hpp"
+
 namespace percuss {
 namespace {
 
@@ -134,7 +136,7 @@ double AndersonWindow::accelerate(const Array<const double>& z, const Array<doub
   }
   has_last_ = true;
   find_dots({count_, fresh, n_}, df_, f_, weight_, dots_);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dots_);
+  const auto host = to_host(dots_);
   const auto norm = std::sqrt(host(static_cast<std::size_t>(2 * count_)));
   if (count_ == 0) return norm;
   std::vector<double> right;

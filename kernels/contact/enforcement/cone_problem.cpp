@@ -11,20 +11,15 @@
 namespace percuss {
 namespace {
 
-template <class View>
-auto copy_to_host(const View& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-}
-
 /// The problem on the host, for set-up.
 struct HostProblem {
   explicit HostProblem(const ConeProblem& problem)
       : num_rows(problem.num_rows),
-        first(copy_to_host(problem.first)),
-        offset(copy_to_host(problem.a.offset)),
-        column(copy_to_host(problem.a.column)),
-        value(copy_to_host(problem.a.value)),
-        friction(copy_to_host(problem.friction)),
+        first(to_host(problem.first)),
+        offset(to_host(problem.a.offset)),
+        column(to_host(problem.a.column)),
+        value(to_host(problem.a.value)),
+        friction(to_host(problem.friction)),
         row_of(static_cast<std::size_t>(problem.a.num_rows)) {
     for (int r = 0; r < num_rows; ++r)
       for (int i = first(r); i < first(r + 1); ++i) row_of[static_cast<std::size_t>(i)] = r;
@@ -44,8 +39,8 @@ struct HostProblem {
   }
 
   int num_rows;
-  decltype(copy_to_host(ConeProblem().first)) first, offset, column;
-  decltype(copy_to_host(SparseMatrix().value)) value, friction;
+  decltype(to_host(ConeProblem().first)) first, offset, column;
+  decltype(to_host(SparseMatrix().value)) value, friction;
   std::vector<int> row_of;  // of each unknown
 };
 

@@ -3,6 +3,7 @@
 // number of threads and ranks.
 
 #include "kernels/core/exact_sum.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
@@ -27,7 +28,7 @@ Sums sum_rows(const Space& space, int n, Array<Sums>& partial, const Body& body)
         sums(b) = sum;
       });
   space.fence();
-  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums);
+  const auto on_host = to_host(sums);
   for (int b = 0; b < blocks; ++b) total.merge(on_host(b));
   return total;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -17,7 +18,15 @@ namespace {
 /// Of a mesh file: a line of a node and one of an element, as text. Binary files have fewer, but not by far.
 constexpr double bytes_of_element = 100;
 
+/// On a device the host looks into views between kernels (views.hpp), so that each launch has to be over by then.
+void wait_for_launches() {
+#ifdef PERCUSS_BACKEND_CUDA
+  setenv("CUDA_LAUNCH_BLOCKING", "1", 1);
+#endif
+}
+
 std::string choose_by_scene(const Communicator& ranks, const Deck& deck) {
+  wait_for_launches();
   const double elements = estimate_elements(deck);
   std::string note;
   choose_threads(OwnedCommunicator::of_machine(ranks)->size(), [&](int available) {

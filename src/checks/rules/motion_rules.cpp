@@ -138,9 +138,11 @@ class FirstMeetings {
 
   /// The same in a run that is longer, by up to `longer` times.
   FirstMeeting find_later(std::size_t part) const {
-    FirstMeeting later;
-    for (double times = 2; later.time < 0 && times <= longer; times *= 2) later = find(part, times * deck_.time.end);
-    return later;
+    for (double times = 2; times <= longer; times *= 2) {
+      const FirstMeeting meeting = find(part, times * deck_.time.end);
+      if (meeting.time >= 0) return meeting;
+    }
+    return {};
   }
 
   /// Whether a wall that moves comes to a part before the end.

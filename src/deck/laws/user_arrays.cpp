@@ -15,10 +15,15 @@
 namespace percuss {
 namespace {
 
+/// Memory for anything. Not std::max_align_t itself: nvcc 13.0 breaks off on a vector of it, whose class has no name.
+struct AlignedBlock {
+  alignas(std::max_align_t) std::byte bytes[sizeof(std::max_align_t)];
+};
+
 /// Of a kind, by number. Those of a thread are found by it alone.
 struct UserArrays {
   struct Kept {
-    std::vector<std::max_align_t> bytes;
+    std::vector<AlignedBlock> blocks;
     std::int64_t size = 0;  // items
   };
   std::mutex busy;
@@ -29,8 +34,8 @@ struct UserArrays {
     const std::scoped_lock lock(busy);
     Kept& one = kept[id];
     const std::size_t bytes = static_cast<std::size_t>(size > 0 ? size : 0) * item_size;
-    one.bytes.resize(bytes / sizeof(std::max_align_t) + 1);
-    char* const first = reinterpret_cast<char*>(one.bytes.data());
+    one.blocks.resize(bytes / sizeof(AlignedBlock) + 1);
+    char* const first = reinterpret_cast<char*>(one.blocks.data());
     for (std::int64_t i = one.size; item != nullptr && i < size; ++i)
       std::memcpy(first + static_cast<std::size_t>(i) * item_size, item, item_size);
     one.size = size;
@@ -39,7 +44,7 @@ struct UserArrays {
   std::int64_t find(int id) {
     const std::scoped_lock lock(busy);
     const auto found = kept.find(id);
-    return found == kept.end() ? 0 : reinterpret_cast<std::int64_t>(found->second.bytes.data());
+    return found == kept.end() ? 0 : reinterpret_cast<std::int64_t>(found->second.blocks.data());
   }
   int count(int id) {
     const std::scoped_lock lock(busy);
