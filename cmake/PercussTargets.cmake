@@ -155,7 +155,8 @@ function(percuss_add_executable_of_tests name)
   endif()
 endfunction()
 
-# percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
+# percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry. Kernels
+# run on two threads; the scenes of others are so small that waking a second one costs several times what it does.
 function(percuss_add_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
   percuss_add_executable_of_tests(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK})
@@ -173,9 +174,13 @@ function(percuss_add_test name)
       list(APPEND labels files)
     endif()
   endif()
+  set(threads 1)
+  if(is_of_kernels OR "thread" IN_LIST PERCUSS_SANITIZE)
+    set(threads 2)
+  endif()
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" COST ${PERCUSS_COST_${arg_LABEL}}
-    ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
+    ENVIRONMENT "OMP_NUM_THREADS=${threads};OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
 endfunction()
 
 # How tests start MPI. Ranks share cores, so none is bound, and ranks and threads that wait make way for others. They share a

@@ -34,6 +34,7 @@ struct SmallMesh {
         chunked(move_nodes(load_mesh(deck, Communicator::world()), shape, seed)),
         model(build_model(deck, chunked)),
         state(make_initial_state(model)),
+        fresh(make_initial_state(model)),
         still("still", static_cast<std::size_t>(model.node_count)) {
     find_forces(still, 0);
     bound = find_bound();
@@ -63,7 +64,6 @@ struct SmallMesh {
 
   /// Forces of the elements from rest after a step dt with the velocities v, in which the nodes stay where they are.
   void find_forces(const Rows3<double>& v, double dt) {
-    const State fresh = make_initial_state(model);
     Kokkos::deep_copy(state.elements, fresh.elements);
     advance_elements(ExecSpace(), model.chunks, model.others->hexahedra, {state.x, v, dt, false, 0, watch},
                      state.chunk_fields());
@@ -111,7 +111,7 @@ struct SmallMesh {
   Deck deck;
   ChunkedMesh chunked;
   Model model;
-  State state;
+  State state, fresh;
   Rows3<double> still;  // velocities
   StepWatch watch;
   double bound = 0;
