@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "src/output/hdf5/hdf5_reading.hpp"
 
@@ -80,12 +81,13 @@ void NetcdfDimensions::attach(hid_t dataset, std::span<const std::string> names)
   const Handle space(check(H5Screate_simple(1, &count, nullptr), action), H5Sclose);
   std::vector<hobj_ref_t> references;
   for (const std::string& name : names) references.push_back(scales_.at(name));
-  std::vector<hvl_t> lists;
-  for (hobj_ref_t& reference : references) lists.push_back({1, &reference});
+  // Not a vector: hvl_t has no name of its own, which nvcc 13.0 does not bear.
+  const auto lists = std::make_unique<hvl_t[]>(references.size());
+  for (std::size_t i = 0; i < references.size(); ++i) lists[i] = {1, &references[i]};
   const Handle attribute(
       check(H5Acreate2(dataset, "DIMENSION_LIST", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), action),
       H5Aclose);
-  check(H5Awrite(attribute.get(), type.get(), lists.data()), action);
+  check(H5Awrite(attribute.get(), type.get(), lists.get()), action);
 }
 
 void NetcdfDimensions::attach(hid_t file, const std::string& dataset, std::span<const std::string> names) const {
