@@ -11,8 +11,8 @@
 
 namespace percuss {
 
-/// Whether kernels run on memory that the host reads. Copies of vectors then need no deep_copy(), whose kernels each source would
-/// compile for each type.
+/// Whether kernels run on memory that the host reads. Copies of vectors then need no deep_copy(), whose kernels each
+/// source would compile for each type.
 inline constexpr bool is_host_memory = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible;
 
 /// A view with the values of a host vector.
