@@ -62,10 +62,10 @@ PERCUSS_FORCE_INLINE void part_rows(const Raw& rows, double* low, double* high) 
 }  // namespace detail
 #endif
 
-/// The first three columns of W records of four doubles, aligned to these, as packs: packs[k][lane] = records[lane][k].
-/// W = pack_size<double> is 1, 2, 4 or 8.
-template <int W>
-PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[W], Pack<double> (&packs)[3]) {
+/// The first columns, three or four, of W records of four doubles, aligned to these, as packs:
+/// packs[k][lane] = records[lane][k]. W = pack_size<double> is 1, 2, 4 or 8.
+template <int W, int Columns>
+PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[W], Pack<double> (&packs)[Columns]) {
 #ifdef PERCUSS_HAS_SIMD
   if constexpr (W >= 4) {
     typename detail::RawPack<W>::type block[4];
@@ -77,11 +77,11 @@ PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[W], 
       }
     }
     detail::transpose_blocks<W>(block);
-    for (int k = 0; k < 3; ++k) packs[k] = Pack<double>(block[k]);
+    for (int k = 0; k < Columns; ++k) packs[k] = Pack<double>(block[k]);
     return;
   }
 #endif
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < Columns; ++k) {
     alignas(64) double column[W];
     for (int lane = 0; lane < W; ++lane) column[lane] = records[lane][k];
     packs[k] = load_pack(column);

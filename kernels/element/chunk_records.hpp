@@ -105,11 +105,12 @@ struct ChunkScratch {
     return static_cast<T*>(member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(scalars) * sizeof(T), 64));
   }
 
-  /// One team a chunk, `count` of them, the largest of which has so many slots.
-  static ChunkPolicy make_policy(const ExecSpace& space, int count, int largest_slot_count) {
+  /// One team a chunk, `count` of them, the largest of which has so many slots. more_bytes: beside those of the slots.
+  static ChunkPolicy make_policy(const ExecSpace& space, int count, int largest_slot_count,
+                                 std::size_t more_bytes = 0) {
     const std::size_t bytes =
         static_cast<std::size_t>(largest_slot_count) * (NodeSize * sizeof(Scalar) + ForceSize * sizeof(double)) +
-        8 * sizeof(double) + 128;
+        more_bytes + 8 * sizeof(double) + 128;
     ChunkPolicy policy(space, count, 1);
     policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(bytes))).set_chunk_size(find_share(space, count));
     return policy;

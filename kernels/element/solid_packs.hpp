@@ -47,6 +47,21 @@ PERCUSS_FORCE_INLINE void scatter_corners(const Field& f, const std::uint16_t* c
   }
 }
 
+/// The same of N corners, with the number behind the vector.
+template <int N, class Field>
+PERCUSS_FORCE_INLINE void gather_corners(const double* rows, int row_size, const std::uint16_t* corners, Field& u,
+                                         Lanes (&behind)[N]) {
+  for (int i = 0; i < N; ++i) {
+    const double* records[solid_width];
+    for (int lane = 0; lane < solid_width; ++lane)
+      records[lane] = rows + static_cast<std::size_t>(row_size) * corners[i * solid_width + lane];
+    Lanes packs[4];
+    transpose_to_packs(records, packs);
+    u[i] = {packs[0], packs[1], packs[2]};
+    behind[i] = packs[3];
+  }
+}
+
 /// The chunk of a team.
 struct SolidChunk {
   const ElementChunks& chunks;
@@ -216,13 +231,13 @@ struct SolidKernel {
   }
 };
 
-/// Launches a kernel over chunks, a team each.
+/// Launches a kernel over chunks, a team each, which has so many bytes of scratch beside that of its slots.
 template <class Kernel>
 void launch_solids(const char* label, const ExecSpace& space, const ElementChunks& chunks, const Array<int>& list,
-                   const Kernel& kernel) {
+                   const Kernel& kernel, std::size_t more_bytes = 0) {
   const int count = static_cast<int>(list.extent(0));
   if (count == 0 || is_single_precision) return;
-  Kokkos::parallel_for(label, SolidScratch::make_policy(space, count, chunks.largest_slot_count), kernel);
+  Kokkos::parallel_for(label, SolidScratch::make_policy(space, count, chunks.largest_slot_count, more_bytes), kernel);
 }
 
 }  // namespace percuss

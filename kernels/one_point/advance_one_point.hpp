@@ -63,28 +63,28 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
   using Base::launch;
   using Base::motion;
   using typename Base::Living;
+  using typename Base::Scratch;
   using State = OnePointState<Lanes, Material, Shape>;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->template advance_chunk<State>(
-        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    ChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
+    this->template advance_chunk<State, false>(
+        member,
+        [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+            ChunkSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
-                                State& of, ChunkSums& sums) const {
+  KOKKOS_FUNCTION void leave_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
+                                  const Living& living, State& of, ChunkSums& sums, const Scratch& scratch) const {
     CornerField<Lanes, Shape> x, v;
     on.fetch_third(0);
-    gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    gather_corners<Shape::corners>(scratch.nodes, node_record, on.corners, x);
     on.fetch_third(1);
-    gather_corners<Shape::corners>(on.scratch.nodes + 4, node_record, on.corners, v);
+    gather_corners<Shape::corners>(scratch.nodes + 4, node_record, on.corners, v);
     on.fetch_third(2);
     const Lanes dt(motion.dt), zero(0.0);
     const OnePointMotion<Lanes, Shape> own = follow_one_point(x, v, dt);
-    const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
-                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
-    OnePointPoint<Lanes, Shape> point = advance_point<true>(
-        parameters, x, own, blend(own.d, gather.template find_mean<Shape::corners>(on.corners)), dt, of);
+    const Symmetric3<Lanes> mean = TetGather{scratch.means}.template find_mean<Shape::corners>(on.corners);
+    OnePointPoint<Lanes, Shape> point = advance_point<true>(parameters, x, own, blend(own.d, mean), dt, of);
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
@@ -104,27 +104,11 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
     store_pack(scalars + TetPasses::guard_modulus * solid_width, guard);
     store_pack(scalars + TetPasses::hourglass * solid_width, point.own.hourglass);
     OwnStress(point.stress, of.guard, of.viscous_pressure).leave(scalars);
-    const Lanes bulk = point.own.lambda + Lanes(2.0 / 3.0) * point.own.mu + guard;
-    give(on, share * add_to_diagonal(point.stress, zero - of.guard), bulk, point.own.mu,
-         give_stress<Shape::corners>(point.geometry.volume, !(share < zero)));
-  }
-
-  /// What the elements of a pack give to their nodes. Their mass is not shared with others.
-  template <class Given>
-  KOKKOS_FUNCTION void give(const SolidPack& on, const Symmetric3<Lanes>& stress, const Lanes& bulk, const Lanes& shear,
-                            const Given& given) const {
-    LaneRows low, high, last;
-    given.set(stress, bulk, low, high);
-    last.set(given.weigh(shear), Lanes(0.0), Lanes(0.0), Lanes(0.0));
-    double* const rows = this->find_rows(on.chunk);
-    for (int lane = 0; lane < on.lanes; ++lane) {
-      for (int i = 0; i < Shape::corners; ++i) {
-        double* const row = rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
-        add_record(low.row[lane], row);
-        add_record(high.row[lane], row + 4);
-        add_record(last.row[lane], row + 8);
-      }
-    }
+    // Their mass is not shared with others.
+    GivenStress::leave<Shape::corners>({share * add_to_diagonal(point.stress, zero - of.guard),
+                                        point.own.lambda + Lanes(2.0 / 3.0) * point.own.mu + guard, point.own.mu},
+                                       point.geometry.volume, !(share < zero), zero, {zero, zero, zero, zero},
+                                       scratch.find_given(on.pack));
   }
 };
 
@@ -132,8 +116,8 @@ template <class Material, class Shape>
 void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
-    launch_solids("percuss::advance_one_point_stresses", space, chunks, block.chunks,
-                  AdvanceOnePointStresses<Material, Shape>{{chunks, block, step.motion, step.launch, state, results}});
+    launch_pass("percuss::advance_one_point_stresses", space, chunks, block.chunks,
+                AdvanceOnePointStresses<Material, Shape>{{chunks, block, step.motion, step.launch, state, results}});
   }
 }
 

@@ -8,27 +8,30 @@ namespace {
 
 /// Third pass of the mixed form. L: Lanes.
 template <class L, class Shape>
-struct FindOnePointForces : ForcePass<L> {
-  using Base = ForcePass<L>;
+struct FindOnePointForces : ForcePass<L, Shape> {
+  using Base = ForcePass<L, Shape>;
   using Base::chunks;
   using Base::fields;
   using Base::launch;
   using Base::motion;
   using typename Base::Living;
+  using typename Base::Scratch;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(member,
-                    [&](const SolidPack& on, const Living& living, ChunkSums& sums) { add_pack(on, living, sums); });
+    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, ChunkSums& sums, const Scratch& scratch) {
+      leave_pack(on, living, sums, scratch);
+    });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION void add_pack(const SolidPack& on, const Living& living, ChunkSums& sums) const {
+  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, ChunkSums& sums,
+                                  const Scratch& scratch) const {
     CornerField<Lanes, Shape> x, f;
-    gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
+    gather_corners<Shape::corners>(scratch.nodes, node_record, on.corners, x);
     const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
     const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
-    const TetMeans<Lanes> means = this->gather_stresses(on.chunk).template find_means<Shape::corners>(on.corners);
+    const TetMeans<Lanes> means = TetGather{scratch.means}.template find_means<Shape::corners>(on.corners);
     const double* const record = find_pack_record(chunks, fields.state, on.chunk.c, on.pack);
     OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
     ModeVectors<Lanes, Shape> q = load_modes(record);
@@ -43,7 +46,7 @@ struct FindOnePointForces : ForcePass<L> {
       settle_forces<Shape::corners>(select(share < Lanes(0.0), share, Lanes(1.0)), f);
       settle_step(share, step, volume);
     }
-    scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
+    Base::leave_forces(f, scratch.find_given(on.pack));
     on.take_step(step, volume, sums);
     on.leave_bound(motion.watch, step);
   }
@@ -81,8 +84,8 @@ template <class Material, class Shape>
 void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                const TetStep& step, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
-    launch_solids("percuss::sum_one_point_rates", space, chunks, block.chunks,
-                  SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates, results});
+    launch_pass("percuss::sum_one_point_rates", space, chunks, block.chunks,
+                SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch, results});
   }
 }
 
@@ -90,8 +93,8 @@ template <class Material, class Shape>
 void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
                 const TetStep& step, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
-    launch_solids("percuss::sum_one_point_forces", space, chunks, block.chunks,
-                  FindOnePointForces<Lanes, Shape>{{chunks, block.chunks, step.motion, step.launch, fields}});
+    launch_pass("percuss::sum_one_point_forces", space, chunks, block.chunks,
+                FindOnePointForces<Lanes, Shape>{{chunks, block.chunks, step.motion, step.launch, fields}});
   }
 }
 

@@ -16,23 +16,24 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
   using typename Base::Living;
   using State = TetState<Lanes, Material>;
 
+  using typename Base::Scratch;
+
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->template advance_chunk<State>(
-        member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    ChunkSums& sums) { add_pack(parameters, on, living, of, sums); });
+    this->template advance_chunk<State, true>(
+        member,
+        [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
+            ChunkSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living,
-                                State& of, ChunkSums& sums) const {
+  KOKKOS_FUNCTION void leave_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
+                                  const Living& living, State& of, ChunkSums& sums, const Scratch& scratch) const {
     TetCorners<Lanes> x, v;
     on.fetch_third(0);
-    gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
-    gather_corners<4>(on.scratch.nodes + 4, node_record, on.corners, v);
+    gather_corners<4>(scratch.nodes, node_record, on.corners, x);
+    gather_corners<4>(scratch.nodes + 4, node_record, on.corners, v);
     const Lanes dt(motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
-    const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
-                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
-    const Symmetric3<Lanes> seen = blend(own.d, gather.find_mean<4>(on.corners));
+    const Symmetric3<Lanes> seen = blend(own.d, TetGather{scratch.means}.find_mean<4>(on.corners));
     on.fetch_third(1);
     TetPoint<Lanes> point = advance_tet4<true>(parameters, x, own, seen, dt, of);
     on.fetch_third(2);
@@ -52,33 +53,12 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     store_pack(scalars + TetPasses::tangent * solid_width, point.own.tangent);
     store_pack(scalars + TetPasses::guard_modulus * solid_width, guard_modulus);
     OwnStress(point.stress, of.guard, of.viscous_pressure).leave(scalars);
-    const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - of.guard);
-    give(on, point, share * given, of.mass, point.own.bulk + guard_modulus, !(share < zero));
-  }
-
-  /// What the elements of a pack give to their nodes.
-  template <class Mask>
-  KOKKOS_FUNCTION void give(const SolidPack& on, const TetPoint<Lanes>& point, const Symmetric3<Lanes>& stress,
-                            const Lanes& mass, const Lanes& bulk, const Mask& lives) const {
-    const Lanes zero(0.0), quarter(0.25);
-    const auto given = give_stress<4>(point.geometry.volume, lives);
-    const auto& counts = given.counts;
-    LaneRows low, high, of_corner[4];
-    given.set(stress, bulk, low, high);
-    const Lanes shear = given.weigh(point.own.shear), share = select(counts, quarter * mass, zero);
-    for (int i = 0; i < 4; ++i) {
-      const Vector3<Lanes>& b = point.geometry.b[i];
-      of_corner[i].set(shear, share, select(counts, dot(b, b) / point.geometry.volume, zero), zero);
-    }
-    double* const rows = this->find_rows(on.chunk);
-    for (int lane = 0; lane < on.lanes; ++lane) {
-      for (int i = 0; i < 4; ++i) {
-        double* const row = rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
-        add_record(low.row[lane], row);
-        add_record(high.row[lane], row + 4);
-        add_record(of_corner[i].row[lane], row + 8);
-      }
-    }
+    const TetMeans<Lanes> given{share * add_to_diagonal(point.stress, zero - of.guard), point.own.bulk + guard_modulus,
+                                point.own.shear};
+    Lanes square[4];
+    for (int i = 0; i < 4; ++i) square[i] = dot(point.geometry.b[i], point.geometry.b[i]) / point.geometry.volume;
+    GivenStress::leave<4>(given, point.geometry.volume, !(share < zero), Lanes(0.25) * of.mass, square,
+                          scratch.find_given(on.pack));
   }
 };
 
@@ -131,8 +111,8 @@ void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
-    launch_solids("percuss::advance_tet_stresses", space, chunks, block.chunks,
-                  AdvanceTetStresses<Material>{{chunks, block, step.motion, step.launch, state, results}});
+    launch_pass("percuss::advance_tet_stresses", space, chunks, block.chunks,
+                AdvanceTetStresses<Material>{{chunks, block, step.motion, step.launch, state, results}});
   }
 }
 

@@ -42,26 +42,21 @@ PERCUSS_FORCE_INLINE T find_guard(const T& gap, double bulk_modulus) {
 }
 
 /// Numbers that elements give to a node, in groups of four of which the last of a row is unused.
-/// Rates: V D / 4 with V / 4 after xx, yy and zz: one cache line. Stresses: V (sigma - g I) / 4 with V / 4 after xx, yy
-/// and zz, V K / 4 after xy, yz and zx; then V mu / 4, m / 4, |B_I|^2 / V.
+/// Rates: V D / 4 with V / 4 after xx, yy and zz: one cache line. Stresses: V (sigma - g I) / 4 with V K / 4 after xx,
+/// yy and zz, V mu / 4 after xy, yz and zx; then V / 4, m / 4, |B_I|^2 / V. Averages lie as their sums do.
 struct TetSums {
   static constexpr int rate_groups = 2, stress_groups = 3;
   static constexpr int rate_row = 4 * rate_groups, stress_row = 4 * stress_groups;
-  static constexpr int volume = 3;  // of both
-  static constexpr int bulk = 7, shear = 8, mass = 9, square = 10;
+  static constexpr int average_row = 8;
+  static constexpr int volume_of_rates = 3;
+  static constexpr int volume = 8, mass = 9, square = 10;  // of stresses
 };
 
-/// Averages at a node: D lies as it does in the sums; after the stress K and mu, then mass over the sum of |B|^2 / V.
-struct TetAverages {
-  static constexpr int bulk = 3, shear = 7, share = 8;
-};
-
-/// What a node has on average: D, or the stress and the moduli.
+/// What a node has on average: the stress and the moduli.
 template <class T>
 struct TetMeans {
   Symmetric3<T> stress;
   T bulk, shear;
-  T share[4];  // by corner: its mass over the sum of |B|^2 / V there
 };
 
 /// Bound of the square of the largest frequency of the elements together, and of the damping rate.

@@ -163,12 +163,12 @@ PERCUSS_FORCE_INLINE T find_guard_modulus(const T& guard, double bulk_modulus) {
   return select(guard < T(0), T(2 * TetGuard::stiffness * bulk_modulus), T(0));
 }
 
-/// Stable step with the mass of the nodes shared by |B_I|^2 / V.
+/// Stable step with the mass of the nodes shared by |B_I|^2 / V. share: by corner, the mass of its node over the sum of
+/// |B|^2 / V there.
 template <class T>
-PERCUSS_FORCE_INLINE T find_mixed_step(const TetGeometry<T>& g, const TetMeans<T>& means,
-                                       const TetStiffness<T>& stiffness) {
+PERCUSS_FORCE_INLINE T find_mixed_step(const TetGeometry<T>& g, const T (&share)[4], const TetStiffness<T>& stiffness) {
   T weights[4];
-  for (int i = 0; i < 4; ++i) weights[i] = g.volume / (dot(g.b[i], g.b[i]) * means.share[i]);
+  for (int i = 0; i < 4; ++i) weights[i] = g.volume / (dot(g.b[i], g.b[i]) * share[i]);
   const TetFrequency<T> frequency = bound_tet_frequency(g, weights, stiffness);
   return find_stable_step(frequency.square, frequency.damping_rate);
 }

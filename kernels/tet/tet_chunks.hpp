@@ -39,6 +39,7 @@ using TetBlocks = AllTetBlocks<CompiledMaterials>::type;
 
 using TetRateRows = Kokkos::View<double * [TetSums::rate_row], Kokkos::LayoutRight, MemSpace>;
 using TetStressRows = Kokkos::View<double * [TetSums::stress_row], Kokkos::LayoutRight, MemSpace>;
+using TetAverageRows = Kokkos::View<double * [TetSums::average_row], Kokkos::LayoutRight, MemSpace>;
 
 /// What the passes of a step hand to each other; nothing of it lasts.
 struct TetPasses {
@@ -47,10 +48,13 @@ struct TetPasses {
   // axes.
   static constexpr int shear = 0, tangent = 1, guard_modulus = 2, hourglass = 3, guard = 4, viscous_pressure = 5,
                        stress = 6, scalars = 12;
+  // Places and velocities of the nodes of chunks [slots of this rank's chunks][node_record]; behind a place its share.
+  Array<double> nodes;
   TetRateRows slot_rates;       // [slots] sums of the chunks, and what other ranks have sent
   TetStressRows slot_stresses;  // likewise
-  TetRateRows rates;            // [records] D
-  TetStressRows stresses;       // [records] TetAverages
+  TetAverageRows rates;         // [records] D
+  TetAverageRows stresses;      // [records] stress and moduli
+  Array<double> shares;         // [records] mass over the sum of |B|^2 / V
   Array<double> elements;       // [packs][scalars][W]
   // What need not be done again. A chunk whose nodes rest stays as it is while the averages at its nodes do.
   Array<int> rates_rest;     // [records] 1: the rates are 0, with the bits of the step before

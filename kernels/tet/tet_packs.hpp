@@ -3,126 +3,127 @@
 //
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
-#include <type_traits>
+#include <cstring>
 
+#include "kernels/core/number_rows.hpp"
 #include "kernels/element/solid_packs.hpp"
 #include "kernels/tet/tet_chunks.hpp"
 
 namespace percuss {
 
-/// to[0..4) += from[0..4), both aligned to four doubles.
-PERCUSS_FORCE_INLINE void add_record(const double* from, double* to) {
-#ifdef PERCUSS_HAS_SIMD
-  using Raw = detail::RawPack<4>::type;
-  *reinterpret_cast<Raw*>(to) += *reinterpret_cast<const Raw*>(from);
-#else
-  for (int k = 0; k < 4; ++k) to[k] += from[k];
-#endif
-}
+/// Scratch of a pass: averages at a chunk's nodes, and what its elements give to them, GivenRow numbers each.
+/// Elements first leave what they give side by side; a node then adds up what its elements have left. An element that
+/// added to its nodes itself would wait for the one before it, with which it shares some.
+/// The nodes themselves lie in passes.nodes, for all passes of a step.
+template <int GivenRow>
+struct MixedScratch : SolidScratch {
+  static constexpr int given_row = GivenRow;
+  double* means;  // [slots][TetSums::average_row]
+  double* given;  // [lanes of the chunk + 1][GivenRow], of which the last row is 0
 
-/// Four numbers of each element of a pack: [lane][4].
-struct LaneRows {
-  alignas(64) double row[solid_width][4];
-
-  PERCUSS_FORCE_INLINE void set(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
-    alignas(64) double packs[4][solid_width];
-    const Lanes* const from[4] = {&a, &b, &c, &d};
-    for (int k = 0; k < 4; ++k) store_pack(packs[k], *from[k]);
-    int lanes[solid_width];
-    for (int lane = 0; lane < solid_width; ++lane) lanes[lane] = lane;
-    store_rows_of_four(packs, lanes, row[0]);
+  KOKKOS_FUNCTION MixedScratch(const ChunkMember& member, const SolidChunk& chunk, const TetPasses& passes)
+      : SolidScratch(member, 0),
+        means(take<double>(member, chunk.slot_count * TetSums::average_row)),
+        given(take<double>(member, (count_lanes(chunk) + 1) * GivenRow)) {
+    nodes = &passes.nodes(static_cast<std::size_t>(node_record) * static_cast<std::size_t>(chunk.first_slot));
+    double* const end = given + count_lanes(chunk) * GivenRow;
+    for (int k = 0; k < GivenRow; ++k) end[k] = 0;
   }
-  PERCUSS_FORCE_INLINE void load(Lanes (&to)[4]) const {
-    alignas(64) double packs[4][solid_width];
-    int lanes[solid_width];
-    for (int lane = 0; lane < solid_width; ++lane) lanes[lane] = lane;
-    load_rows_of_four(row[0], lanes, packs);
-    for (int k = 0; k < 4; ++k) to[k] = load_pack(packs[k]);
+
+  static KOKKOS_FUNCTION int count_lanes(const SolidChunk& chunk) {
+    return (chunk.end_element - chunk.first_element + solid_width - 1) / solid_width * solid_width;
+  }
+
+  /// What a pack gives, its first element first.
+  PERCUSS_FORCE_INLINE double* find_given(int pack) const {
+    return given + static_cast<std::size_t>(pack) * solid_width * GivenRow;
+  }
+
+  /// Elements that died give nothing.
+  KOKKOS_FUNCTION void clear_given(const SolidChunk& chunk) const {
+    for (int i = 0; i < count_lanes(chunk) * GivenRow; ++i) given[i] = 0;
+  }
+
+  static std::size_t count_bytes(const ElementChunks& chunks, const TetNodes& nodes) {
+    return sizeof(double) * (static_cast<std::size_t>(chunks.largest_slot_count) * TetSums::average_row +
+                             static_cast<std::size_t>(nodes.largest_lane_count + 1) * GivenRow + 16);
   }
 };
 
-/// Sum over the corners of a lane of their rows of four, from 0 in their order. Scaled: the last number of each row is
-/// one N-th.
-template <int N, bool Scaled>
-PERCUSS_FORCE_INLINE void sum_rows(const double* const (&rows)[N], double* sum) {
-#ifdef PERCUSS_HAS_SIMD
-  using Raw = detail::RawPack<4>::type;
-  constexpr Raw scale = {1, 1, 1, 1.0 / N};
-  Raw total{};
-  for (int i = 0; i < N; ++i) {
-    const Raw row = *reinterpret_cast<const Raw*>(rows[i]);
-    total += Scaled ? scale * row : row;
+/// Sums over the corners of elements at each slot of a chunk, in ascending order: add(sum, element, corner), then
+/// leave(slot, sum).
+template <class Sum, class Add, class Leave>
+PERCUSS_FORCE_INLINE void sum_slots(const TetNodes& nodes, int c, const Add& add, const Leave& leave) {
+  constexpr int size = TetNodes::group_size;
+  for (int g = nodes.first_group(c); g < nodes.first_group(c + 1); ++g) {
+    Sum sums[size] = {};
+    const std::uint16_t* const end = nodes.corners.data() + size * nodes.first_corner(g + 1);
+    for (const std::uint16_t* at = nodes.corners.data() + size * nodes.first_corner(g); at < end; at += size)
+      for (int k = 0; k < size; ++k) add(sums[k], at[k] >> 3, at[k] & 7);
+    for (int k = 0; k < size; ++k) {
+      const int slot = nodes.group_slots(size * g + k);
+      if (slot != TetNodes::no_slot) leave(slot, sums[k]);
+    }
   }
-  *reinterpret_cast<Raw*>(sum) = total;
-#else
-  for (int k = 0; k < 4; ++k) {
-    sum[k] = 0;
-    for (int i = 0; i < N; ++i) sum[k] += Scaled && k == 3 ? 1.0 / N * rows[i][k] : rows[i][k];
-  }
-#endif
 }
 
-/// Averages at the corners.
+/// Launches a pass over chunks, a team each.
+template <class Kernel>
+void launch_pass(const char* label, const ExecSpace& space, const ElementChunks& chunks, const Array<int>& list,
+                 const Kernel& kernel) {
+  launch_solids(label, space, chunks, list, kernel, Kernel::Scratch::count_bytes(chunks, kernel.launch.nodes));
+}
+
+/// Averages at the nodes of a chunk, [slots][TetSums::average_row].
 struct TetGather {
   const double* rows;
-  int row_size;
-  const int* slots_to_records;
 
-  PERCUSS_FORCE_INLINE const double* find_row(int corner, int lane, const std::uint16_t* corners) const {
-    const int record = slots_to_records[corners[corner * solid_width + lane]];
-    return rows + static_cast<std::size_t>(row_size) * static_cast<std::size_t>(record);
-  }
-
-  /// Sums over N corners of the first two groups of four. The last of each is its mean instead: the sum of N-th parts.
+  /// Sums over N corners. The last of each group of four is its mean instead: the sum of N-th parts.
   template <int N>
-  PERCUSS_FORCE_INLINE void add_up(const std::uint16_t* corners, Lanes (&low)[4], Lanes (&high)[4]) const {
+  PERCUSS_FORCE_INLINE void add_up(const std::uint16_t* corners, Lanes (&sums)[TetSums::average_row]) const {
     constexpr bool is_power_of_two = (N & (N - 1)) == 0;  // of which the mean is exact in either order
-    LaneRows sums[2];
+    constexpr double part = 1.0 / N;
+    static constexpr double scale[8] = {1, 1, 1, part, 1, 1, 1, part};
+    RowSum<8> of[solid_width];
     for (int lane = 0; lane < solid_width; ++lane) {
-      const double *first[N], *second[N];
       for (int i = 0; i < N; ++i) {
-        first[i] = find_row(i, lane, corners);
-        second[i] = first[i] + 4;
+        const double* const row =
+            rows + TetSums::average_row * static_cast<std::size_t>(corners[i * solid_width + lane]);
+        if constexpr (is_power_of_two)
+          of[lane].add(row);
+        else
+          of[lane].add_scaled(scale, row);
       }
-      sum_rows<N, !is_power_of_two>(first, sums[0].row[lane]);
-      sum_rows<N, !is_power_of_two>(second, sums[1].row[lane]);
     }
-    sums[0].load(low);
-    sums[1].load(high);
+    turn_to_packs(of, sums);
     if constexpr (is_power_of_two) {
-      low[3] = Lanes(1.0 / N) * low[3];
-      high[3] = Lanes(1.0 / N) * high[3];
+      sums[3] = Lanes(part) * sums[3];
+      sums[7] = Lanes(part) * sums[7];
     }
   }
 
-  /// Mean of the tensor.
   template <int N>
-  PERCUSS_FORCE_INLINE static Symmetric3<Lanes> find_tensor(const Lanes (&low)[4], const Lanes (&high)[4]) {
-    return Lanes(1.0 / N) * Symmetric3<Lanes>{low[0], low[1], low[2], high[0], high[1], high[2]};
+  PERCUSS_FORCE_INLINE static Symmetric3<Lanes> find_tensor(const Lanes (&sums)[TetSums::average_row]) {
+    return Lanes(1.0 / N) * Symmetric3<Lanes>{sums[0], sums[1], sums[2], sums[4], sums[5], sums[6]};
   }
 
   /// Mean over N corners of a tensor.
   template <int N>
   PERCUSS_FORCE_INLINE Symmetric3<Lanes> find_mean(const std::uint16_t* corners) const {
-    Lanes low[4], high[4];
-    add_up<N>(corners, low, high);
-    return find_tensor<N>(low, high);
+    Lanes sums[TetSums::average_row];
+    add_up<N>(corners, sums);
+    return find_tensor<N>(sums);
   }
 
-  /// Mean over N corners of the stress and of the moduli; of tetrahedra also the shares of mass.
+  /// Mean over N corners of the stress and of the moduli.
   template <int N>
   PERCUSS_FORCE_INLINE TetMeans<Lanes> find_means(const std::uint16_t* corners) const {
-    Lanes low[4], high[4];
-    add_up<N>(corners, low, high);
+    Lanes sums[TetSums::average_row];
+    add_up<N>(corners, sums);
     TetMeans<Lanes> means;
-    means.stress = find_tensor<N>(low, high);
-    means.bulk = low[3];
-    means.shear = high[3];
-    for (int i = 0; i < 4; ++i) {
-      alignas(64) double share[solid_width];
-      for (int lane = 0; lane < solid_width; ++lane) share[lane] = find_row(i, lane, corners)[TetAverages::share];
-      means.share[i] = load_pack(share);
-    }
+    means.stress = find_tensor<N>(sums);
+    means.bulk = sums[3];
+    means.shear = sums[7];
     return means;
   }
 };
@@ -131,30 +132,36 @@ struct TetGather {
 template <class L, class Shape>
 struct SumRates {
   using Living = LivingSolids<L>;
+  using Scratch = MixedScratch<TetSums::rate_row>;
   static constexpr int corners_of = Shape::corners;
   ElementChunks chunks;
   Array<int> list;
   ElementMotion motion;
-  TetRateRows rows;
+  TetLaunch launch;
   ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const SolidChunk chunk(chunks, list(member.league_rank()));
     if (ChunkRest(chunks, results, chunk.c, motion.skips_rest, motion.v).is_settled()) return;
-    const SolidScratch scratch(member, chunk.slot_count);
+    const Scratch scratch(member, chunk, launch.passes);
     chunk.fill_nodes(motion, scratch.nodes);
-    double* const sums = &rows(chunk.first_slot, 0);
-    for (int k = 0; k < chunk.slot_count * TetSums::rate_row; ++k) sums[k] = 0;
     Living living(motion.failing, motion.lives, chunk.c);
-    chunk.for_each_pack([&](int, int lanes, const std::uint16_t* own_corners) {
+    if (living.can_fail()) scratch.clear_given(chunk);
+    chunk.for_each_pack([&](int pack, int, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
       if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(scratch.nodes, corners, lanes, living, sums);
+      leave_pack(scratch.nodes, corners, living, scratch.find_given(pack));
     });
+    using Sum = RowSum<TetSums::rate_row>;
+    double* const sums = &launch.passes.slot_rates(chunk.first_slot, 0);
+    sum_slots<Sum>(
+        launch.nodes, chunk.c,
+        [&](Sum& sum, int element, int) { sum.add(scratch.given + TetSums::rate_row * element); },
+        [&](int s, const Sum& sum) { sum.store(sums + TetSums::rate_row * s); });
   }
 
-  KOKKOS_FUNCTION void add_pack(const double* nodes, const std::uint16_t* corners, int lanes, const Living& living,
-                                double* sums) const {
+  KOKKOS_FUNCTION void leave_pack(const double* nodes, const std::uint16_t* corners, const Living& living,
+                                  double* given) const {
     const Lanes zero(0.0), part(1.0 / corners_of);
     typename ShapeField<Lanes, Shape>::type x, v;
     gather_corners<corners_of>(nodes, node_record, corners, x);
@@ -165,41 +172,33 @@ struct SumRates {
     const auto counts = volume > zero;
     const Symmetric3<Lanes> d = part * symmetric_part(find_volume_times_gradient(v, middle));
     const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
-    LaneRows low, high;
-    low.set(keep(d.xx), keep(d.yy), keep(d.zz), keep(part * volume));
-    high.set(keep(d.xy), keep(d.yz), keep(d.zx), zero);
-    for (int lane = 0; lane < lanes; ++lane) {
-      for (int i = 0; i < corners_of; ++i) {
-        double* const row = sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * solid_width + lane]);
-        add_record(low.row[lane], row);
-        add_record(high.row[lane], row + 4);
-      }
-    }
+    turn_to_rows({keep(d.xx), keep(d.yy), keep(d.zz), keep(part * volume), keep(d.xy), keep(d.yz), keep(d.zx), zero},
+                 given, TetSums::rate_row);
   }
 };
 
-/// What elements give to each of their N nodes after the second pass: their volume, and what it weighs.
-template <class Mask>
+/// What an element of N corners gives to its nodes after the second pass: a row as TetSums has it, in which |B_I|^2 / V
+/// follows by corner, of tetrahedra alone.
 struct GivenStress {
-  Mask counts;  // lanes that give
-  Lanes weight;
+  static constexpr int row = 16, squares = 12;
 
-  template <class L>
-  PERCUSS_FORCE_INLINE L weigh(const L& value) const {
-    return select(counts, weight * value, L(0.0));
-  }
-  PERCUSS_FORCE_INLINE void set(const Symmetric3<Lanes>& stress, const Lanes& bulk, LaneRows& low,
-                                LaneRows& high) const {
-    low.set(weigh(stress.xx), weigh(stress.yy), weigh(stress.zz), weight);
-    high.set(weigh(stress.xy), weigh(stress.yz), weigh(stress.zx), weigh(bulk));
+  /// stress, bulk, shear: what weighs with the volume; share: mass that each corner has.
+  template <int N, class Mask>
+  static PERCUSS_FORCE_INLINE void leave(const TetMeans<Lanes>& of, const Lanes& volume, const Mask& lives,
+                                         const Lanes& share, const Lanes (&square)[4], double* given) {
+    const Lanes zero(0.0);
+    const auto counts = lives && volume > zero;
+    const Lanes weight = select(counts, Lanes(1.0 / N) * volume, zero);
+    const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
+    const auto weigh = [&](const Lanes& value) { return select(counts, weight * value, zero); };
+    const Symmetric3<Lanes>& s = of.stress;
+    turn_to_rows(
+        {weigh(s.xx), weigh(s.yy), weigh(s.zz), weigh(of.bulk), weigh(s.xy), weigh(s.yz), weigh(s.zx), weigh(of.shear)},
+        given, row);
+    turn_to_rows({weight, keep(share), zero, zero, keep(square[0]), keep(square[1]), keep(square[2]), keep(square[3])},
+                 given + TetSums::volume, row);
   }
 };
-template <int N, class Mask>
-PERCUSS_FORCE_INLINE auto give_stress(const Lanes& volume, const Mask& lives) {
-  const auto counts = lives && volume > Lanes(0.0);
-  return GivenStress<std::remove_const_t<decltype(counts)>>{counts,
-                                                            select(counts, Lanes(1.0 / N) * volume, Lanes(0.0))};
-}
 
 /// Of an element at n+1, from what the second pass leaves.
 struct OwnStress {
@@ -244,15 +243,15 @@ KOKKOS_INLINE_FUNCTION double* find_scalars(const ElementChunks& chunks, const T
   return &passes.elements(static_cast<std::size_t>(place) * TetPasses::scalars * solid_width);
 }
 
-/// Prefetches the averages at the nodes of a chunk: their records jump where other chunks come first.
-template <class Rows>
-KOKKOS_INLINE_FUNCTION void fetch_averages(const TetLaunch& launch, const SolidChunk& chunk, const Rows& rows) {
-  constexpr int line = static_cast<int>(cache_line / sizeof(double));
+/// Averages at the nodes of a chunk into its scratch. Their records jump where other chunks come first.
+PERCUSS_FORCE_INLINE void fill_averages(const TetLaunch& launch, const SolidChunk& chunk, const TetAverageRows& rows,
+                                        double* means) {
+  constexpr int size = TetSums::average_row;
   const int* const records = &launch.nodes.slots_to_records(chunk.first_slot);
+  const auto find_row = [from = rows.data()](int record) { return from + size * static_cast<std::size_t>(record); };
   for (int s = 0; s < chunk.slot_count; ++s) {
-    if (records[s] < 0) continue;
-    const double* const row = &rows(records[s], 0);
-    for (int k = 0; k < static_cast<int>(rows.extent(1)); k += line) fetch_ahead(row + k);
+    fetch_ahead(find_row(records[s + node_rows_ahead < chunk.slot_count ? s + node_rows_ahead : s]));
+    std::memcpy(means + size * s, find_row(records[s]), size * sizeof(double));
   }
 }
 
@@ -260,6 +259,7 @@ KOKKOS_INLINE_FUNCTION void fetch_averages(const TetLaunch& launch, const SolidC
 template <class Material, class Block>
 struct StressPass {
   using Living = LivingSolids<Material>;
+  using Scratch = MixedScratch<GivenStress::row>;
   ElementChunks chunks;
   Block block;
   ElementMotion motion;
@@ -267,22 +267,49 @@ struct StressPass {
   Array<Real> state;
   ChunkResults results;
 
-  /// Calls add_pack as SolidRecords::advance for the team's chunk.
-  template <class State, class AddPack>
-  KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const AddPack& add_pack) const {
+  /// Calls leave_pack(parameters, pack, living, state, sums, scratch) as SolidRecords::advance for the team's chunk,
+  /// then adds up what packs have left. SharesMass: the squares of corners, too.
+  template <class State, bool SharesMass, class LeavePack>
+  KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const LeavePack& leave_pack) const {
     const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
     const SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     const ChunkRest rest(chunks, results, chunk.c, motion.skips_rest && !changes_at_rest(parameters.material),
                          motion.v);
     if (leave_as_it_is(chunk, rest)) return;
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_nodes(motion, scratch.nodes);
-    fetch_averages(launch, chunk, launch.passes.rates);
-    double* const rows = find_rows(chunk);
-    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
+    const Scratch scratch(member, chunk, launch.passes);
+    fill_averages(launch, chunk, launch.passes.rates, scratch.means);
+    if (motion.failing.find_pack(chunk.c) >= 0) scratch.clear_given(chunk);
     SolidRecords{chunk, rest, motion, state, scratch}
-        .template advance<State>(parameters, add_pack)
+        .template advance<State>(
+            parameters, [&](const SolidParameters<Material>& of_step, const SolidPack& on, const Living& living,
+                            State& of, ChunkSums& sums) { leave_pack(of_step, on, living, of, sums, scratch); })
         .leave_work(chunk.c, results);
+    add_up<SharesMass>(chunk, scratch.given);
+  }
+
+  /// Sums of the chunk's slots.
+  template <bool SharesMass>
+  KOKKOS_FUNCTION void add_up(const SolidChunk& chunk, const double* given) const {
+    struct Sum {
+      RowSum<8> low;
+      RowSum<4> high;
+      double square = 0;
+    };
+    double* const sums = &launch.passes.slot_stresses(chunk.first_slot, 0);
+    sum_slots<Sum>(
+        launch.nodes, chunk.c,
+        [&](Sum& sum, int element, int corner) {
+          const double* const row = given + GivenStress::row * element;
+          sum.low.add(row);
+          sum.high.add(row + 8);
+          if constexpr (SharesMass) sum.square += row[GivenStress::squares + corner];
+        },
+        [&](int s, const Sum& sum) {
+          double* const row = sums + TetSums::stress_row * s;
+          sum.low.store(row);
+          sum.high.store(row + 8);
+          if constexpr (SharesMass) row[TetSums::square] = sum.square;
+        });
   }
 
   /// Whether neither the motion of a chunk nor the averaged rates at its nodes ask for an evaluation.
@@ -294,26 +321,22 @@ struct StressPass {
     passes.is_left(chunk.c) = is_left ? 1 : 0;
     return is_left;
   }
-
-  /// Sums of a chunk [slots][TetSums::stress_row].
-  KOKKOS_FUNCTION double* find_rows(const SolidChunk& chunk) const {
-    return &launch.passes.slot_stresses(chunk.first_slot, 0);
-  }
 };
 
-/// Third pass: forces. L: Lanes.
-template <class L>
+/// Third pass: forces of the elements of a shape. L: Lanes.
+template <class L, class Shape>
 struct ForcePass {
   using Living = LivingSolids<L>;
+  using Scratch = MixedScratch<4 * Shape::corners>;
   ElementChunks chunks;
   Array<int> list;
   ElementMotion motion;
   TetLaunch launch;
   ChunkFields fields;
 
-  /// Calls add_pack(pack, living, sums) for each pack of the team's chunk that has living elements.
-  template <class AddPack>
-  KOKKOS_FUNCTION void sum_chunk(const ChunkMember& member, const AddPack& add_pack) const {
+  /// Calls leave_pack(pack, living, sums, scratch) for each pack of the team's chunk that has living elements.
+  template <class LeavePack>
+  KOKKOS_FUNCTION void sum_chunk(const ChunkMember& member, const LeavePack& leave_pack) const {
     const SolidChunk chunk(chunks, list(member.league_rank()));
     const TetPasses& passes = launch.passes;
     if (passes.is_left(chunk.c) != 0 &&
@@ -321,24 +344,40 @@ struct ForcePass {
       ++fields.results.skipped(chunk.c);
       return;
     }
-    const SolidScratch scratch(member, chunk.slot_count);
-    chunk.fill_places(motion, scratch.nodes);
-    fetch_averages(launch, chunk, passes.stresses);
-    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    const Scratch scratch(member, chunk, passes);
+    fill_averages(launch, chunk, passes.stresses, scratch.means);
+    fill_shares(chunk, scratch.nodes);
     ChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
+    if (living.can_fail()) scratch.clear_given(chunk);
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
       if (living.can_fail() && !living.take_pack(corners)) return;
-      add_pack(SolidPack{chunk, pack, lanes, corners, scratch, nullptr, 0}, living, sums);
+      leave_pack(SolidPack{chunk, pack, lanes, corners, scratch, nullptr, 0}, living, sums, scratch);
     });
     sums.leave_step(chunk.c, chunk.first_element, fields.results);
-    copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
+    subtract_forces(chunk, scratch.given);
   }
 
-  /// Averages of the stresses at the nodes of a chunk.
-  KOKKOS_FUNCTION TetGather gather_stresses(const SolidChunk& chunk) const {
-    return {launch.passes.stresses.data(), TetSums::stress_row, &launch.nodes.slots_to_records(chunk.first_slot)};
+  /// Shares of mass behind the places in node records.
+  KOKKOS_FUNCTION void fill_shares(const SolidChunk& chunk, double* nodes) const {
+    const int* const records = &launch.nodes.slots_to_records(chunk.first_slot);
+    for (int s = 0; s < chunk.slot_count; ++s) nodes[node_record * s + 3] = launch.passes.shares(records[s]);
+  }
+
+  /// A pack's corner forces [W][N][4].
+  static PERCUSS_FORCE_INLINE void leave_forces(const typename ShapeField<Lanes, Shape>::type& f, double* given) {
+    for (int i = 0; i < Shape::corners; ++i) turn_to_rows({f[i].x, f[i].y, f[i].z}, given + 4 * i, 4 * Shape::corners);
+  }
+
+  /// Minus the sum of corner forces, into the chunk's slots.
+  KOKKOS_FUNCTION void subtract_forces(const SolidChunk& chunk, const double* given) const {
+    using Sum = RowSum<4>;
+    double* const to = &fields.slot_force(chunk.first_slot, 0);
+    sum_slots<Sum>(
+        launch.nodes, chunk.c,
+        [&](Sum& sum, int element, int corner) { sum.subtract(given + 4 * (Shape::corners * element + corner)); },
+        [&](int s, const Sum& sum) { sum.store_three(to + 3 * s); });
   }
 };
 

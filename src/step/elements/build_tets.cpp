@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/element_records.hpp"
+#include "kernels/one_point/shapes.hpp"
+#include "kernels/tet/geometry.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -33,6 +39,20 @@ const char* name_small_solids(const ElementBlock& block) {
                                name_small_solids(block), what));
 }
 
+/// Corners of an element of the mixed form; 0: of another family.
+int count_averaged_corners(ElementFamily family) {
+  switch (family) {
+    case ElementFamily::tetrahedra:
+      return Tet4::corners;
+    case ElementFamily::wedges:
+      return Wedge6::corners;
+    case ElementFamily::pyramids:
+      return Pyramid5::corners;
+    default:
+      return 0;
+  }
+}
+
 /// Material of each slot of such elements, counted from 1, those of other ranks included; of other slots 0.
 Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model) {
   const Rows3<double> slots("percuss::slot_materials", static_cast<std::size_t>(model.slot_count));
@@ -48,6 +68,73 @@ Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model
   swap.begin(ExecSpace(), slots);
   swap.end();
   return slots;
+}
+
+/// Corners of elements at the slots of chunks, in groups (TetNodes).
+class CornerGroups {
+ public:
+  using Lists = std::vector<std::vector<std::uint16_t>>;
+
+  /// Of the slots of one chunk. beyond: the element past its lanes.
+  void add(const Lists& slots, int beyond) {
+    std::vector<std::size_t> order(slots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return slots[a].size() > slots[b].size(); });
+    for (std::size_t first = 0; first < order.size(); first += group_size)
+      add_group(slots,
+                {order.begin() + static_cast<std::ptrdiff_t>(first),
+                 order.begin() + static_cast<std::ptrdiff_t>(std::min(first + group_size, order.size()))},
+                beyond);
+    first_group_.push_back(static_cast<int>(first_corner_.size()) - 1);
+  }
+
+  void store(TetNodes& nodes) const {
+    nodes.first_group = to_view("percuss::first_tet_group", first_group_);
+    nodes.group_slots = to_view("percuss::tet_group_slots", group_slots_);
+    nodes.first_corner = to_view("percuss::first_tet_corner", first_corner_);
+    nodes.corners = to_view("percuss::tet_corners", corners_);
+  }
+
+ private:
+  static constexpr std::size_t group_size = TetNodes::group_size;
+
+  /// of: the slots of the group, that with the longest list first.
+  void add_group(const Lists& slots, const std::vector<std::size_t>& of, int beyond) {
+    for (std::size_t k = 0; k < group_size; ++k)
+      group_slots_.push_back(static_cast<std::uint16_t>(k < of.size() ? of[k] : TetNodes::no_slot));
+    const std::size_t rows = slots[of[0]].size();
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 0; k < group_size; ++k) {
+        const bool has_corner = k < of.size() && i < slots[of[k]].size();
+        corners_.push_back(has_corner ? slots[of[k]][i] : static_cast<std::uint16_t>(8 * beyond));
+      }
+    }
+    first_corner_.push_back(static_cast<int>(corners_.size() / group_size));
+  }
+
+  std::vector<int> first_group_{0}, first_corner_{0};
+  std::vector<std::uint16_t> group_slots_, corners_;
+};
+
+/// The corners at each slot of chunks of such elements.
+void list_corners(const ElementChunks& of, TetNodes& nodes) {
+  const HostChunks chunks(of);
+  const auto families = to_host(of.family);
+  CornerGroups groups;
+  CornerGroups::Lists here;
+  for (int c = 0; c < of.count; ++c) {
+    const int count = count_averaged_corners(families(static_cast<std::size_t>(c)));
+    const int slots = chunks.first_slot(c + 1) - chunks.first_slot(c);
+    here.assign(static_cast<std::size_t>(count > 0 ? slots : 0), {});
+    for (int i = 0; count > 0 && i < count_elements(chunks, c); ++i)
+      for (int corner = 0; corner < count; ++corner)
+        here[static_cast<std::size_t>(find_corner_slot(chunks, c, i, corner))].push_back(
+            static_cast<std::uint16_t>(8 * i + corner));
+    groups.add(here, count_lanes(chunks, c));
+    if (count > 0) nodes.largest_lane_count = std::max(nodes.largest_lane_count, count_lanes(chunks, c));
+  }
+  groups.store(nodes);
 }
 
 }  // namespace
@@ -88,8 +175,12 @@ void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots
       first.push_back(static_cast<int>(slots.size()));
     }
   }
-  model.tet_nodes = {static_cast<int>(first.size()) - 1, to_view("percuss::first_tet_slot", first),
-                     to_view("percuss::tet_slots", slots), to_view("percuss::tet_records", slots_to_records)};
+  TetNodes& nodes = model.tet_nodes;
+  nodes.count = static_cast<int>(first.size()) - 1;
+  nodes.first = to_view("percuss::first_tet_slot", first);
+  nodes.slots = to_view("percuss::tet_slots", slots);
+  nodes.slots_to_records = to_view("percuss::tet_records", slots_to_records);
+  list_corners(model.chunks, nodes);
 }
 
 }  // namespace percuss

@@ -128,12 +128,13 @@ struct TetPatch {
     }
     for (std::size_t i = 0; i < elements.size(); ++i) {
       TetMeans<double> means{};
+      double share[4];
       for (std::size_t corner = 0; corner < 4; ++corner) {
         const Sums& s = stresses[at(elements[i][corner])];
         means.stress = means.stress + (0.25 / s.volume) * s.a;
         means.bulk += 0.25 * s.bulk / s.volume;
         means.shear += 0.25 * s.shear / s.volume;
-        means.share[corner] = s.mass / s.square;
+        share[corner] = s.mass / s.square;
       }
       const TetPoint<double>& p = points[i];
       const TetCorners<double> f = find_tet_forces(
@@ -143,7 +144,7 @@ struct TetPatch {
         sum = sum + f[corner];
       }
       const double guard = find_guard_modulus(states[i].guard, k);
-      out.step = std::min(out.step, find_mixed_step(p.geometry, means, mix_moduli(p.own, means, guard)));
+      out.step = std::min(out.step, find_mixed_step(p.geometry, share, mix_moduli(p.own, means, guard)));
     }
     return out;
   }
