@@ -179,8 +179,9 @@ struct PlyDeck {
 };
 
 struct PartDeck {
-  /// What the cells of a generated solid are: hexahedra, or twelve or six tetrahedra, two wedges or six pyramids each.
-  enum class Elements { hexahedra, tetrahedra, six_tetrahedra, wedges, pyramids };
+  /// What the cells of a generated solid are: hexahedra, or twelve, six or five tetrahedra, two wedges or six pyramids
+  /// each.
+  enum class Elements { hexahedra, tetrahedra, six_tetrahedra, five_tetrahedra, wedges, pyramids };
   std::string name;
   Shape shape;
   Elements elements = Elements::hexahedra;
@@ -205,8 +206,10 @@ struct PartDeck {
 
   /// Shells need it.
   bool is_membrane() const { return own_elements.integration == ElementDeck::Integration::membrane; }
-  bool is_cut_into_tetrahedra() const {
-    return elements == Elements::tetrahedra || elements == Elements::six_tetrahedra;
+  bool is_cut_into_tetrahedra() const { return elements == Elements::tetrahedra || has_bare_tetrahedra(); }
+  /// Without nodes in the middle of cells.
+  bool has_bare_tetrahedra() const {
+    return elements == Elements::six_tetrahedra || elements == Elements::five_tetrahedra;
   }
   bool has_thickness() const { return thickness || thickness_by_place || thickness_of_file; }
   bool varies_in_thickness() const { return thickness_by_place || thickness_of_file; }

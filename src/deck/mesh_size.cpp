@@ -70,6 +70,7 @@ MeshSize count_cells(const PartDeck& part) {
   if (part.elements == PartDeck::Elements::tetrahedra)  // one of each half of a face, and a node in the middle
     size = {12 * size.elements, size.nodes + size.elements};
   if (part.elements == PartDeck::Elements::six_tetrahedra) size.elements *= 6;
+  if (part.elements == PartDeck::Elements::five_tetrahedra) size.elements *= 5;
   if (part.elements == PartDeck::Elements::pyramids) size = {6 * size.elements, size.nodes + size.elements};
   if (part.elements == PartDeck::Elements::wedges) size.elements *= 2;
   if (part.array) {

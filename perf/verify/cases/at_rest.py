@@ -1,4 +1,6 @@
 """Static answers by dynamic relaxation: thin shells, and solids other than hexahedra that hardly change their volume."""
+import numpy as np
+
 from bench import case
 
 
@@ -75,3 +77,50 @@ $more
             bench.near(f"{kind}, 16 cells a side: deflection", found[2], 0.0805, relative=0.05)
         rows.append([kind + (", plain" if more else ""), *(f"{x:.4f}" for x in found), *([""] * (3 - len(found)))])
     bench.table(["elements", "4 x 4", "8 x 8", "16 x 16"], rows)
+
+
+@case("tetrahedra_splits", "bending", "Cells cut into twelve, six and five tetrahedra: bent and pulled beams")
+def tetrahedra_splits(bench):
+    """A steel beam of 1 by 0.1 by 0.1 m, held at one end, bends under a shear stress of 0.1 MPa at the other: Timoshenko's beam
+    moves by P L^3 / (3 E I) + P L / (k G A), k = 10 (1 + nu) / (12 + 11 nu). Of cubes cut into twelve or six tetrahedra, two
+    through the beam are within 3 %, of those cut into five four are within 4 %: averages over nodes of few elements make them too soft.
+    One cell through the beam is shown, not judged. A bar of 1 by 0.05 by 0.05 m without Poisson's
+    ratio is pulled at one end by a stress s that begins suddenly: its end moves by 2 s L / E at the time 2 L / c and returns.
+    With four cells through it and 80 along it, time is within 0.3 %, displacement within 3 %: bulk viscosity rounds the wave."""
+    rows = []
+    young, poisson, size, load = 200e9, 0.3, 0.1, 1e5
+    force, inertia = load * size**2, size**4 / 12
+    shear_stiffness = 10 * (1 + poisson) / (12 + 11 * poisson) * young / (2 * (1 + poisson)) * size**2
+    bent = force / (3 * young * inertia) + force / shear_stiffness
+    stress, speed = 1e6, (young / 7850)**0.5
+    for kind in ("tetrahedra", "six_tetrahedra", "five_tetrahedra"):
+        row = [kind]
+        for cells in (1, 2, 4):
+            run = bench.run("""
+time: {end: 1e-5}
+parts: {b: {box: {size: [1, 0.1, 0.1], cells: [$along, $cells, $cells]}, elements: $kind, material: m}}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+start: {relaxation: {tolerance: 1e-6}}
+conditions: [{nodes: b/x_min, fixed: [x, y, z]}]
+loads: {pressure: [{faces: b/x_max, value: 1e5, direction: z}]}
+output: {history: {every: 0, nodes: [{name: a, near: [1, 0.1, 0.1]}]}}
+""", along=10 * cells, cells=cells, kind=kind)
+            found = run.history.first("a_z") - 0.1
+            row.append(f"{100 * (found / bent - 1):+.1f} %")
+            if cells == (4 if kind == "five_tetrahedra" else 2):
+                bench.near(f"{kind}, {cells} cells through: deflection", found, bent, relative=0.04 if cells == 4 else 0.03, unit="m")
+        run = bench.run("""
+time: {end: $end}
+parts: {b: {box: {size: [1, 0.05, 0.05], cells: [80, 4, 4]}, elements: $kind, material: m}}
+materials: {m: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}}
+conditions: [{nodes: b/x_min, fixed: [x]}]
+loads: {pressure: [{faces: b/x_max, value: -1e6, direction: x}]}
+output: {history: {every: 1e-6, nodes: [{name: a, near: [1, 0.025, 0.025]}]}}
+""", end=3.9 / speed, kind=kind)
+        t, moved, peak = run.history["time"], abs(run.history["a_x"] - 1), 2 * stress / young
+        sides = np.flatnonzero((moved[:-1] - peak / 2) * (moved[1:] - peak / 2) < 0)
+        times = [t[i] + (peak / 2 - moved[i]) / (moved[i + 1] - moved[i]) * (t[i + 1] - t[i]) for i in (sides[0], sides[-1])]
+        bench.near(f"{kind}: time of the largest displacement", sum(times) / 2, 2 / speed, relative=3e-3, unit="s")
+        bench.near(f"{kind}: largest displacement", float(moved.max()), peak, relative=0.03, unit="m")
+        rows.append([*row, str(run.summary["steps"])])
+    bench.table(["elements", "1 cell through", "2 cells", "4 cells", "steps of the bar"], rows)

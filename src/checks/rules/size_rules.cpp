@@ -115,7 +115,7 @@ bool is_single_layer(const PartMeasures& part) {
 /// Whether the tetrahedra and pyramids of a part fill one cell between two surfaces: of the twelve or six in a cell
 /// four or two then have a face there, of a mesh without middle nodes more. Two cells have half as many.
 bool fill_one_cell(const PartDeck& part, const PartMeasures& measures) {
-  const double least_faces = part.elements == PartDeck::Elements::six_tetrahedra ? 0.5 : 0.3;  // of each element
+  const double least_faces = part.has_bare_tetrahedra() ? 0.5 : 0.3;  // of each element
   return static_cast<double>(measures.cut_faces) >= least_faces * static_cast<double>(measures.cut_solids);
 }
 

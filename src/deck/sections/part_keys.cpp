@@ -168,6 +168,7 @@ const Keys<PartDeck>& part_keys() {
                       ChoiceValue<PartDeck::Elements>{{{"hexahedra", PartDeck::Elements::hexahedra},
                                                        {"tetrahedra", PartDeck::Elements::tetrahedra},
                                                        {"six_tetrahedra", PartDeck::Elements::six_tetrahedra},
+                                                       {"five_tetrahedra", PartDeck::Elements::five_tetrahedra},
                                                        {"wedges", PartDeck::Elements::wedges},
                                                        {"pyramids", PartDeck::Elements::pyramids}}}));
     all.push_back(group<PartDeck>("thickness", ThicknessValue{}));
@@ -261,6 +262,12 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
   return true;
 }
 
+/// Whether cells can be cut so that each is the mirror of its neighbours.
+bool can_alternate(const Shape& shape) {
+  const auto* tube = std::get_if<TubeShape>(&shape);
+  return tube == nullptr || tube->arc < 360 || tube->cells[1] % 2 == 0;
+}
+
 /// What cells are cut into is a question of generated solids.
 bool check_elements(const Reader& reader, const Node& node, const PartDeck& part) {
   const bool is_file = std::holds_alternative<FileMesh>(part.shape);
@@ -269,6 +276,13 @@ bool check_elements(const Reader& reader, const Node& node, const PartDeck& part
   if (part.elements == PartDeck::Elements::wedges && std::holds_alternative<SphereShape>(part.shape)) {
     reader.error(elements->key, fmt::format("{} of a sphere cannot be wedges{} (triangles of its cells would meet "
                                             "quadrilaterals): choose tetrahedra or pyramids",
+                                            reader.name_of("elements"), reader.in()));
+    return false;
+  }
+  if (part.elements == PartDeck::Elements::five_tetrahedra && !can_alternate(part.shape)) {
+    reader.error(elements->key, fmt::format("{} of a closed tube with an odd number of cells around cannot be "
+                                            "five_tetrahedra{} (diagonals of neighbours alternate, and would meet): "
+                                            "choose an even number, or six_tetrahedra",
                                             reader.name_of("elements"), reader.in()));
     return false;
   }

@@ -45,6 +45,8 @@ class BoxSource final : public ShapeSource {
     return sides;
   }
 
+  bool is_odd(int node) const override { return CellGrid::is_odd(grid_.find_node(node)); }
+
   std::vector<CellBlock> blocks() const override {
     const auto [x, y, z] = grid_.cells;
     return {{0, grid_.cells, {1, x, x * y}, {shape_.size[0] / x, shape_.size[1] / y, shape_.size[2] / z}}};

@@ -24,6 +24,9 @@ struct CellGrid {
             node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
   }
 
+  /// Nodes that an edge joins have other parities.
+  static bool is_odd(const Index& index) { return (index[0] + index[1] + index[2]) % 2 != 0; }
+
   static Index split(int index, int first, int second) {
     return {index % first, index / first % second, index / first / second};
   }

@@ -107,11 +107,10 @@ class TetSource final : public CenteredSource {
   int find_face(int element) const { return find_place(element) / 2; }
 };
 
-/// Six tetrahedra a cell and no further node: its lowest node is joined to the three faces that it is not on, each
-/// halved as both cells of a face agree on. Its own three faces are then halved from it, which is the same rule.
-class SixTetSource final : public CutSource {
+/// Tetrahedra between the nodes of a cell alone.
+class BareTetSource : public CutSource {
  public:
-  explicit SixTetSource(std::unique_ptr<ShapeSource> cells) : CutSource(std::move(cells), 6) {}
+  using CutSource::CutSource;
   TopologyKind topology() const override { return TopologyKind::tet4; }
 
   Corners corners(int element) const override {
@@ -135,7 +134,7 @@ class SixTetSource final : public CutSource {
     return sides;
   }
 
- private:
+ protected:
   using Tetrahedron = std::array<int, 4>;  // places of its nodes among those of the cell
 
   static const std::array<int, 4>& face_places(int face) {
@@ -146,8 +145,19 @@ class SixTetSource final : public CutSource {
     return std::find(places.begin(), places.end(), place) != places.end();
   }
 
+ private:
+  virtual Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) const = 0;
+};
+
+/// Six a cell: its lowest node is joined to the three faces that it is not on, each halved as both cells of a face
+/// agree on. Its own three faces are then halved from it, which is the same rule.
+class SixTetSource final : public BareTetSource {
+ public:
+  explicit SixTetSource(std::unique_ptr<ShapeSource> cells) : BareTetSource(std::move(cells), 6) {}
+
+ private:
   /// Of each of the three faces without the lowest node two halves, in the order of the faces.
-  static Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) {
+  Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) const override {
     const auto node = [&](int place) { return hexahedron[static_cast<std::size_t>(place)]; };
     int apex = 0;
     for (int place = 1; place < 8; ++place) apex = node(place) < node(apex) ? place : apex;
@@ -158,6 +168,23 @@ class SixTetSource final : public CutSource {
     for (std::size_t i = 1; i < 4; ++i) lowest = node(places[i]) < node(places[lowest]) ? i : lowest;
     const std::size_t next = lowest + (tetrahedron % 2 == 0 ? 1 : 2);
     return {places[lowest], places[(next + 1) % 4], places[next % 4], apex};
+  }
+};
+
+/// Five a cell: one between its even nodes, and one at each of its odd ones. Every face is halved by the diagonal of
+/// its even nodes, so that neighbours are cut as in a mirror.
+class FiveTetSource final : public BareTetSource {
+ public:
+  explicit FiveTetSource(std::unique_ptr<ShapeSource> cells) : BareTetSource(std::move(cells), 5) {}
+
+ private:
+  Tetrahedron find_places(const Corners& hexahedron, int tetrahedron) const override {
+    // Of a cell whose first node is even; of another all places are one farther around their face.
+    static constexpr Tetrahedron of_even[5] = {{0, 2, 7, 5}, {1, 2, 0, 5}, {3, 0, 2, 7}, {4, 7, 5, 0}, {6, 5, 7, 2}};
+    Tetrahedron places = of_even[tetrahedron];
+    if (!cells_->is_odd(hexahedron[0])) return places;
+    for (int& place : places) place = (place & 4) | ((place + 1) & 3);
+    return places;
   }
 };
 
@@ -240,6 +267,8 @@ std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartD
       return std::make_unique<TetSource>(std::move(cells));
     case PartDeck::Elements::six_tetrahedra:
       return std::make_unique<SixTetSource>(std::move(cells));
+    case PartDeck::Elements::five_tetrahedra:
+      return std::make_unique<FiveTetSource>(std::move(cells));
     case PartDeck::Elements::pyramids:
       return std::make_unique<PyramidSource>(std::move(cells));
     case PartDeck::Elements::wedges:

@@ -57,6 +57,11 @@ class CylinderSource final : public ShapeSource {
     return sides;
   }
 
+  bool is_odd(int node) const override {
+    const auto [ring, point] = find_section_node(node % section_nodes());
+    return CellGrid::is_odd({point[0], point[1], ring + node / section_nodes()});
+  }
+
   std::vector<CellBlock> blocks() const override {
     const int core = split_.core, rings = split_.rings, section = section_quads();
     const double along = shape_.length / shape_.along,

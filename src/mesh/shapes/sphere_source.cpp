@@ -51,6 +51,13 @@ class SphereSource final : public ShapeSource {
 
   unsigned node_sides(int node) const override { return node >= node_count() - boundary_.count() ? 1U << surface : 0U; }
 
+  bool is_odd(int node) const override {
+    if (node < grid_.node_count()) return CellGrid::is_odd(grid_.find_node(node));
+    const int beyond = node - grid_.node_count();
+    const CellGrid::Index point = boundary_.find_point(beyond % boundary_.count());
+    return CellGrid::is_odd({point[0], point[1], point[2] + 1 + beyond / boundary_.count()});
+  }
+
   std::vector<CellBlock> blocks() const override {
     const int core = split_.core, rings = split_.rings;
     const double half_width = shape_.radius * choose_core_form<3>(split_).half_width;

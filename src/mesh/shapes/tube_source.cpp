@@ -63,6 +63,8 @@ class TubeSource final : public ShapeSource {
     return sides;
   }
 
+  bool is_odd(int node) const override { return CellGrid::is_odd(find_node(node)); }
+
   std::vector<CellBlock> blocks() const override {
     const auto [wall, around, along] = grid_.cells;
     const double middle = 0.5 * (shape_.inner_radius + shape_.outer_radius);

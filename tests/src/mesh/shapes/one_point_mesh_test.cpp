@@ -1,4 +1,4 @@
-// Meshes of wedges and pyramids, and of six tetrahedra a cell: cut from generated shapes, and read from files.
+// Meshes of wedges and pyramids, and of six or five tetrahedra a cell: cut from generated shapes, and read from files.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST_P(CutShape, HasFacesThatMatchAndSidesOutside) {
   for (const auto& [name, faces] : whole.side_sets) {
     const bool is_end = name == "p/z_min" || name == "p/z_max" || name == "p/start" || name == "p/end";
     const std::size_t of_face =
-        GetParam().elements == Elements::six_tetrahedra || (is_end && GetParam().elements == Elements::wedges) ? 2 : 1;
+        deck().has_bare_tetrahedra() || (is_end && GetParam().elements == Elements::wedges) ? 2 : 1;
     EXPECT_EQ(mesh.side_sets.at(name).size(), of_face * faces.size()) << name;
   }
   for (const auto& [name, nodes] : whole.node_sets) {
@@ -88,7 +88,7 @@ TEST_P(CutShape, HasPositiveElementsThatFillTheCells) {
     }
   }
   // Faces of a cell that are not flat are triangles in another place: the volume within them is then what is filled.
-  const bool has_triangles = GetParam().elements == Elements::six_tetrahedra;
+  const bool has_triangles = deck().has_bare_tetrahedra();
   const double whole = has_triangles ? enclosed_volume(mesh)
                                      : own_volume(build_mesh(make_deck({make_part_deck("p", GetParam().shape)})));
   EXPECT_NEAR(own_volume(mesh) / whole, 1, 1e-12);
@@ -106,6 +106,14 @@ INSTANTIATE_TEST_SUITE_P(
         CutExample{"six_tetrahedra_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::six_tetrahedra, 6},
         CutExample{"six_tetrahedra_of_a_tube", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}}, Elements::six_tetrahedra, 6},
         CutExample{"six_tetrahedra_of_a_ball", SphereShape{0.7, 8}, Elements::six_tetrahedra, 6},
+        CutExample{"five_tetrahedra_of_a_cell", BoxShape{{1, 1, 1}, {1, 1, 1}}, Elements::five_tetrahedra, 5},
+        CutExample{"five_tetrahedra_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::five_tetrahedra, 5},
+        CutExample{"five_tetrahedra_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::five_tetrahedra, 5},
+        CutExample{"five_tetrahedra_of_an_odd_cylinder", CylinderShape{0.7, 2, 7, 3}, Elements::five_tetrahedra, 5},
+        CutExample{"five_tetrahedra_of_a_tube", TubeShape{0.4, 0.6, 1.5, {2, 10, 3}}, Elements::five_tetrahedra, 5},
+        CutExample{"five_tetrahedra_of_a_sector", TubeShape{0.4, 0.6, 1.5, {2, 9, 3}, 120}, Elements::five_tetrahedra,
+                   5},
+        CutExample{"five_tetrahedra_of_a_ball", SphereShape{0.7, 8}, Elements::five_tetrahedra, 5},
         CutExample{"pyramids_of_a_box", BoxShape{{1, 2, 0.5}, {7, 4, 5}}, Elements::pyramids, 6},
         CutExample{"pyramids_of_a_cylinder", CylinderShape{0.7, 2, 8, 3}, Elements::pyramids, 6},
         CutExample{"pyramids_of_a_ball", SphereShape{0.7, 8}, Elements::pyramids, 6}),
