@@ -42,7 +42,7 @@ class LivingLanes {
     limits_ = &failing.limits(failing.row(chunk));
   }
 
-  KOKKOS_FUNCTION bool can_fail() const { return next_ >= 0; }
+  KOKKOS_FUNCTION bool can_fail() const { return lives_ != nullptr; }
 
   /// Continues to the next pack; returns whether any lane is active. corners: [8][W]; out: those to gather from.
   KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {

@@ -1,6 +1,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "src/mesh/shapes/cell_grid.hpp"
 #include "src/mesh/shapes/rounded_lattice.hpp"
 #include "src/mesh/shapes/shape_source.hpp"
 
@@ -34,7 +35,8 @@ class CylinderSource final : public ShapeSource {
   Vec3 place(int node) const override {
     const auto [ring, point] = find_section_node(node % section_nodes());
     const auto [x, y] = lattice_(point, ring);
-    return {x, y, shape_.length * (double(node / section_nodes()) / shape_.along)};
+    const int layer = node / section_nodes();
+    return {x, y, shape_.length * (double(layer) / shape_.along)};
   }
 
   FaceSides face_sides(int element) const override {

@@ -1,5 +1,6 @@
 #include <cstddef>
 
+#include "src/mesh/shapes/cell_grid.hpp"
 #include "src/mesh/shapes/cube_boundary.hpp"
 #include "src/mesh/shapes/rounded_lattice.hpp"
 #include "src/mesh/shapes/shape_source.hpp"
