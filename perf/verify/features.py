@@ -34,6 +34,7 @@ FEATURES = {
     ],
     "laminates, rolled sheets": [
         ("deflection of 0, 30, -45, 90", "laminate_theory", "0, 30, -45, 90: deflection of a corner"),
+        ("stress at a hole, quasi-isotropic, 32 around the quarter", "open_hole", "45, 0, -45, 90, 32 around: stress at the hole"),
         ("r-value at 45 degrees, exponent 8", "rolled_sheet", "Barlat and Lian, 45 degrees: r-value"),
     ],
     "membranes, fabric": [
