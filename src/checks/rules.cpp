@@ -67,6 +67,7 @@ const std::vector<CheckRule>& check_rules() {
       {"part_size", check_part_size, Needs::mesh},
       {"shell_thickness", check_shell_thickness, Needs::mesh},
       {"single_layer", check_single_layer, Needs::mesh},
+      {"soft_tetrahedra", check_soft_tetrahedra, Needs::mesh},
       {"shear_locking", check_shear_locking, Needs::mesh},
       {"thick_shell_across", check_thick_shell_across, Needs::mesh},
       {"incompressible_solids", check_incompressible_solids, Needs::mesh},

@@ -73,6 +73,7 @@ std::vector<Warning> check_start_temperature(const CheckedScene& scene);
 std::vector<Warning> check_part_size(const CheckedScene& scene);
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);
+std::vector<Warning> check_soft_tetrahedra(const CheckedScene& scene);
 std::vector<Warning> check_shear_locking(const CheckedScene& scene);
 std::vector<Warning> check_thick_shell_across(const CheckedScene& scene);
 std::vector<Warning> check_incompressible_solids(const CheckedScene& scene);

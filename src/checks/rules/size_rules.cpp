@@ -129,6 +129,24 @@ bool is_held_flat(const Deck& deck, const PartDeck& part, const PartMeasures& me
   });
 }
 
+/// How thick a generated solid is, and of how many cells.
+struct ThinSide {
+  double size = 0;
+  int cells = 0;  // 0: of no such shape
+};
+ThinSide find_thin_side(const Shape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) {
+    const auto k = std::min_element(box->size.begin(), box->size.end()) - box->size.begin();
+    return {box->size[static_cast<std::size_t>(k)], box->cells[static_cast<std::size_t>(k)]};
+  }
+  if (const auto* tube = std::get_if<TubeShape>(&shape))
+    return {tube->outer_radius - tube->inner_radius, tube->cells[0]};
+  const auto* cylinder = std::get_if<CylinderShape>(&shape);
+  if (cylinder == nullptr) return {};
+  if (cylinder->length < 2 * cylinder->radius) return {cylinder->length, cylinder->along};
+  return {2 * cylinder->radius, cylinder->across};
+}
+
 /// What one layer of elements cannot do.
 std::string describe_layer(const PartMeasures& part, bool is_cut) {
   if (is_cut) return "constant strain does not bend: tetrahedra are nearly twice too stiff, and yield too late";
@@ -199,6 +217,27 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
                 fmt::format("part '{}' has one {} through its thickness {:.3g} ({}): take 3 or more{}, or shells",
                             part.name, is_cut ? "cell of tetrahedra or pyramids" : "solid element", thickness,
                             describe_layer(measures, is_cut), measures.small_solids > 0 ? " hexahedra" : "")));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_soft_tetrahedra(const CheckedScene& scene) {
+  constexpr int enough = 4;          // cells: within some 3 %
+  constexpr double least_ratio = 5;  // length over thickness: a shorter part hardly bends
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    if (part.elements != PartDeck::Elements::five_tetrahedra || part.rigid || is_driven(scene.deck, part)) continue;
+    const ThinSide thin = find_thin_side(part.shape);
+    if (thin.cells == 0 || thin.cells >= enough || is_held_flat(scene.deck, part, measures)) continue;
+    if (find_copy_extent(part, measures) < least_ratio * thin.size) continue;
+    const char* how = thin.cells == 1 ? "bends some 20 % too stiffly" : "bends up to 8 % too softly";
+    warnings.push_back(
+        warn_at(scene.deck, "soft_tetrahedra", "parts." + part.name + ".elements",
+                fmt::format("part '{}' has {} cell{} of five tetrahedra through its thickness {:.3g} (it {}): take "
+                            "{} or more, six_tetrahedra with 2 or more, or hexahedra",
+                            part.name, thin.cells, thin.cells == 1 ? "" : "s", thin.size, how, enough)));
   }
   return warnings;
 }
