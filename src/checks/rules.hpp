@@ -87,7 +87,13 @@ std::vector<Warning> check_added_mass(const CheckedScene& scene);
 std::vector<Warning> check_rigid_mass(const CheckedScene& scene);
 std::vector<Warning> check_rigid_inertia(const CheckedScene& scene);
 std::vector<Warning> check_beam_section(const CheckedScene& scene);
+std::vector<Warning> check_section_torsion(const CheckedScene& scene);
+std::vector<Warning> check_weld_strength(const CheckedScene& scene);
 std::vector<Warning> check_shell_reference(const CheckedScene& scene);
+
+// Relaxations (relaxation_rules.cpp)
+std::vector<Warning> check_idle_relaxation(const CheckedScene& scene);
+std::vector<Warning> check_loose_relaxation(const CheckedScene& scene);
 
 // Parts that are held or joined as a whole, elements of a material that fails (mesh_rules.cpp)
 std::vector<Warning> check_held_parts(const CheckedScene& scene);

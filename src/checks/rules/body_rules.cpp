@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <variant>
 
 #include "src/checks/rules.hpp"
+#include "src/deck/laws/material_properties.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -47,6 +50,18 @@ double find_distance(const Vec3& place, const BodyMeasures& body) {
 double find_section_size(const BeamSection& section) {
   const double inertia = std::max(section.inertia_y, section.inertia_z);
   return std::max(std::sqrt(section.area), std::sqrt(12 * inertia / section.area));
+}
+
+/// The softest of the parts that an end of a weld may name [pressure].
+double find_least_modulus(const Deck& deck, const WeldDeck& weld) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SpringEndDeck& end : weld.between) {
+    for (const std::size_t p : find_named_parts(deck, end.where)) {
+      const LameConstants c = find_moduli(find_material(deck, deck.parts[p]));
+      if (c.mu > 0) least = std::min(least, c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu));
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -127,6 +142,45 @@ std::vector<Warning> check_beam_section(const CheckedScene& scene) {
                                fmt::format("the section of part '{}' is about {:.2g} across, its beams reach over "
                                            "{:.3g} (beams are slender, and thicker than a hair): check its unit",
                                            part.name, size, length)));
+  }
+  return warnings;
+}
+
+// Saint-Venant's torsion constant is the least integral of the squares of both shear strains over all warpings. The
+// warping c y z gives (1 - c)^2 I_y + (1 + c)^2 I_z, whose least is 4 I_y I_z / (I_y + I_z): that of an ellipse.
+std::vector<Warning> check_section_torsion(const CheckedScene& scene) {
+  constexpr double most = 1.02;  // of the bound: rounded tables
+  std::vector<Warning> warnings;
+  for (const PartDeck& part : scene.deck.parts) {
+    const auto* section = part.section ? std::get_if<BeamSection>(&*part.section) : nullptr;
+    if (section == nullptr) continue;
+    const double bound = 4 * section->inertia_y * section->inertia_z / (section->inertia_y + section->inertia_z);
+    if (section->torsion <= most * bound) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "section_torsion", "parts." + part.name + ".section.general.torsion",
+        fmt::format("the torsion constant {:g} of part '{}' is above 4 Iy Iz / (Iy + Iz) = {:.4g} (no section has "
+                    "more; the polar moment of area is that of round ones alone): give Saint-Venant's constant",
+                    section->torsion, part.name, bound)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_weld_strength(const CheckedScene& scene) {
+  constexpr double least = 1e-5, most = 0.1;  // of Young's modulus; spot welds of metals have 0.001 to 0.005
+  std::vector<Warning> warnings;
+  for (const WeldDeck& weld : scene.deck.welds) {
+    if (!weld.radius) continue;
+    const double modulus = find_least_modulus(scene.deck, weld);
+    const double area = std::numbers::pi * *weld.radius * *weld.radius;
+    for (const auto& [key, strength] : {std::pair("normal", weld.normal_strength), {"shear", weld.shear_strength}}) {
+      if (!strength || !std::isfinite(modulus)) continue;
+      const double share = *strength / (area * modulus);
+      if (share >= least && share <= most) continue;
+      warnings.push_back(warn_at(scene.deck, "weld_strength", "welds." + weld.name + ".failure." + key,
+                                 fmt::format("the {} strength {:g} of weld '{}' is {:.1e} of Young's modulus on its "
+                                             "disc (spot welds of metals have 0.001 to 0.005): check its unit, force",
+                                             key, *strength, weld.name, share)));
+    }
   }
   return warnings;
 }

@@ -212,6 +212,9 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
   const ContactDeck& read = deck.contact;
   warn("penalty_scale", read.enforcement != Enforcement::penalty, "it applies only to contact.enforcement: penalty");
   warn("tolerance", read.enforcement != Enforcement::kinematic, "it applies only to contact.enforcement: kinematic");
+  const bool has_bodies = !deck.rigid_sets.empty() || std::any_of(deck.parts.begin(), deck.parts.end(),
+                                                                  [](const PartDeck& part) { return part.rigid; });
+  warn("restitution", !has_bodies, "no part is rigid, and others rebound by their own waves");
   for (const char* key : {"friction", "edges", "search", "reuse_search", "rebalance"})
     warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
 }

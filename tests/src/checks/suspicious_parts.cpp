@@ -92,6 +92,29 @@ std::vector<SuspiciousDeck> size_decks() {
         {"material: aluminium}", "elements: pyramids, material: aluminium}"}},
        {{"0.01], cells: [6, 6, 3]", "0.004], cells: [16, 16, 2]"},
         {"material: aluminium}", "elements: pyramids, material: aluminium}"}}},
+      {"PolarMomentAsTorsionConstant",
+       "section_torsion",
+       "torsion: 1.1e-8",
+       {add_part("rod: {line: {from: [0.3, 0, 0], to: [0.4, 0, 0], cells: 10}, section: {general: {area: 1e-4, "
+                 "inertia_y: 1e-8, inertia_z: 1e-9, torsion: 1.1e-8, shear_area_y: 8e-5, shear_area_z: 8e-5}}, "
+                 "toward: y, material: steel}")},
+       {add_part("rod: {line: {from: [0.3, 0, 0], to: [0.4, 0, 0], cells: 10}, section: {general: {area: 1e-4, "
+                 "inertia_y: 1e-8, inertia_z: 1e-9, torsion: 3.6e-9, shear_area_y: 8e-5, shear_area_z: 8e-5}}, "
+                 "toward: y, material: steel}")}},
+      {"WeldOfKilonewtons",
+       "weld_strength",
+       "normal: 5, shear",
+       {{"walls: [{point: [0, 0, -0.01], normal: z, friction: 0.2}]\n",
+         "welds: {w: {between: [sheet, plate], at: [[0.05, 0.05, -0.0015]], radius: 0.005, failure: {normal: 5, shear: "
+         "3000}}}\n"}},
+       {{"walls: [{point: [0, 0, -0.01], normal: z, friction: 0.2}]\n",
+         "welds: {w: {between: [sheet, plate], at: [[0.05, 0.05, -0.0015]], radius: 0.005, failure: {normal: 500, "
+         "shear: 3000}}}\n"}}},
+      {"RestitutionOfWhatDeforms",
+       "key_without_effect",
+       "restitution: 0.5",
+       {{"surfaces: all,", "surfaces: all, restitution: 0.5,"}},
+       {{"surfaces: all,", "surfaces: all, restitution: 0.5,"}, {"material: steel}", "material: steel, rigid: true}"}}},
       {"PlateOfTwoCellsOfFiveTetrahedra",
        "soft_tetrahedra",
        "elements: five_tetrahedra",
