@@ -72,6 +72,7 @@ FEATURES = {
         ("lap joint, shells of 5 mm", "lap_weld", "shells of 5.0 mm: deflection"),
         ("crack that opens, 0.5 mm", "glued_beams", "0.5 mm, 4.5 ms: energy of the crack"),
         ("that slides, 0.67 mm", "split_beam", "0.67 mm, 7.25 ms: energy of the crack at 34 mm"),
+        ("shells that peel, 1 mm", "glued_shells", "double cantilever, 1 mm, 7 ms: energy of the crack"),
         ("both, 1 mm", "mixed_bending", "48 % of sliding: largest force by 25.4 mm"),
     ],
     "failure": [

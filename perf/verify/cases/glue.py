@@ -114,3 +114,47 @@ def mixed_bending(bench):
         bench.near(f"{name}: largest force by 25.4 mm", 25.4 * float(force.max()), 25.4 * exact, relative=0.05, unit="N")
         rows.append([name, f"{25.4 * force.max():.1f}", f"{25.4 * exact:.1f}", f"{energy:.3f}"])
     bench.table(["mix", "largest force [N]", "beam theory [N]", "energy of the mix [N/mm]"], rows)
+
+
+SHELLS = """
+title: Shells that are glued are drawn apart
+time: {end: 8e-3}
+parts:
+  low: {$low, material: m}
+  high: {shell_plate: {size: [0.04, 0.002], cells: [$cells, 1]}, thickness: 0.001, at: [0, 0, 0.0005], material: m}
+materials: {m: {model: elastic, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0}}
+contact:
+  surfaces: none
+  ties: [{a: {name: $a, inside: [[0.0149, -1, -1], [1, 1, 1]]}, b: $b, cohesive: {normal_stiffness: 1e12, normal_strength: 5e6, shear_strength: $shear_strength, normal_energy: 100, shear_energy: $shear_energy}}]
+damping: [{coefficient: 1e3}]
+conditions:
+  - {nodes: high/x_min, velocity: {z: {table: [[0, 0], [1e-3, 0.25], [8e-3, 0.25]]}}}
+$held
+output: {history: {every: 1e-5, forces: [{name: pull, support: high/x_min}]}}
+"""
+
+
+@case("glued_shells", "failure", "Glue: shells that peel")
+def glued_shells(bench):
+    """Strips of shells of 1 mm, 40 mm long, are glued but for the first 15 mm. Two are drawn apart as a double cantilever beam: their
+    surfaces open and do not slide, so that glue with 3.5 times the energy in shear takes its energy in tension. One is peeled from
+    a rigid block: it slides as it bends, so that both energies are equal there. By beam theory P^2 D is the same for every length of the crack, and
+    gives its energy by area: with the stiffness S = E b h^3 / 12, P^2 D = 2 (G b S)^1.5 / (3 S) for two arms and (2 G b S)^1.5 / (3 S) for one. Means over 2 ms."""
+    width, energy = 2e-3, 100.0
+    stiff = 70e9 * width * 1e-9 / 12
+    two = "shell_plate: {size: [0.04, 0.002], cells: [$cells, 1]}, thickness: 0.001, at: [0, 0, -0.0005]"
+    block = "box: {size: [0.04, 0.002, 0.004], cells: [$cells, 1, 2]}, at: [0, 0, -0.004], rigid: {fixed: [x, y, z, rx, ry, rz]}"
+    pulled = "  - {nodes: low/x_min, velocity: {z: {table: [[0, 0], [1e-3, -0.25], [8e-3, -0.25]]}}}"
+    for name, cells, low, sides, shear, held in (
+            ("double cantilever, 1 mm", 40, two, ("high/bottom", "low/top"), (20e6, 350), pulled),
+            ("double cantilever, 0.5 mm, sides exchanged", 80, two, ("low/top", "high/bottom"), (20e6, 350), pulled),
+            ("peeled from a block", 40, block, ("high/bottom", "low/z_max"), (8e6, 100), ""),
+            ("peeled from a block, sides exchanged", 40, block, ("low/z_max", "high/bottom"), (8e6, 100), "")):
+        h = bench.run(SHELLS, cells=cells, low=low.replace("$cells", str(cells)), a=sides[0], b=sides[1], shear_strength=shear[0],
+                      shear_energy=shear[1], held=held).history
+        opening = 0.5 if low is two else 0.25
+        of_energy = 2 / (3 * stiff) * (energy * width * stiff)**1.5 if low is two else (2 * energy * width * stiff)**1.5 / (3 * stiff)
+        for start in (4e-3, 6e-3):
+            force = h.mean(start, start + 2e-3, "fz:pull")
+            reached = (force**2 * opening * (start + 1e-3 - 5e-4) / of_energy)**(2 / 3)
+            bench.near(f"{name}, {1e3 * start + 1:g} ms: energy of the crack", energy * reached, energy, relative=0.06, unit="J/m2")

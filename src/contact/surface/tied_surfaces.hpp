@@ -18,7 +18,8 @@ struct TiedNode {
   int tie = 0;                // index into ContactDeck::ties
   int side = 1;               // on which the node lies of a face: 1 outside, -1 behind a shell; 0: in a shell's middle
   TieGeometry geometry;
-  double area = 0;  // that it holds, of a late tie that may fail [area]
+  double own_share = 0;  // of the thickness of the shells between both meshes: that of the node's
+  double area = 0;       // that it holds, of a late tie that may fail [area]
 };
 
 /// What became of the nodes of one tie's side a, on all ranks.

@@ -137,6 +137,7 @@ void judge(const Mesh& mesh, const std::vector<Vec3>& x, const Face& face, const
   answer.found.geometry.offset = -interpolate(points, closest.weight);
   answer.found.geometry.size = face.size;
   answer.found.side = find_side(answer.found.geometry, face.thickness > 0);
+  if (query.thickness > 0) answer.found.own_share = query.thickness / (query.thickness + face.thickness);
   answer.joined = best.joined;
   best = answer;
 }

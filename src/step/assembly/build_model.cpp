@@ -113,6 +113,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const std::vector<double> mass = build_masses(deck, chunked, model);
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
   build_rigid_bodies(deck, chunked, rigid, find_rigid_masses(deck, chunked, mass, model), model);
+  move_glue_off_nodes(model);
   build_joints(deck, model);
   build_turn_springs(deck, model);
   build_welds(deck, chunked, model);

@@ -78,6 +78,12 @@ void number_nodes(const std::vector<TiedNode>& glued, GlueModel& glue) {
   glue.nodes.erase(std::unique(glue.nodes.begin(), glue.nodes.end()), glue.nodes.end());
 }
 
+/// From a node to the glue: what its own shell has of the distance between both meshes, shells and gap.
+Point3 find_arm(const TiedNode& tied) {
+  const Point3 normal = find_face_normal(tied.geometry.face);
+  return (-tied.own_share * dot(tied.geometry.offset, normal)) * normal;
+}
+
 std::vector<GluePoint> make_points(const std::vector<TiedNode>& glued, const std::vector<std::int64_t>& nodes) {
   const auto find_place = [&](std::int64_t number) {
     return static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), number) - nodes.begin());
@@ -88,6 +94,7 @@ std::vector<GluePoint> make_points(const std::vector<TiedNode>& glued, const std
     point.number = tied.node;
     point.tie = tied.tie;
     point.geometry = tied.geometry;
+    point.arm = find_arm(tied);
     point.side = tied.side;
     point.area = tied.area;
     point.node[0] = find_place(tied.node);
@@ -118,6 +125,22 @@ void build_glue(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots,
   for (std::size_t i = 0; i < owned.extent(0); ++i) {
     slots.nodes.push_back(owned(i));
     slots.orders.push_back(order);
+  }
+}
+
+void move_glue_off_nodes(Model& model) {
+  GlueModel& glue = model.glue;
+  if (!glue.any()) return;
+  std::vector<int> can_turn(glue.nodes.size(), 0);
+  const auto nodes = to_host(glue.owned_node), places = to_host(glue.owned_place);
+  const auto inertia = to_host(model.inertia);
+  for (std::size_t i = 0; model.has_rotations && i < nodes.extent(0); ++i)
+    can_turn[at(places(i))] = inertia(nodes(i)) > 0 ? 1 : 0;
+  all_reduce(model.ranks, Reduce::largest, can_turn);
+  const std::vector<int> is_rigid = mark_rigid_nodes(model, glue);
+  for (GluePoint& point : glue.points) {
+    if (can_turn[at(point.node[0])] == 0 || is_rigid[at(point.node[0])] != 0) point.arm = {};
+    point.geometry.offset = point.geometry.offset + point.arm;
   }
 }
 

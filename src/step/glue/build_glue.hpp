@@ -11,4 +11,8 @@ namespace percuss {
 /// nodes, and for nodes in the middle of a shell. Collective.
 void build_glue(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
+/// Glue lies half a shell off the nodes of side a that can turn, and at the others. Call when inertia and rigid bodies
+/// of the model are built. Collective.
+void move_glue_off_nodes(Model& model);
+
 }  // namespace percuss

@@ -17,6 +17,9 @@ namespace {
 
 constexpr double failed = 1;  // damage
 
+/// Whether the glue of a node lies off it.
+bool has_arm(const Point3& arm) { return dot(arm, arm) > 0; }
+
 }  // namespace
 
 GlueStage::GlueStage(const Deck& deck, const Model& model, ContactStage& contact)
@@ -29,39 +32,55 @@ GlueStage::GlueStage(const Deck& deck, const Model& model, ContactStage& contact
       points_(model.glue.points.size()),
       shares_(model.glue.points.size()),
       forces_(model.glue.nodes.size()),
+      turns_(model.glue.points.size()),
+      moments_(model.glue.points.size()),
       own_rows_("percuss::glue_rows", model.glue.owned_node.extent(0), NodeRow::count),
-      own_forces_("percuss::glue_forces", model.glue.owned_node.extent(0)) {}
+      own_forces_("percuss::glue_forces", model.glue.owned_node.extent(0)),
+      own_moments_("percuss::glue_moments", model.has_rotations ? model.glue.owned_node.extent(0) : 0) {}
 
-Point3 GlueStage::place_of(int node) const {
+/// Three numbers of the row of a node.
+Point3 GlueStage::vector(int node, std::size_t first) const {
   const std::size_t n = at(node);
-  return {value(n, NodeRow::place), value(n, NodeRow::place + 1), value(n, NodeRow::place + 2)};
+  return {value(n, first), value(n, first + 1), value(n, first + 2)};
 }
 
 void GlueStage::gather(const State& state) {
   const std::vector<double> before = rows_;
-  gather_forced_nodes<false>(model_, state, {model_.glue.owned_node, model_.glue.owned_place}, own_rows_, rows_);
+  gather_forced_nodes<false, true>(model_, state, {model_.glue.owned_node, model_.glue.owned_place}, own_rows_, rows_);
   for (std::size_t n = 0; n < moves_.size(); ++n) {
     const auto move = [&](std::size_t k) { return value(n, k) - before[n * NodeRow::count + k]; };
     moves_[n] = {move(NodeRow::place), move(NodeRow::place + 1), move(NodeRow::place + 2)};
   }
 }
 
-Separation GlueStage::find_separation_of(const GluePoint& point) const {
+/// Arms turn with their nodes, which have the spin of n+1/2.
+void GlueStage::turn_arms(State& state, double dt) {
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (!has_arm(state.glue_arms[p])) continue;
+    turns_[p] = dt * vector(model_.glue.points[p].node[0], NodeRow::spin);
+    state.glue_arms[p] = rotate(turns_[p], state.glue_arms[p]);
+  }
+}
+
+Separation GlueStage::find_separation_of(const GluePoint& point, const Point3& arm) const {
   FacePoints face;
-  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = place_of(point.node[i + 1]);
-  return find_separation(point.geometry, point.side, place_of(point.node[0]), face);
+  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = vector(point.node[i + 1], NodeRow::place);
+  return find_separation(point.geometry, point.side, vector(point.node[0], NodeRow::place) + arm, face);
 }
 
 /// Tractions and forces at the places of now, point after point.
-void GlueStage::pull(const std::vector<double>& damage_before) {
+void GlueStage::pull(const State& state, const std::vector<double>& damage_before) {
   forces_before_ = forces_;
+  moments_before_ = moments_;
   std::fill(forces_.begin(), forces_.end(), Point3{});
+  std::fill(moments_.begin(), moments_.end(), Point3{});
   for (std::size_t p = 0; p < points_.size(); ++p) {
     const GluePoint& point = model_.glue.points[p];
     points_[p] = {};
     points_[p].damage = failed;
     if (damage_before[p] >= failed) continue;
-    const Separation of = find_separation_of(point);
+    const Point3& arm = state.glue_arms[p];
+    const Separation of = find_separation_of(point, arm);
     const double slide = norm(of.slide);
     const CohesivePoint now = separate(model_.glue.laws[at(point.tie)], of.opening, slide, damage_before[p]);
     if (now.damage >= failed) continue;
@@ -70,19 +89,23 @@ void GlueStage::pull(const std::vector<double>& damage_before) {
     const Point3 shear = slide > 0 ? (now.shear / slide) * of.slide : Point3{};
     const GlueForces on = spread_force(point.geometry, of, (-point.area) * (now.normal * of.normal + shear));
     for (std::size_t i = 0; i < 5; ++i) forces_[at(point.node[i])] = forces_[at(point.node[i])] + on.force[i];
+    if (has_arm(arm)) moments_[p] = cross(arm, on.force[0]);
   }
 }
 
-/// That the mean forces of the last step have taken from the nodes.
-double GlueStage::find_work() const {
+/// That the forces and moments of n-1 and n have taken from the nodes in the last step, with a share of each.
+double GlueStage::find_work(double share_before, double share_now) const {
   double work = 0;
-  for (std::size_t n = 0; n < forces_.size(); ++n) work -= 0.5 * dot(forces_before_[n] + forces_[n], moves_[n]);
+  for (std::size_t n = 0; n < forces_.size(); ++n)
+    work -= dot(share_before * forces_before_[n] + share_now * forces_[n], moves_[n]);
+  for (std::size_t p = 0; p < moments_.size(); ++p)
+    work -= dot(share_before * moments_before_[p] + share_now * moments_[p], turns_[p]);
   return work;
 }
 
 /// Damage dissipates at the rate of the energy that it takes; failure what compression has stored.
 void GlueStage::book(State& state, const std::vector<double>& damage_before, const std::vector<CohesivePoint>& before) {
-  state.books.glue_work += find_work();
+  state.books.glue_work += find_work(0.5, 0.5);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (damage_before[p] >= failed) continue;
     const double area = model_.glue.points[p].area, damage = points_[p].damage;
@@ -121,7 +144,8 @@ void GlueStage::advance(State& state, double dt) {
   const std::vector<double> damage_before = state.glue_damage;
   const std::vector<CohesivePoint> before = points_;
   gather(state);
-  pull(damage_before);
+  turn_arms(state, dt);
+  pull(state, damage_before);
   for (std::size_t p = 0; p < points_.size(); ++p) state.glue_damage[p] = points_[p].damage;
   if (dt > 0)
     book(state, damage_before, before);
@@ -144,31 +168,43 @@ void GlueStage::drop_vanished(State& state) {
     some = true;
   }
   if (!some) return;
-  pull(state.glue_damage);
-  double given_back = 0;
-  for (std::size_t n = 0; n < forces_.size(); ++n) given_back += 0.5 * dot(forces_before_[n] - forces_[n], moves_[n]);
+  pull(state, state.glue_damage);
+  const double given_back = find_work(-0.5, 0.5);
   state.books.glue_work += given_back;
   state.books.glue_dissipated += given_back;
 }
 
 void GlueStage::add_forces(State& state, double /*time*/) {
-  const auto own = Kokkos::create_mirror_view(own_forces_);
+  fill_slots(forces_, own_forces_, state.slot_force);
+  if (own_moments_.extent(0) == 0) return;
+  std::vector<Point3> moments(forces_.size());
+  for (std::size_t p = 0; p < moments_.size(); ++p) {
+    Point3& moment = moments[at(model_.glue.points[p].node[0])];
+    moment = moment + moments_[p];
+  }
+  fill_slots(moments, own_moments_, state.slot_moment);
+}
+
+/// by_node: [GlueModel::nodes]; own: scratch, [owned nodes].
+void GlueStage::fill_slots(const std::vector<Point3>& by_node, const Rows3<double>& own,
+                           const Rows3<double>& slots) const {
+  const auto rows = Kokkos::create_mirror_view(own);
   const auto places = to_host(model_.glue.owned_place);
   for (std::size_t i = 0; i < places.extent(0); ++i) {
-    const Point3& force = forces_[at(places(i))];
-    own(i, 0) = force.x;
-    own(i, 1) = force.y;
-    own(i, 2) = force.z;
+    const Point3& row = by_node[at(places(i))];
+    rows(i, 0) = row.x;
+    rows(i, 1) = row.y;
+    rows(i, 2) = row.z;
   }
   const std::size_t first = at(model_.glue.first_slot);
-  Kokkos::deep_copy(Kokkos::subview(state.slot_force, std::pair(first, first + own.extent(0)), Kokkos::ALL), own);
+  Kokkos::deep_copy(Kokkos::subview(slots, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
 }
 
 /// By node: the largest inverse mass in a direction, or the mobility of its rigid body there.
 std::vector<double> GlueStage::find_mobilities(const State& state) const {
   std::vector<double> mobilities;
   for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
-    const Point3 place = place_of(static_cast<int>(n));
+    const Point3 place = vector(static_cast<int>(n), NodeRow::place);
     mobilities.push_back(find_mobility(
         model_, state, body_of_node_[n],
         {{place.x, place.y, place.z}, std::max(value(n, NodeRow::mobility), 0.0)}));  // a node that is gone has none
@@ -188,18 +224,18 @@ void GlueStage::limit_step(const State& state, StepBound& bound) const {
     for (std::size_t p = 0; p < points_.size(); ++p) {
       if (state.glue_damage[p] >= failed) continue;
       const GluePoint& point = model_.glue.points[p];
-      take(point, shares_[p]);
+      const CohesiveLaw& law = model_.glue.laws[at(point.tie)];
+      take(point, shares_[p], point.area * std::max(law.normal_stiffness, law.shear_stiffness));
     }
   };
-  visit([&](const GluePoint& point, const GlueShares& of) {
-    const CohesiveLaw& law = model_.glue.laws[at(point.tie)];
-    const double stiffness = point.area * std::max(law.normal_stiffness, law.shear_stiffness);
+  visit([&](const GluePoint& point, const GlueShares& of, double stiffness) {
     for (std::size_t i = 0; i < 5; ++i)
       carried[carrier(point.node[i])] += stiffness * of.share[i] * mobility[at(point.node[i])];
   });
   SpringRates rates;
-  visit([&](const GluePoint& point, const GlueShares& of) {
-    double rate = 0;
+  visit([&](const GluePoint& point, const GlueShares& of, double stiffness) {
+    // Only this point turns its node.
+    double rate = stiffness * dot(point.arm, point.arm) * value(at(point.node[0]), NodeRow::turning);
     for (std::size_t i = 0; i < 5; ++i) rate += of.share[i] * carried[carrier(point.node[i])];
     rates.stiffness = std::max(rates.stiffness, rate);
   });
@@ -208,6 +244,13 @@ void GlueStage::limit_step(const State& state, StepBound& bound) const {
 
 void GlueStage::archive(CheckpointArchive& archive, State& state) {
   archive.numbers("glue/damage", state.glue_damage);
+  for (std::size_t p = 0; p < state.glue_arms.size(); ++p) {
+    Point3& arm = state.glue_arms[p];
+    if (!has_arm(model_.glue.points[p].arm)) continue;
+    double values[] = {arm.x, arm.y, arm.z};
+    archive.numbers(fmt::format("glue/arm/{}", p), values);
+    arm = {values[0], values[1], values[2]};
+  }
   archive.number("books/glue_work", state.books.glue_work);
   archive.number("books/glue_dissipated", state.books.glue_dissipated);
   archive.number("books/glue_failed", state.books.glue_failed);
@@ -215,7 +258,7 @@ void GlueStage::archive(CheckpointArchive& archive, State& state) {
 
 void GlueStage::resume(const State& state) {
   gather(state);
-  pull(state.glue_damage);
+  pull(state, state.glue_damage);
 }
 
 std::vector<Warning> GlueStage::take_warnings() { return std::exchange(warnings_, {}); }

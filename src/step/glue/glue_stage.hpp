@@ -29,17 +29,19 @@ class GlueStage : public Action {
   std::vector<Warning> take_warnings() override;
 
  private:
-  using NodeRow = ForcedRow<false>;
+  using NodeRow = ForcedRow<false, true>;
 
   double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
-  Point3 place_of(int node) const;
-  Separation find_separation_of(const GluePoint& point) const;
+  Point3 vector(int node, std::size_t first) const;
+  Separation find_separation_of(const GluePoint& point, const Point3& arm) const;
   void gather(const State& state);
-  void pull(const std::vector<double>& damage_before);
-  double find_work() const;
+  void turn_arms(State& state, double dt);
+  void pull(const State& state, const std::vector<double>& damage_before);
+  double find_work(double share_before, double share_now) const;
   void book(State& state, const std::vector<double>& damage_before, const std::vector<CohesivePoint>& before);
   void let_go(const State& state, const std::vector<double>& damage_before);
   std::vector<double> find_mobilities(const State& state) const;
+  void fill_slots(const std::vector<Point3>& by_node, const Rows3<double>& own, const Rows3<double>& slots) const;
 
   const Deck& deck_;
   const Model& model_;
@@ -51,9 +53,12 @@ class GlueStage : public Action {
   std::vector<GlueShares> shares_;     // [GlueModel::points] at n
   std::vector<Point3> forces_;         // [GlueModel::nodes] at n
   std::vector<Point3> forces_before_;  // at n-1
+  std::vector<Point3> turns_;          // [GlueModel::points] of nodes with an arm, in the last step
+  std::vector<Point3> moments_;        // [GlueModel::points] on these nodes, at n
+  std::vector<Point3> moments_before_;
   std::vector<Warning> warnings_;
   OwnRows own_rows_;
-  Rows3<double> own_forces_;
+  Rows3<double> own_forces_, own_moments_;
 };
 
 }  // namespace percuss

@@ -16,9 +16,10 @@ struct GluePoint {
   std::int64_t number = -1;   // of the node in the whole mesh
   int tie = 0;                // of the deck
   std::array<int, 5> node{};  // places in GlueModel::nodes: the node, the corners of the face
-  TieGeometry geometry;
-  int side = 1;     // on which the node lies of the face
-  double area = 0;  // of side a that it holds
+  TieGeometry geometry;       // of the glue itself, not of its node
+  Point3 arm{};               // from the node to the glue at the start, through its own shell
+  int side = 1;               // on which the node lies of the face
+  double area = 0;            // of side a that it holds
 };
 
 struct GlueModel : ConnectedNodes {

@@ -132,6 +132,7 @@ void start_connections(const Model& model, State& s) {
   s.springs.resize(model.springs.springs.size());
   s.turn_springs.resize(model.turn_springs.size());
   s.glue_damage.assign(model.glue.points.size(), 0);
+  for (const GluePoint& point : model.glue.points) s.glue_arms.push_back(point.arm);
   const auto nodes = static_cast<std::size_t>(model.node_count);
   if (model.ties_rotations) s.tie_moment = Rows3<double>("percuss::tie_moment", nodes);
   if (!model.welds.any() && !model.constraints.any() && !model.embedded.any()) return;

@@ -105,6 +105,7 @@ struct State {
   std::vector<SpringState> springs;
   std::vector<TurnSpringState> turn_springs;
   std::vector<double> glue_damage;  // [GlueModel::points] at n; 1: failed, or gone with an element
+  std::vector<Point3> glue_arms;    // [GlueModel::points] GluePoint::arm, turned with its node, at n
   std::vector<WeldState> welds;
   std::vector<ConstraintState> constraints;
   // Of the last step on their nodes, of constraints too; empty without any; scratch of the step.

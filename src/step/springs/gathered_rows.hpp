@@ -51,22 +51,31 @@ struct JoinedNodes {
 };
 
 /// What the owner of a node tells where forces act on it; the place of each in a row of `count` numbers.
-template <bool with_velocity>
+template <bool with_velocity, bool with_spin = false>
 struct ForcedRow {
-  enum : std::size_t { place, velocity = place + 3, mobility = with_velocity ? velocity + 3 : velocity, count };
+  enum : std::size_t {
+    place,
+    velocity = place + 3,
+    spin = with_velocity ? velocity + 3 : velocity,
+    mobility = with_spin ? spin + 3 : spin,
+    turning,  // the largest inverse rotary inertia
+    count = with_spin ? turning + 1 : turning
+  };
   static constexpr double gone = -1;  // mobility of a node that has vanished
 };
 
 /// The rows of all nodes with forces, on every rank; with the largest inverse mass in a direction as mobility. own:
 /// scratch, [owned nodes][count]; rows: out, [all nodes][count]. Collective.
-template <bool with_velocity>
+template <bool with_velocity, bool with_spin = false>
 void gather_forced_nodes(const Model& model, const State& state, const JoinedNodes& nodes, const OwnRows& own,
                          std::vector<double>& rows) {
-  using Row = ForcedRow<with_velocity>;
+  using Row = ForcedRow<with_velocity, with_spin>;
   const auto x = state.x, v = state.v, inverse_mass = state.inverse_mass;
-  const auto mass = state.mass;
+  const auto w = state.w, inverse_inertia = state.inverse_inertia;
+  const auto mass = state.mass, inertia = state.inertia;
   const auto node = nodes.owned_node;
   const OwnRows out = own;
+  const bool turns = model.has_rotations;
   const bool may_free = model.switches.switches_conditions;  // what is held now may move in the next step
   const Array<const int> body_of_node = model.rigid.body_of_node;
   Kokkos::parallel_for(
@@ -81,6 +90,14 @@ void gather_forced_nodes(const Model& model, const State& state, const JoinedNod
         }
         if (may_free && mass(n) > 0 && !RigidModel::holds(body_of_node, n)) mobility = 1 / mass(n);
         out(i, Row::mobility) = mass(n) > 0 ? mobility : Row::gone;
+        if (!with_spin) return;
+        double turning = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          out(i, Row::spin + k) = turns ? w(n, k) : 0;
+          if (turns && inverse_inertia(n, k) > turning) turning = inverse_inertia(n, k);
+        }
+        if (turns && may_free && inertia(n) > 0) turning = 1 / inertia(n);
+        out(i, Row::turning) = turning;
       });
   gather_rows(model.ranks, own, nodes.owned_place, Row::count, rows);
 }

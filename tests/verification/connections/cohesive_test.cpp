@@ -165,6 +165,68 @@ materials: {soft: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_
   EXPECT_NEAR(run.history.last("glue_dissipated"), run.history.last("glue_work"), 0.01 * run.history.last("glue_work"));
 }
 
+// Half a shell lies between a node and the glue, and turns with the node: shells that are drawn apart bend as beams on
+// an elastic foundation (Kanninen, Int. J. Fracture 9, 1973), whatever the stiffness of the glue against sliding.
+TEST(Cohesive, LetsGluedShellsBendApart) {
+  const double young = 70e9, width = 2e-3, height = 1e-3, stiffness = 1e11, crack = 0.015, opening = 0.1 * 2.25e-3;
+  const double x = std::pow(6 * stiffness / (young * height * height * height), 0.25) * crack;
+  const double compliance =
+      8 * std::pow(crack / height, 3) / (young * width) * (1 + 3 / x + 3 / (x * x) + 1.5 / (x * x * x));
+  for (const char* sides : {"a: {name: high/bottom, inside: [[0.0149, -1, -1], [1, 1, 1]]}, b: low/top",
+                            "a: {name: low/top, inside: [[0.0149, -1, -1], [1, 1, 1]]}, b: high/bottom"}) {
+    const HistoryTable history = run_deck(fmt::format(R"yaml(
+time: {{end: 3e-3}}
+parts:
+  low: {{shell_plate: {{size: [0.04, 0.002], cells: [40, 1]}}, thickness: 0.001, at: [0, 0, -0.0005], material: m}}
+  high: {{shell_plate: {{size: [0.04, 0.002], cells: [40, 1]}}, thickness: 0.001, at: [0, 0, 0.0005], material: m}}
+materials: {{m: {{model: elastic, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0}}}}
+contact:
+  surfaces: none
+  ties: [{{{}, cohesive: {{normal_stiffness: 1e11, shear_stiffness: 1e12, normal_strength: 1e9, shear_strength: 1e9, normal_energy: 1e9, shear_energy: 1e9}}}}]
+damping: [{{coefficient: 3e3}}]
+conditions:
+  - {{nodes: high/x_min, velocity: {{z: {{table: [[0, 0], [5e-4, 0.05], [3e-3, 0.05]]}}}}}}
+  - {{nodes: low/x_min, velocity: {{z: {{table: [[0, 0], [5e-4, -0.05], [3e-3, -0.05]]}}}}}}
+output: {{history: {{every: 1e-5, forces: [{{name: pull, support: high/x_min}}]}}}}
+)yaml",
+                                                      sides))
+                                     .history;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t row = 0; row < history.rows(); ++row) {
+      if (history["time"][row] < 2e-3) continue;
+      sum += history["fz:pull"][row];
+      ++count;
+    }
+    EXPECT_NEAR(sum / count, opening / compliance, 0.03 * opening / compliance) << sides;
+  }
+}
+
+// Sheets of shells that are glued, one of them to a block too, spin and bend: their glue neither turns nor drives them.
+TEST(Cohesive, KeepsMomentumAndEnergyOfGluedShells) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-3}
+parts:
+  low: {shell_plate: {size: [0.2, 0.1], cells: [8, 4]}, thickness: 0.006, at: [0, 0, -0.003], material: m}
+  high: {shell_plate: {size: [0.2, 0.1], cells: [10, 5]}, thickness: 0.004, at: [0, 0, 0.002], material: m}
+  block: {box: {size: [0.1, 0.1, 0.02], cells: [5, 5, 2]}, at: [0.05, 0, 0.004], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}}
+contact:
+  surfaces: none
+  ties:
+    - {a: low/top, b: high/bottom, cohesive: {normal_stiffness: 1e11, shear_stiffness: 3e11, normal_strength: 1e6, shear_strength: 2e6, normal_energy: 200, shear_energy: 600}}
+    - {a: high/top, b: block/z_min, cohesive: {normal_stiffness: 1e11, shear_stiffness: 3e11, normal_strength: 1e9, shear_strength: 1e9, normal_energy: 1e9, shear_energy: 1e9}}
+initial:
+  - {angular_velocity: [100, 60, 200]}
+  - {part: low, velocity: [2, 0, -3]}
+output: {history: {every: 0}}
+)yaml");
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);
+  EXPECT_GT(run.history.last("glue_failed"), 0);
+}
+
 // The step that glue leaves is stable: stiff glue alone on rigid ends, at nearly all of it.
 TEST(Cohesive, AsksForAStableStep) {
   const Outcome run = run_deck(R"yaml(
