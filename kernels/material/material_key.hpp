@@ -53,21 +53,34 @@ using VuhardFunction = void (*)(const int* points, const int* elements, const in
                                 double* state_new, std::size_t name_length);
 }
 
+/// The entry of `subroutine vusdfld`: fields and state variables at the start of a step. axes:
+/// [axis][component][point].
+extern "C" {
+using VusdfldFunction = void (*)(const int* points, const int* states, const int* fields, const int* constants,
+                                 const int* direct, const int* shear, const int* elements, const int* point,
+                                 const int* layer, const int* section_point, const double* step_time,
+                                 const double* total_time, const double* dt, const char* name, const double* places,
+                                 const double* axes, const double* turn, const double* length, const double* constant,
+                                 double* state_old, double* state_new, double* field, std::size_t name_length);
+}
+
 /// State variables that code of a user may keep at a point.
 inline constexpr int most_user_states = 1000;
 /// Numbers that any law may keep at a point: elements have room for so many, in which a device calls no code.
 #ifdef PERCUSS_ON_DEVICE
 inline constexpr int most_law_history = 72;
 #else
-inline constexpr int most_law_history = most_user_states + 24;
+inline constexpr int most_law_history = most_user_states + 56;
 #endif
 
-/// Code of a user, as src/deck/laws/user_code.hpp loads it: one of the two entries.
+/// Code of a user, as src/deck/laws/user_code.hpp loads it: one of the two laws, and the fields beside it if there are
+/// any.
 struct UserCode {
   VumatFunction vumat = nullptr;
   double density = 0;                  // of the material at the start
   int* has_written_outside = nullptr;  // set to 1 by whoever finds that the code has
   VuhardFunction vuhard = nullptr;
+  VusdfldFunction vusdfld = nullptr;
 };
 
 /// A library with a law, and that law with the constants of a material (law_library.hpp); src/deck/laws/law_code.hpp

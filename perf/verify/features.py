@@ -95,6 +95,7 @@ FEATURES = {
     "laws of users": [
         ("VUMAT against the built-in law, energy", "user_laws", "VUMAT: internal energy"),
         ("VUHARD, foot of a Taylor bar", "user_laws", "VUHARD: radius of the foot"),
+        ("VUSDFLD, stress before the deletion", "user_laws", "VUSDFLD: stress before the deletion"),
         ("C++, Gent in tension to 5", "user_laws", "C++, Gent: tension to 5"),
     ],
     "waves, shocks": [

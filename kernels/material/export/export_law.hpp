@@ -18,7 +18,9 @@ struct ExportedLaw {
   using Key = MaterialKey<Constants>;
   static constexpr auto keys = Law::keys();
   static_assert(std::is_trivially_copyable_v<Law>, "a law is copied byte by byte: arrays, no std::vector");
-  static_assert(Law::history_count <= LibraryLaw::history_count, "a law keeps at most 1024 numbers a point");
+  static constexpr int most = 1024;
+  static_assert(most <= LibraryLaw::history_count);
+  static_assert(Law::history_count <= most, "a law keeps at most 1024 numbers a point");
 
   static constexpr LawKey describe(const Key& key) {
     LawKey row{key.name, LawKeyKind::number, key.range, key.required, key.most, {key.words[0], key.words[1]}};

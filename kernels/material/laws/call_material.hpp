@@ -55,13 +55,13 @@ inline void start_history(const CalledMaterial& called, double* history, const d
                [&](const auto& state) { start_state(state, history + called.find_state_place(), center); });
 }
 
-/// How many characteristic lengths code of a user asks for beside that of the volume; -1: it is not told of elements.
-inline int count_own_lengths(const CalledMaterial& called) {
-  int count = -1;
+/// Whether code of a user is told of its elements.
+inline bool is_told_of_elements(const CalledMaterial& called) {
+  bool is_told = false;
   visit_any_of(called.law, Materials(), [&](const auto& law) {
-    if constexpr (requires { law.own_lengths; }) count = law.own_lengths;
+    if constexpr (requires { law.is_told_of_elements(); }) is_told = law.is_told_of_elements();
   });
-  return count;
+  return is_told;
 }
 
 /// After start_history(): what code of a user is told of the element.

@@ -20,7 +20,7 @@ struct CalledMaterial {
   static constexpr bool can_yield = true;
   static constexpr int law_place = 1;
 
-  AnyOf<4096> law;          // one of Materials
+  AnyOf<6144> law;          // one of Materials
   AnyOf<1088> state;        // one of EquationsOfState, or none
   LameConstants reference;  // moduli at the start, for hourglass control
   double density = 0;       // at the start

@@ -8,6 +8,8 @@
 #include "kernels/material/lane_copies.hpp"
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/radial_return.hpp"
+#include "kernels/material/user/user_element.hpp"
+#include "kernels/material/user/user_fields.hpp"
 
 namespace percuss {
 
@@ -41,8 +43,8 @@ struct VuhardBlock {
 
 /// Von Mises plasticity whose yield stress is the user's code. It is solved with the strain, the rate and the
 /// temperature at the end of the step: rho cp dT = share (mean stress of the step) dp. History: p, T, the user's
-/// states.
-struct UserHardening {
+/// states; with fields also theirs, the stretch, the number of the element and the edge of a cube of its volume.
+struct UserHardening : UserFields {
   static constexpr const char* name = "user_hardening";
   using Constants = UserHardening;
 
@@ -66,6 +68,10 @@ struct UserHardening {
         may("delete_variable", &M::deletes, most_user_states,
             "The state variable, counted from 1, that the VUHARD sets to 0 to delete a point; it begins with 1."),
         may("vuhard_name", &M::called, "CMNAME of the VUHARD, in capitals: for code with several laws."),
+        may<M>(
+            "field_variables", &M::fields, most_user_fields,
+            "How many fields the VUSDFLD of the same library sets before the VUHARD is called; 0: it is not called."),
+        may<M>("field_constants", &M::field_constants, "PROPS of the VUSDFLD, in their order."),
         may("start_temperature", &M::start_temperature, KeyRange::any, "temperature", "Temperature at the start."),
         may("specific_heat", &M::specific_heat, KeyRange::not_negative, "energy / mass / temperature",
             "Heat that a unit of mass takes for a degree; 0: plastic work does not heat."),
@@ -81,6 +87,7 @@ struct UserHardening {
   /// What is wrong between constants; empty: nothing.
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
+    if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
     if (thermal_expansion > 0 && specific_heat == 0)
       return "a thermal_expansion and no specific_heat, by which it heats";
     return melt_temperature == 0 || melt_temperature > room_temperature
@@ -94,11 +101,21 @@ struct UserHardening {
   static constexpr int history_count = most_law_history;
   static constexpr bool grows_in_increments = true;
   static constexpr bool changes_at_rest = true;  // the code gets the time
-  int count_history() const { return own_history + states; }
+  int first_field() const { return own_history + states; }
+  int find_stretch() const { return first_field() + count_field_history(); }
+  int count_history() const { return find_stretch() + (fields > 0 ? StretchHistory::count + 2 : 0); }
   void start(double* history) const {
     history[1] = start_temperature;
+    if (fields > 0) StretchHistory::start(history + find_stretch());
     for (int i = 0; i < start_states.count; ++i) history[own_history + i] = start_states.value[i];
     if (deletes > 0) history[find_deletion()] = 1;
+  }
+  bool is_told_of_elements() const { return fields > 0; }
+  void start_element(const UserElement& element, double* history) const {
+    double* const own = history + find_stretch() + StretchHistory::count;
+    start_place(element.place, history + first_field());
+    own[0] = element.id;
+    own[1] = element.length;
   }
   static int first_state() { return own_history; }
   int count_states() const { return states; }
@@ -116,6 +133,7 @@ struct UserHardening {
     start(history);
     PointStep<double> step{};
     step.motion.dt = rate > 0 ? strain / rate : 1e-6;
+    step.motion.volume_ratio = 1;
     step.history = history;
     Code<double> asked(*this, step);
     return asked.ask(strain, start_temperature).yield;
@@ -147,11 +165,38 @@ struct UserHardening {
     const double time;
     const T strain, dt;
     VuhardBlock<w> block;
+    FieldBlock<w> field;
+    bool has_kept_ends = true;  // of what the VUSDFLD may write
 
     Code(const UserHardening& of, const PointStep<T>& step)
         : law(of), time(step.motion.time), strain(step.history[0]), dt(step.motion.dt) {
       write_lanes(step.history[1], block.temperature_old);
       for (int i = 0; i < law.states; ++i) write_lanes(step.history[own_history + i], block.state_old + i * w);
+      if (law.fields > 0) set_fields(step);
+    }
+
+    /// By the VUSDFLD, which also changes state variables before the VUHARD gets them.
+    void set_fields(const PointStep<T>& step) {
+      T* const stretch = step.history + law.find_stretch();
+      const T* const element = stretch + StretchHistory::count;
+      FieldPoints<T> points;
+      points.stress = step.stress;
+      points.stretch = StretchHistory::load(stretch);
+      points.temperature = step.history[1];
+      points.plastic_strain = strain;
+      points.has_plastic_strain = true;
+      points.states = law.states;
+      double id[w], length[w], steps[w];
+      write_lanes(element[0], id);
+      for (int i = 0; i < w; ++i) block.elements[i] = static_cast<int>(id[i]);
+      write_lanes(T(element[1] * power(step.motion.volume_ratio, 1.0 / 3.0)), length);
+      write_lanes(dt, steps);
+      block.begin(law.states);
+      law.find_fields({law.code, law.called, time, steps, length, identity_matrix<double>(), block.elements,
+                       block.state_old, block.state_new},
+                      points, step.history + law.first_field(), field);
+      has_kept_ends = block.has_kept_ends(law.states) && field.has_kept_ends(law.fields);
+      StretchHistory::store(advance_stretch(points.stretch, step.motion), stretch);
     }
 
     /// The yield stress after dp, and its slopes.
@@ -161,12 +206,14 @@ struct UserHardening {
       write_lanes(temperature, block.temperature_new);
       block.begin(law.states);
       const int points = w, first = 1, none = 0;
+      const double *const before = law.fields > 0 ? field.before : block.none, *const now = law.fields > 0 ? field.now
+                                                                                                           : block.none;
       double length[w];
       write_lanes(dt, length);
       law.code.vuhard(&points, block.elements, &first, &first, &first, &none, &time, &time, length, law.called.text,
-                      &law.states, &none, &law.constants.count, law.constants.value, block.temperature_old,
-                      block.temperature_new, block.none, block.none, block.state_old, block.strain, block.rate,
-                      block.yield, block.by_temperature, block.by_strain, block.state_new, MaterialText::most);
+                      &law.states, &law.fields, &law.constants.count, law.constants.value, block.temperature_old,
+                      block.temperature_new, before, now, block.state_old, block.strain, block.rate, block.yield,
+                      block.by_temperature, block.by_strain, block.state_new, MaterialText::most);
       return {read_lanes<T>(block.yield), read_lanes<T>(block.by_strain), read_lanes<T>(block.by_strain + w),
               read_lanes<T>(block.by_temperature)};
     }
@@ -201,19 +248,22 @@ struct UserHardening {
     }
     return_stress(trial, resistance, dp, flow_stress, step);
     expand(c, thermal_expansion, heat(dp), step.stress);
-    keep(asked.block, answer.yield, dp, temperature + heat(dp), step);
+    keep(asked, answer.yield, dp, temperature + heat(dp), step);
   }
 
   /// Stores what a step has left. A yield stress that is no number ends the run, as does code that writes elsewhere.
-  template <class T, class Block>
-  void keep(const Block& block, const T& yield, const T& dp, const T& temperature, PointStep<T>& step) const {
+  template <class T>
+  void keep(const Code<T>& asked, const T& yield, const T& dp, const T& temperature, PointStep<T>& step) const {
+    const auto& block = asked.block;
     T* const own = step.history;
     own[0] = own[0] + dp;
     own[1] = temperature;
-    const T remained = deletes > 0 ? own[find_deletion()] : T(1);
+    T remained = deletes > 0 ? own[find_deletion()] : T(1);
+    if (deletes > 0 && fields > 0)
+      remained = smaller(remained, read_lanes<T>(block.state_old + (deletes - 1) * lane_count<T>));
     for (int i = 0; i < states; ++i) own[own_history + i] = read_lanes<T>(block.state_new + i * lane_count<T>);
     if (deletes > 0) end_deleted(remained, own[find_deletion()], step.stress);
-    const bool kept = block.has_kept_ends(states);
+    const bool kept = block.has_kept_ends(states) && asked.has_kept_ends;
     if (!kept) __atomic_store_n(code.has_written_outside, 1, __ATOMIC_RELAXED);
     const auto is_number = (yield > T(-1e300)) & (yield < T(1e300)) & (T(kept ? 1.0 : 0.0) > T(0));
     step.stress.xx = select(is_number, step.stress.xx, T(std::numeric_limits<double>::quiet_NaN()));

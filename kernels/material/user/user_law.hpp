@@ -12,11 +12,10 @@
 #include "kernels/material/material_key.hpp"
 #include "kernels/material/radial_return.hpp"
 #include "kernels/material/stretch.hpp"
+#include "kernels/material/user/user_element.hpp"
+#include "kernels/material/user/user_fields.hpp"
 
 namespace percuss {
-
-/// Characteristic lengths that the user's code may tell of an element.
-inline constexpr int most_user_lengths = 12;
 
 /// Input and output of the user's code for W points. What the code may write ends with numbers that it must not change.
 template <int W>
@@ -48,18 +47,11 @@ struct VumatBlock {
   }
 };
 
-/// What the code is told of an element, from the start on.
-struct UserElement {
-  double id = 0;                           // the user's
-  double length = 0;                       // edge of a cube of its volume at the start
-  double lengths[most_user_lengths] = {};  // characteristic lengths of its own, where the law asks for them
-};
-
 /// Stress from the user's code. The frame is the one that turns with the material (Green and Naghdi), by the material's
 /// axes if it has any; in it the gradient of the deformation is the stretch U. History: U in the axes of space,
 /// internal and dissipated energy by mass, the temperature if it is ever another than 0, its rise in the last step if
-/// it expands, the number of the element, its characteristic lengths, the user's states.
-struct UserLaw {
+/// it expands, the number of the element, its characteristic lengths, the user's states, that of the user's fields.
+struct UserLaw : UserFields {
   static constexpr const char* name = "user";
   using Constants = UserLaw;
 
@@ -85,6 +77,9 @@ struct UserLaw {
         may("characteristic_lengths", &M::own_lengths, most_user_lengths,
             "How many lengths of each element the VUCHARLENGTH of the same library tells; 0: the edge of a cube of its "
             "volume."),
+        may<M>("field_variables", &M::fields, most_user_fields,
+               "How many fields the VUSDFLD of the same library sets before the VUMAT is called; 0: it is not called."),
+        may<M>("field_constants", &M::field_constants, "PROPS of the VUSDFLD, in their order."),
         may("first_axis", &M::first_axis, KeyRange::any, "-",
             "Axis 1 in space at the start, in whose components the code gets all tensors."),
         may("second_axis", &M::second_axis, KeyRange::any, "-",
@@ -102,13 +97,15 @@ struct UserLaw {
   /// What is wrong between constants; empty: nothing.
   const char* find_fault() const {
     if (start_states.count > states) return "more start_states than state_variables";
+    if (field_constants.count > 0 && fields == 0) return "field_constants and no field_variables";
     if (!are_axes(first_axis, second_axis)) return "first_axis and second_axis that are zero or parallel";
     return thermal_expansion > 0 && specific_heat == 0 ? "a thermal_expansion and no specific_heat, by which it heats"
                                                        : "";
   }
 
   static constexpr int history_count = most_law_history;
-  static_assert(StretchHistory::count + 5 + most_user_lengths + most_user_states <= most_law_history ||
+  static_assert(StretchHistory::count + 5 + most_user_lengths + most_user_states + most_user_fields + 3 <=
+                    most_law_history ||
                 most_law_history < most_user_states);  // which a device does not call
   static constexpr bool changes_at_rest = true;        // the code gets the time
   /// Where the temperature is kept, in the history of the law; -1: it is 0 for good.
@@ -123,7 +120,8 @@ struct UserLaw {
   int count_lengths() const { return own_lengths > 0 ? own_lengths : 1; }
   int first_state() const { return find_element() + 1 + count_lengths(); }
   int count_states() const { return states; }
-  int count_history() const { return first_state() + states; }
+  int first_field() const { return first_state() + states; }
+  int count_history() const { return first_field() + count_field_history(); }
   void start(double* history) const {
     StretchHistory::start(history);
     if (find_temperature() >= 0) history[find_temperature()] = start_temperature;
@@ -131,10 +129,12 @@ struct UserLaw {
     if (deletes > 0) history[find_deletion()] = 1;
     for (int i = 0; i < count_lengths(); ++i) history[find_element() + 1 + i] = 1;
   }
+  static bool is_told_of_elements() { return true; }
   void start_element(const UserElement& element, double* history) const {
     history[find_element()] = element.id;
     history[find_element() + 1] = element.length;
     for (int i = 0; i < own_lengths; ++i) history[find_element() + 1 + i] = element.lengths[i];
+    start_place(element.place, history + first_field());
   }
   /// Place of the state that deletes a point, in the history of the law; -1: none.
   int find_deletion() const { return deletes > 0 ? first_state() + deletes - 1 : -1; }
@@ -270,18 +270,34 @@ struct UserLaw {
     block.mark_ends(states);
   }
 
+  /// By the VUSDFLD, which also changes state variables before the VUMAT gets them.
+  template <class T, class Block>
+  void set_fields(const PointStep<T>& step, Block& block, FieldBlock<lane_count<T>>& field) const {
+    FieldPoints<T> points;
+    points.stress = read_tensor_lanes<T>(block.stress_old);
+    points.stretch = read_tensor_lanes<T>(block.stretch_old);
+    points.temperature = read_lanes<T>(block.temperature);
+    points.states = states;
+    find_fields({code, called, step.motion.time, block.dt, block.length, find_axes(), block.header + 4, block.state_old,
+                 block.state_new},
+                points, step.history + first_field(), field);
+  }
+
   template <class T>
   PERCUSS_NO_INLINE void call(PointStep<T>& step) const {
     constexpr int w = lane_count<T>;
     const Symmetric3<T> stretch = advance_stretch(StretchHistory::load(step.history), step.motion);
     VumatBlock<w> block;
+    FieldBlock<w> field;
     fill(step, stretch, block);
-    const int direct = 3, shear = 3, none = 0;
-    code.vumat(block.header, &direct, &shear, &states, &none, &constants.count, block.flags, &step.motion.time,
+    if (fields > 0) set_fields(step, block, field);
+    const int direct = 3, shear = 3;
+    code.vumat(block.header, &direct, &shear, &states, &fields, &constants.count, block.flags, &step.motion.time,
                &step.motion.time, block.dt, called.text, block.places, block.length, constants.value, block.density,
-               block.strain, block.spin, block.temperature, block.stretch_old, block.gradient_old, block.none,
-               block.stress_old, block.state_old, block.energy_old, block.dissipated_old, block.temperature,
-               block.stretch_new, block.gradient_new, block.none, block.stress_new, block.state_new, block.energy_new,
+               block.strain, block.spin, block.temperature, block.stretch_old, block.gradient_old,
+               fields > 0 ? field.before : block.none, block.stress_old, block.state_old, block.energy_old,
+               block.dissipated_old, block.temperature, block.stretch_new, block.gradient_new,
+               fields > 0 ? field.now : block.none, block.stress_new, block.state_new, block.energy_new,
                block.dissipated_new, MaterialText::most);
     T* const own = step.history + StretchHistory::count;
     StretchHistory::store(stretch, step.history);
@@ -290,10 +306,11 @@ struct UserLaw {
     own[1] = read_lanes<T>(block.dissipated_new);
     heat(block, step);
     T* const state = step.history + first_state();
-    const T before = deletes > 0 ? state[deletes - 1] : T(1);
+    T before = deletes > 0 ? state[deletes - 1] : T(1);
+    if (deletes > 0 && fields > 0) before = smaller(before, read_lanes<T>(block.state_old + (deletes - 1) * w));
     for (int i = 0; i < states; ++i) state[i] = read_lanes<T>(block.state_new + i * w);
     if (deletes > 0) end_deleted(before, state[deletes - 1], step.stress);
-    if (block.has_kept_ends(states)) return;
+    if (block.has_kept_ends(states) && (fields == 0 || field.has_kept_ends(fields))) return;
     __atomic_store_n(code.has_written_outside, 1, __ATOMIC_RELAXED);
     step.stress.xx = T(std::numeric_limits<double>::quiet_NaN());  // ends the run
   }

@@ -39,12 +39,24 @@ initial: [{part: bar, velocity: [0, 0, -190]}]
 output: {history: {every: 1e-6, nodes: [{name: foot, near: [0.0032, 0, 0]}, {name: end, near: [0, 0, 0.0324]}], elements: [{name: e, near: [0, 0, 0]}]}}
 """
 
+SOFT = """
+title: A cube whose stiffness falls with the strain
+units: m, kg, s
+time: {end: 2e-3, max_step: 2e-6}
+parts: {cube: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}}
+materials: {m: {model: user, density: 1000, vumat: $library, constants: [2e9, 0.25], state_variables: 2, delete_variable: 1, field_variables: 1, field_constants: [0.2, 0.15]}}
+elements: {bulk_viscosity: {linear: 0, quadratic: 0}}
+conditions: [{nodes: cube, fixed: [y, z]}, {nodes: cube/x_min, fixed: x}, {nodes: cube/x_max, velocity: {x: 100}}]
+output: {history: {every: 0, elements: [{name: e, id: 1}]}}
+"""
 
-@case("user_laws", "plastic", "Laws of users: VUMAT, VUHARD and C++")
+
+@case("user_laws", "plastic", "Laws of users: VUMAT, VUHARD, VUSDFLD and C++")
 def user_laws(bench):
     """The examples of inputs/user_law are compiled and run. The VUMAT of neo-Hookean rubber is compared with the built-in law, in a
     clamped bar of fully integrated elements that bends and twists far, after 10 ms: 0.2 %. The VUHARD of Johnson and Cook is compared with the built-in law in a Taylor bar of
-    copper: 0.02 %. Gent's rubber in C++ is compared with its energy (Gent 1996), as the built-in rubbers are: 0.1 %."""
+    copper: 0.02 %. A VUSDFLD beside a VUMAT takes stiffness away, M (1 - e / 0.2) by the logarithmic strain e, and deletes at 0.15: M (e - e^2 / 0.4) within 0.1 %, the strain within 1 %.
+    Gent's rubber in C++ is compared with its energy (Gent 1996), as the built-in rubbers are: 0.1 %."""
     library = compile_fortran(bench, "neo_hookean")
     user = bench.run(TWIST, law=f"model: user, vumat: {library}, constants: [3e6, 0.45], state_variables: 1", libraries=[library])
     own = bench.run(TWIST, law="model: neo_hookean, youngs_modulus: 3e6, poissons_ratio: 0.45")
@@ -57,6 +69,12 @@ def user_laws(bench):
     for name, column in (("radius of the foot", "foot_x"), ("length", "end_z"), ("strain in the foot", "e_eps"), ("temperature in the foot", "e_temperature")):
         bench.near(f"VUHARD: {name}", user.history.last(column), own.history.last(column), relative=2e-4)
     bench.table(["", "run time of the user's law [s]", "of the built-in law [s]"], [["Taylor bar", f"{user.cpu:.1f}", f"{own.cpu:.1f}"]])
+    library = compile_fortran(bench, "softening")
+    h = bench.run(SOFT, library=library, libraries=[library]).history
+    strain, modulus = np.log(1 + 100 * h["time"]), 2e9 * (1 - 0.25) / ((1 + 0.25) * (1 - 0.5))
+    last = int(np.max(np.flatnonzero(h["e_stress_xx"])))
+    bench.near("VUSDFLD: stress before the deletion", float(h["e_stress_xx"][last]), modulus * (strain[last] - strain[last]**2 / 0.4), relative=1e-3, unit="Pa")
+    bench.near("VUSDFLD: strain of the deletion", float(strain[last]), 0.15, relative=1e-2)
     library = bench.file("gent.so")
     subprocess.run([str(bench.options.percuss), "build-law", str(EXAMPLES / "gent.hpp"), "--out", str(library)], check=True, capture_output=True)
     law = f"model: library, law: {library}, constants: {{shear_modulus: 0.4, limit: 40, bulk_modulus: 100}}"

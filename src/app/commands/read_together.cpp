@@ -73,7 +73,7 @@ void load_user_laws(const Deck& deck, const Command& command) {
     try {
       if (const auto tables = material.law.texts.find("parameter_tables"); tables != material.law.texts.end())
         read_user_tables(tables->second);
-      require_user_lengths(material.law);
+      require_user_entries(material.law);
       check_answer(deck, material, library);
     } catch (const InputError& error) {
       const std::string text = error.what(), place = deck.where(material.law.place);

@@ -88,11 +88,13 @@ UserCode load_user_code(const std::string& file, const std::string& subroutine) 
   if (entry == nullptr)
     refuse_library(file, fmt::format("it has no entry {}_", subroutine),
                    fmt::format("name its subroutine {}", to_capitals(subroutine)));
-  UserCode code{nullptr, 0, load_library(file).has_written_outside, nullptr};
+  UserCode code;
+  code.has_written_outside = load_library(file).has_written_outside;
   if (subroutine == "vuhard")
     code.vuhard = reinterpret_cast<VuhardFunction>(entry);
   else
     code.vumat = reinterpret_cast<VumatFunction>(entry);
+  code.vusdfld = reinterpret_cast<VusdfldFunction>(find_user_entry(file, "vusdfld"));
   return code;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Code of users: shared libraries with a VUMAT, a VUHARD or a law. A library runs with all rights of the program, so
-// none is loaded that the command line has not named.
+// Code of users: shared libraries with a VUMAT, a VUHARD, a VUSDFLD beside one of these, or a law. A library runs with
+// all rights of the program, so none is loaded that the command line has not named.
 
 #include <string>
 #include <vector>

@@ -35,6 +35,14 @@ double find_number(const LawDeck& law, const char* key) {
   return found == law.numbers.end() ? 0 : found->second;
 }
 
+/// A subroutine of the library that a key asks for.
+void require_entry(const LawDeck& law, const char* key, const char* entry) {
+  const std::string file = find_code_file(law);
+  if (find_number(law, key) == 0 || find_user_entry(file, entry) != nullptr) return;
+  refuse_library(file, fmt::format("its material has {}, and it has no entry {}_", key, entry),
+                 "add that subroutine, or remove the key");
+}
+
 /// State variables at the start.
 std::vector<double> list_states(const LawDeck& law) {
   std::vector<double> states(static_cast<std::size_t>(find_number(law, "state_variables")));
@@ -82,11 +90,9 @@ CornerPlaces list_places(const UserShape& shape) {
 
 int count_user_lengths(const LawDeck& law) { return static_cast<int>(find_number(law, "characteristic_lengths")); }
 
-void require_user_lengths(const LawDeck& law) {
-  const std::string file = find_code_file(law);
-  if (count_user_lengths(law) == 0 || find_user_entry(file, subroutine) != nullptr) return;
-  refuse_library(file, "its material has characteristic_lengths, and it has no entry vucharlength_",
-                 "add the subroutine VUCHARLENGTH, or remove the key");
+void require_user_entries(const LawDeck& law) {
+  require_entry(law, "characteristic_lengths", subroutine);
+  require_entry(law, "field_variables", "vusdfld");
 }
 
 std::vector<double> find_user_lengths(const LawDeck& law, const UserShape& shape) {

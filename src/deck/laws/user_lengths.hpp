@@ -20,8 +20,9 @@ struct UserShape {
 /// How many lengths the law asks for; 0: none.
 int count_user_lengths(const LawDeck& law);
 
-/// Throws InputError if the law asks for lengths and its library has no VUCHARLENGTH.
-void require_user_lengths(const LawDeck& law);
+/// Throws InputError if the law asks for lengths and its library has no VUCHARLENGTH, or for fields and it has no
+/// VUSDFLD.
+void require_user_entries(const LawDeck& law);
 
 /// The lengths, count_user_lengths() of them. Throws InputError if one is no number.
 std::vector<double> find_user_lengths(const LawDeck& law, const UserShape& shape);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -15,6 +16,8 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+
+#include "kernels/material/user/user_fields.hpp"
 
 namespace percuss {
 namespace {
@@ -78,9 +81,9 @@ std::string fill_message(const std::string& form, MessageValues values) {
   return text;
 }
 
-/// A message is printed some times; then it is told that it goes on.
-void print_message(const std::string& library, const char* kind, const std::string& form, const std::string& text) {
-  constexpr int most = 5;
+/// A message, known by its form, is printed some times; then it is told that it goes on.
+void print_message(const std::string& library, const char* kind, const std::string& form, const std::string& text,
+                   int most = 5) {
   constexpr std::size_t most_forms = 1000;
   UserContext& all = context();
   const std::scoped_lock lock(all.busy);
@@ -101,6 +104,19 @@ constexpr int most_locks = 100;
 std::mutex* find_lock(const int* id) {
   static std::array<std::mutex, most_locks> locks;
   return *id >= 1 && *id <= most_locks ? &locks[static_cast<std::size_t>(*id - 1)] : nullptr;
+}
+
+/// What VGETVRM tells of the points that this thread is at; the status: 0, or 1 where there is no such quantity.
+int tell_quantity(const std::string& library, const std::string& quantity, double* values) {
+  if (asked_points != nullptr && asked_points->tell(quantity, values)) return 0;
+  const std::string text =
+      asked_points == nullptr
+          ? "VGETVRM answers in a VUSDFLD alone: call it there"
+          : fmt::format(
+                "VGETVRM has no {} here (there are S, LE, TEMP, SDV, and PEEQ beside a VUHARD): use one of these",
+                quantity);
+  print_message(library, "warning: ", text, text, 1);
+  return 1;
 }
 
 void issue(const std::string& library, int kind, const std::string& form, const MessageValues& values) {
@@ -168,6 +184,14 @@ PERCUSS_USER_ROUTINE void stdb_abqerr_(const int* kind, const char* form, const 
   percuss::issue(percuss::name_library(__builtin_return_address(0)), *kind, percuss::read_fortran(form, length),
                  {integers, reals, words});
 }
+/// Quantities of numbers alone: the integers and the flags stay as they are. The length of the flags, which comes last,
+/// is not read.
+PERCUSS_USER_ROUTINE void vgetvrm_(const char* quantity, double* values, int*, char*, int* status, std::size_t length) {
+  std::string name = percuss::read_fortran(quantity, length);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  *status = percuss::tell_quantity(percuss::name_library(__builtin_return_address(0)), name, values);
+}
+
 PERCUSS_USER_ROUTINE void xplb_exit_() {
   percuss::end_run(percuss::name_library(__builtin_return_address(0)), "XPLB_EXIT");
 }

@@ -173,7 +173,7 @@ struct BlockBuilder {
       start_values.resize(start_values.size() + count);
       double* const values = &start_values[start_values.size() - count];
       start_history(material, values, {x[0], x[1], x[2]});
-      if (count_own_lengths(material) >= 0)
+      if (is_told_of_elements(material))
         start_element(material, describe_to_user(deck, chunked.mesh, static_cast<std::size_t>(e)), values);
       if (material.is_scaled)
         values[material.find_mass_place()] = find_element_mass(deck, chunked.mesh, static_cast<std::size_t>(e));

@@ -93,6 +93,14 @@ void settablecollection_(const char*, int*, size_t);
 void queryparametertable_(const char*, int*, int*, int*, size_t);
 void getparametertable_(const char*, const int*, int*, int*, double*, char*, int*, size_t, size_t);
 """)
+# The last field is the last of the constants of VUSDFLD, and scales the moduli.
+FIELDS = elastic_code("factor = q1[(*fields - 1) * n + i];", """
+void vusdfld_(const int* n, const int* states, const int* fields, const int* count, const int* ndir, const int* nshr, const int* element, const int* point,
+              const int* layer, const int* section, const double* s, const double* t, const double* dt, const char* name, const double* place, const double* direct,
+              const double* turn, const double* length, const double* props, const double* old, double* next, double* field) {
+  for (int i = 0; i < *n; ++i) field[(*fields - 1) * *n + i] = props[*count - 1];
+}
+""")
 LAMBDA = BULK - 2 / 3 * SHEAR
 LAW = f"*USER MATERIAL, CONSTANTS=2\n{LAMBDA!r}, {SHEAR!r}\n"
 HARDENING = "*PLASTIC, HARDENING=USER, PROPERTIES="
@@ -133,8 +141,18 @@ def energy(modulus: float) -> list:
 PLANE = BULK + 4 / 3 * SHEAR
 ALONG_Y = "*ORIENTATION, NAME=o\n0., 1., 0., -1., 0., 0.\n"
 OWN = "*CHARACTERISTIC LENGTH, DEFINITION=USER, COMPONENTS=3, PROPERTIES=1\n0.3,\n"
+FIELD = "*USER DEFINED FIELD, PROPERTIES=2\n7., 0.4\n"
+AT_START = "*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE=3\nall, 0.\n"
 
 PROOFS = [
+    Proof("USER DEFINED FIELD: PROPERTIES", driven(LAW + FIELD, 1e-4, 0.0, 0.0), energy(0.4 * PLANE), "the field is 0.4, which scales the moduli", code=FIELDS),
+    Proof("INITIAL CONDITIONS: TYPE VARIABLE", driven(LAW + FIELD, 1e-4, 0.0, 0.0, before=AT_START), energy(0.4 * PLANE), "the third of three fields", code=FIELDS),
+    Proof("INITIAL CONDITIONS: TYPE", driven(LAW + FIELD, 1e-4, 0.0, 0.0, before=AT_START.replace("0.", "1.")), refused="a field at the start other than 0", code=FIELDS),
+    Proof("INITIAL CONDITIONS: VARIABLE", driven(LAW + FIELD, 1e-4, 0.0, 0.0, before=AT_START.replace("=3", "=17")), refused="17 fields", code=FIELDS),
+    Proof("USER DEFINED FIELD: PROPERTIES", driven(LAW + FIELD.replace("=2", "=1"), 1e-4, 0.0, 0.0), refused="2 constants (PROPERTIES=1)", code=FIELDS),
+    Proof("USER DEFINED FIELD", driven(LAW + FIELD, 1e-4, 0.0, 0.0), refused="no entry vusdfld_", code=elastic_code()),
+    Proof("USER DEFINED FIELD", stretched(ELASTIC + "*USER DEFINED FIELD\n"), refused="*USER DEFINED FIELD of a material"),
+    Proof("ELASTIC", stretched(ELASTIC.replace("*ELASTIC", "*ELASTIC, DEPENDENCIES=1")), refused="DEPENDENCIES"),
     Proof("SOLID SECTION: ORIENTATION; ORIENTATION: NAME", turned(0.0, 1e-4, ALONG_Y), energy(PLANE + EXTRA), "axis 1 is y, along which the code is stiffer", code=elastic_code()),
     Proof("ORIENTATION: NAME", turned(1e-4, 0.0, ALONG_Y), energy(PLANE), "x is axis 2", code=elastic_code()),
     Proof("ORIENTATION: NAME", turned(1e-4, 0.0, ALONG_Y + "3, 90.\n"), energy(PLANE + EXTRA), "turned by 90 degrees about axis 3 axis 1 is -x", code=elastic_code()),

@@ -121,6 +121,7 @@ class AbaqusDeck:
         self.step_scale = 0.0  # 0: percuss' own
         self.states: dict[int, tuple[float, ...]] = {}  # of user code at the start, by element
         self.states_place: Place | None = None
+        self.field_count = 1  # of a VUSDFLD
         self.twins: dict[int, int] = {}  # of nodes of plane strain and of rotational symmetry: those of the other plane
         self.followings: list[Following] = []  # nodes with the motion of a node without elements
         self.leaders: set[int] = set()  # nodes without elements whose displacements are in equations

@@ -10,7 +10,7 @@ from .deck import AbaqusDeck
 from .heat import read_temperature
 from .lines import Block
 from .stresses import read_hardening, read_stresses
-from .user_code import read_solution
+from .user_code import read_field, read_solution
 
 INSTEAD = "it is left out"
 
@@ -105,6 +105,6 @@ def name_nodes(deck: AbaqusDeck, nodes: list[int], wish: str) -> str:
 
 
 READERS = {
-    "VELOCITY": read_velocity, "ROTATING VELOCITY": read_rotation, "TEMPERATURE": read_temperature, "STRESS": read_stresses,
+    "VELOCITY": read_velocity, "ROTATING VELOCITY": read_rotation, "TEMPERATURE": read_temperature, "STRESS": read_stresses, "FIELD": read_field,
     "HARDENING": read_hardening,
 }  # fmt: skip

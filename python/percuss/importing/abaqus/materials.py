@@ -15,7 +15,7 @@ from .heat import take_heat
 from .lines import Block
 from .one_temperature import settle_temperature
 from .plies import COUNTS, read_constants
-from .user_code import add_lengths, is_user_code, is_user_hardening, translate_hardening, translate_user_code
+from .user_code import LAWS, add_fields, add_lengths, is_user_code, is_user_hardening, translate_hardening, translate_user_code
 from .voids import add_voids
 
 INSTEAD = "it is left out"
@@ -65,6 +65,8 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
             deck.ledger.ignored(block.keyword, block.place, what)
         elif block.keyword == "CHARACTERISTIC LENGTH" and law["model"] == "user":
             add_lengths(deck, law, block)
+        elif block.keyword == "USER DEFINED FIELD" and law["model"] in LAWS:
+            add_fields(deck, law, block)
         elif block.keyword not in done:
             deck.ledger.refuse(block.keyword, block.place, f"*{block.keyword} of a material", INSTEAD)
     deck.ledger.translated("MATERIAL", material.place, law["model"])

@@ -22,7 +22,7 @@ from .planes import hold_planes
 from .springs import add_springs, read_spring
 from .tables import TABLES, finish_tables
 from .timeline import StepTime
-from .user_code import apply_states
+from .user_code import apply_states, note_fields
 
 T = TypeVar("T")
 
@@ -348,6 +348,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     turn_rings(deck)
     deck.model.nodes = deck.mesh.nodes
     heat.note_temperatures(deck, reader.waiting)
+    note_fields(deck, reader.waiting)
     build_parts(deck)
     choose_integration(deck)
     damage.finish_failure(deck)

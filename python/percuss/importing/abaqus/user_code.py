@@ -1,4 +1,4 @@
-"""*USER MATERIAL and *PLASTIC, HARDENING=USER: code of the user (VUMAT, VUHARD), in a library that the command line names."""
+"""*USER MATERIAL, *PLASTIC, HARDENING=USER and *USER DEFINED FIELD: code of the user (VUMAT, VUHARD, VUSDFLD), in a library that the command line names."""
 
 from ..fields import clip, parse_integer
 from ..ledger import BadInput
@@ -6,7 +6,7 @@ from ..model import Deck
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block
 
-MOST_CONSTANTS, MOST_STATES, MOST_LENGTHS = 200, 1000, 12
+MOST_CONSTANTS, MOST_STATES, MOST_LENGTHS, MOST_FIELDS = 200, 1000, 12, 16
 LAWS = ("user", "user_hardening")
 LEFT_OUT = "the parts made of it are left out"
 
@@ -41,6 +41,37 @@ def add_lengths(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     if constants:
         law["length_constants"] = constants
     deck.ledger.approximated(block.keyword, block.place, "VUCHARLENGTH of the library is called once, at the start")
+
+
+def note_fields(deck: AbaqusDeck, blocks: list[Block]) -> None:
+    """How many fields there are, before the materials are made: the largest number of one that is given."""
+    for block in blocks:
+        if block.keyword == "INITIAL CONDITIONS" and block.option("TYPE") == "FIELD":
+            deck.field_count = max(deck.field_count, parse_integer(block.option("VARIABLE") or "1") or 1)
+
+
+def add_fields(deck: AbaqusDeck, law: Deck, block: Block) -> None:
+    """*USER DEFINED FIELD beside user code: VUSDFLD of the same library."""
+    constants, wanted = read_constants(block), parse_integer(block.option("PROPERTIES") or "0")
+    if wanted is None or not 0 <= wanted - len(constants) <= 8:
+        raise BadInput(block.place, f"*{block.keyword} has {len(constants)} constants (PROPERTIES={clip(block.option('PROPERTIES'))}): correct one of them")
+    constants += [0.0] * (wanted - len(constants))
+    if len(constants) > MOST_CONSTANTS or deck.field_count > MOST_FIELDS:
+        text = f"{deck.field_count} fields and {len(constants)} constants of VUSDFLD (at most {MOST_FIELDS} and {MOST_CONSTANTS})"
+        deck.ledger.refuse(block.keyword, block.place, text, "VUSDFLD is not called")
+        return
+    law["field_variables"] = deck.field_count
+    if constants:
+        law["field_constants"] = constants
+    deck.ledger.translated(block.keyword, block.place, f"field_variables: VUSDFLD of the library sets {deck.field_count}")
+
+
+def read_field(deck: AbaqusDeck, block: Block) -> None:
+    """*INITIAL CONDITIONS, TYPE=FIELD: values of nodes before VUSDFLD sets those of the points."""
+    if any(block.number(line, i) for line in block.lines for i in range(1, 8)):
+        deck.ledger.refuse("INITIAL CONDITIONS.FIELD", block.place, "a field at the start other than 0", "fields begin with 0")
+    else:
+        deck.ledger.ignored("INITIAL CONDITIONS.FIELD", block.place, "fields begin with 0 anyway")
 
 
 def translate_hardening(deck: AbaqusDeck, name: str, law: Deck, plastic: Block, states: Block | None) -> Deck | None:

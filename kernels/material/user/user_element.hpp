@@ -1,0 +1,17 @@
+#pragma once
+// What code of users is told of an element.
+
+namespace percuss {
+
+/// Characteristic lengths that the user's code may tell of an element.
+inline constexpr int most_user_lengths = 12;
+
+/// From the start on.
+struct UserElement {
+  double id = 0;                           // the user's
+  double length = 0;                       // edge of a cube of its volume at the start
+  double lengths[most_user_lengths] = {};  // characteristic lengths of its own, where the law asks for them
+  double place[3] = {};                    // of its middle at the start
+};
+
+}  // namespace percuss
