@@ -145,11 +145,17 @@ class UserFields(LawTest):
     def test_fields_and_states_are_kept_over_ranks_and_restarts(self):
         # The field of the step before softens, too, so that it must be kept.
         self.compile(DAMAGE, body="if (nfieldv .gt. 0) stressNew(k,2) = stressNew(k,2) * (1.d0 - 0.01d0 * fieldOld(k,1))")
-        deck = write_cube(user(SOFTENING), 2e-3, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4,
+        self.check_bits(user(SOFTENING))
+        # Of a VUHARD the strain since the start and the field count: LE, and a field that VUSDFLD adds up in a state variable.
+        self.compile(DAMAGE, law=HARDENING.replace("fieldNew(k,1))", "fieldOld(k,1))"))
+        self.check_bits(hard(SOFTENING))
+
+    def check_bits(self, law):
+        deck = write_cube(law, 2e-3, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4,
                           more="initial: [{nodes: cube/x_max, velocity: [100, 10, 0]}]\n")
         whole = self.run_deck(deck, out="whole")[1]["state_hash"]
         self.run_deck(deck, "--set", "time.max_steps=20", out="half")
-        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
+        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--force", "--out", "again")
         self.assertEqual(again.returncode, 0, again.stderr)
         with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["state_hash"], whole)
