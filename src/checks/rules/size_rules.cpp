@@ -119,6 +119,22 @@ bool fill_one_cell(const PartDeck& part, const PartMeasures& measures) {
   return static_cast<double>(measures.cut_faces) >= least_faces * static_cast<double>(measures.cut_solids);
 }
 
+/// Whether a generated bar has one cell of tetrahedra or pyramids across. Those of five have a rule of their own.
+bool is_bar_of_one_cell(const PartDeck& part) {
+  using Elements = PartDeck::Elements;
+  constexpr double least_slender = 5;  // length over thickness: a shorter part hardly bends
+  const auto* box = std::get_if<BoxShape>(&part.shape);
+  const bool is_cut = part.elements == Elements::tetrahedra || part.elements == Elements::six_tetrahedra ||
+                      part.elements == Elements::pyramids;
+  if (box == nullptr || !is_cut || std::count(box->cells.begin(), box->cells.end(), 1) != 2) return false;
+  double across = 0, along = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double& size = box->cells[k] == 1 ? across : along;
+    size = std::max(size, box->size[k]);
+  }
+  return along >= least_slender * across;
+}
+
 /// Whether a condition keeps a whole part from moving across its thinnest direction: it is flat, and does not bend.
 bool is_held_flat(const Deck& deck, const PartDeck& part, const PartMeasures& measures) {
   const Vec3 size = subtract(measures.high, measures.low);
@@ -208,15 +224,17 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
     const bool is_cut = measures.cut_solids > 0 && fill_one_cell(part, measures);
     const std::int64_t layered =
         (has_points ? 0 : measures.single_layer) + measures.layered_wedges + (is_cut ? measures.cut_solids : 0);
+    const bool is_bar = is_bar_of_one_cell(part);
     const double thickness =
-        std::max(measures.layer_thickness, is_cut ? 2 * measures.cut_volume / measures.cut_area : 0);
+        is_bar ? find_thin_side(part.shape).size
+               : std::max(measures.layer_thickness, is_cut ? 2 * measures.cut_volume / measures.cut_area : 0);
     if (part.rigid || is_driven(scene.deck, part) || is_held_flat(scene.deck, part, measures)) continue;
-    if (!is_single_layer(measures, layered, thickness)) continue;
-    warnings.push_back(
-        warn_at(scene.deck, "single_layer", find_shape_path(part),
-                fmt::format("part '{}' has one {} through its thickness {:.3g} ({}): take 3 or more{}, or shells",
-                            part.name, is_cut ? "cell of tetrahedra or pyramids" : "solid element", thickness,
-                            describe_layer(measures, is_cut), measures.small_solids > 0 ? " hexahedra" : "")));
+    if (!is_bar && !is_single_layer(measures, layered, thickness)) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "single_layer", find_shape_path(part),
+        fmt::format("part '{}' has one {} through its thickness {:.3g} ({}): take 3 or more{}, or shells", part.name,
+                    is_cut || is_bar ? "cell of tetrahedra or pyramids" : "solid element", thickness,
+                    describe_layer(measures, is_cut || is_bar), measures.small_solids > 0 ? " hexahedra" : "")));
   }
   return warnings;
 }
