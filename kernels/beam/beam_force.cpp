@@ -91,13 +91,22 @@ struct AdvanceBeamChunk {
   /// changed: true from here on if a bit of the record does.
   KOKKOS_FUNCTION static BeamResult advance_element(const BeamParameters& parameters, const BeamMotion& motion,
                                                     const LaneRecord<Real>& record, bool& changed) {
+    BeamState now = load_state(record);
+    const BeamResult result = parameters.fibres.count > 0
+                                  ? advance_with_fibres(parameters, motion, record, now, changed)
+                                  : advance_beam(parameters, motion, now, nullptr);
+    changed = store_state(now, record) || changed;
+    return result;
+  }
+
+  /// The same of a section with fibres, which are read and stored too.
+  KOKKOS_FUNCTION static BeamResult advance_with_fibres(const BeamParameters& parameters, const BeamMotion& motion,
+                                                        const LaneRecord<Real>& record, BeamState& now, bool& changed) {
     double fibres[(1 + most_fibre_history) * most_beam_fibres] = {};
     const int scalars = (2 + count_more_history(parameters)) * parameters.fibres.count;
     const LaneRecord<Real> stored = record.from(BeamRecord::fibres);
     for (int k = 0; k < scalars; ++k) fibres[k] = stored[k];
-    BeamState now = load_state(record);
     const BeamResult result = advance_beam(parameters, motion, now, fibres);
-    changed = store_state(now, record) || changed;
     for (int k = 0; k < scalars; ++k) {
       const Real value = static_cast<Real>(fibres[k]);
       changed = changed || !has_same_bits(stored[k], value);

@@ -75,14 +75,10 @@ KOKKOS_INLINE_FUNCTION void advance_called_fibres(const BeamParameters& par, con
   });
 }
 
-/// fibres: stress and plastic strain of each, then what else each remembers; in and out.
-KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& par, const BeamForces<double>& before,
-                                                          const BeamRates<double>& strain, double dt, double* fibres) {
-  BeamForces<double> f = add_elastic(before, par.stiffness, strain);
-  if (par.fibres.count == 0) return f;
-  f.normal = f.moment_y = f.moment_z = 0;
-  if (par.called.history_count > 0) advance_called_fibres(par, strain, dt, fibres, f);
-  for (int i = 0; i < par.fibres.count && par.called.history_count == 0; ++i) {
+/// The fibres of linear hardening; adds to the forces.
+KOKKOS_INLINE_FUNCTION void advance_linear_fibres(const BeamParameters& par, const BeamRates<double>& strain,
+                                                  double* fibres, BeamForces<double>& f) {
+  for (int i = 0; i < par.fibres.count; ++i) {
     double &stress = fibres[2 * i], &plastic_strain = fibres[2 * i + 1];
     const BeamFibre& fibre = par.fibres.fibre[i];
     const FibreState now = par.law.advance({stress, plastic_strain}, find_fibre_strain(fibre, strain));
@@ -90,6 +86,18 @@ KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& 
     plastic_strain = now.plastic_strain;
     add_fibre(fibre, stress, f);
   }
+}
+
+/// fibres: stress and plastic strain of each, then what else each remembers; in and out. Not read without fibres.
+KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& par, const BeamForces<double>& before,
+                                                          const BeamRates<double>& strain, double dt, double* fibres) {
+  BeamForces<double> f = add_elastic(before, par.stiffness, strain);
+  if (par.fibres.count == 0) return f;
+  f.normal = f.moment_y = f.moment_z = 0;
+  if (par.called.history_count > 0)
+    advance_called_fibres(par, strain, dt, fibres, f);
+  else
+    advance_linear_fibres(par, strain, fibres, f);
   if (!par.bends) f.moment_y = f.moment_z = 0;
   return f;
 }

@@ -140,28 +140,4 @@ PERCUSS_FORCE_INLINE void turn_to_rows(const Pack<double> (&packs)[8], double* t
   }
 }
 
-/// Rows of three numbers and 0: to[stride lane + k] = packs[k][lane]. Rows are aligned to four doubles.
-PERCUSS_FORCE_INLINE void turn_to_rows(const Pack<double> (&packs)[3], double* to, int stride) {
-  constexpr int W = pack_size<double>;
-#ifdef PERCUSS_HAS_SIMD
-  if constexpr (W >= 4) {
-    using Raw = typename detail::RawPack<W>::type;
-    Raw block[4] = {static_cast<Raw>(packs[0]), static_cast<Raw>(packs[1]), static_cast<Raw>(packs[2]), Raw{}};
-    detail::transpose_blocks<W>(block);
-    for (int i = 0; i < 4; ++i) {
-      if constexpr (W == 8)
-        detail::part_rows(block[i], to + stride * i, to + stride * (i + 4));
-      else
-        *reinterpret_cast<Raw*>(to + stride * i) = block[i];
-    }
-    return;
-  }
-#endif
-  for (int k = 0; k < 4; ++k) {
-    alignas(64) double column[W];
-    store_pack(column, k < 3 ? packs[k] : Pack<double>(0));
-    for (int lane = 0; lane < W; ++lane) to[stride * lane + k] = column[lane];
-  }
-}
-
 }  // namespace percuss

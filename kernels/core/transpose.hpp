@@ -88,20 +88,19 @@ PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[W], 
   }
 }
 
-/// The way back: records[lane] = {packs[0][lane], packs[1][lane], packs[2][lane], 0}.
-template <int W>
-PERCUSS_FORCE_INLINE void transpose_to_records(const Pack<double> (&packs)[3], double (&records)[W][4]) {
+/// The way back, rows of three numbers and 0: to[stride lane + k] = packs[k][lane]. Rows are aligned to four doubles.
+PERCUSS_FORCE_INLINE void turn_to_rows(const Pack<double> (&packs)[3], double* to, int stride) {
+  constexpr int W = pack_size<double>;
 #ifdef PERCUSS_HAS_SIMD
   if constexpr (W >= 4) {
     using Raw = typename detail::RawPack<W>::type;
     Raw block[4] = {static_cast<Raw>(packs[0]), static_cast<Raw>(packs[1]), static_cast<Raw>(packs[2]), Raw{}};
     detail::transpose_blocks<W>(block);
     for (int i = 0; i < 4; ++i) {
-      if constexpr (W == 8) {
-        detail::part_rows(block[i], records[i], records[i + 4]);
-      } else {
-        *reinterpret_cast<Raw*>(records[i]) = block[i];
-      }
+      if constexpr (W == 8)
+        detail::part_rows(block[i], to + stride * i, to + stride * (i + 4));
+      else
+        *reinterpret_cast<Raw*>(to + stride * i) = block[i];
     }
     return;
   }
@@ -109,8 +108,14 @@ PERCUSS_FORCE_INLINE void transpose_to_records(const Pack<double> (&packs)[3], d
   for (int k = 0; k < 4; ++k) {
     alignas(64) double column[W];
     store_pack(column, k < 3 ? packs[k] : Pack<double>(0));
-    for (int lane = 0; lane < W; ++lane) records[lane][k] = column[lane];
+    for (int lane = 0; lane < W; ++lane) to[stride * lane + k] = column[lane];
   }
+}
+
+/// The same into records: records[lane] = {packs[0][lane], packs[1][lane], packs[2][lane], 0}.
+template <int W>
+PERCUSS_FORCE_INLINE void transpose_to_records(const Pack<double> (&packs)[3], double (&records)[W][4]) {
+  turn_to_rows(packs, &records[0][0], 4);
 }
 
 #ifdef PERCUSS_HAS_SIMD

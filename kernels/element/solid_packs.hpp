@@ -19,15 +19,22 @@ inline constexpr int solid_width = pack_size<double>;
 inline constexpr int node_rows_ahead = 48;
 using SolidScratch = ChunkScratch<node_record, force_record>;
 
-/// A vector of the pack's N corners, from rows of so many numbers, at least four. Field: indexed by corner.
+/// The first numbers of one corner of a pack's elements, from rows of `row_size` numbers, at least four.
+template <int Columns>
+PERCUSS_FORCE_INLINE void gather_corner(const double* rows, int row_size, const std::uint16_t* corner,
+                                        Lanes (&packs)[Columns]) {
+  const double* records[solid_width];
+  for (int lane = 0; lane < solid_width; ++lane)
+    records[lane] = rows + static_cast<std::size_t>(row_size) * corner[lane];
+  transpose_to_packs(records, packs);
+}
+
+/// A vector of the pack's N corners. Field: indexed by corner.
 template <int N, class Field>
 PERCUSS_FORCE_INLINE void gather_corners(const double* rows, int row_size, const std::uint16_t* corners, Field& u) {
   for (int i = 0; i < N; ++i) {
-    const double* records[solid_width];
-    for (int lane = 0; lane < solid_width; ++lane)
-      records[lane] = rows + static_cast<std::size_t>(row_size) * corners[i * solid_width + lane];
     Lanes packs[3];
-    transpose_to_packs(records, packs);
+    gather_corner(rows, row_size, corners + i * solid_width, packs);
     u[i] = {packs[0], packs[1], packs[2]};
   }
 }
@@ -52,11 +59,8 @@ template <int N, class Field>
 PERCUSS_FORCE_INLINE void gather_corners(const double* rows, int row_size, const std::uint16_t* corners, Field& u,
                                          Lanes (&behind)[N]) {
   for (int i = 0; i < N; ++i) {
-    const double* records[solid_width];
-    for (int lane = 0; lane < solid_width; ++lane)
-      records[lane] = rows + static_cast<std::size_t>(row_size) * corners[i * solid_width + lane];
     Lanes packs[4];
-    transpose_to_packs(records, packs);
+    gather_corner(rows, row_size, corners + i * solid_width, packs);
     u[i] = {packs[0], packs[1], packs[2]};
     behind[i] = packs[3];
   }

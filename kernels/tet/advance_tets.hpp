@@ -14,9 +14,8 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
   using Base::launch;
   using Base::motion;
   using typename Base::Living;
-  using State = TetState<Lanes, Material>;
-
   using typename Base::Scratch;
+  using State = TetState<Lanes, Material>;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State, true>(

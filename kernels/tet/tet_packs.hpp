@@ -346,7 +346,7 @@ struct ForcePass {
     }
     const Scratch scratch(member, chunk, passes);
     fill_averages(launch, chunk, passes.stresses, scratch.means);
-    fill_shares(chunk, scratch.nodes);
+    if constexpr (std::is_same_v<Shape, Tet4>) fill_shares(chunk, scratch.nodes);
     ChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
     if (living.can_fail()) scratch.clear_given(chunk);

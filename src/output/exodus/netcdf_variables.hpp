@@ -40,13 +40,13 @@ struct NetcdfFile {
   void write_integers(const std::string& name, const std::string& dimension, const hdf5::RowBlock& block,
                       std::span<const std::int64_t> values) const;
   /// values: [block.count][length of the second dimension]
-  void write_integer_rows(const std::string& name, std::span<const std::string> dimensions, const hdf5::RowBlock& block,
+  void write_integer_rows(const std::string& name, std::span<const std::string> names, const hdf5::RowBlock& block,
                           std::span<const std::int64_t> values) const;
   void write_numbers(const std::string& name, const std::string& dimension, const hdf5::RowBlock& block,
                      std::span<const double> values) const;
   /// Texts as rows of characters, padded with zeros or cut to the length of the last dimension; all ranks have all of
   /// them. The first dimensions have as many entries together as there are texts.
-  void write_texts(const std::string& name, std::span<const std::string> dimensions, hid_t transfer, bool is_writer,
+  void write_texts(const std::string& name, std::span<const std::string> names, hid_t transfer, bool is_writer,
                    std::span<const std::string> texts) const;
 };
 
