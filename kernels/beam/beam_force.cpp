@@ -62,7 +62,7 @@ struct AdvanceBeamChunk {
     const BeamParameters& parameters = block.parameters(chunks.parameters(c));
     const int first = chunks.first_element(c), count = count_elements(chunks, c), lanes = count_lanes(chunks, c);
     const int first_lane = step.find_first_lane(c);
-    ChunkSums chunk_sums;
+    ChunkTotals totals;
     bool changed = false;
     for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
       if (first_lane >= 0 && step.lives.force_share(first_lane + i) < 0) continue;
@@ -72,12 +72,12 @@ struct AdvanceBeamChunk {
       if (i >= count) continue;
       if (first_lane >= 0) settle(first_lane + i, result);
       add_beam_forces(result.on, slots, sums);
-      chunk_sums.work[WorkKind::internal] += result.work;
+      totals.work[WorkKind::internal] += result.work;
       if (step.bound.extent(0) > 0) step.bound(first + i) = result.stable_step;
-      chunk_sums.take_element_step(result.stable_step, result.length, first + i);
+      totals.take_step(result.stable_step, result.length, i);
     }
-    chunk_sums.leave_work(c, results);
-    chunk_sums.leave_step(c, first, results);
+    totals.leave_work(c, results);
+    totals.leave_step(c, first, results);
     return changed;
   }
 

@@ -31,31 +31,6 @@ PERCUSS_FORCE_INLINE void fetch_third(const Real* record, int third) {
 /// own them. 48 takes 0.95 to 0.97 of the whole step's time without; 24 is as good, 12 and 96 less so.
 inline constexpr int rows_ahead = 48;
 
-/// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
-struct ChunkStep {
-  HexLanes step;   // by lane
-  HexLanes first;  // first element of the pack that has it, counted from the chunk's first
-  int failed;      // counted likewise
-};
-
-PERCUSS_FORCE_INLINE void take_lanes(const HexResult<HexLanes>& result, int first_element, int lanes,
-                                     ChunkStep& chunk) {
-  const auto smaller_step = result.stable_step < chunk.step;
-  chunk.step = select(smaller_step, result.stable_step, chunk.step);
-  chunk.first = select(smaller_step, HexLanes(static_cast<Real>(first_element)), chunk.first);
-  const auto good = (result.volume > HexLanes(0)) & (result.stable_step > HexLanes(0));
-  if (any(!good) && chunk.failed < 0) {  // also for NaN
-    constexpr int width = pack_size<Real>;
-    alignas(64) Real step[width];
-    alignas(64) Real volume[width];
-    store_pack(step, result.stable_step);
-    store_pack(volume, result.volume);
-    for (int lane = lanes - 1; lane >= 0; --lane) {
-      if (!(volume[lane] > 0 && step[lane] > 0)) chunk.failed = first_element + lane;
-    }
-  }
-}
-
 /// A pack whose elements may resist folding: what its own body need not keep for that.
 struct FoldingPack {
   const Real* nodes;
@@ -183,8 +158,7 @@ struct AdvanceChunk {
     const std::uint16_t* next_corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     constexpr int fetched = is_called<Material> ? HexRecord::history<Kind, Material> * width : largest_size;
-    ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
-    double work[work_kinds] = {};
+    ChunkSums<Real> sums;
     FoldingPacks folding(*this, c);
     RecordWatch<largest_size> watch(watched);
     const bool watches_step = motion.watch.bound.extent(0) > 0;
@@ -210,21 +184,18 @@ struct AdvanceChunk {
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       watch.compare(record, record_size);
-      take_lanes(result, e - first, lanes, step);
+      sums.take_step(result.stable_step, result.volume, e - first, lanes);
       if (watches_step) {
         const int pack = chunks.first_pack(c) + (e - first) / width;
         watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
       }
-      work[WorkKind::internal] += sum_lanes<Real>(result.work.internal, lanes);
-      work[WorkKind::hourglass] += sum_lanes<Real>(result.work.hourglass, lanes);
-      work[WorkKind::viscous] += sum_lanes<Real>(result.work.viscous, lanes);
-      if (folding.acted()) work[WorkKind::folding] += sum_lanes<Real>(result.work.folding, lanes);
+      sums.take_work(result.work, lanes);
+      if (folding.acted()) sums.take_work(WorkKind::folding, result.work.folding, lanes);
     }
     folding.leave(results, c);
-    set_step(c, step, first, end);
     if (watches_step) motion.watch.growth(c) = reduce_growth(growth);
-    results.failed_element(c) = step.failed < 0 ? -1 : first + step.failed;
-    for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
+    sums.leave_work(c, results);
+    sums.leave_step(c, first, end - first, results);
     return watch.has_changed();
   }
 
@@ -235,26 +206,6 @@ struct AdvanceChunk {
     } else {
       return std::integral_constant<int, hex_record_size<Material, Kind> * width>();
     }
-  }
-
-  /// Of the lanes' smallest steps the smallest, and the lowest element that has it.
-  KOKKOS_FUNCTION void set_step(int c, const ChunkStep& chunk, int first_element, int end) const {
-    alignas(64) Real step[width];
-    alignas(64) Real first[width];
-    store_pack(step, chunk.step);
-    store_pack(first, chunk.first);
-    Real smallest = beyond_all<Real>;
-    int element = end;
-    for (int lane = 0; lane < width; ++lane) {
-      int e = first_element + static_cast<int>(first[lane]) + lane;
-      if (e >= end) e = end - 1;  // lanes past the end repeat the last element
-      if (step[lane] < smallest || (step[lane] == smallest && e < element)) {
-        smallest = step[lane];
-        element = e;
-      }
-    }
-    results.stable_step(c) = smallest;
-    results.controlling_element(c) = element;
   }
 };
 

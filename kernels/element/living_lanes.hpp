@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "kernels/core/precision.hpp"
+#include "kernels/core/short_scalar.hpp"
 #include "kernels/core/widen.hpp"
 #include "kernels/element/element_lives.hpp"
 #include "kernels/element/hex8/hex8.hpp"
@@ -21,12 +22,20 @@ PERCUSS_FORCE_INLINE void settle_forces(const Pack<double>& share, Field& f) {
     f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
             select(lives, share * f[i].z, zero)};
 }
+PERCUSS_FORCE_INLINE void settle_forces(const Pack<Real>& share, Pack<Real> (&f)[3][8]) {
+  const Pack<Real> zero(0);
+  const auto lives = !(share < zero);
+  for (auto& of_axis : f) {
+    for (auto& force : of_axis) force = select(lives, share * force, zero);
+  }
+}
 
 /// Step bound and volume, area or length of the lanes that live; harmless ones of the others.
-PERCUSS_FORCE_INLINE void settle_step(const Pack<double>& share, Pack<double>& step, Pack<double>& size) {
-  const auto lives = !(share < Pack<double>(0.0));
-  step = select(lives, step, Pack<double>(beyond_all<double>));
-  size = select(lives, size, Pack<double>(1.0));
+template <class T>
+PERCUSS_FORCE_INLINE void settle_step(const T& share, T& step, T& size) {
+  const auto lives = !(share < T(0));
+  step = select(lives, step, number<T>(beyond_all<T>));
+  size = select(lives, size, T(1));
 }
 
 class LivingLanes {
@@ -59,23 +68,16 @@ class LivingLanes {
     return true;
   }
 
-  /// Output of the pack: forces and work by their shares; nothing from inactive lanes and from those that must stop.
+  /// Output of a pack of hexahedra: forces and work by their shares; nothing from inactive lanes and from those that
+  /// must stop.
   KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
-    const Lanes zero(0);
     const Lanes share = take_force_share(result.stable_step, result.volume);
-    const auto lives = !(share < zero);
-    for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < 8; ++i) f[k][i] = select(lives, share * f[k][i], zero);
-    }
-    take_work(share, WorkKind::internal, result.work.internal);
-    take_work(share, WorkKind::hourglass, result.work.hourglass);
-    take_work(share, WorkKind::viscous, result.work.viscous);
+    settle_forces(share, f);
+    take_work(share, result.work);
     take_work(share, WorkKind::folding, result.work.folding);
-    result.stable_step = select(lives, result.stable_step, Lanes(beyond_all<Real>));
-    result.volume = select(lives, result.volume, Lanes(1));
+    settle_step(share, result.stable_step, result.volume);
   }
 
- protected:
   /// Share of its force that each lane leaves; negative: it is eroded or must stop. size: not positive where the
   /// element is inverted.
   KOKKOS_FUNCTION Lanes take_force_share(const Lanes& step, const Lanes& size) const {
@@ -88,11 +90,15 @@ class LivingLanes {
     return share;
   }
 
-  /// Makes work what counts of it, and adds it to the k-th work of the lanes.
-  KOKKOS_FUNCTION void take_work(const Lanes& force_share, int k, Lanes& work) const {
+  /// Makes work what counts of it, and adds it to that of the lanes.
+  template <class Work>
+  KOKKOS_FUNCTION void take_work(const Lanes& force_share, Work& of) const {
+    of.visit([&](int kind, Lanes& work) { take_work(force_share, kind, work); });
+  }
+  KOKKOS_FUNCTION void take_work(const Lanes& force_share, int kind, Lanes& work) const {
     const Lanes work_share = load_pack(&lives_->work_share(first_));
     double* const total =
-        &lives_->work(work_kinds * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
+        &lives_->work(work_kinds * static_cast<std::size_t>(first_) + static_cast<std::size_t>(kind * width));
     work = select(!(force_share < Lanes(0)), work_share * work, Lanes(0));
     visit_parts<Lanes>([&](auto part) {
       double* const sum = total + part * pack_size<double>;

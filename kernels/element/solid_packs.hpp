@@ -18,6 +18,7 @@ inline constexpr int solid_width = pack_size<double>;
 /// How many rows ahead of its use a row of a node is prefetched, as for hexahedra (advance_chunk.hpp).
 inline constexpr int node_rows_ahead = 48;
 using SolidScratch = ChunkScratch<node_record, force_record>;
+using SolidSums = ChunkSums<double>;
 
 /// The first numbers of one corner of a pack's elements, from rows of `row_size` numbers, at least four.
 template <int Columns>
@@ -103,6 +104,10 @@ struct SolidChunk {
     return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * solid_width);
   }
 
+  KOKKOS_FUNCTION void leave_step(SolidSums& sums, const ChunkResults& results) const {
+    sums.leave_step(c, first_element, end_element - first_element, results);
+  }
+
   /// Calls visit(i, lanes, corners) for each pack i with so many elements.
   template <class Visit>
   KOKKOS_FUNCTION void for_each_pack(const Visit& visit) const {
@@ -130,9 +135,6 @@ class LivingSolids : public LivingLanes {
   /// Shares of its force that each lane leaves at this evaluation, as far as the last one says; negative: eroded.
   KOKKOS_FUNCTION Lanes load_force_share() const { return load_pack(&(*shares_)(static_cast<std::size_t>(first_))); }
 
-  using LivingLanes::take_force_share;
-  using LivingLanes::take_work;
-
  private:
   const Array<Real>* shares_;
   int first_;  // lane of the pack
@@ -154,13 +156,9 @@ struct SolidPack {
     for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) fetch_to_write(next + line * i);
   }
 
-  KOKKOS_FUNCTION int first_element() const { return chunk.first_element + pack * solid_width; }
-
-  /// Takes its step bounds and volumes. Most packs have neither the smallest bound so far nor a failed element.
-  PERCUSS_FORCE_INLINE void take_step(const Lanes& step, const Lanes& volume, ChunkSums& sums) const {
-    const Lanes zero(0.0);
-    const auto is_good = (volume > zero) & (step > zero);
-    if (any((step < Lanes(sums.step)) | !is_good)) sums.take_step(step, volume, first_element(), lanes);
+  /// Its step bounds and volumes.
+  PERCUSS_FORCE_INLINE void take_step(const Lanes& step, const Lanes& volume, SolidSums& sums) const {
+    sums.take_step(step, volume, pack * solid_width, lanes);
   }
 
   /// The step bounds of its elements, if they are watched.
@@ -185,9 +183,9 @@ struct SolidRecords {
   /// Calls body(parameters, pack, living, state, sums) for each pack that has living elements, and leaves whether a bit
   /// of the records has changed.
   template <class State, class Material, class Body>
-  KOKKOS_FUNCTION ChunkSums advance(SolidParameters<Material> parameters, const Body& body) const {
+  KOKKOS_FUNCTION SolidSums advance(SolidParameters<Material> parameters, const Body& body) const {
     parameters.time = motion.time;
-    ChunkSums sums;
+    SolidSums sums;
     RecordWatch<record_limit<State>> watch(rest.is_at_rest());
     LivingSolids<Material> living(motion.failing, motion.lives, chunk.c);
     const int size = chunk.chunks.record_size(chunk.c) * solid_width;
@@ -227,10 +225,10 @@ struct SolidKernel {
     const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    const ChunkSums sums =
+    SolidSums sums =
         SolidRecords{chunk, rest, motion, fields.state, scratch}.template advance<State>(parameters, advance_pack);
     sums.leave_work(chunk.c, fields.results);
-    sums.leave_step(chunk.c, chunk.first_element, fields.results);
+    chunk.leave_step(sums, fields.results);
     copy_force_rows(scratch.forces, chunk.slot_count, &fields.slot_force(chunk.first_slot, 0));
   }
 };

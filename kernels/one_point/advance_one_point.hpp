@@ -23,12 +23,12 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    ChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
+                    SolidSums& sums) { advance_pack(parameters, on, living, of, sums); });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                    const Living& living, State& of, ChunkSums& sums) const {
+                                    const Living& living, State& of, SolidSums& sums) const {
     Field x, v, f;
     on.fetch_third(0);
     gather_corners<Shape::corners>(on.scratch.nodes, node_record, on.corners, x);
@@ -38,9 +38,7 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
     OnePointResult<Lanes> result = advance_one_point(parameters, x, v, Lanes(motion.dt), of, f);
     if (living.can_fail()) settle(living, result, f);
     scatter_corners<Shape::corners>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_work(WorkKind::internal, result.work.internal, on.lanes);
-    sums.take_work(WorkKind::hourglass, result.work.hourglass, on.lanes);
-    sums.take_work(WorkKind::viscous, result.work.viscous, on.lanes);
+    sums.take_work(result.work, on.lanes);
     on.take_step(result.stable_step, result.volume, sums);
     on.leave_bound(motion.watch, result.stable_step);
   }
@@ -48,9 +46,7 @@ struct AdvanceOnePoints : SolidKernel<Material, OnePointBlock<Material, Shape>> 
   static PERCUSS_FORCE_INLINE void settle(const Living& living, OnePointResult<Lanes>& result, Field& f) {
     const Lanes share = living.take_force_share(result.stable_step, result.volume);
     settle_forces<Shape::corners>(share, f);
-    living.take_work(share, WorkKind::internal, result.work.internal);
-    living.take_work(share, WorkKind::hourglass, result.work.hourglass);
-    living.take_work(share, WorkKind::viscous, result.work.viscous);
+    living.take_work(share, result.work);
     settle_step(share, result.stable_step, result.volume);
   }
 };
@@ -70,11 +66,11 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
     this->template advance_chunk<State, false>(
         member,
         [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-            ChunkSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
+            SolidSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
   }
 
   KOKKOS_FUNCTION void leave_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                  const Living& living, State& of, ChunkSums& sums, const Scratch& scratch) const {
+                                  const Living& living, State& of, SolidSums& sums, const Scratch& scratch) const {
     CornerField<Lanes, Shape> x, v;
     on.fetch_third(0);
     gather_corners<Shape::corners>(scratch.nodes, node_record, on.corners, x);
@@ -88,15 +84,9 @@ struct AdvanceOnePointStresses : StressPass<Material, OnePointBlock<Material, Sh
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
-      living.take_work(share, WorkKind::internal, point.work.internal);
-      living.take_work(share, WorkKind::hourglass, point.work.hourglass);
-      living.take_work(share, WorkKind::viscous, point.work.viscous);
-      living.take_work(share, WorkKind::folding, point.work.guard);
+      living.take_work(share, point.work);
     }
-    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
-    sums.take_work(WorkKind::hourglass, point.work.hourglass, on.lanes);
-    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
-    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
+    sums.take_work(point.work, on.lanes);
     const Lanes guard = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     store_pack(scalars + TetPasses::shear * solid_width, point.own.mu);

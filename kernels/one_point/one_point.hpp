@@ -7,6 +7,7 @@
 // of n+1, as of the hexahedron (kernels/element/hex8). Hourglass control is the stiffness form of Flanagan and
 // Belytschko (1981), with two modes of a wedge and one of a pyramid.
 
+#include "kernels/core/work_kinds.hpp"
 #include "kernels/element/hex8/bulk_viscosity.hpp"
 #include "kernels/element/hex8/hex8.hpp"
 #include "kernels/one_point/stable_step.hpp"
@@ -31,6 +32,15 @@ struct OnePointState {
 template <class T>
 struct OnePointWork {
   T internal, hourglass, viscous, guard;
+
+  /// Calls take(kind, work) for each kind.
+  template <class Take>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(const Take& take) {
+    take(WorkKind::internal, internal);
+    take(WorkKind::hourglass, hourglass);
+    take(WorkKind::viscous, viscous);
+    take(WorkKind::folding, guard);
+  }
 };
 
 template <class T>

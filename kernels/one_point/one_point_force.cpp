@@ -18,14 +18,14 @@ struct FindOnePointForces : ForcePass<L, Shape> {
   using typename Base::Scratch;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, ChunkSums& sums, const Scratch& scratch) {
+    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, SolidSums& sums, const Scratch& scratch) {
       leave_pack(on, living, sums, scratch);
     });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, ChunkSums& sums,
+  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, SolidSums& sums,
                                   const Scratch& scratch) const {
     CornerField<Lanes, Shape> x, f;
     gather_corners<Shape::corners>(scratch.nodes, node_record, on.corners, x);

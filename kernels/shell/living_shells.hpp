@@ -31,11 +31,10 @@ class LivingShells : public LivingLanes {
   /// go on.
   KOKKOS_FUNCTION void settle(ShellResult<T>& result, Vector3<T> (&force)[4], Vector3<T> (&moment)[4]) const {
     const auto is_open = T(shell_folded_cosine) < result.least_cosine;
-    const T share = this->take_force_share(result.stable_step, select(is_open, result.area, T(0.0)));
+    const T share = take_force_share(result.stable_step, select(is_open, result.area, T(0.0)));
     settle_forces<4>(share, force);
     settle_forces<4>(share, moment);
-    this->take_work(share, WorkKind::internal, result.work.internal);
-    this->take_work(share, WorkKind::hourglass, result.work.hourglass);
+    take_work(share, result.work);
     settle_step(share, result.stable_step, result.area);
   }
 

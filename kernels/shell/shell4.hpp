@@ -6,6 +6,7 @@
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.
 
+#include "kernels/core/work_kinds.hpp"
 #include "kernels/shell/laminate.hpp"
 #include "kernels/shell/shell_forces.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
@@ -28,6 +29,13 @@ struct ShellParameters {
 template <class T>
 struct ShellWork {
   T internal, hourglass;
+
+  /// Calls take(kind, work) for each kind.
+  template <class Take>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(const Take& take) {
+    take(WorkKind::internal, internal);
+    take(WorkKind::hourglass, hourglass);
+  }
 };
 
 template <class T>

@@ -68,7 +68,7 @@ struct AdvanceShellChunk {
     auto* record = reinterpret_cast<double*>(&state(chunks.first_state(c)));
     const std::uint16_t* corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_shell_pack);
-    ChunkSums sums;
+    ChunkSums<double> sums;
     RecordWatch<largest_record, double> watch(watched);
     [[maybe_unused]] LivingShells<Lanes> living(motion.failing, motion.lives, c, parameters.points.count);
     for (int e = first; e < end; e += width, record += record_size, corners += corners_of_shell_pack) {
@@ -79,14 +79,13 @@ struct AdvanceShellChunk {
       }
       watch.keep(record, record_size);
       const ShellResult<Lanes> result = advance_pack(parameters, scratch, gathered, lanes, record, living);
-      sums.take_work(WorkKind::internal, result.work.internal, lanes);
-      sums.take_work(WorkKind::hourglass, result.work.hourglass, lanes);
-      sums.take_step(result.stable_step, result.area, e, lanes);
+      sums.take_work(result.work, lanes);
+      sums.take_step(result.stable_step, result.area, e - first, lanes);
       if (motion.bound.extent(0) > 0) store_bounds(result.stable_step, lanes, &motion.bound(e));
       watch.compare(record, record_size);
     }
     sums.leave_work(c, results);
-    sums.leave_step(c, first, results);
+    sums.leave_step(c, first, end - first, results);
     return watch.has_changed();
   }
 

@@ -21,11 +21,11 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     this->template advance_chunk<State, true>(
         member,
         [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-            ChunkSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
+            SolidSums& sums, const Scratch& scratch) { leave_pack(parameters, on, living, of, sums, scratch); });
   }
 
   KOKKOS_FUNCTION void leave_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                  const Living& living, State& of, ChunkSums& sums, const Scratch& scratch) const {
+                                  const Living& living, State& of, SolidSums& sums, const Scratch& scratch) const {
     TetCorners<Lanes> x, v;
     on.fetch_third(0);
     gather_corners<4>(scratch.nodes, node_record, on.corners, x);
@@ -39,13 +39,9 @@ struct AdvanceTetStresses : StressPass<Material, TetBlock<Material>> {
     Lanes share(1.0);
     if (living.can_fail()) {
       share = living.take_force_share(Lanes(1e300), point.geometry.volume);
-      living.take_work(share, WorkKind::internal, point.work.internal);
-      living.take_work(share, WorkKind::viscous, point.work.viscous);
-      living.take_work(share, WorkKind::folding, point.work.guard);
+      living.take_work(share, point.work);
     }
-    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
-    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
-    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
+    sums.take_work(point.work, on.lanes);
     const Lanes guard_modulus = find_guard_modulus(of.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
     store_pack(scalars + TetPasses::shear * solid_width, point.own.shear);
@@ -71,13 +67,13 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     this->template advance_chunk<State>(
         member, [&](const SolidParameters<Material>& parameters, const SolidPack& on, const Living& living, State& of,
-                    ChunkSums& sums) { advance_pack(parameters, on, living, of, sums); });
+                    SolidSums& sums) { advance_pack(parameters, on, living, of, sums); });
     const StepWatch& watch = this->motion.watch;
     if (watch.bound.extent(0) > 0) watch.growth(this->block.chunks(member.league_rank())) = 0;
   }
 
   KOKKOS_FUNCTION void advance_pack(const SolidParameters<Material>& parameters, const SolidPack& on,
-                                    const Living& living, State& of, ChunkSums& sums) const {
+                                    const Living& living, State& of, SolidSums& sums) const {
     TetCorners<Lanes> x, v;
     on.fetch_third(0);
     gather_corners<4>(on.scratch.nodes, node_record, on.corners, x);
@@ -92,14 +88,11 @@ struct AdvancePlainTets : SolidKernel<Material, TetBlock<Material>> {
     if (living.can_fail()) {
       const Lanes share = living.take_force_share(step, volume);
       settle_forces<4>(share, f);
-      living.take_work(share, WorkKind::internal, point.work.internal);
-      living.take_work(share, WorkKind::viscous, point.work.viscous);
+      living.take_work(share, point.work);
       settle_step(share, step, volume);
     }
     scatter_corners<4>(f, on.corners, on.lanes, on.scratch.forces);
-    sums.take_work(WorkKind::internal, point.work.internal, on.lanes);
-    sums.take_work(WorkKind::viscous, point.work.viscous, on.lanes);
-    sums.take_work(WorkKind::folding, point.work.guard, on.lanes);
+    sums.take_work(point.work, on.lanes);
     on.take_step(step, volume, sums);
     on.leave_bound(this->motion.watch, step);
   }

@@ -6,6 +6,7 @@
 // velocities at n+1/2; rates are taken on the geometry of the mid-point and turned half way, forces act on the geometry
 // of n+1, as of the hexahedron (kernels/element/hex8). Between the two functions the mixed form averages over nodes.
 
+#include "kernels/core/work_kinds.hpp"
 #include "kernels/element/hex8/bulk_viscosity.hpp"
 #include "kernels/element/hex8/hex8.hpp"
 #include "kernels/tet/mixing.hpp"
@@ -30,6 +31,14 @@ struct TetState {
 template <class T>
 struct TetWork {
   T internal, viscous, guard;
+
+  /// Calls take(kind, work) for each kind.
+  template <class Take>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(const Take& take) {
+    take(WorkKind::internal, internal);
+    take(WorkKind::viscous, viscous);
+    take(WorkKind::folding, guard);
+  }
 };
 
 /// What an element is at n+1, before its forces.

@@ -18,13 +18,13 @@ struct FindForces : ForcePass<L, Tet4> {
   using typename Base::Scratch;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, ChunkSums& sums, const Scratch& scratch) {
+    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, SolidSums& sums, const Scratch& scratch) {
       leave_pack(on, living, sums, scratch);
     });
     if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
   }
 
-  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, ChunkSums& sums,
+  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, SolidSums& sums,
                                   const Scratch& scratch) const {
     TetCorners<Lanes> x;
     Lanes shares[4];
@@ -41,7 +41,7 @@ struct FindForces : ForcePass<L, Tet4> {
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION TetCorners<Lanes> settle(const SolidPack& on, const TetMeans<Lanes>& means,
                                            const TetGeometry<Lanes>& g, Lanes step, const Living& living,
-                                           ChunkSums& sums) const {
+                                           SolidSums& sums) const {
     OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {

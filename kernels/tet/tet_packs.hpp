@@ -4,6 +4,7 @@
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
 #include <cstring>
+#include <type_traits>
 
 #include "kernels/core/number_rows.hpp"
 #include "kernels/element/solid_packs.hpp"
@@ -282,7 +283,7 @@ struct StressPass {
     SolidRecords{chunk, rest, motion, state, scratch}
         .template advance<State>(
             parameters, [&](const SolidParameters<Material>& of_step, const SolidPack& on, const Living& living,
-                            State& of, ChunkSums& sums) { leave_pack(of_step, on, living, of, sums, scratch); })
+                            State& of, SolidSums& sums) { leave_pack(of_step, on, living, of, sums, scratch); })
         .leave_work(chunk.c, results);
     add_up<SharesMass>(chunk, scratch.given);
   }
@@ -347,7 +348,7 @@ struct ForcePass {
     const Scratch scratch(member, chunk, passes);
     fill_averages(launch, chunk, passes.stresses, scratch.means);
     if constexpr (std::is_same_v<Shape, Tet4>) fill_shares(chunk, scratch.nodes);
-    ChunkSums sums;
+    SolidSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
     if (living.can_fail()) scratch.clear_given(chunk);
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
@@ -355,7 +356,7 @@ struct ForcePass {
       if (living.can_fail() && !living.take_pack(corners)) return;
       leave_pack(SolidPack{chunk, pack, lanes, corners, scratch, nullptr, 0}, living, sums, scratch);
     });
-    sums.leave_step(chunk.c, chunk.first_element, fields.results);
+    chunk.leave_step(sums, fields.results);
     subtract_forces(chunk, scratch.given);
   }
 

@@ -5,6 +5,7 @@
 // n+1, velocities at n+1/2; rates are taken on the geometry of the mid-point and turned half way, forces act on the
 // geometry of n+1 (Flanagan and Belytschko 1981; Flanagan and Taylor 1987).
 
+#include "kernels/core/work_kinds.hpp"
 #include "kernels/element/hex8/bulk_viscosity.hpp"
 #include "kernels/element/hex8/hourglass_control.hpp"
 #include "kernels/element/hex8/kinematics.hpp"
@@ -30,6 +31,14 @@ template <class T>
 struct HexWork {
   T internal, hourglass, viscous;
   T folding = T(0);  // of fold_resistance.hpp, which the launcher adds where it is needed
+
+  /// Calls take(kind, work) for each kind but folding.
+  template <class Take>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(const Take& take) {
+    take(WorkKind::internal, internal);
+    take(WorkKind::hourglass, hourglass);
+    take(WorkKind::viscous, viscous);
+  }
 };
 
 template <class T>
