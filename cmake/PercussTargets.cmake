@@ -109,14 +109,17 @@ foreach(linker lld gold)
 endforeach()
 
 set(PERCUSS_KERNEL_TESTS ${PROJECT_SOURCE_DIR}/tests/kernels)
-# percuss_set_test_options(target): tests of kernels are compiled as the kernels are, others as code that no step calls.
+# percuss_set_test_options(target): a release build compiles tests of kernels as code that no step calls, and other tests,
+# which call libraries alone, without optimisation: they take half of the time, and bits are the same.
+set(PERCUSS_TEST_OPTIONS $<$<CONFIG:Release>:-O0>)
 function(percuss_set_test_options target)
   target_link_options(${target} PRIVATE ${PERCUSS_TEST_LINKER})
   cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
   if(is_of_kernels)
+    target_compile_options(${target} PRIVATE ${PERCUSS_SET_UP_OPTIONS})
     percuss_reuse_headers(${target} percuss_kernel_test_headers)
   else()
-    target_compile_options(${target} PRIVATE ${PERCUSS_SET_UP_OPTIONS})
+    target_compile_options(${target} PRIVATE ${PERCUSS_TEST_OPTIONS})
     percuss_reuse_headers(${target} percuss_test_headers)
   endif()
 endfunction()
