@@ -164,7 +164,10 @@ struct SolidPack {
   /// The step bounds of its elements, if they are watched.
   KOKKOS_FUNCTION void leave_bound(const StepWatch& watch, const Lanes& step) const {
     if (watch.bound.extent(0) == 0) return;
-    store_pack(&watch.bound(static_cast<std::size_t>(chunk.chunks.first_pack(chunk.c) + pack) * solid_width), step);
+    alignas(64) double steps[solid_width];
+    store_pack(steps, step);
+    Real* const bound = &watch.bound(static_cast<std::size_t>(chunk.chunks.first_pack(chunk.c) + pack) * solid_width);
+    for (int lane = 0; lane < solid_width; ++lane) bound[lane] = static_cast<Real>(steps[lane]);
   }
 };
 
