@@ -1,14 +1,34 @@
-"""What tests of laws of one's own have in common: a cube whose nodes follow conditions, run with the library law.so."""
+"""What tests of laws of one's own have in common: the words of TEST ROOT PERCUSS [MPIEXEC ...], compilers, and a cube whose nodes follow
+conditions, run with the library law.so.
+
+Exit code 77 (skipped) without NumPy or a compiler that a test needs.
+"""
 
 import json
 import os
+import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError as error:
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
+    sys.exit(77)
 
+ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2]), sys.argv[3:]
+del sys.argv[1:]
+EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
 UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
+
+
+def need(*compilers):
+    missing = [name for name in compilers if not shutil.which(name)]
+    if missing:
+        print(f"skipped: no {' and no '.join(missing)}; scripts/install_dependencies --ci installs them")
+        sys.exit(77)
 
 
 def write_cube(law, end, motion, cells=1, more=""):
@@ -20,8 +40,6 @@ def write_cube(law, end, motion, cells=1, more=""):
 
 
 class LawTest(unittest.TestCase):
-    PERCUSS = ""  # the executable
-
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -32,9 +50,21 @@ class LawTest(unittest.TestCase):
             file.write(text)
         return name
 
+    def read(self, *path):
+        with open(os.path.join(self.folder, *path), encoding="utf-8") as file:
+            return file.read()
+
+    def compile_file(self, source, *options, compiler="cc"):
+        """law.so."""
+        subprocess.run([compiler, "-shared", "-fPIC", *options, "-o", "law.so", source], cwd=self.folder, check=True)
+
+    def compile_text(self, text):
+        """Of C."""
+        self.compile_file(self.write("law.c", text), "-O1")
+
     def call(self, deck, *options, command="run", allow=("--allow-library", "law.so"), launcher=()):
         self.write("deck.yaml", deck)
-        return subprocess.run([*launcher, self.PERCUSS, command, "deck.yaml", *allow, *options], cwd=self.folder, capture_output=True,
+        return subprocess.run([*launcher, PERCUSS, command, "deck.yaml", *allow, *options], cwd=self.folder, capture_output=True,
                               text=True, check=False)
 
     def run_deck(self, deck, *options, out="out", **how):
@@ -43,6 +73,19 @@ class LawTest(unittest.TestCase):
         with open(os.path.join(self.folder, out, "history.csv"), encoding="utf-8") as file:
             names = [name.split(" ")[0] for name in file.readline().strip().split(",")]
         table = np.loadtxt(os.path.join(self.folder, out, "history.csv"), delimiter=",", skiprows=1, ndmin=2)
-        with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        return {name: table[:, i] for i, name in enumerate(names)}, summary
+        return {name: table[:, i] for i, name in enumerate(names)}, json.loads(self.read(out, "summary.json"))
+
+    def continue_run(self, deck, steps=20):
+        """The hash of a run that is stopped after some steps and continued; its results are in `again`."""
+        self.run_deck(deck, "--set", f"time.max_steps={steps}", out="half")
+        done = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--force", "--out", "again")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(self.read("again", "summary.json"))["state_hash"]
+
+    def check_bits(self, deck):
+        """A run, in `whole`, has the bits of one that is continued, and of one on two ranks; returns its summary."""
+        summary = self.run_deck(deck, out="whole")[1]
+        self.assertEqual(self.continue_run(deck), summary["state_hash"])
+        if MPIEXEC:
+            self.assertEqual(self.run_deck(deck, out="ranks", launcher=[*MPIEXEC, "2"])[1]["state_hash"], summary["state_hash"])
+        return summary

@@ -5,24 +5,11 @@ Exit code 77 (skipped) without a compiler of C or without NumPy.
 
 import math
 import os
-import shutil
-import subprocess
-import sys
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
-if not shutil.which("cc"):
-    print("skipped: no cc; scripts/install_dependencies --ci installs it")
-    sys.exit(77)
+from law_runs import MPIEXEC, UNIAXIAL, LawTest, need, np, write_cube
 
-ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
-del sys.argv[1:]
-
-from law_runs import UNIAXIAL, LawTest, write_cube  # noqa: E402
+need("cc")
 
 # Elastic with the stiffness `c` of normal strains and the shear moduli `g`, by the rate of J sigma. BODY is what it does more for a point.
 LAW = """
@@ -66,11 +53,8 @@ def user(constants=None, more=""):
 
 
 class UserCode(LawTest):
-    PERCUSS = PERCUSS
-
     def compile(self, body="", top=""):
-        self.write("law.c", LAW.replace("BODY", body).replace("TOP", top))
-        subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", "law.so", "law.c"], cwd=self.folder, check=True)
+        self.compile_text(LAW.replace("BODY", body).replace("TOP", top))
 
     def test_axes_under_stretch_and_turn_are_those_of_our_own_law(self):
         self.compile()
@@ -142,11 +126,7 @@ class UserCode(LawTest):
         deck = write_cube(law, 1e-3, UNIAXIAL).replace("size: [1, 1, 1]", "size: [1, 2, 4]")
         rows, book = self.run_deck(deck)
         self.assertEqual([round(float(rows[f"all_state_{i}"][-1]), 9) for i in range(1, 7)], [2.0, 2.0, 12.0, 6161.0, 7.0, 2.0])
-        self.run_deck(deck, "--set", "time.max_steps=3", out="half")
-        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
-        self.assertEqual(again.returncode, 0, again.stderr)
-        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
-            self.assertIn(book["state_hash"], file.read())
+        self.assertEqual(self.continue_run(deck, steps=3), book["state_hash"])
         self.compile()
         done = self.call(deck, command="check")
         self.assertEqual((done.returncode, "no entry vucharlength_" in done.stderr), (2, True), done.stderr)
@@ -182,13 +162,10 @@ class UserCode(LawTest):
     def test_vexternaldb_is_called_at_its_moments_and_finds_the_run(self):
         self.compile("", self.MOMENTS.replace("EACH", ""))
         _, book = self.run_deck(write_cube(user(ALIKE), 1e-3, UNIAXIAL))
-        with open(os.path.join(self.folder, "told_0.txt"), encoding="utf-8") as file:
-            told = file.read()
-        self.assertEqual(told, f"0 8 1 0 deck out 1 5 2\n6 8 1 {book['steps']} deck out 1 {5 + book['steps']} 2\n")
+        self.assertEqual(self.read("told_0.txt"), f"0 8 1 0 deck out 1 5 2\n6 8 1 {book['steps']} deck out 1 {5 + book['steps']} 2\n")
         if MPIEXEC:
             self.run_deck(write_cube(user(ALIKE), 1e-3, UNIAXIAL, cells=4), out="ranks", launcher=[*MPIEXEC, "2"])
-            with open(os.path.join(self.folder, "told_1.txt"), encoding="utf-8") as file:
-                self.assertEqual(file.read().splitlines()[0], "0 125 64 0 deck ranks 2 5 2")
+            self.assertEqual(self.read("told_1.txt").splitlines()[0], "0 125 64 0 deck ranks 2 5 2")
 
     def test_vexternaldb_may_ask_for_the_end(self):
         self.compile("", self.MOMENTS.replace("EACH", "if (*moment == 4 && i[3] == 3) i[4] = 2;"))

@@ -3,29 +3,15 @@
 Exit code 77 (skipped) without a compiler of either language or without NumPy.
 """
 
-import json
 import math
 import os
-import shutil
 import subprocess
-import sys
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
-if not shutil.which("gfortran") or not shutil.which("cc"):
-    print("skipped: no gfortran or no cc; scripts/install_dependencies --ci installs them")
-    sys.exit(77)
+from law_runs import EXAMPLE, PERCUSS, UNIAXIAL, LawTest, need, np, write_cube
 
-ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2], sys.argv[3:]
-del sys.argv[1:]
+need("gfortran", "cc")
 
-from law_runs import UNIAXIAL, LawTest, write_cube  # noqa: E402
-
-EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
 E, NU, DENSITY = 3e6, 0.45, 1100.0
 MU, LAMBDA = E / (2 * (1 + NU)), E * NU / ((1 + NU) * (1 - 2 * NU))
 USER = f"model: user, density: {DENSITY}, vumat: law.so, constants: [{E}, {NU}], state_variables: 1"
@@ -84,16 +70,11 @@ def name_metals(rate, exponent):
 
 
 class UserLaws(LawTest):
-    PERCUSS = PERCUSS
-
     def compile_fortran(self, name="neo_hookean.f"):
-        subprocess.run(["gfortran", "-O2", "-shared", "-fPIC", "-I", EXAMPLE, "-o", "law.so", os.path.join(EXAMPLE, name)],
-                       cwd=self.folder, check=True)
+        self.compile_file(os.path.join(EXAMPLE, name), "-O2", "-I", EXAMPLE, compiler="gfortran")
 
     def compile_c(self, body, text=C_LAW):
-        with open(os.path.join(self.folder, "law.c"), "w", encoding="utf-8") as file:
-            file.write(text.replace("BODY", body))
-        subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", "law.so", "law.c"], cwd=self.folder, check=True)
+        self.compile_text(text.replace("BODY", body))
 
     def test_rubber_in_fortran_has_its_closed_form(self):
         self.compile_fortran()
@@ -151,15 +132,7 @@ class UserLaws(LawTest):
         law = f"model: user, density: 1000, vumat: law.so, constants: [{LAMBDA}, {MU}], state_variables: 1"
         deck = write_cube(law, 4e-2, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4,
                           more="initial: [{nodes: cube/x_max, velocity: [-5, 1, 0]}]\n")
-        whole = self.run_deck(deck, out="whole")[1]["state_hash"]
-        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
-        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
-        self.assertEqual(again.returncode, 0, again.stderr)
-        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["state_hash"], whole)
-        if MPIEXEC:
-            ranks = self.run_deck(deck, out="ranks", launcher=[*MPIEXEC, "2"])[1]["state_hash"]
-            self.assertEqual(ranks, whole)
+        self.check_bits(deck)
 
     def test_code_that_is_no_solid_is_refused_with_its_place(self):
         for body in ("for (int k = 0; k < 6; ++k) out[k * n + i] = 0;", "out[i] = NAN;", "out[i] = -out[i];", "next[n] = 1;"):
@@ -211,11 +184,7 @@ class UserLaws(LawTest):
         rows, book = self.run_deck(deck, out="whole")
         np.testing.assert_allclose(rows["all_state_1000"], 1000 * rows["all_state_1"], rtol=1e-9, atol=1e-12)
         self.assertGreater(np.max(np.abs(rows["all_state_1"])), 1e-3)
-        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
-        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
-        self.assertEqual(again.returncode, 0, again.stderr)
-        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["state_hash"], book["state_hash"])
+        self.assertEqual(self.continue_run(deck), book["state_hash"])
         wrong = self.call(deck.replace("state_variables: 1000", "state_variables: 1001"))
         self.assertEqual((wrong.returncode, "must be at most 1000" in wrong.stderr), (2, True), wrong.stderr)
 
@@ -270,14 +239,7 @@ class UserLaws(LawTest):
         law = ("model: user_hardening, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3, vuhard: law.so, state_variables: 1, "
                "constants: [2e8, 4e8, 0.5, 0.02, 1, 800, 300, 10], start_temperature: 300, specific_heat: 50, thermal_expansion: 1e-5, failure: {plastic_strain: 0.3}")
         deck = write_cube(law, 2e-3, ["{nodes: cube/x_min, fixed: [x, y, z]}"], cells=4, more="initial: [{nodes: cube/x_max, velocity: [-300, 50, 0]}]\n")
-        book = self.run_deck(deck, out="whole")[1]
-        self.run_deck(deck, "--set", "time.max_steps=20", out="half")
-        again = self.call(deck, "--quiet", "--restart", "half/checkpoint.h5", "--out", "again")
-        self.assertEqual(again.returncode, 0, again.stderr)
-        with open(os.path.join(self.folder, "again", "summary.json"), encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["state_hash"], book["state_hash"])
-        if MPIEXEC:
-            self.assertEqual(self.run_deck(deck, out="ranks", launcher=[*MPIEXEC, "2"])[1]["state_hash"], book["state_hash"])
+        self.check_bits(deck)
 
     def test_hardening_that_is_none_is_refused_with_its_place(self):
         self.compile_fortran("johnson_cook.f")
