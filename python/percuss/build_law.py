@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 from percuss.terminal import fail as end
-from percuss.terminal import tell
+from percuss.terminal import print_text
 
 EPILOG = """\
 LAW.hpp holds a law as those of kernels/material/laws are written: a struct with name, Constants, keys(), history_count,
@@ -100,7 +100,7 @@ def compile_law(source: str, name: str, out: str) -> None:
         except OSError as error:
             fail(f"cannot start the compiler {compiler[0]} ({error.strerror}): install g++, or name one in CXX", 4)
         if done.returncode != 0:
-            tell(done.stderr.rstrip(), sys.stderr)
+            print_text(done.stderr.rstrip(), sys.stderr)
             fail(f"{source} does not compile (see above)")
         try:
             with open(made, "rb") as library:
@@ -119,5 +119,5 @@ def main(words: list[str]) -> int:
         fail(f"{out} is the law itself: give another file with --out")
     compile_law(arguments.law, name, out)
     if not arguments.quiet:
-        tell(f"percuss build-law: {out} has the law {name}")
+        print_text(f"percuss build-law: {out} has the law {name}")
     return 0

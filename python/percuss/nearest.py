@@ -19,6 +19,6 @@ def find_nearest(word: str, names: Iterable[str]) -> str | None:
 
 
 def suggest(word: str, names: Iterable[str], otherwise: str = "") -> str:
-    """'; did you mean x?', or what is told otherwise."""
+    """'; did you mean x?', or what is said otherwise."""
     near = find_nearest(word, names)
     return f"; did you mean {near}?" if near else otherwise

@@ -43,7 +43,7 @@ def main(words):
     from percuss import NotResults, Run
     from percuss.report.tables import list_energies, list_forces_in_rows, write_table
     from percuss.results.units import Units
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     try:
         run = Run(arguments.dir)
@@ -54,7 +54,7 @@ def main(words):
             if wanted:
                 heading, rows = make(run, history)
                 unit = history.unit("time")
-                tell(f"{run.folder}: {title}, {len(history)} rows to t = {history['time'][-1]:.6g}{f' {unit}' if unit else ''}")
-                tell(write_table(heading, rows) if rows else f"  the history has no {title} (output.history of the deck)")
+                print_text(f"{run.folder}: {title}, {len(history)} rows to t = {history['time'][-1]:.6g}{f' {unit}' if unit else ''}")
+                print_text(write_table(heading, rows) if rows else f"  the history has no {title} (output.history of the deck)")
     except (NotResults, ValueError) as error:
         fail(error)

@@ -21,7 +21,7 @@ def _name(c: str) -> str:
     return f"\\x{ord(c):02x}" if ord(c) < 256 else f"\\u{ord(c):04x}"
 
 
-def tell(text: object, stream: TextIO | None = None, **how: Any) -> None:
+def print_text(text: object, stream: TextIO | None = None, **how: Any) -> None:
     """Prints cleaned text; what the terminal's encoding lacks becomes a question mark."""
     stream = stream or sys.stdout
     shown, encoding = clean(text, KEPT), getattr(stream, "encoding", None) or "ascii"
@@ -30,5 +30,5 @@ def tell(text: object, stream: TextIO | None = None, **how: Any) -> None:
 
 def fail(tool: str, message: object, code: int = 2) -> NoReturn:
     """Ends the program with 'TOOL: error: MESSAGE'."""
-    tell(f"{tool}: error: {message}", sys.stderr)
+    print_text(f"{tool}: error: {message}", sys.stderr)
     sys.exit(code)

@@ -95,7 +95,7 @@ def examine(program, seed, shrinks):
     return failures, figures, shrink(deck, lambda smaller: kind in judge(program, smaller, with_bits)[0])
 
 
-def tell(seed, failures, figures, deck, known, shrinks):
+def report_seed(seed, failures, figures, deck, known, shrinks):
     """Prints a seed; whether it is as it is known."""
     from fuzzing.judging import add_output
     from fuzzing.scene import write_deck
@@ -103,8 +103,8 @@ def tell(seed, failures, figures, deck, known, shrinks):
     expected = known.get(seed, set())
     kinds = set(failures)
     verdict = "ok" if kinds == expected else "NOT AS KNOWN" if known else "FAILS"
-    told = " ".join(f"{key} {value:.3g}" for key, value in figures.items() if isinstance(value, (int, float)))
-    print(f"seed {seed}: {verdict}{' (fails as known)' if kinds and verdict == 'ok' else ''}: {told}")
+    values = " ".join(f"{key} {value:.3g}" for key, value in figures.items() if isinstance(value, (int, float)))
+    print(f"seed {seed}: {verdict}{' (fails as known)' if kinds and verdict == 'ok' else ''}: {values}")
     for kind, text in failures.items():
         print(f"  {kind}: {text}")
     for kind in sorted(expected - kinds):
@@ -139,7 +139,7 @@ def main():
         results = pool.map(lambda seed: (seed, *examine(program, seed, arguments.shrink and seed not in known)), arguments.seeds)
         verdicts, counts = [], Counter()
         for seed, failures, figures, deck in results:
-            verdicts.append(tell(seed, failures, figures, deck, known, arguments.shrink))
+            verdicts.append(report_seed(seed, failures, figures, deck, known, arguments.shrink))
             counts.update(failures.keys())
     wrong = verdicts.count(False)
     print(f"{len(verdicts)} scenes, {wrong} not as expected; failures: {', '.join(f'{k} {n}' for k, n in sorted(counts.items())) or 'none'}")

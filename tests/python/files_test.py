@@ -12,7 +12,7 @@ import unittest
 ROOT = sys.argv[1]
 from percuss import NotResults  # noqa: E402
 from percuss.files import NUMBER, TEXT, WHOLE, MapOf, Optional, Refused, load_json, make_mark, write_file  # noqa: E402
-from percuss.terminal import clean, tell  # noqa: E402
+from percuss.terminal import clean, print_text  # noqa: E402
 
 sys.argv = sys.argv[:1] + sys.argv[3:]
 
@@ -152,7 +152,7 @@ class Cleaning(unittest.TestCase):
 
     def test_tells_in_the_encoding_of_the_terminal(self):
         stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
-        tell("1 \u00b5m\n\x1b", stream)
+        print_text("1 \u00b5m\n\x1b", stream)
         stream.flush()
         self.assertEqual(stream.buffer.getvalue(), b"1 ?m\n\\x1b\n")
 

@@ -31,7 +31,7 @@ from percuss.results.deck import Deck  # noqa: E402
 from percuss.results.history import History  # noqa: E402
 from percuss.results.units import BadUnits, Units  # noqa: E402
 from percuss.report.answers import (find_peaks_of_forces, is_resolved, judge_trust, list_changes, list_changes_for_forces,  # noqa: E402
-                               suggest_forces, tell_events, tell_force, tell_relaxation)
+                               suggest_forces, describe_events, describe_forces, describe_relaxation)
 from percuss.report.comparison import compare_numbers, find_history_differences  # noqa: E402
 from percuss.report.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
 from percuss.report.forces import find_balances, find_force, find_impulse, find_momentum_balances, list_forces, make_balance_table  # noqa: E402
@@ -42,7 +42,7 @@ from percuss.report.scene import flatten, make_relaxation_table  # noqa: E402
 from percuss.report.signals import find_filtered_peak, make_accelerometers_table  # noqa: E402
 from percuss.view.reduce import pack_view
 from percuss.view.surface import read_library  # noqa: E402
-from percuss.report.welds import find_use, make_welds_table, tell_welds  # noqa: E402
+from percuss.report.welds import find_use, make_welds_table, describe_welds  # noqa: E402
 
 
 
@@ -362,7 +362,7 @@ class Findings(OfARun):
     def test_tell_where_the_energy_went_and_which_forces_to_ask_for(self):
         run = percuss.read(self.out)
         start, end = (run.history["kinetic"][row] for row in (0, -1))
-        self.assertIn(f"In 200 \u00b5s the kinetic energy went from {start:.4g} J to {end:.4g} J.", tell_events(run)[0])
+        self.assertIn(f"In 200 \u00b5s the kinetic energy went from {start:.4g} J to {end:.4g} J.", describe_events(run)[0])
         self.assertIn("every: 1e-06\n    forces:\n      - {name: force_on_block, contact: [block, all]}\n      - {name: support_0, support: plate/x_min}\n",
                       suggest_forces(run))
         self.assertEqual([(peak[0], peak[-1]) for peak in find_peaks_of_forces(run)], [("wall_force", False)])
@@ -373,7 +373,7 @@ class Findings(OfARun):
         nodes = np.unique(run.fields.hexahedra[run.fields.part == run.fields.part_names.index("block")])
         np.testing.assert_allclose(block.moved, (run.fields.positions(-1) - run.fields.positions(0))[nodes].mean(axis=0))
         self.assertEqual(block.speeds[0], 50)
-        text = next(text for text in tell_events(run) if text.startswith("block: "))
+        text = next(text for text in describe_events(run) if text.startswith("block: "))
         self.assertIn(f"moved {1e3 * np.linalg.norm(block.moved):.4g} mm along -z; ", text)
         self.assertIn(f"mean velocity from 50 to {block.speeds[1]:.4g} m/s", text)
 
@@ -427,8 +427,8 @@ class Findings(OfARun):
         rows_more_often, to_the_end = list_changes_for_forces(run)
         self.assertIn("Write rows more often (output.history.every)", rows_more_often)
         self.assertIn("hit still acts", to_the_end)
-        self.assertIn("2 N in the last row: it still acts.", tell_force(run)[0])
-        self.assertIn("its true height is larger", tell_force(run)[-1])
+        self.assertIn("2 N in the last row: it still acts.", describe_forces(run)[0])
+        self.assertIn("its true height is larger", describe_forces(run)[-1])
         self.assertEqual(list_changes_for_forces(percuss.read(self.out)), [])
 
     def test_tell_how_a_run_ended(self):
@@ -441,7 +441,7 @@ class Findings(OfARun):
         change_summary(folder, lambda summary: summary.update(time=0.029 * summary["end_time"]))
         run, text = percuss.read(folder), "The run was stopped by time.max_steps at 2.9 % of time.end."
         self.assertEqual(self.level_of(find_findings(run), text), LOOK)
-        self.assertEqual(tell_events(run)[0], text)
+        self.assertEqual(describe_events(run)[0], text)
         self.assertIn("Raise time.max_steps or leave it out, and run to the end.", list_changes(find_findings(run)))
         change_summary(folder, lambda summary: summary.pop("end_time"))  # as older versions wrote it
         self.assertEqual(percuss.read(folder).step_limit, "")
@@ -539,7 +539,7 @@ class Welds(unittest.TestCase):
         return make_run(make_history(columns), {"welds": {"seam": {"failure": {"normal": 4, "shear": 6}}}})
 
     def test_that_failed_and_those_near_to_it_are_told(self):
-        texts = tell_welds(self.make(), lambda run, time: f"{time:g} s")
+        texts = describe_welds(self.make(), lambda run, time: f"{time:g} s")
         self.assertEqual(texts[0], "2 welds failed, the first by t = 0.6 s (seam_1), the last by t = 0.8 s (seam_2).")
         self.assertEqual(texts[1], "Of the welds that hold, seam_3 came nearest to its failure: 0.64 of it at t = 0.2 s.")
         table = make_welds_table(self.make())
@@ -549,12 +549,12 @@ class Welds(unittest.TestCase):
 
     def test_without_force_at_the_end_is_not_failed(self):
         run = self.make(seam_5=([0, 3.9, 0, 0, 0, 0], [0] * 6))  # the count does not rise when its force ends
-        self.assertEqual(tell_welds(run, lambda run, time: f"{time:g} s")[0],
+        self.assertEqual(describe_welds(run, lambda run, time: f"{time:g} s")[0],
                          "2 welds failed, the first by t = 0.6 s (seam_1), the last by t = 0.8 s (seam_2).")  # fmt: skip
         self.assertIn("<td>seam_5</td><td>without force at the end</td>", make_welds_table(run))
 
     def test_no_more_have_failed_than_are_counted(self):
-        texts, table = tell_welds(self.make(failed=1), lambda run, time: f"{time:g} s"), make_welds_table(self.make(failed=1))
+        texts, table = describe_welds(self.make(failed=1), lambda run, time: f"{time:g} s"), make_welds_table(self.make(failed=1))
         self.assertEqual(texts[0], "1 weld failed, the first by t = 0.6 s (seam_2).")  # which came nearer
         self.assertIn("<td>seam_2</td><td>failed</td>", table)
         self.assertIn("<td>seam_1</td><td>without force at the end</td>", table)
@@ -571,7 +571,7 @@ class Welds(unittest.TestCase):
 
     def test_nothing_is_told_of_a_run_without_welds(self):
         run = make_run(make_history({"time": np.linspace(0, 1, 3)}))
-        self.assertEqual((tell_welds(run, None), make_welds_table(run)), ([], ""))
+        self.assertEqual((describe_welds(run, None), make_welds_table(run)), ([], ""))
 
 
 class Relaxation(unittest.TestCase):
@@ -581,7 +581,7 @@ class Relaxation(unittest.TestCase):
 
     def test_is_told_with_its_residual_and_preloads(self):
         run = make_run(make_history({"time": np.linspace(0, 1, 3)}), self.DECK, self.SUMMARY)
-        self.assertEqual(tell_relaxation(run), ["Before time 0 the relaxation settled in 4,310 steps, with 8e-07 of the energy left as motion; "
+        self.assertEqual(describe_relaxation(run), ["Before time 0 the relaxation settled in 4,310 steps, with 8e-07 of the energy left as motion; "
                                                 "preloads are reached to 2e-05 of their forces."])
         table = make_relaxation_table(run)
         for text in ("<td>damped steps</td><td>4,310</td>", "8e-07 (tolerance 1e-06)", "preload bolt of shank", "40000 N", "2e-05 of its force"):
@@ -589,7 +589,7 @@ class Relaxation(unittest.TestCase):
 
     def test_is_not_told_where_there_is_none(self):
         run = make_run(make_history({"time": np.linspace(0, 1, 3)}), {}, {"relaxation": {"state": ""}})
-        self.assertEqual((tell_relaxation(run), make_relaxation_table(run)), ([], ""))
+        self.assertEqual((describe_relaxation(run), make_relaxation_table(run)), ([], ""))
 
 
 class Pieces(unittest.TestCase):

@@ -174,19 +174,19 @@ class Database:
 
 def describe(database):
     """What the user should know about the files, a text each."""
-    told = []
+    left_out = []
     if left := list_left_out(database.selection):
-        told.append(f"d3plot has no place for {clip(', '.join(left))}: left out")
+        left_out.append(f"d3plot has no place for {clip(', '.join(left))}: left out")
     if zeros := list_zeros(database.selection):
-        told.append(f"{', '.join(zeros)}: not in the run (output.fields.write of the deck), or not chosen; zeros stand for it")
+        left_out.append(f"{', '.join(zeros)}: not in the run (output.fields.write of the deck), or not chosen; zeros stand for it")
     shells = len(database.elements[SHELLS]) > 0
     if shells and "stress" in database.selection.names and not {"stress_bottom", "stress_top"} <= set(database.selection.names):
-        told.append("stress_bottom and stress_top are not in the run: all three layers of shells have the mean stress, without bending")
+        left_out.append("stress_bottom and stress_top are not in the run: all three layers of shells have the mean stress, without bending")
     if len(database.elements[BEAMS]) and not {"section_force", "section_moment"} <= set(database.selection.names):
-        told.append("section_force and section_moment are not in the run: forces of beams are zeros")
+        left_out.append("section_force and section_moment are not in the run: forces of beams are zeros")
     if database.are_renumbered:
-        told.append("ids are not unique, or not positive: nodes and elements are numbered from 1")
-    return told
+        left_out.append("ids are not unique, or not positive: nodes and elements are numbered from 1")
+    return left_out
 
 
 def _make_ids(ids):

@@ -60,9 +60,9 @@ def fail(message, code=2):
 
 
 def note(text):
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
-    tell(f"export: {text}", sys.stderr)
+    print_text(f"export: {text}", sys.stderr)
 
 
 def list_vtu(selection, stem, with_list):
@@ -138,7 +138,7 @@ def export(arguments):
     import percuss
     from percuss.export.selection import Selection
     from percuss.files import write_file
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     run = percuss.Run(arguments.dir, arguments.source)
     names = [name.strip() for name in arguments.fields.split(",")] if arguments.fields else None
@@ -153,7 +153,7 @@ def export(arguments):
         count, size = count + 1, size + os.path.getsize(path)
     if run.fields.walls.size or len(run.fields.walls_at(0)) or len(run.fields.round_walls_at(0)):
         note("rigid walls are not written")
-    tell(f"export: {path if count == 1 else f'{count} files in {folder}'} ({len(selection.frames)} frame{'s' * (len(selection.frames) > 1)}, {size / 1e6:.2g} MB)")
+    print_text(f"export: {path if count == 1 else f'{count} files in {folder}'} ({len(selection.frames)} frame{'s' * (len(selection.frames) > 1)}, {size / 1e6:.2g} MB)")
 
 
 def main(words):

@@ -62,8 +62,8 @@ def import_model(arguments: argparse.Namespace) -> int:
         if error.is_missing and ledger.list_refused():  # what is refused is what is missing
             os.makedirs(arguments.out, exist_ok=True)
             write_reports(arguments, ledger, [], "")
-            return tell_refused(arguments, ledger)
-        print_refused(ledger)
+            return print_refused(arguments, ledger)
+        print_errors(ledger)
         raise
     refused = ledger.list_refused()
     if not refused and not model.blocks:
@@ -82,11 +82,11 @@ def import_model(arguments: argparse.Namespace) -> int:
     write_reports(arguments, ledger, summary, deck)
     if not arguments.quiet:
         report.print_table(ledger)
-    tell_unused(ledger)
-    return tell_refused(arguments, ledger) if refused else tell_deck(arguments, deck, summary, verdict)
+    print_unused(ledger)
+    return print_refused(arguments, ledger) if refused else print_deck(arguments, deck, summary, verdict)
 
 
-def tell_unused(ledger: Ledger) -> None:
+def print_unused(ledger: Ledger) -> None:
     """What the user allows and the deck does not have."""
     for pattern in ledger.allowed:
         if pattern not in ledger.used_patterns and pattern != "ALL":
@@ -99,16 +99,16 @@ def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[s
     report.write_json(os.path.join(arguments.out, earlier.REPORT), arguments.model, ledger, summary, earlier.find_mark(deck) or earlier.read_mark(arguments.out))
 
 
-def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
-    """Tells what is refused, and that no deck is written."""
-    print_refused(ledger)
+def print_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
+    """What is refused, and that no deck is written."""
+    print_errors(ledger)
     print(
         f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card", file=sys.stderr
     )
     return 2
 
 
-def print_refused(ledger: Ledger) -> None:
+def print_errors(ledger: Ledger) -> None:
     """An error for each row that is refused."""
     for entry in ledger.list_refused():
         more = f" (and {entry.count - 1} more)" if entry.count > 1 else ""
@@ -146,8 +146,8 @@ def write_files(arguments: argparse.Namespace, model: Model, folder: str) -> lis
     return [MESH, *tables, DECK]
 
 
-def tell_deck(arguments: argparse.Namespace, deck: str, summary: list[str], verdict: proof.Verdict) -> int:
-    """Tells what was written, and what the check says."""
+def print_deck(arguments: argparse.Namespace, deck: str, summary: list[str], verdict: proof.Verdict) -> int:
+    """What was written, and what the check says."""
     for line in summary:
         print(clean(line))
     if deck:

@@ -29,7 +29,7 @@ def refuse_to_overwrite(arguments: argparse.Namespace, names: list[str], sources
             continue
         refuse_source(path, arguments.model, sources)
         if not arguments.force:
-            raise BadInput(clean(path), f"{tell_loss(path, name, arguments.out)} (an import overwrites nothing without --force): choose another folder with --out, or give --force")
+            raise BadInput(clean(path), f"{describe_loss(path, name, arguments.out)} (an import overwrites nothing without --force): choose another folder with --out, or give --force")
 
 
 def refuse_source(path: str, model: str, sources: set[str]) -> None:
@@ -43,7 +43,7 @@ def refuse_source(path: str, model: str, sources: set[str]) -> None:
         raise BadInput(clean(path), "this is a file that the model includes (the import would write over it): choose another folder with --out")
 
 
-def tell_loss(path: str, name: str, folder: str) -> str:
+def describe_loss(path: str, name: str, folder: str) -> str:
     """What would be gone."""
     written = read_mark(folder)
     if name == "deck.yaml" and os.path.isfile(path):

@@ -157,7 +157,7 @@ def shift_hint(text: str) -> str:
     return "; are the columns of its line shifted?" if not text.strip() or " " in text.strip() else ""
 
 
-def tell_columns(line: str, first: int, width: int) -> str:
+def describe_columns(line: str, first: int, width: int) -> str:
     """What to add to a message on a field of fixed width that has no number: which of its columns cut a word, or hold two."""
     last = min(first + width, len(line))
     for border in (first, last):

@@ -1,4 +1,4 @@
-"""What the laws of percuss can do, as `percuss schema` tells."""
+"""What the laws of percuss can do, as `percuss schema` prints it."""
 
 import functools
 import json

@@ -20,7 +20,7 @@ class Place(NamedTuple):
 
 
 REFERRED = "(this card refers to it)"
-# What a refusal says of what has no elements: where parts were refused it follows from that, and is not told.
+# What a refusal says of what has no elements: where parts were refused it follows from that, and is not reported.
 FOLLOWS = ("without elements", "no element", "not in the mesh", "with elements", "any element", "without two named sides")
 
 
@@ -29,7 +29,7 @@ class BadInput(Exception):
 
     def __init__(self, place: "Place | str", text: str, follows: bool = False):
         super().__init__(f"{place}: error: {text}")
-        self.is_missing = follows or REFERRED in text  # it is not told where what is refused may be what is missing
+        self.is_missing = follows or REFERRED in text  # it is not reported where what is refused may be what is missing
 
 
 def missing(what: str) -> str:

@@ -78,14 +78,14 @@ def fail(message):
 
 
 def list_columns(run):
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     history = run.history
     names = [*history, *history.derived]
     width = max(map(len, names))
-    tell(f"{run.folder}: {len(history)} rows")
+    print_text(f"{run.folder}: {len(history)} rows")
     for name in names:
-        tell(f"  {name:{width}}  {history.unit(name) or '-':10}  {history.meaning(name)}")
+        print_text(f"  {name:{width}}  {history.unit(name) or '-':10}  {history.meaning(name)}")
 
 
 def choose_files(out, run):
@@ -105,7 +105,7 @@ def plot(arguments, runs, words):
     from percuss.plot.panels import choose_panels, list_panels
     from percuss.plot.series import Options, add_expressions, choose_abscissa, prepare_history
     from percuss.results.units import Units
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     paths = choose_files(arguments.out, runs[0])
     for path in paths:
@@ -120,40 +120,40 @@ def plot(arguments, runs, words):
     shown = drawing.Plot(list(zip(labels, runs, histories)), options)
     if arguments.test:
         shown.test = Measured(arguments.test)
-        tell_rating(shown, panels)
+        print_ratings(shown, panels)
     warn_of_short_signals(shown.runs, arguments.cfc or arguments.cfc_after)
     title = " / ".join(dict.fromkeys(run.title for run in runs)) + (f" (CFC {arguments.cfc})" if arguments.cfc else "")
     size = tuple(pixels / 110 for pixels in arguments.size) if arguments.size else None
     if not paths[0].endswith(".csv"):
         figure = shown.draw_all(panels, size, title)
         for number, (time, text) in enumerate(shown.list_marks(), 1):
-            tell(f"plot: warning {number} at {time:.4g}: {text}")
+            print_text(f"plot: warning {number} at {time:.4g}: {text}")
     for path in paths:
         if path.endswith(".csv"):
             table.save(shown, panels, path, arguments.force)
         else:
             drawing.save(figure, path, arguments.force)
-        tell(f"plot: {path}")
+        print_text(f"plot: {path}")
 
 
-def tell_rating(shown, panels):
+def print_ratings(shown, panels):
     from percuss.plot.series import make_curve
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     if len(panels) != 1 or len(panels[0].columns) != 1:
         raise ValueError("--test is for one curve: name one column or one expression")
     for label, _, history in shown.runs:
         for text in shown.test.judge(*make_curve(history, panels[0].columns[0], shown.options), shown.options.x == "time"):
-            tell(f"plot: {label} against {shown.test.label}: {text}")
+            print_text(f"plot: {label} against {shown.test.label}: {text}")
 
 
 def warn_of_short_signals(shown, channel_class):
     from percuss.plot.series import is_too_short
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     for label, _, history in shown if channel_class else ():
         if is_too_short(history, channel_class):
-            tell(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC {channel_class} (the filter hides the event): "
+            print_text(f"plot: {label}: the signal is shorter than one period of the cut-off frequency of CFC {channel_class} (the filter hides the event): "
                  "use a higher class, or none", sys.stderr)
 
 

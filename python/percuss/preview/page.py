@@ -217,9 +217,9 @@ class Preview:
     def _make_view(self):
         if self.fields is None or not self.options.interactive:
             return ""
-        about, data, told = pack_view(self.fields, ["velocity"], frames=[0])
+        about, data, reduced_by = pack_view(self.fields, ["velocity"], frames=[0])
         about.update(still=True, byPart=True, layers=[_describe_layer(layer) for layer in self.layers])
-        reduced = f" Reduced to fit into a page: {'; '.join(told)}." if told else ""
+        reduced = f" Reduced to fit into a page: {'; '.join(reduced_by)}." if reduced_by else ""
         return embed_view(about, data, f"{about['faces']:,} faces. Untick a part or a mark to hide it.{reduced}", note)
 
 

@@ -13,7 +13,7 @@ WISHES = ("vtkmodules.vtkRenderingOpenGL2", "PIL.Image")
 EPILOG = """\
 `percuss check DECK --report` is this program. It calls percuss check and runs a few steps in a temporary folder, which take
 some seconds. The page shows the bodies by part, with sets, conditions, walls, initial velocities as arrows, and overlaps and
-gaps in red. It tells mass, extent, step by part, predicted steps, run time, memory and disk, and all warnings of check.
+gaps in red. It lists mass, extent, step by part, predicted steps, run time, memory and disk, and all warnings of check.
 
 examples:
   percuss check --report deck.yaml                          writes SCENE_check.html into the current folder
@@ -42,9 +42,9 @@ def parse_arguments(words):
 
 
 def fail(message, code=2):
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
-    tell(message, sys.stderr)
+    print_text(message, sys.stderr)
     sys.exit(code)
 
 
@@ -65,7 +65,7 @@ def main(words):
     from percuss.preview.page import Preview
     from percuss.preview.trial import Refused, Trial
     from percuss.program import find_program
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     options = [word for setting in arguments.set for word in ("--set", setting)]
     options += ["--allow-external"] * arguments.allow_external
@@ -85,6 +85,6 @@ def main(words):
         fail("percuss check --report: interrupted", 130)
     except OSError as error:
         fail(f"percuss check --report: error: the page cannot be written ({error})", 4)
-    tell(f"check: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")
+    print_text(f"check: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")
     if trial.error:
         fail(trial.error)

@@ -13,7 +13,7 @@ from percuss.results.converted import convert_fields
 from percuss.results.fields import Fields
 from percuss.results.run import Run
 from percuss.results.units import format_time
-from percuss.terminal import clean, tell
+from percuss.terminal import clean, print_text
 
 from . import colors
 from .camera import place_camera, sample_positions
@@ -49,11 +49,11 @@ def render(arguments):
     print()
     for shot in shots:
         if shot.largest:
-            tell(f"render: {shot.tell_largest()}")
+            print_text(f"render: {shot.describe_largest()}")
     for kind, path in films.items():
         film = encode_animation([shrink(image) for image in images], arguments.fps) if kind == "gif" else encode_video(images, arguments.fps, kind)
         write_file(path, film, "render", arguments.force)
-        tell(f"render: {path}")
+        print_text(f"render: {path}")
 
 
 def choose_paths(arguments, frames, folder):
@@ -165,7 +165,7 @@ class Shot:
         if found.point is not None and (self.largest is None or found.value > self.largest[0]):
             self.largest = (found.value, found.text, frame)
 
-    def tell_largest(self):
+    def describe_largest(self):
         value, words, frame = self.largest
         where = f"{_name(self.fields)}: " if self.frame_of else ""
         return f"{where}largest {colors.label_of(self.coloring.name)} {format_value(value, self.coloring)} in {words}, frame {frame}"
@@ -234,7 +234,7 @@ def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 
     walls = NoWalls() if arguments.no_walls else Walls(fields, points, position, extras.planes)
     scene.place_walls(walls.span(frames[0]))
     ends = [plates.reshape(-1, 3) for frame in {frames[0], frames[-1]} for plates, _ in walls.span(frame) if plates is not None]
-    scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
+    scene.aim(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
     if not arguments.fast:
         start = fields.positions(0)
         diagonal = np.linalg.norm(np.ptp(start[nodes], axis=0))

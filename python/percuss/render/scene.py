@@ -152,7 +152,7 @@ class Scene:
         for wall, place in zip(self._walls, walls):
             wall.place(*place)
 
-    def look(self, position, target, up, zoom, sample):
+    def aim(self, position, target, up, zoom, sample):
         """sample: points [n][3] of all that is drawn."""
         camera = self.renderer.GetActiveCamera()
         camera.SetViewAngle(narrow_view(zoom))

@@ -10,12 +10,12 @@ from percuss.results.units import choose_time_unit, choose_unit
 from .findings import BAD, GOOD
 from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
-from .motion import tell_motions
-from .welds import tell_welds
+from .motion import describe_motions
+from .welds import describe_welds
 
 MOST_CHANGES = 6
 UNRESOLVED = 0.5  # of a peak: a row beside it below this does not show the rise or the fall
-STILL_LOADED = 0.1  # of a peak: a larger force in the last row is told
+STILL_LOADED = 0.1  # of a peak: a larger force in the last row is reported
 PERIODS = 10  # of the cut-off frequency of CFC 1000, from which a filter is suggested
 REFINE = "Nothing that this run shows. Repeat it with smaller elements and compare both runs: percuss report DIR DIR2."
 
@@ -23,8 +23,8 @@ REFINE = "Nothing that this run shows. Repeat it with smaller elements and compa
 def make_answers(run, findings):
     """Four questions and their answers, as far as the files have them."""
     changes = [*list_changes(findings), *list_changes_for_forces(run)]
-    rows = [("What happened?", [escape(text) for text in tell_events(run)]),
-            ("Largest force, and when?", tell_force(run)),
+    rows = [("What happened?", [escape(text) for text in describe_events(run)]),
+            ("Largest force, and when?", describe_forces(run)),
             ("May I trust it?", [escape(judge_trust(run, findings))]),
             ("What would I change?", [escape(text) for text in changes or [REFINE]])]
     return "<dl class=answers>" + "".join(f"<dt>{escape(question)}</dt><dd>{''.join(f'<div>{text}</div>' for text in texts)}</dd>"
@@ -43,7 +43,7 @@ def show_time(run, value):
     return f"{value * factor:.4g} {unit}".rstrip()
 
 
-def tell_events(run):
+def describe_events(run):
     """Where the energy went, in sentences."""
     energy = run.summary.get("energy")
     if not energy or math.isnan(energy["kinetic"]) or run.status in ("running", "starting", "killed"):
@@ -54,15 +54,15 @@ def tell_events(run):
     shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]), ("bulk viscosity", energy["viscous"]),
               ("eroded elements", run.summary["eroded"]["energy"]), ("friction", -energy["friction"]), ("damping", -energy["damping"])]
     largest = max(abs(value) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
-    told = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
-    text += f"At the end: {', '.join(told)}." if told else ""
+    parts = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
+    text += f"At the end: {', '.join(parts)}." if parts else ""
     if energy["external"] and abs(energy["external"]) > 1e-3 * largest:
         text += f" Loads, gravity and prescribed motion did the work {show(run, energy['external'], 'energy')}."
     limit = [f"The run was {run.step_limit}."] if run.step_limit else []
-    return [*tell_relaxation(run), *limit, text, *tell_motions(run), *tell_erosion(run), *tell_welds(run, show_time), *tell_ties(run)]
+    return [*describe_relaxation(run), *limit, text, *describe_motions(run), *describe_erosion(run), *describe_welds(run, show_time), *describe_ties(run)]
 
 
-def tell_relaxation(run):
+def describe_relaxation(run):
     """How the run came to its state at time 0."""
     relaxation = run.summary.get("relaxation") or {}
     if not relaxation.get("state"):
@@ -73,7 +73,7 @@ def tell_relaxation(run):
             f"{relaxation['damped_steps']:,} steps, with {relaxation['kinetic_ratio']:.2g} of the energy left as motion{reached}."]
 
 
-def tell_ties(run):
+def describe_ties(run):
     """How many nodes of ties have let go, and by when the first."""
     if not run.has_history or "failed_ties" not in run.history or not len(run.history):
         return []
@@ -84,7 +84,7 @@ def tell_ties(run):
     return [f"{int(counts[-1]):,} tied nodes have let go, the first by t = {show_time(run, first)}."]
 
 
-def tell_erosion(run):
+def describe_erosion(run):
     count = run.summary["eroded"]["elements"]
     if not count:
         return []
@@ -129,7 +129,7 @@ def _find_peak(history, size):
     return float(size[top]), float(history["time"][top])
 
 
-def tell_force(run):
+def describe_forces(run):
     """The largest forces, or what the deck needs to have them."""
     if not run.has_history or len(run.history) < 2:
         return [escape("There is no history. Add to the deck:") + show_deck(suggest_forces(run))]

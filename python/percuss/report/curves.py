@@ -43,7 +43,7 @@ def _find_numbers(word, histories):
     for history in histories:
         try:
             value = compute(history, text)
-        except ValueError:  # a pattern, or wrong: what draws it tells
+        except ValueError:  # a pattern, or wrong: what draws it reports it
             return []
         if np.ndim(value.values):
             return []

@@ -9,10 +9,10 @@ from percuss.results.units import choose_unit
 from .markup import make_table
 
 SMALL_MOTION = 1e-3   # of the size of the scene: a part that moves less stays where it is
-SMALL_STRETCH = 0.02  # change of an extent that is told in words
+SMALL_STRETCH = 0.02  # change of an extent that is put in words
 MOST_PARTS = 4        # that sentences name
 ALONG = 0.95          # cosine from which a motion is along an axis
-SMALL_TURN = 5        # degrees; smaller turns are not told in words
+SMALL_TURN = 5        # degrees; smaller turns are not put in words
 FLAT = 1e-6           # second over first singular value: the nodes are on a line, whose turn about itself is not known
 
 
@@ -59,19 +59,19 @@ def _undo_rotation(first, last):
     return float(np.degrees(np.arccos(cosine))), b @ rotation.T
 
 
-def tell_motions(run):
+def describe_motions(run):
     """Sentences: where the parts went that moved most, and what became shorter or longer."""
     if not run.has_fields or len(run.fields.times) < 2:
         return []
     size = float(np.linalg.norm(np.ptp(run.fields.positions(0), axis=0)))
     length, velocity = (run.units.name_of(quantity) if run.units else "" for quantity in ("length", "velocity"))
-    told = []
+    sentences = []
     for motion in sorted(find_motions(run.fields), key=lambda motion: -np.linalg.norm(motion.moved)):
         texts = [*_tell_path(motion, length, size), *_tell_turn(motion), *_tell_speeds(motion, velocity), *_tell_shape(motion, length)]
         if texts and _has_changed(motion, size):
-            told.append(f"{motion.part}: {'; '.join(texts)}.")
-    more = f"The table of parts has {len(told) - MOST_PARTS} more." if len(told) > MOST_PARTS else ""
-    return told[:MOST_PARTS] + [more] * bool(more)
+            sentences.append(f"{motion.part}: {'; '.join(texts)}.")
+    more = f"The table of parts has {len(sentences) - MOST_PARTS} more." if len(sentences) > MOST_PARTS else ""
+    return sentences[:MOST_PARTS] + [more] * bool(more)
 
 
 def _has_changed(motion, size):

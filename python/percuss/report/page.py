@@ -12,7 +12,7 @@ from percuss.render.colors import CATEGORIES, label_of
 from percuss.render.mirrors import find_symmetry
 from percuss.render.selection import check_field
 from percuss.results.units import choose_time_unit, choose_unit, format_time
-from percuss.terminal import tell
+from percuss.terminal import print_text
 from percuss.view.embed import describe_view, embed_view
 from percuss.view.reduce import pack_view
 
@@ -32,7 +32,7 @@ MORE_PANELS = ("contact_pairs", "kinetic_by_part", "internal_by_part", "erosion"
 
 
 def note(text):
-    tell(f"report: {text}", sys.stderr)
+    print_text(f"report: {text}", sys.stderr)
 
 
 def make_page(runs, options):
@@ -149,9 +149,9 @@ def _show_picture(picture, text):
 def _make_view(run, options):
     if not run.has_fields or not options.interactive:
         return ""
-    about, data, told = pack_view(run.fields, [choose_field(run.fields, options.field)])
+    about, data, reduced_by = pack_view(run.fields, [choose_field(run.fields, options.field)])
     about["symmetry"] = find_symmetry(run.fields, run.deck)
-    return embed_view(about, data, describe_view(about, len(run.fields.times), told), note)
+    return embed_view(about, data, describe_view(about, len(run.fields.times), reduced_by), note)
 
 
 # --- plots and tables -------------------------------------------------------------------------------------------------

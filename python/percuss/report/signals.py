@@ -12,7 +12,7 @@ from .markup import make_table, with_unit
 
 CLASS = 180
 PERIODS_AT_REST = 10  # of the cut-off frequency, before and after the signal
-GRAVITY = 9.80665  # standard, in m/s2: peaks are told in g, too
+GRAVITY = 9.80665  # standard, in m/s2: peaks are given in g, too
 
 
 def list_accelerometers(history):

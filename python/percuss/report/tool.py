@@ -71,7 +71,7 @@ def main(words):
     from percuss.plot.panels import BadChoice
     from percuss.report.page import make_page
     from percuss.results.converted import convert_run
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     try:
         runs = [percuss.Run(folder, arguments.fields) for folder in arguments.dirs]
@@ -86,4 +86,4 @@ def main(words):
         fail(error)
     except OSError as error:
         fail(f"cannot write the report ({error})")
-    tell(f"report: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")
+    print_text(f"report: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")

@@ -75,7 +75,7 @@ def sort_out(run):
     """(welds that have failed, in the order in which they did; those without force at the end that have not; those with one).
 
     A failed weld has no force from then on, and the count of failures rises in its first row without force, or in the row
-    before. One that holds may have no force at the end either. At most as many as the count tells have failed: those that
+    before. One that holds may have no force at the end either. At most as many as the count says have failed: those that
     came nearest to it.
     """
     counts, time = np.asarray(run.history["welds_failed"]), np.asarray(run.history["time"])
@@ -91,7 +91,7 @@ def sort_out(run):
     return broken, [life for life in still if life not in broken], [life for life in lives if life.failed_at is None]
 
 
-def tell_welds(run, show_time):
+def describe_welds(run, show_time):
     """Sentences: how many welds failed, which first and last, and which of the others came nearest. show_time(run, time) -> text."""
     if not run.has_history or "welds_failed" not in run.history or len(run.history) < 2:
         return []

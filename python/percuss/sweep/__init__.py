@@ -1,4 +1,4 @@
-"""Many runs of one deck: designs, their runs, and what is told of each.
+"""Many runs of one deck: designs, their runs, and what is reported of each.
 
     from percuss.sweep import Study, make_designs
     study = Study("deck.yaml", "study")

@@ -212,7 +212,7 @@ def _find_status(folder, values):
 
 
 def _find_reason(errors, code):
-    """The last error that percuss has told, in a line."""
+    """The last error that percuss has printed, in a line."""
     lines = [line.strip() for line in errors.splitlines() if line.strip()]
     found = [line for line in lines if "error:" in line] or lines[-1:]
     return found[0] if found else f"exit code {code}"

@@ -98,11 +98,11 @@ class Teller:
 
     def follow(self, result):
         from percuss.sweep.outputs import read_outputs
-        from percuss.terminal import tell
+        from percuss.terminal import print_text
 
         self.ended += 1
         words = f"{result.state} before" if result.was_there else result.state
-        tell(f"sweep: {self.ended}/{self.count} {words}: {result.design}" + (f" ({result.error})" if result.error else ""), flush=True)
+        print_text(f"sweep: {self.ended}/{self.count} {words}: {result.design}" + (f" ({result.error})" if result.error else ""), flush=True)
         if result.state == "completed" and not self.are_checked and result.run.has_history:
             read_outputs(result.run, self.outputs)
             self.are_checked = True
@@ -112,7 +112,7 @@ def write_results(arguments, folder, results, outputs):
     from percuss.files import write_file
     from percuss.sweep.page import make_page
     from percuss.sweep.table import Table
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     if arguments.reports:
         for result in results:
@@ -124,7 +124,7 @@ def write_results(arguments, folder, results, outputs):
     csv, page = (os.path.join(folder, name) for name in ("sweep.csv", "sweep.html"))
     write_file(csv, table.write_csv(), "sweep", arguments.force)
     write_file(page, make_page(os.path.basename(arguments.deck), table, links), "sweep", arguments.force)
-    tell(f"sweep: {csv}, {page}")
+    print_text(f"sweep: {csv}, {page}")
     if not any(row.state == "completed" for row in table.rows):
         fail("no design has completed", 3)
 
@@ -136,23 +136,23 @@ def write_report(folder):
         return
     done = subprocess.run([*start_tool("report"), folder], capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        from percuss.terminal import tell
+        from percuss.terminal import print_text
 
-        tell(f"sweep: no report of {folder}: {done.stderr.strip()[-300:]}", sys.stderr)
+        print_text(f"sweep: no report of {folder}: {done.stderr.strip()[-300:]}", sys.stderr)
 
 
 def sweep(arguments):
     from percuss.sweep.cluster import write_job_array
     from percuss.sweep.outputs import Output
     from percuss.sweep.study import Study
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
 
     designs, outputs = choose_designs(arguments), [Output(text) for text in arguments.output]
     name = os.path.splitext(os.path.basename(arguments.deck))[0]
     folder = arguments.out or f"{os.path.basename(os.path.dirname(os.path.abspath(arguments.deck))) if name == 'deck' else name}_sweep"
     if arguments.list:
         for design in designs:
-            tell(f"{design.number}: {design}")
+            print_text(f"{design.number}: {design}")
         return
     if arguments.job_array:
         words = [word for word in arguments.words if word != "--job-array"]
@@ -164,7 +164,7 @@ def sweep(arguments):
         designs = [designs[arguments.only - 1]]
     teller = Teller(len(designs), outputs)
     study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow, arguments.allow_library)
-    tell(f"sweep: {len(designs)} design{'s' * (len(designs) > 1)} of {arguments.deck} into {folder}", flush=True)
+    print_text(f"sweep: {len(designs)} design{'s' * (len(designs) > 1)} of {arguments.deck} into {folder}", flush=True)
     results = study.run(designs)
     if all(result.state == "refused" for result in results):
         fail(f"every design is refused: {results[0].error}")

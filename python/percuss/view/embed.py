@@ -21,10 +21,10 @@ def embed_view(about, data, sentence, note):
             f"<script type='text/plain' id=surface-data>{data}</script>{code}")
 
 
-def describe_view(about, frames, told):
-    """The sentence below a view. frames: how many the run has; told: what has been reduced."""
+def describe_view(about, frames, reduced_by):
+    """The sentence below a view. frames: how many the run has; reduced_by: what has been reduced."""
     counted = f"{about['frames']} of {frames} frames, {about['faces']:,} faces."
-    return f"{counted} Reduced to fit into a page: {'; '.join(told)}." if told else counted
+    return f"{counted} Reduced to fit into a page: {'; '.join(reduced_by)}." if reduced_by else counted
 
 
 _VIEW = """<div id=view><div class=stage><canvas tabindex=0 aria-label='The surface of the run'></canvas></div>

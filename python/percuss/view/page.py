@@ -6,7 +6,7 @@ from percuss.render.selection import check_field, choose_parts
 from percuss.report.markup import escape
 from percuss.report.page import wrap_page
 from percuss.report.pictures import choose_field
-from percuss.terminal import tell
+from percuss.terminal import print_text
 
 from .embed import MISSING, describe_view, embed_view
 from .reduce import pack_view
@@ -17,19 +17,19 @@ MOST_FIELDS = 6
 
 
 def make_view_page(run, wanted, parts):
-    """(the page, what is told of it)."""
+    """(the page, how it is reduced)."""
     if read_library() is None:
         raise ValueError(MISSING)
     fields = run.fields
     names, left = _choose_fields(fields, wanted)
-    about, data, told = pack_view(fields, names, LARGEST, choose_parts(fields, parts))
+    about, data, reduced_by = pack_view(fields, names, LARGEST, choose_parts(fields, parts))
     about["symmetry"] = find_symmetry(fields, run.deck)
-    sentence = describe_view(about, len(fields.times), told)
+    sentence = describe_view(about, len(fields.times), reduced_by)
     if left:
-        told.append(f"{', '.join(left)} left out ({MOST_FIELDS} fields at most; --field names them)")
-        sentence += f" {told[-1][0].upper()}{told[-1][1:]}."
-    view = embed_view(about, data, sentence, lambda text: tell(f"view: {text}"))
-    return wrap_page(run.title, f"<h1>{escape(run.title)}</h1>{view}", "view"), told
+        reduced_by.append(f"{', '.join(left)} left out ({MOST_FIELDS} fields at most; --field names them)")
+        sentence += f" {reduced_by[-1][0].upper()}{reduced_by[-1][1:]}."
+    view = embed_view(about, data, sentence, lambda text: print_text(f"view: {text}"))
+    return wrap_page(run.title, f"<h1>{escape(run.title)}</h1>{view}", "view"), reduced_by
 
 
 def _choose_fields(fields, wanted):

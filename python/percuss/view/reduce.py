@@ -1,4 +1,4 @@
-"""How a surface comes to fit into a page: what is left out, in which order, and what is told of it."""
+"""How a surface comes to fit into a page: what is left out, in which order, and what is said of it."""
 
 import numpy as np
 
@@ -99,14 +99,14 @@ def _find_moving(fields, kept):
 
 
 def _tell(fields, content, about, solids, kept, given):
-    told = []
+    reduced_by = []
     if len(content.frames) < len(fields.times) and not given:
-        told.append(f"{len(content.frames)} of {len(fields.times)} frames")
+        reduced_by.append(f"{len(content.frames)} of {len(fields.times)} frames")
     if not np.array_equal(content.kept, kept):
         names = [fields.part_names[part] for part in np.unique(fields.part[kept & ~content.kept])]
-        told.append(f"parts that do not move are left out ({', '.join(names)})")
+        reduced_by.append(f"parts that do not move are left out ({', '.join(names)})")
     if content.merge:
-        told.append(f"the surface is coarser: nodes within {content.merge:.3g} of each other are one, {about['faces']:,} faces are left")
+        reduced_by.append(f"the surface is coarser: nodes within {content.merge:.3g} of each other are one, {about['faces']:,} faces are left")
     if solids and not content.volumes:
-        told.append("a cut leaves solids open: what is inside does not fit")
-    return told
+        reduced_by.append("a cut leaves solids open: what is inside does not fit")
+    return reduced_by

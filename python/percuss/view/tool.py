@@ -49,7 +49,7 @@ def main(words):
     from percuss.files import check_target, write_file
     from percuss.render.selection import BadChoice
     from percuss.results.converted import convert_run
-    from percuss.terminal import tell
+    from percuss.terminal import print_text
     from percuss.view.page import make_view_page
 
     try:
@@ -63,5 +63,5 @@ def main(words):
     except OSError as error:
         fail(f"cannot write the view ({error})", 4)
     for text in notes:
-        tell(f"view: {text}")
-    tell(f"view: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")
+        print_text(f"view: {text}")
+    print_text(f"view: {path} ({os.path.getsize(path) / 1e6:.2g} MB)")

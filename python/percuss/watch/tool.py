@@ -61,11 +61,11 @@ class Watch:
         self.live = sys.stdout.isatty() and not arguments.once
         self.height = 0
         self.end = None
-        self.first = None  # clock and simulated time of the first look that saw a row
+        self.first = None  # clock and simulated time of the first update that found a row
         self.last_line = 0.0
 
-    def look(self):
-        """The status at the time of the look."""
+    def update(self):
+        """The status now; reads the files again."""
         self.run.reload()
         status = self.run.status  # before the rows: none can be missed after the end
         self.rows.read()
@@ -83,7 +83,7 @@ class Watch:
         return clock * max(0.0, self.end - self.rows.last("time")) / done if clock > 2 and done > 0 else None
 
     def show(self, is_last):
-        from percuss.terminal import tell
+        from percuss.terminal import print_text
         from percuss.watch.screen import make_line, make_screen
 
         if self.live or is_last:
@@ -93,7 +93,7 @@ class Watch:
             print(up + "\n".join(lines), flush=True)
             self.height = len(lines)
         elif time.monotonic() - self.last_line >= LINES_EVERY:
-            tell(make_line(self.run, self.rows, self.end, self.estimate_left()), flush=True)
+            print_text(make_line(self.run, self.rows, self.end, self.estimate_left()), flush=True)
             self.last_line = time.monotonic()
 
 
@@ -104,7 +104,7 @@ def main(words):
     try:
         watch = Watch(percuss.Run(arguments.dir), arguments)
         while True:
-            status = watch.look()
+            status = watch.update()
             ended = status in EXIT_CODES
             watch.show(ended or arguments.once)
             if ended or arguments.once:

@@ -201,7 +201,7 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
         deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
         return
     if not (TURNS <= rest or group.at_center or not directions & set(WAYS)):
-        tell_reference(deck, group)
+        note_reference(deck, group)
     if rest:
         group.keys["fixed"] = [d for d in (*WAYS, "rx", "ry", "rz") if d in rest]
     for spell in group.spells.values():
@@ -219,7 +219,7 @@ def moves_body(group: RigidGroup) -> bool:
     return any(motions.values()) and not all(turn in motions and motions[turn] is None for turn in TURNS)
 
 
-def tell_reference(deck: AbaqusDeck, group: RigidGroup) -> None:
+def note_reference(deck: AbaqusDeck, group: RigidGroup) -> None:
     """What acts on a node away from the centre acts on the centre."""
     lever = find_lever(deck, group) if not group.spells else math.inf
     if lever <= MOST:

@@ -148,7 +148,7 @@ def read_johnson(block: Block) -> Deck:
 
 
 def add_melting(law: Deck, block: Block) -> None:
-    """The temperatures of the criterion, which user code does not tell."""
+    """The temperatures of the criterion, which user code does not give."""
     melt, room = (block.number(need_line(block), i) for i in (5, 6))
     if melt > room:
         law |= {"room_temperature": room, "melt_temperature": melt}

@@ -151,7 +151,7 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
 
 def limit_temperature(deck: AbaqusDeck, law: Deck, value: float, place: Place) -> float:
     """A law begins below its melting temperature: otherwise with the temperature of its constants."""
-    melt = law.get("melt_temperature", math.inf)  # user code tells none
+    melt = law.get("melt_temperature", math.inf)  # user code gives none
     if value < melt:
         return value
     deck.ledger.refuse(

@@ -136,7 +136,7 @@ LOST = {
 }
 
 
-def tell_lost(keyword: str) -> str:
+def describe_lost(keyword: str) -> str:
     """What a keyword that is refused would have done, or its name."""
     return next((text for name, text in LOST.items() if keyword == name or keyword.startswith(name + " ")), f"*{keyword}")
 

@@ -14,7 +14,7 @@ from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
-from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, squeeze, tell_lost
+from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, describe_lost, squeeze
 from .orientations import read_orientation
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section, read_transverse_shear
 from .plane_strain import extrude, hold_layers
@@ -82,7 +82,7 @@ class Reader:
     def refuse(self, block: Block) -> None:
         """A keyword that is known and not read, or one that is not known."""
         if block.keyword in OTHERS or block.keyword in OF_MATERIALS:
-            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, tell_lost(block.keyword), "it is left out")
+            is_allowed = self.deck.ledger.refuse(block.keyword, block.place, describe_lost(block.keyword), "it is left out")
             self.deck.has_lost_section |= block.keyword.endswith(" SECTION") and not is_allowed
             return
         self.unknown.append((clip(block.keyword), block.place))
@@ -329,7 +329,7 @@ KEYWORDS = {
 
 
 def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
-    """Reads a deck and what it includes. The ledger tells what became of it."""
+    """Reads a deck and what it includes. The ledger gets what became of it."""
     reader = Reader(ledger)
     for block in BlockReader(path, ledger).read():
         reader.take(block)

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from ..fields import Row, clip, parse_integer, shift_hint, tell_columns
+from ..fields import Row, clip, describe_columns, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..text_files import read_lines
@@ -79,15 +79,15 @@ class Card:
         """A line as named fields."""
         row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
         if "," not in line[1]:
-            row.columns = lambda index: self.tell_columns(line[1], widths, index)
+            row.columns = lambda index: self.describe_columns(line[1], widths, index)
         if self.change is not UNCHANGED:
             row.change = self.change
         return row
 
-    def tell_columns(self, text: str, widths: tuple[int, ...], index: int) -> str:
+    def describe_columns(self, text: str, widths: tuple[int, ...], index: int) -> str:
         """What is wrong with the columns of a field; an empty text where nothing is."""
         real = [max(width, self.least_width) for width in widths[: index + 1]]
-        return tell_columns(text, sum(real[:-1]), real[-1]) if index < len(widths) else ""
+        return describe_columns(text, sum(real[:-1]), real[-1]) if index < len(widths) else ""
 
     def reader(self) -> "Lines":
         return Lines(self)
@@ -319,7 +319,7 @@ def read_ids(lines: Lines, per_line: int = 8, field: str = "") -> list[int]:
         for index, text in enumerate(texts[:per_line]):
             value = parse_integer(text) if text else 0
             if value is None:
-                hint = "" if "," in line[1] else card.tell_columns(line[1], (10,) * per_line, index)
+                hint = "" if "," in line[1] else card.describe_columns(line[1], (10,) * per_line, index)
                 raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is not an integer{hint or shift_hint(text)}: correct it")
             if value:
                 ids.append(value + shift)

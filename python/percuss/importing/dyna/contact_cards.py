@@ -186,7 +186,7 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
             add_pairs(deck, contact, False, options)
         tie(deck, contact)
     elif breaks:
-        if deck.ledger.refuse(name, contact.place, *tell_breaking(contact)):
+        if deck.ledger.refuse(name, contact.place, *describe_breaking(contact)):
             tie(deck, contact)
     elif kind == TIE:
         tie(deck, contact)
@@ -194,7 +194,7 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
         add_pairs(deck, contact, kind == SINGLE, options)
 
 
-def tell_breaking(contact: Contact) -> tuple[str, str]:
+def describe_breaking(contact: Contact) -> tuple[str, str]:
     """What a tie does that percuss lacks, and what is done instead."""
     option = find_option(contact)
     if option == 4:
@@ -275,7 +275,7 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
     if kind == 0:
         return deck.segment_set_name(id, place)
     if kind == 1:
-        if tell_skins(deck, id, place):
+        if refuse_skins(deck, id, place):
             return None
         return deck.element_set_name("SHELL", id, place)
     if kind == 2:
@@ -298,7 +298,7 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
     return None
 
 
-def tell_skins(deck: KeywordDeck, id: int, place: Place) -> bool:
+def refuse_skins(deck: KeywordDeck, id: int, place: Place) -> bool:
     """Whether a set of shells has some of a skin: they are no elements of percuss."""
     gone = {shell.id for part in deck.skins for shell in deck.elements[part].shells}
     is_of_skin = not gone.isdisjoint(deck.list_members("SHELL", id, place))
@@ -342,11 +342,11 @@ def find_friction(deck: KeywordDeck, contact: Contact) -> float:
         deck.ledger.refuse("CONTACT.FS", contact.place, "friction by a table", "there is no friction")
         contact.law.skip("FD", "DC")
         return 0.0
-    tell_decay(deck, contact.law, "CONTACT")
+    note_decay(deck, contact.law, "CONTACT")
     return static * factor
 
 
-def tell_decay(deck: KeywordDeck, row: Row, card: str) -> None:
+def note_decay(deck: KeywordDeck, row: Row, card: str) -> None:
     """mu = FD + (FS - FD) exp(-DC v): FS where DC is 0."""
     static, dynamic, decay = row.numbers("FS", "FD", "DC")
     if static != dynamic and decay > 0:

@@ -179,7 +179,7 @@ def apply_viscosity(deck: KeywordDeck, card: Card) -> None:
 
 
 def check_shells(deck: KeywordDeck, card: Card) -> None:
-    """*CONTROL_CHECK_SHELL: limits of what LS-DYNA tells, but for the elements that it changes."""
+    """*CONTROL_CHECK_SHELL: limits of what LS-DYNA reports, but for the elements that it changes."""
     reader = card.reader()
     while reader.skip_blank():
         row = reader.row("PSID~output IFAUTO CONVEX~output ADPT~adaptive ARATIO~output ANGLE~output SMIN~output")

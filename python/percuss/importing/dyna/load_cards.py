@@ -71,8 +71,8 @@ def apply_part_gravity(deck: KeywordDeck) -> None:
         first = entries[0]
         missed = everything - {part for entry in entries for part in entry.parts}
         if missed:
-            told = f"gravity of some parts (part {min(missed)} has none along {axis})"
-            if not deck.ledger.refuse(first.card.keyword, first.place, told, "gravity acts on all parts"):
+            problem = f"gravity of some parts (part {min(missed)} has none along {axis})"
+            if not deck.ledger.refuse(first.card.keyword, first.place, problem, "gravity acts on all parts"):
                 continue
         value = make_time_value(deck.curve(curve, first.place, "time", "none"), -acceleration, deck.end_time) if curve else -acceleration
         add_gravity(deck, first.card, axis, value, first.place)

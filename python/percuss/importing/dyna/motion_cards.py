@@ -116,8 +116,8 @@ def find_directions(deck: KeywordDeck, row: Row) -> dict[str, float] | None:
     if dof < 0:  # what is across the vector is held
         return {prefix + AXES[d]: axis[d] for d in range(3)}
     if len(factors) > 1:
-        told = f"a motion along a direction that is no axis of space, in which DOF is {dof}"
-        is_allowed = deck.ledger.refuse(f"{CARD}.DOF", row.place, told, "what is across it is held, as with DOF below 0")
+        problem = f"a motion along a direction that is no axis of space, in which DOF is {dof}"
+        is_allowed = deck.ledger.refuse(f"{CARD}.DOF", row.place, problem, "what is across it is held, as with DOF below 0")
         return {prefix + AXES[d]: axis[d] for d in range(3)} if is_allowed else {}
     return factors
 

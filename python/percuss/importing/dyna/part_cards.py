@@ -10,7 +10,7 @@ from ..ledger import BadInput, missing
 from ..model import Block, Deck, Layer
 from .beam_cards import divide_beams
 from .cards import Card, Lines
-from .contact_cards import tell_decay
+from .contact_cards import note_decay
 from .deck import Element, Elements, KeywordDeck, Layup, PartCard
 from .materials.names import name_law
 from .materials.orthotropic import ORTHOTROPIC
@@ -64,7 +64,7 @@ def read_part_options(deck: KeywordDeck, card: Card, reader: Lines, part: PartCa
         if option == "CONTACT":
             row = reader.row("FS FD DC VC OPTT SFT=1 SSF~penalty CPARM8~absent")
             part.friction = row.number("FS") if row.has("FS") else None
-            tell_decay(deck, row, "PART_CONTACT")
+            note_decay(deck, row, "PART_CONTACT")
             row.card = "PART_CONTACT"
             part.contact_thickness = row.number("OPTT")
             row.finish(deck.ledger, "it is left out")

@@ -187,7 +187,7 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
 
 
 def read_keyword_deck(path: str, ledger: Ledger) -> Model:
-    """Reads a deck and what it includes. The ledger tells what became of it."""
+    """Reads a deck and what it includes. The ledger gets what became of it."""
     deck = KeywordDeck(ledger)
     waiting: list[tuple[int, Card, Handler]] = []
     reader = CardReader(path, ledger, deck.nodes)

@@ -71,7 +71,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
 
 
-def tell_additions(deck: KeywordDeck) -> None:
+def refuse_additions(deck: KeywordDeck) -> None:
     """Cards that add to a material of their id: percuss has those of *MAT_ADD_EROSION, *MAT_ADD_DAMAGE_GISSMO and *MAT_ADD_DAMAGE_DIEM."""
     for card in deck.additions:
         reader = card.reader()
@@ -126,7 +126,7 @@ def build_materials(deck: KeywordDeck) -> None:
     deck.model.blocks[:] = kept
     for part, block in layers:
         bond_solids(deck, part, block)
-    tell_additions(deck)
+    refuse_additions(deck)
     for id, card in deck.materials.items():
         if ("material", id) not in deck.used:
             deck.ledger.ignored(card.keyword, card.place, "no element is of this material")

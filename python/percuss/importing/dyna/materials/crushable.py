@@ -8,7 +8,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card, Lines
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, scale_stresses, tell_viscosity
+from .shared import Use, finish_lines, note_viscosity, scale_stresses
 
 LINE = 64  # rows of a line over a logarithm, before they are thinned
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
@@ -89,7 +89,7 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if row.number("HU") != 1:
         law |= {"hysteretic_unloading": row.number("HU"), "unloading_shape": more.number("SHAPE") or 1.0}
     more.skip("SHAPE")
-    tell_viscosity(deck, row, "DAMP")
+    note_viscosity(deck, row, "DAMP")
     if 0 < row.number("TC") < law["youngs_modulus"]:
         limit_foam(deck, card, row, more, law)
     more.skip("FAIL")  # what happens at TC
@@ -128,7 +128,7 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
            "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),
            "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush}  # fmt: skip
     row.skip("PR", "TSC")
-    tell_viscosity(deck, row, "DAMP")
+    note_viscosity(deck, row, "DAMP")
     return law
 
 
@@ -156,7 +156,7 @@ def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     read = read_strains if card.keyword == "MAT_MODIFIED_HONEYCOMB" else read_crush
     for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
         law[f"crush_{name}"] = read(deck, card, curves, id, use, name)
-    tell_viscosity(deck, row, "MU")
+    note_viscosity(deck, row, "MU")
     for found, instead in ((row, ""), (curves, "the strength does not depend on it"), (moduli, ""), (axes, ""), (plane, "nothing fails")):
         found.finish(deck.ledger, instead or "it is left out")
     finish_lines(deck, card, reader)

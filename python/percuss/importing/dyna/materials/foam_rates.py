@@ -10,7 +10,7 @@ from ...rates import MOST_RATES, MOST_ROWS, Curves, thin_curves
 from ..cards import Card
 from ..deck import KeywordDeck
 from ..dimensions import SAME, scale
-from .shared import Use, finish_lines, tell_viscosity
+from .shared import Use, finish_lines, note_viscosity
 
 LEFT_OUT = "the parts made of it are left out"
 NEVER = 1e19  # a TC that nothing reaches
@@ -38,7 +38,7 @@ def fu_chang_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     read_rates(deck, card, more, law)
     read_release(more, shape, release, law)
     read_cutoff(deck, card, row, law, pulls)
-    tell_viscosity(deck, row, "DAMP")
+    note_viscosity(deck, row, "DAMP")
     for name in ("MINR", "MAXR"):
         if shape.number(name):
             deck.ledger.ignored(f"{card.keyword}.{name}", shape.place, "MINR and MAXR: the stress is constant outside the rates of the table")

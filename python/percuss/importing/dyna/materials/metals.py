@@ -22,11 +22,11 @@ from .shared import (
     finish_lines,
     limit_tension,
     make_hardening,
+    note_rate,
     read_layers,
     read_points,
     set_failure,
     tangent_to_hardening,
-    tell_rate,
 )
 from .states import initial_bulk_modulus, translate_state
 
@@ -101,7 +101,7 @@ def add_table(deck: KeywordDeck, card: Card, more: Row, law: Deck, id: int) -> N
         law |= {"model": "tabulated_plasticity", "hardening": make_hardening(deck, curves[0][1], card.keyword, more.place)}
         return
     add_rates(deck.ledger, more.place, law, curves, f"{card.keyword}.table", is_log)
-    tell_rate(deck, more)
+    note_rate(deck, more)
 
 
 def add_scaled(deck: KeywordDeck, card: Card, more: Row, law: Deck, points: Points) -> None:
@@ -114,7 +114,7 @@ def add_scaled(deck: KeywordDeck, card: Card, more: Row, law: Deck, points: Poin
     if not factors:
         raise BadInput(more.place, "the curve LCSR has no rate of 0 or more: give it rows")
     add_rates(deck.ledger, more.place, law, order_curves(more.place, scale_curve(base, factors)), f"{card.keyword}.LCSR")
-    tell_rate(deck, more)
+    note_rate(deck, more)
 
 
 def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck, points: Points) -> None:
@@ -356,7 +356,7 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
     set_failure(law, step=row.number("DTF"))
     read_layers(deck, card, law, last, use)
-    tell_rate(deck, row)
+    note_rate(deck, row)
     for found in (row, flow, heat, last):
         found.finish(deck.ledger)
     finish_lines(deck, card, reader)
@@ -421,7 +421,7 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
 def simplified_johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row, flow = reader.row("MID RO E PR VP"), reader.row("A B N C PSFAIL SIGMAX SIGSAT EPSO=1")
-    tell_rate(deck, row)
+    note_rate(deck, row)
     law = start_law(row, "johnson_cook")
     law |= {"a": flow.positive("A"), "b": flow.number("B"), "n": flow.number("N") or 1.0, "c": flow.number("C")}
     law |= {"reference_rate": flow.number("EPSO") or 1.0, "melt_temperature": NEVER, "specific_heat": NEVER}

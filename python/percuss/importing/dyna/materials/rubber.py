@@ -7,7 +7,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card, Lines
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, tell_viscosity
+from .shared import Use, finish_lines, note_viscosity
 
 LEFT_OUT = "the parts made of it are left out"
 EIGHT = range(1, 9)
@@ -97,7 +97,7 @@ def simplified_rubber(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     length, area = more.positive("SGL"), more.positive("SW") * more.positive("ST")
     points = [(x / length, y / area) for x, y in order_points(deck.material_curve(more.integer("TBID"), more.place, "length", "force"))]
     rows = make_uniaxial(deck, card, more, points)
-    tell_viscosity(deck, row, "MU")
+    note_viscosity(deck, row, "MU")
     deck.ledger.approximated(card.keyword, card.place, "the same curve and bulk modulus, with percuss' term of volume")
     law: Deck = {"model": "tabulated_rubber", "density": row.positive("RO"), "uniaxial": [list(point) for point in rows], "bulk_modulus": row.positive("KM")}
     if reader.holds_more():

@@ -112,10 +112,10 @@ def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: fl
     if rate <= 0 or exponent <= 0:
         return
     law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
-    tell_rate(deck, row)
+    note_rate(deck, row)
 
 
-def tell_rate(deck: KeywordDeck, row: Row) -> None:
+def note_rate(deck: KeywordDeck, row: Row) -> None:
     """Which rate counts."""
     if row.number("VP") != 1:
         deck.ledger.approximated(f"{row.card}.VP", row.place, "the rate of plastic strain counts, as with VP=1")
@@ -143,7 +143,7 @@ def limit_tension(deck: KeywordDeck, row: Row, law: Deck, bulk: float, stays: bo
         set_failure(law, pressure=-limit)
 
 
-def tell_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
+def note_viscosity(deck: KeywordDeck, row: Row, name: str) -> None:
     """A viscosity of foams, whose place the bulk viscosity of percuss takes."""
     if row.number(name):
         deck.ledger.approximated(f"{row.card}.{name}", row.place, "the bulk viscosity of percuss in place of this viscosity")
