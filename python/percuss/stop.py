@@ -12,8 +12,8 @@ continues it. The request is a file, DIR/stop, DIR/frame or DIR/checkpoint, whic
 or after its current step if that takes longer. A request during the start of a run takes effect after its first step. It works
 from any machine that sees the folder.
 
-A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors: these look at rows,
-and a frame that is asked for must not change the run.
+A frame is only written if the deck has output.fields, a row only if it has output.history and no sensors. Sensors are evaluated
+at rows, and a requested frame must not change the run.
 
 examples:
   percuss stop wall                 end the run with a checkpoint

@@ -12,10 +12,10 @@ analysis. DIR gets:
   deck.yaml          what percuss runs, readable, to be edited
   mesh.k             nodes, elements and sets with the ids of the deck
   import_report.md   what became of every card; import_report.json is the same for programs
-`percuss check` checks the deck before it is in its place, unless --no-check is given. What it refuses is reported for the card that made it.
+Before the deck is written, `percuss check` checks it, unless --no-check is given. Its errors are reported for the card that made the entry.
 
 Nothing is dropped silently. A card, an option or a field that changes physics and has no counterpart is refused with its
-place, all of them together, and no deck is written. The message says what --allow would do instead, card by card:
+place. All refusals are listed together, and no deck is written. The message says what --allow would do instead, card by card:
   --allow MAT_RIGID                 accept what the message offers for *MAT_RIGID
   --allow 'CONTACT.*,HOURGLASS*'    patterns, several with commas
   --allow all                       accept every documented approximation; read the report
@@ -24,9 +24,9 @@ examples:
   percuss import car.k --out car --units 'mm, t, s'
   percuss run car/deck.yaml
 
-A folder that holds an imported deck is left as it is, unless --force is given: deck.yaml may have been edited since.
+If the folder holds an imported deck, nothing is changed unless --force is given: deck.yaml may have been edited since.
 
-Exit codes: 0 done; 2 the deck, an option or what percuss check says is wrong; 4 a file cannot be written.
+Exit codes: 0 done; 2 the deck or an option is wrong, or percuss check refuses the result; 4 a file cannot be written.
 Needs Python 3.10 with PyYAML. docs/import.md has the table of cards.
 """
 
@@ -39,14 +39,14 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
         description="Converts an LS-DYNA or Abaqus model to a percuss deck.",
     )
     add = parser.add_argument
-    add("model", metavar="MODEL", help="the deck")
-    add("--out", metavar="DIR", required=True, help="folder for the deck of percuss; made if need be")
+    add("model", metavar="MODEL", help="the model, of LS-DYNA or Abaqus")
+    add("--out", metavar="DIR", required=True, help="folder for the percuss deck; created if needed")
     add("--units", metavar="SYSTEM", default="", help="units of the deck, such as 'mm, t, s'; never guessed, nothing is converted")
     add("--allow", metavar="CARDS", action="append", default=[], help="cards or fields that may be left out or approximated")
     add("--fit-rates", action="store_true", help="fit Cowper and Symonds' law to tables of strain rates; the report gives its error")
     add("--case", metavar="N", default="", help="which *CASE of an LS-DYNA deck with several is imported")
     add("--allow-library", metavar="FILE", default="", help="the compiled code of *USER MATERIAL; percuss check loads it")
-    add("--force", action="store_true", help="overwrite the deck of an earlier import, with what was edited in it")
+    add("--force", action="store_true", help="overwrite the deck of an earlier import, edits included")
     add("--no-check", dest="check", action="store_false", help="do not run percuss check")
     add("--quiet", action="store_true", help="print no table; import_report.md has it")
     return parser.parse_args(words)

@@ -41,7 +41,7 @@ def parse_arguments(words):
     add("--out", metavar="FOLDER", help="where the pictures go (default: DIR); with one --frame also a FILE.png")
     add("--from", dest="fields", metavar="NAME", help="the frames of this entry of output.field_outputs, DIR/fields_NAME.vtkhdf; pictures "
         "are NAME_frame_0000.png ... (default: those of output.fields)")
-    add("--field", metavar="NAME", help="what the colours show: a vector by its magnitude, a stress by von Mises' value; "
+    add("--field", metavar="NAME", help="field shown by the colours: a vector by its magnitude, a stress by von Mises' value; "
         "'part', 'body', 'chunk', 'fe_rank' and 'contact_rank' in a colour each (default: von_mises, else stress, else velocity)")
     add("--part-colors", action="store_true", help="one colour a part; the same as --field part")
     add("--units", metavar="SYSTEM", help="convert to a system of units, such as 'mm, kg, ms' (default: that of the deck); lengths and values of "
@@ -49,7 +49,7 @@ def parse_arguments(words):
     add("--range", metavar="LOW:HIGH", type=parse_pair, help="ends of the colour bar in the unit of the file (default: round "
         "numbers around those of all that is drawn, the same in all frames)")
     add("--map", default="heat", metavar="NAME", help="colour map: heat, viridis, inferno, cool-warm, grey (default: heat); "
-        "-r behind the name turns it around")
+        "-r behind the name reverses it")
     add("--view", metavar="AZIMUTH:ELEVATION", type=parse_pair, default=(-50.0, 22.0),
         help="where the camera stands, in degrees: from +x towards +y about z, and above the xy plane (default: -50:22)")
     add("--look-at", metavar="X:Y:Z", type=parse_point, help="the point in the middle of the picture (default: all is in view)")
@@ -64,7 +64,7 @@ def parse_arguments(words):
     add("--percentile", metavar="P", type=parse_percentile, help="the colour bar ends at this percentile of what is drawn, in the frame where "
         "it is largest; 100 for all (default: 99, where the largest values are far above it)")
     add("--no-mark", dest="mark", action="store_false", help="do not mark the largest value")
-    add("--follow", metavar="PART", nargs="?", const="moving", help="the camera goes with this part, or with what moves most")
+    add("--follow", metavar="PART", nargs="?", const="moving", help="the camera follows this part, or without a name what moves most")
     add("--mirror", metavar="AXIS=VALUE", nargs="?", const="deck", action="append", type=parse_mirror,
         help="add the mirrored half at this plane; without a value at those of the deck's conditions with `symmetry`")
     add("--beside", metavar="DIR", help="the same frames of another run to the right, by time, with one range of colours")
@@ -74,7 +74,7 @@ def parse_arguments(words):
     add("--size", metavar="WxH", type=parse_size, default=(1280, 720), help="size of the pictures in pixels (default: 1280x720)")
     add("--edges", choices=["auto", "on", "off"], default="auto",
         help="draw the edges of the elements (default: auto, which is on up to 60000 faces)")
-    add("--fps", type=float, default=12.0, help="frames a second of the animation (default: 12)")
+    add("--fps", type=float, default=12.0, help="frames per second of the animation (default: 12)")
     add("-f", "--force", action="store_true", help="write over pictures that percuss render has not written")
     add("--fast", action="store_true", help="no ambient occlusion, less smoothing: about five times faster")
     return parser.parse_args(join_signed(words))
