@@ -1,7 +1,7 @@
 #pragma once
 // Which candidate pairs can come into contact soon: the others are left out of the check until surfaces have moved.
 //
-// A capture box follows the axes and is wide where a face is oblique, and its margin serves many steps. Most candidate
+// A capture box is axis-aligned, wide where a face is oblique, and its margin lasts for many steps. Most candidate
 // pairs are therefore out of reach of each other for long, as the two sides of a thin wall are. A node that is farther
 // from a face than the reach of the check, in some direction, stays so while neither moves by more than its part of
 // what is left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
