@@ -1,133 +1,26 @@
-"""Sections become parts; instances stand in one mesh."""
+"""Sections become parts with their elements, materials, damping and control of hourglass modes; masses at points."""
 
 from collections import Counter
-from dataclasses import replace
 
-from ..fields import MOST_ID, clip, parse_real
-from ..laminates import MOST_POINTS, add_plies, find_difference, reduce_points
+from ..fields import clip
 from ..laws import NOT_DAMPED, has_axes, takes_stiffness_damping
-from ..ledger import BadInput, Ledger, Place, missing
+from ..ledger import BadInput, Place, missing
 from ..model import Block as Part
 from ..model import Deck
 from ..solids import NAMES, collapse
-from .beams import add_beam_keys, read_beam_section, read_general_law
+from .beams import add_beam_keys, read_general_law
 from .bodies import add_reference_masses
 from .cohesive import bond_solids
 from .damage import LEAST_DEGRADATION
 from .deck import AbaqusDeck
 from .heat import keep_shells
-from .lines import Block
 from .materials import find, translate_material
-from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, THICK_SHELL, Instance, Scope, Section, SectionLayer, join
-from .orientations import orient, read_angles
+from .mesh import BEAMS, MEMBRANES, PLANES, POINTS, RIGID, SHELLS, SOLIDS, SPRINGS, THICK_SHELL, Section
+from .orientations import orient
 from .planes import take_plane
 from .plies import refuse_solids
 from .rigid_shells import build_rigid_parts
-
-MOST_NODES = 20_000_000
-
-
-def read_layers(section: Section, block: Block) -> None:
-    """Thickness, points, material and angle, or the name of an orientation, of each layer from the bottom."""
-    for line in [line for line in block.lines if any(line[1])]:
-        turn = block.text(line, 3)
-        is_angle = parse_real(turn or "0") is not None
-        layer = SectionLayer(block.number(line, 0), block.integer(line, 1, 3), block.text(line, 2).strip('"').upper())
-        layer = replace(layer, angle=block.number(line, 3)) if is_angle else replace(layer, orientation=turn.strip('"').upper())
-        if layer.thickness <= 0:
-            raise BadInput(block.at(line[0]), "the thickness of a layer is not positive: correct it")
-        section.layers.append(layer)
-    if not section.layers:
-        raise BadInput(block.place, f"*{block.keyword}, COMPOSITE has no layers: add them")
-    if "SYMMETRIC" in block.options:
-        section.layers += section.layers[::-1]
-    section.thickness = sum(layer.thickness for layer in section.layers)
-    section.points = sum(layer.points for layer in section.layers)
-    names = {layer.material for layer in section.layers}
-    section.material = section.layers[0].material if len(names) == 1 else ""
-
-
-def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
-    """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION, *BEAM GENERAL SECTION and *COHESIVE SECTION."""
-    section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
-    section.controls, section.orientation = block.option("CONTROLS"), block.option("ORIENTATION")
-    if "COMPOSITE" in block.options:
-        read_layers(section, block)
-    elif section.kind in ("SHELL", "MEMBRANE") and block.lines:
-        section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
-    if section.kind in ("SHELL", "MEMBRANE") and block.lines:
-        section.stack = block.option("STACK DIRECTION")
-        section.is_nodal = "NODAL THICKNESS" in block.options
-        section.distribution = block.option("SHELL THICKNESS")
-        offset = block.option("OFFSET")
-        section.offset = {"SPOS": 0.5, "SNEG": -0.5}.get(offset, 0.0)
-        if offset and offset not in ("SPOS", "SNEG"):
-            section.offset = block.number((block.place.line, [offset]), 0)
-    if section.kind == "SOLID" and block.lines:
-        section.area = block.number(block.lines[0], 0)
-    if block.keyword == "BEAM GENERAL SECTION":
-        section.general, section.material = block, f"general section of line {block.place.line}"
-    if section.kind == "BEAM":
-        read_beam_section(section, block)
-    if section.kind == "COHESIVE":
-        section.cohesive = block
-    scope.sections.append(section)
-
-
-def read_distribution(scope: Scope, block: Block, ledger: Ledger) -> None:
-    """*DISTRIBUTION of a value of elements; a line without element is that of all others."""
-    if block.option("LOCATION") not in ("", "ELEMENT"):
-        ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
-        return
-    values = scope.distributions.setdefault(block.option("NAME"), {})
-    for line in block.lines:
-        if len([word for word in line[1] if word]) > 2:
-            ledger.ignored("DISTRIBUTION", block.place, "axes of materials, which *ORIENTATION refuses where a law has axes")
-            return
-        values[block.id(line, 0) if block.text(line, 0) else 0] = block.number(line, 1)
-    ledger.translated("DISTRIBUTION", block.place, "thickness of shells, where a section asks for it")
-
-
-def read_transverse_shear(deck: AbaqusDeck, block: Block) -> None:
-    """Stiffness of a section of shells or beams."""
-    if any(section.kind in ("SHELL", "BEAM") for section in deck.mesh.sections):
-        deck.ledger.refuse(block.keyword, block.place, "a transverse shear stiffness of its own", "it is that of the material")
-    else:
-        deck.ledger.ignored(block.keyword, block.place, "it is of shells and beams, which the deck has not")
-
-
-def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
-    """All instances and the assembly in one mesh: the ids of the first are kept, those of others raised above them."""
-    for instance in deck.instances:
-        part = deck.parts.get(instance.part)
-        if part is None:
-            raise BadInput(instance.place, missing(f"part '{clip(instance.part)}'"))
-        own = max([*part.nodes, *part.elements, *instance.own.nodes, *instance.own.elements, 0])
-        place_one(deck, instance, own)
-        if len(deck.mesh.nodes) + len(part.nodes) + len(instance.own.nodes) > MOST_NODES:
-            raise BadInput(instance.place, "the instances have more than 20 million nodes (the limit of the importer): import fewer instances")
-        join(deck.mesh, part, instance)
-        join(deck.mesh, instance.own, instance)
-        deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
-    whole = Instance("", "", assembly.place or Place("", 0))
-    if deck.instances:
-        place_one(deck, whole, max([*assembly.nodes, *deck.assembly_elements, 0]))
-    deck.whole_assembly = whole
-    join(deck.mesh, assembly, whole)
-
-
-def place_one(deck: AbaqusDeck, instance: Instance, largest: int) -> None:
-    """Chooses what is added to ids: the least number, with as many zeros as its own ids have digits, above those before."""
-    instance.largest = largest
-    highest = max([*deck.mesh.nodes, *deck.mesh.elements, 0])
-    if not highest or not largest:
-        return
-    unit = 10 ** len(str(largest))
-    instance.shift = -(-highest // unit) * unit
-    if instance.shift + largest > MOST_ID:
-        raise BadInput(instance.place, f"the ids go beyond {MOST_ID} with those of this instance (the limit of the importer): renumber its part")
-    what = f"instance {clip(instance.name)}" if instance.name else "nodes and elements of the assembly"
-    deck.ledger.approximated("INSTANCE", instance.place, f"ids of {what} are raised by {instance.shift}")
+from .shell_keys import add_shell_keys, add_thick_keys, lay_up
 
 
 def build_parts(deck: AbaqusDeck) -> None:
@@ -249,26 +142,6 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
         deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
 
 
-def add_thick_keys(deck: AbaqusDeck, section: Section, part: Part, has_plies: bool) -> bool:
-    """`integration` of continuum shells; False if they are left out."""
-    if has_plies:
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of several materials or angles in SC8R", "its elements are left out")
-        deck.left_elements |= {id for id, _ in part.solids}
-        for id, _ in part.solids:
-            deck.blocks_of_elements.pop(id, None)
-        return False
-    if section.offset:
-        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of SC8R, whose nodes are the bottom and the top", "it is 0")
-    points = 3 if section.points <= 3 else 5
-    across = {"": "third", "1": "first", "2": "second", "3": "third"}.get(section.stack)
-    if across is None:
-        deck.ledger.refuse("SHELL SECTION.STACK DIRECTION", section.place, f"the stack direction {section.stack}", "it is 3")
-    part.keys["integration"] = {"kind": "thick_shell", "points": points} | ({"across": across} if across not in (None, "third") else {})
-    text = f"thick shells with 2x2 columns of {points} Gauss points for one column of {section.points}; the thickness is that of the nodes"
-    deck.ledger.approximated("ELEMENT.SC8R", section.place, text)
-    return True
-
-
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:
     """Hourglass control of hexahedra, and factors of viscosity, of *SECTION CONTROLS. A fluid does not resist by default."""
     if part.solids and deck.model.materials[part.keys["material"]]["model"] == "fluid":
@@ -361,83 +234,6 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         deck.left_elements.add(id)
         return
     deck.blocks_of_elements[id] = len(deck.model.blocks)
-
-
-def average_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    """Each shell has the mean of its corners; a node that *NODAL THICKNESS does not name has none."""
-    of_nodes: dict[int, float] = {}
-    for name, thickness, place in deck.mesh.thicknesses:
-        of_nodes.update(dict.fromkeys(deck.nodes_of(name, place), thickness))
-    for id, corners in part.shells:
-        values = [of_nodes.get(node, 0.0) for node in corners]
-        if min(values) <= 0:
-            raise BadInput(section.place, f"shell {id} has a node without a thickness, which its section asks for")
-        part.thicknesses[id] = values[0] if len(set(values)) == 1 else sum(values) / len(values)
-    deck.ledger.approximated("NODAL THICKNESS", section.place, "each shell has the mean thickness of its corners")
-    unite_thicknesses(deck, section, part)
-
-
-def distribute_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    """Each shell has its own of *DISTRIBUTION."""
-    values = deck.resolve(deck.mesh.distributions, section.distribution, section.place, "distribution")
-    for id, _ in part.shells:
-        value = values.get(id, values.get(0, 0.0))
-        if value <= 0:
-            raise BadInput(section.place, f"shell {id} has no positive thickness in *DISTRIBUTION {clip(section.distribution)}")
-        part.thicknesses[id] = value
-    deck.ledger.translated("SHELL SECTION.SHELL THICKNESS", section.place, "thickness of each shell in the mesh")
-    unite_thicknesses(deck, section, part)
-
-
-def unite_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    """One thickness where all are the same."""
-    part.thickness = max(part.thicknesses.values())
-    if len(set(part.thicknesses.values())) == 1:
-        part.thicknesses = {}
-    elif section.offset:
-        deck.ledger.refuse("SHELL SECTION.OFFSET", section.place, "an offset of shells that differ in thickness", "it is left out")
-        section.offset = 0.0
-
-
-def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
-    if section.thickness <= 0 and not section.is_nodal and not section.distribution:
-        raise BadInput(section.place, "the thickness of this shell section is not positive: correct it")
-    part.thickness = section.thickness
-    if section.is_nodal:
-        average_thicknesses(deck, section, part)
-    if section.distribution:
-        distribute_thicknesses(deck, section, part)
-    if "integration" in part.keys:  # a membrane
-        text = "one membrane of percuss, whose thickness follows the strain by the material, not by POISSON of the section"
-        deck.ledger.approximated("MEMBRANE SECTION", section.place, text)
-        return
-    part.keys["points"] = min(max(section.points, 1), 16)
-    if section.offset:
-        part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
-    deck.ledger.approximated("SHELL SECTION", section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
-
-
-def lay_up(deck: AbaqusDeck, section: Section, part: Part, found: "dict[str, tuple[str, Deck]]") -> None:
-    """Plies of a part, and the material from whose axes their angles count."""
-    if part.thicknesses:
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers of shells that differ in thickness", "all have the sum of their layers")
-        part.thicknesses = {}
-    part.thickness = section.thickness
-    part.layers = reduce_points(deck.ledger, "SHELL SECTION.COMPOSITE", section.place, read_angles(deck, section))
-    laws = dict(found)
-    if find_difference(part.layers, laws) == "failure":  # type: ignore[arg-type]
-        deck.ledger.refuse("SHELL SECTION.COMPOSITE", section.place, "layers whose materials fail in different ways", "the failure of one of them counts for all")
-    name, law = add_plies(part, part.layers, laws, {})  # type: ignore[arg-type]
-    part.keys.pop("points", None)
-    part.keys = {"material": name, **{key: value for key, value in part.keys.items() if key != "material"}}
-    if any(has_points(one) for _, one in found.values()):
-        part.keys["points"] = max(1, min(max(layer.points for layer in section.layers), MOST_POINTS // len(part.layers)))
-    deck.ledger.approximated("SHELL SECTION.COMPOSITE", section.place, "plies with Gauss points, two where they do not yield: they bend as laminate theory says")
-
-
-def has_points(law: Deck) -> bool:
-    """Whether more points through a ply give more of it: it yields."""
-    return law["model"] not in ("orthotropic", "elastic")
 
 
 def choose_integration(deck: AbaqusDeck) -> None:

@@ -11,14 +11,16 @@ from . import bodies, cohesive, conditions, contact, damage, embedded, equations
 from .amplitudes import read_amplitude
 from .axisymmetric import hold_rings, turn_rings
 from .deck import AbaqusDeck, MaterialBlocks
+from .instances import place_instances
 from .lines import Block, BlockReader
 from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_set, read_surface
 from .options import OF_MATERIALS, OTHERS, check_options, complete_keyword, describe_lost, squeeze
 from .orientations import read_orientation
-from .parts import add_masses, build_parts, choose_integration, place_instances, read_distribution, read_section, read_transverse_shear
+from .parts import add_masses, build_parts, choose_integration
 from .plane_strain import extrude, hold_layers
 from .planes import hold_planes
+from .section_cards import read_distribution, read_section, read_transverse_shear
 from .springs import add_springs, read_spring
 from .tables import TABLES, finish_tables
 from .timeline import StepTime

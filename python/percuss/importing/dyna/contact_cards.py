@@ -1,15 +1,14 @@
-"""*CONTACT_...: pairs of surfaces and ties."""
+"""*CONTACT_...: their names and fields, pairs of surfaces, and friction; tie_cards.py has ties."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ..fields import REASONS, Row
-from ..ledger import Place
 from ..model import Block, Deck
 from .beam_cards import width_of_section
 from .cards import Card, Lines
+from .contact_sides import INSTEAD, Contact, list_side_beams, list_side_parts, name_parts, name_whole, side_name
 from .deck import KeywordDeck
-from .reaches import find_reach
-from .windows import Window, switch
+from .tie_cards import GLUES, STICKS, describe_breaking, find_glue_fault, find_option, find_strengths, find_times, tie
 
 SINGLE, PAIR, TIE, INTERIOR, TRANSDUCER = "single", "pair", "tie", "interior", "transducer"
 # What the name of a contact begins with, behind CONTACT_, and what it is.
@@ -51,11 +50,6 @@ SCALE_OF = {
     TRANSDUCER: "SFS~unused SFM~unused SST~unused MST~unused SFST~unused SFMT~unused FSF~unused VSF~unused",
 }
 BREAKS = {"AUTOMATIC": "OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN", "TIEBREAK": "NFLS SFLS TBLCID THKOFF"}
-TURNS = ("TIED_SHELL_EDGE", "SPOTWELD")  # ties that hold rotations, too
-GLUES = {9, 11}  # OPTION of a tie with a traction-separation law
-STICKS = {1, 3}  # OPTION of a tie: nodes that come into contact later stick too; with 1 they never let go
-INSTEAD = "it is left out"
-BY_TABLE = -9999  # DT: BT is a curve of births and deaths
 # Optional cards A to G.
 OPTIONAL = (
     "SOFT~penalty SOFSCL~penalty=0.1 LCIDAB MAXPAR~search=1.025 SBOPT~penalty=2 DEPTH~search=2 BSORT~search FRCFRQ~step=1",
@@ -66,22 +60,6 @@ OPTIONAL = (
     "PSTIFF~penalty IGNROFF UNUSED~unused FSTOL~penalty=2 BINR2D~absent SSFTYP~penalty SWTPR~penalty TETFAC~penalty",
     "UNUSED~unused SHLOFF",
 )
-
-
-@dataclass
-class Contact:
-    """The three mandatory cards."""
-
-    keyword: str
-    title: str
-    sides: Row
-    law: Row
-    scale: Row
-    failure: Row | None = None  # of a tie that breaks by stress
-
-    @property
-    def place(self) -> Place:
-        return self.sides.place
 
 
 def split_name(keyword: str) -> tuple[str, list[str]] | None:
@@ -194,47 +172,6 @@ def translate_contact(deck: KeywordDeck, contact: Contact, family: str, options:
         add_pairs(deck, contact, kind == SINGLE, options)
 
 
-def describe_breaking(contact: Contact) -> tuple[str, str]:
-    """What a tie does that percuss lacks, and what is done instead."""
-    option = find_option(contact)
-    if option == 4:
-        return "OPTION 4: nodes that are held along the normal and slide with friction", "they are held in all directions, and do not fail"
-    return f"ties that fail{f' by the rule of OPTION {option}' if option else ''}", "they do not fail"
-
-
-def list_side_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
-    """Parts that a side names, solids in place of their skins; None where it names something else."""
-    parts = list_named_parts(deck, contact, side)
-    return None if parts is None else deck.without_skins(parts)
-
-
-def list_named_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[int] | None:
-    id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
-    if kind == 5 or (kind in (0, 2) and id == 0):
-        return list(deck.parts)
-    if kind == 2:
-        return deck.list_members("PART", id, contact.place)
-    if kind == 3:
-        return [id]
-    if kind == 4:
-        nodes = set(deck.list_members("NODE", id, contact.place))
-        return [part for part in deck.parts if not nodes.isdisjoint(deck.nodes_of_part(part))]
-    if kind == 6:
-        gone = set(deck.list_members("PART", id, contact.place))
-        return [part for part in deck.parts if part not in gone]
-    return None
-
-
-def list_side_beams(deck: KeywordDeck, contact: Contact, side: str) -> list[Block]:
-    """Blocks of beams of a side; of a side by nodes those that have them, whole. Spot welds lie within what they hold together, and touch nothing."""
-    parts = list_side_parts(deck, contact, side)
-    blocks = [block for block in deck.model.blocks if block.beams and parts is not None and block.part in parts]
-    welds = [block for block in blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
-    if welds:
-        deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, "beams of *MAT_SPOTWELD touch nothing")
-    return [block for block in blocks if block not in welds]
-
-
 def set_contact_radius(deck: KeywordDeck, contact: Contact, side: str, block: Block) -> None:
     """Beams touch as circles. Their diameter is SST or OPTT, else TS1 of ELFORM 1 and 9, or the root of the area of 2 and 3, times SFST."""
     section: Deck = block.keys["section"]
@@ -265,66 +202,6 @@ def list_beam_pairs(deck: KeywordDeck, contact: Contact, sides: str, names: list
         text = "beams touch surfaces and edges, not each other, as in LS-DYNA but for nodes of beams: *CONTACT_AUTOMATIC_GENERAL has them"
         deck.ledger.approximated(f"{contact.keyword}.beams", contact.place, text)
     return pairs
-
-
-def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = False) -> str | None:
-    """The surface of a side: an empty name for all, None for nothing."""
-    id, kind, place = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP"), contact.place
-    if kind == 5 or (kind in (0, 2) and id == 0):
-        return None if all(block.beams for block in deck.model.blocks) else ""
-    if kind == 0:
-        return deck.segment_set_name(id, place)
-    if kind == 1:
-        if refuse_skins(deck, id, place):
-            return None
-        return deck.element_set_name("SHELL", id, place)
-    if kind == 2:
-        parts = deck.list_members("PART", id, place)
-        if not deck.skins.keys() & set(parts) and not any(block.beams and block.part in parts for block in deck.model.blocks):
-            return deck.part_set_name(id, place)
-        deck.used.add(("PART", id))
-        return deck.name_blocks(without_beams(deck, deck.without_skins(parts)), f"surface_{id}") or None
-    if kind == 3:
-        deck.find_part(id, place)
-        return deck.name_blocks(without_beams(deck, deck.without_skins([id])), f"surface_{id}") or None
-    if kind == 4 and for_tie:
-        return deck.node_set_name(id, place)
-    if kind == 4:
-        return surface_of_nodes(deck, id, place)
-    if kind == 6:
-        gone = set(deck.list_members("PART", id, place))
-        return deck.name_blocks(without_beams(deck, [part for part in deck.parts if part not in gone]), f"all_but_{id}") or None
-    deck.ledger.refuse("CONTACT.SSTYP", place, f"a surface of type {kind}", "it is left out")
-    return None
-
-
-def refuse_skins(deck: KeywordDeck, id: int, place: Place) -> bool:
-    """Whether a set of shells has some of a skin: they are no elements of percuss."""
-    gone = {shell.id for part in deck.skins for shell in deck.elements[part].shells}
-    is_of_skin = not gone.isdisjoint(deck.list_members("SHELL", id, place))
-    if is_of_skin:
-        deck.ledger.refuse("CONTACT.SSTYP", place, "a set of shells of *MAT_NULL on solids (percuss takes the solids, by parts): name their part", INSTEAD)
-    return is_of_skin
-
-
-def without_beams(deck: KeywordDeck, parts: list[int]) -> list[int]:
-    beams = {block.part for block in deck.model.blocks if block.beams}
-    return [part for part in parts if part not in beams]
-
-
-def name_whole(deck: KeywordDeck, name: str | None) -> str | None:
-    """An empty name for a set of all parts that can touch."""
-    count = sum(1 for block in deck.model.blocks if not block.beams)
-    return "" if name and len(deck.model.block_sets.get(name, [])) == count else name
-
-
-def surface_of_nodes(deck: KeywordDeck, id: int, place: Place) -> str | None:
-    """The parts that have the nodes of a set."""
-    nodes = set(deck.list_members("NODE", id, place))
-    parts = without_beams(deck, [part for part in deck.parts if not nodes.isdisjoint(deck.nodes_of_part(part))])
-    deck.used.add(("NODE", id))
-    deck.ledger.approximated("CONTACT.SSTYP", place, "the whole surface of the parts that have the nodes of the set")
-    return deck.name_blocks(parts, f"surface_of_nodes_{id}") or None
 
 
 def find_friction(deck: KeywordDeck, contact: Contact) -> float:
@@ -368,18 +245,6 @@ def check_fields(deck: KeywordDeck, contact: Contact) -> None:
         row.finish(deck.ledger)
 
 
-def find_times(deck: KeywordDeck, contact: Contact) -> Deck:
-    """`from` and `until` of a pair: of negative times the size counts, DT < 0 takes it out of a relaxation."""
-    birth, death = contact.law.numbers("BT", "DT")
-    if death == BY_TABLE:
-        deck.ledger.refuse("CONTACT.DT", contact.place, "contact with several births and deaths by a table", "it acts during the whole run")
-        return {}
-    if death < 0 and "relaxation" in deck.model.deck.get("start", {}):
-        deck.ledger.refuse("CONTACT.DT", contact.place, "contact that does not act in dynamic relaxation", "it acts as at time 0")
-    birth, death = abs(birth), abs(death)
-    return switch(deck, Window(birth, death if 0 < death < deck.end_time else None))
-
-
 def check_thickness(deck: KeywordDeck, contact: Contact, side: str, field: str, factor_field: str) -> None:
     """SST and SFST are those of shells; of solids they do nothing."""
     value, factor = contact.scale.number(field), contact.scale.number(factor_field)
@@ -421,103 +286,6 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool, options: lis
         deck.ledger.approximated(contact.keyword, contact.place, text + ", both faces of shells, at half their thickness")
 
 
-def find_option(contact: Contact) -> int:
-    """Of a tie that breaks, by its own card; 0: of another tie."""
-    return contact.failure.integer("OPTION") if contact.failure and "AUTOMATIC" in contact.keyword else 0
-
-
-def find_strengths(contact: Contact) -> Deck:
-    """Of a tie that breaks where (tension / NFLS)^2 + (shear stress / SFLS)^2 reaches 1; empty: of no such tie."""
-    row = contact.failure
-    if row is None or ("AUTOMATIC" in contact.keyword and find_option(contact) not in (2, 3)):
-        return {}
-    return {key: row.number(name) for key, name in (("normal", "NFLS"), ("shear", "SFLS")) if row.number(name) > 0}
-
-
-def find_glue(contact: Contact) -> Deck:
-    """OPTION 9 and 11: the law of *MAT_138 between the surfaces."""
-    assert contact.failure is not None
-    row = contact.failure
-    stiffness, ratio, power = row.number("CN"), row.number("CT2CN") or 1.0, row.number("PARAM")
-    return {
-        "normal_stiffness": stiffness, "shear_stiffness": ratio * stiffness, "normal_strength": row.number("NFLS"), "shear_strength": row.number("SFLS"),
-        "normal_energy": row.number("ERATEN"), "shear_energy": row.number("ERATES"), "mix": "power_law" if power > 0 else "benzeggagh_kenane",
-        "exponent": abs(power),
-    }  # fmt: skip
-
-
-def find_glue_fault(deck: KeywordDeck, contact: Contact) -> str:
-    """What of a law of glue percuss lacks; empty: nothing."""
-    option, glue = f"OPTION {find_option(contact)}", find_glue(contact)
-    if find_times(deck, contact):
-        return f"{option}: glue with BT or DT"
-    if glue["normal_stiffness"] <= 0:
-        return f"{option} without CN: glue with the stiffness of the penalty method"
-    if glue["exponent"] == 0:
-        return f"{option} without PARAM: glue without a law of the mix"
-    missing = [key for key in ("NFLS", "SFLS", "ERATEN", "ERATES", "CT2CN") if contact.failure and contact.failure.number(key) < (0.0 if key == "CT2CN" else 1e-300)]
-    if missing:
-        return f"{option} with {missing[0]} that is not positive: glue whose values are curves, or none"
-    for of in ("normal", "shear"):
-        if glue[f"{of}_energy"] <= 0.5 * glue[f"{of}_strength"] ** 2 / glue[f"{of}_stiffness"]:
-            return f"{option}: glue that has stored more than its energy in {of} direction when it reaches its strength"
-    return ""
-
-
-def nodes_of_side(deck: KeywordDeck, contact: Contact, side: str = "S") -> set[int]:
-    """Nodes of a side of a tie."""
-    id, kind = contact.sides.integer(side + "SID"), contact.sides.integer(side + "STYP")
-    if kind == 4:
-        return set(deck.list_members("NODE", id, contact.place))
-    if kind == 0 and id:
-        return {node for face in deck.find_set("SEGMENT", id, contact.place).segments for node in face}
-    parts = list_side_parts(deck, contact, side)
-    return deck.model.nodes_of_blocks(deck.blocks_of(parts)) if parts is not None else set()
-
-
-def tied_name(deck: KeywordDeck, contact: Contact) -> str | None:
-    """Side a of a tie: of parts with beams their nodes, since beams have no faces."""
-    parts = list_side_parts(deck, contact, "S") or []
-    if contact.sides.integer("SSTYP") in (2, 3) and any(block.beams and block.part in parts for block in deck.model.blocks):
-        return deck.make_node_set(f"tied_{contact.sides.integer('SSID')}", sorted(nodes_of_side(deck, contact)), contact.place) or None
-    return side_name(deck, contact, "S", for_tie=True)
-
-
-def tie(deck: KeywordDeck, contact: Contact, is_glue: bool = False) -> None:
-    a, b = tied_name(deck, contact), side_name(deck, contact, "M")
-    thicknesses = contact.scale.numbers("SST", "MST")
-    contact.law.skip("FS", "FD")
-    times, option = find_times(deck, contact), find_option(contact)
-    strengths = find_strengths(contact)
-    if option == 1 and contact.failure:
-        contact.failure.skip("NFLS", "SFLS")
-    for row in (contact.sides, contact.law, contact.scale, contact.failure if strengths or is_glue or option == 1 else None):
-        if row is not None:
-            row.finish(deck.ledger)
-    if not a or not b:
-        deck.ledger.refuse(contact.keyword, contact.place, "a tie without two named sides", INSTEAD)
-        return
-    entry: Deck = {"a": a, "b": b, **times}
-    reach = find_reach(deck, nodes_of_side(deck, contact), nodes_of_side(deck, contact, "M"), thicknesses)
-    if reach:
-        entry["distance"] = reach
-    if contact.keyword.removeprefix("CONTACT_").startswith(TURNS) and nodes_of_side(deck, contact) & deck.model.turning_nodes():
-        entry["rotations"] = True
-    if strengths:
-        entry["failure"] = strengths
-    if is_glue:
-        entry["cohesive"] = find_glue(contact)
-    if option in STICKS:
-        entry["sticks"] = "on_contact"
-    if deck.ledger.allows("CONTACT_TIED.empty"):  # found by the run, which knows the reach
-        entry["empty"] = "ignore"
-        deck.ledger.approximated("CONTACT_TIED.empty", contact.place, "a tie in reach of nothing is reported by the run, and ignored")
-    deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
-    deck.ledger.approximated(
-        contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is 0.6 of both thicknesses, or percuss' if that is larger"
-    )
-
-
 def transduce(deck: KeywordDeck, contact: Contact) -> None:
     """A force transducer: the force of contact on parts, by all others or by those of side M."""
     if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
@@ -528,12 +296,6 @@ def transduce(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.translated(contact.keyword, contact.place, "output.history.forces")
     else:
         deck.ledger.ignored(contact.keyword, contact.place, "output of a force, of surfaces that percuss cannot name")
-
-
-def name_parts(deck: KeywordDeck, contact: Contact, side: str) -> list[str]:
-    """Parts of a side that is one part or a set of them; none of another side."""
-    kind, id = contact.sides.integer(side + "STYP"), contact.sides.integer(side + "SID")
-    return deck.part_names([id] if kind == 3 else deck.list_members("PART", id, contact.place) if kind == 2 and id else [])
 
 
 def make_pair(contact: dict) -> Deck:

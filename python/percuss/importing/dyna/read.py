@@ -33,6 +33,7 @@ from .control_cards import (  # fmt: skip
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
+from .element_settings import read_hourglass, translate_hourglass, translate_integration, translate_shell_hourglass
 from .embedded_cards import read_bars_in_solids, read_beams_in_solids
 from .forms import OPTIONS, find_form, list_keywords
 from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
@@ -61,7 +62,7 @@ from .mesh_cards import (
     read_thick_shells,
 )
 from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
-from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration, translate_shell_hourglass
+from .part_cards import build_blocks, read_parts, read_section
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
 from .spring_cards import add_springs, note_spring_materials, read_springs
