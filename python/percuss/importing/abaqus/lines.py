@@ -168,3 +168,9 @@ class BlockReader:
         path = self._find(block.options["INPUT"], block.place)
         lines = [(block.place.line, [word.strip() for word in text.split(",")]) for text in read_lines(path, block.place)]
         return [line for line in lines if any(line[1]) and not line[1][0].startswith("*")]
+
+
+def require_line(block: Block) -> tuple[int, list[str]]:
+    if not block.lines:
+        raise BadInput(block.place, f"*{block.keyword} has no data line: add it")
+    return block.lines[0]

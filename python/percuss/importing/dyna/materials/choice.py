@@ -21,6 +21,7 @@ from .erosion import add_erosion
 from .fabric import FABRIC, make_membrane
 from .foam_rates import FOAM_RATES
 from .gissmo import add_gissmo
+from .johnson import JOHNSON
 from .metals import METALS
 from .names import SPRINGS, name_law
 from .orthotropic import ORTHOTROPIC
@@ -34,7 +35,7 @@ from .voids import VOIDS
 ADDITIONS = ("MAT_ADD_", "MAT_NONLOCAL")  # cards that repeat the id of their material
 LOG_OPTION = "_LOG_INTERPOLATION"
 LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "ORTHOTROPIC_ELASTIC": 4, "COMPOSITE_DAMAGE": 5, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1, "HILL_3R": 5, "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC": 1, COHESIVE_LAW: 2}
-LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER, **CYCLIC, **VOIDS}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **JOHNSON, **CRUSHABLE, **FOAM_RATES, **ORTHOTROPIC, **FABRIC, **ROLLED, **RUBBER, **CYCLIC, **VOIDS}
 
 
 def read_material(deck: KeywordDeck, card: Card) -> None:

@@ -4,8 +4,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .metals import start_law
-from .shared import Use, finish_lines
+from .shared import Use, finish_lines, start_law
 
 
 def damage_3(deck: KeywordDeck, card: Card, use: Use) -> Deck:

@@ -171,3 +171,9 @@ def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | No
         share = min(own, share)
     if share < 1:
         law["failure"]["layers"] = share
+
+
+def start_law(row: Row, model: str) -> Deck:
+    """The keys that laws of metals have."""
+    row.skip("MID")
+    return {"model": model, "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}

@@ -5,8 +5,8 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .metals import EIGHT, start_law
-from .shared import Use, extend_curve, finish_lines, make_hardening, read_points, tangent_to_hardening
+from .metals import EIGHT
+from .shared import Use, extend_curve, finish_lines, make_hardening, read_points, start_law, tangent_to_hardening
 
 POWER_ROWS = 31
 MOST_STRAIN = 2.0
