@@ -93,7 +93,9 @@ struct SolveReport {
 };
 
 /// When the iteration has come far enough: no impulse changes by more than would close the share `tolerance` of the
-/// largest predicted penetration.
+/// largest predicted penetration. Where many rows share the work, ten times that is enough for the worst of them, as long
+/// as the changes of all rows do little of the work of contact. A tip alone on an edge gains energy otherwise: what its
+/// rows leave over has the sign of the change of its force.
 struct Convergence {
   // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
   // that it must be far below the penetration that gravity causes in a step.
@@ -101,16 +103,26 @@ struct Convergence {
   // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
   // leave is a noise that bodies see in every step.
   static constexpr double tie_tolerance = 1e-6;
+  // Of a row among others, in tolerances; of the work of all changes over that of all impulses, in tolerances.
+  static constexpr double most_of_one = 10, most_of_work = 0.2;
+  // Of the tolerance, where rigid bodies are among the rows: what is left of a rebound stays for good.
+  static constexpr double of_rigid = 1e-3;
 
-  double enough = 0, enough_tied = 0;
+  double enough = 0, enough_of_one = 0, enough_tied = 0, enough_work = 0;
 
   Convergence(double tolerance, const PredictedGaps& gaps) {
     const double least = absolute_tolerance * gaps.smallest_size;
-    enough = std::max(tolerance * gaps.deepest, least);
+    enough = std::max((gaps.rigid > 0 ? of_rigid : 1) * tolerance * gaps.deepest, least);
+    enough_of_one = gaps.rigid > 0 ? enough : std::max(most_of_one * tolerance * gaps.deepest, least);
     enough_tied = std::max(tie_tolerance * gaps.farthest_tied, least);
+    enough_work = most_of_work * tolerance;
   }
 
-  bool is_reached(const PassSums& sums) const { return sums.change <= enough && sums.tie_change <= enough_tied; }
+  bool is_reached(const PassSums& sums) const {
+    if (!(sums.tie_change <= enough_tied && sums.change <= enough_of_one)) return false;
+    return sums.change <= enough ||
+           (sums.work > 0 && static_cast<double>(sums.changed_work) <= enough_work * static_cast<double>(sums.work));
+  }
 };
 
 /// Nesterov's extrapolation, with the restart of O'Donoghue and Candes.
@@ -137,18 +149,16 @@ struct DivergenceWatch {
   }
 };
 
-/// Iterates the impulses of the rows, but for those of springs. The iteration ends when no impulse changes by more than
-/// would close the share `tolerance` of the largest predicted penetration.
+/// Iterates the impulses of the rows, but for those of springs, until they have converged.
 template <class Space, class Others>
 SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
                          Others& others) {
   constexpr int max_iterations = 1000;
-  constexpr double of_rigid = 1e-3;  // of the tolerance: what is left of a rebound stays for good
   SolveReport report{0, 0, false};
   PredictedGaps gaps = find_predicted_gaps(space, system, memory);  // of all ranks after the first pass
   pack_rows(space, system);
   others.swap_shares(space, system);
-  EnergyUnit unit{};  // none before the first pass, which extrapolates nothing that could point back
+  EnergyUnit unit{}, work_unit{};  // none before the first pass, which extrapolates nothing that could point back
   Extrapolation extrapolation;
   DivergenceWatch watch;
   for (;;) {
@@ -160,18 +170,18 @@ SolveReport iterate_rows(const Space& space, const SolveQuery& query, RowSystem&
     }
     space.fence();
     if (report.converged || report.iterations == max_iterations) break;
-    PassSums sums = correct_rows(space, {extrapolation.beta, query.dt, unit}, system, memory);
+    PassSums sums = correct_rows(space, {extrapolation.beta, query.dt, unit, work_unit}, system, memory);
     if (report.iterations == 0) sums.gaps = gaps;
     others.swap_shares(space, system, sums);
     if (report.iterations == 0) gaps = sums.gaps;
     ++report.iterations;
-    const double tolerance = gaps.rigid > 0 ? of_rigid * query.tolerance : query.tolerance;
-    report.converged = Convergence(tolerance, gaps).is_reached(sums);
+    report.converged = Convergence(query.tolerance, gaps).is_reached(sums);
     const bool grows = watch.finds_growth(report.iterations, sums.change);
     if (grows) straighten_gaps(space, system);
     const bool is_blind = report.iterations > 1 && !unit.is_known();
     extrapolation.advance(report.converged || grows || sums.backwards > 0 || is_blind);
     unit = EnergyUnit::after(sums.largest_term);
+    work_unit = EnergyUnit::after(sums.largest_work);
   }
   unpack_rows(space, system);
   report.rows = gaps.rows;

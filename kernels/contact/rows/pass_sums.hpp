@@ -68,6 +68,9 @@ struct PassSums {
   double tie_change = 0;       // the same of ties
   std::int64_t backwards = 0;  // sum of D dt^2 (y - p') (p' - p): positive when the extrapolation points back [units]
   double largest_term = 0;     // of that sum, without its sign [energy time^2]
+  // Without ties, D dt^2 |y - p'| p' and D dt^2 p'^2: the work of the change of impulses and that of the impulses.
+  std::int64_t changed_work = 0, work = 0;  // sums [units]
+  double largest_work = 0;                  // of the terms of `work` [energy time^2]
 
   KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
     gaps.merge(other.gaps);
@@ -75,6 +78,9 @@ struct PassSums {
     tie_change = other.tie_change > tie_change ? other.tie_change : tie_change;
     backwards += other.backwards;
     largest_term = other.largest_term > largest_term ? other.largest_term : largest_term;
+    changed_work += other.changed_work;
+    work += other.work;
+    largest_work = other.largest_work > largest_work ? other.largest_work : largest_work;
   }
 };
 

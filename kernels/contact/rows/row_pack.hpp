@@ -113,9 +113,10 @@ KOKKOS_FORCEINLINE_FUNCTION Packed choose_tied(const RowPack& pack, const Packed
   return pack.ties == 0 ? of_others : select(load_pack(pack.tied) > Packed(0), of_tie, of_others);
 }
 
-/// Change of the impulses of a pack from y: its size as a displacement, how far it points back.
+/// Change of the impulses of a pack from y: its size as a displacement, how far it points back; the work of the change
+/// and that of the impulses, over dt^2.
 struct PackedChange {
-  Packed size = Packed(0), backwards = Packed(0);
+  Packed size = Packed(0), backwards = Packed(0), changed_work = Packed(0), work = Packed(0);
 
   KOKKOS_FORCEINLINE_FUNCTION void add(const Packed& y, const Packed& fresh, const Packed& old, const Packed& stiffness,
                                        double dt) {
@@ -123,6 +124,9 @@ struct PackedChange {
     const Packed moved = Packed(dt) * select(back < Packed(0), -momentum, momentum);
     size = select(moved > size, moved, size);
     backwards = backwards + momentum * (fresh - old);
+    const Packed changed = momentum * fresh;
+    changed_work = changed_work + select(changed < Packed(0), -changed, changed);
+    work = work + stiffness * fresh * fresh;
   }
 };
 

@@ -79,7 +79,7 @@ KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>
 /// Adds up how the rows of a pack changed. Ties are judged by themselves.
 KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedChange& change, const PassQuery& query,
                                             PassSums& sums) {
-  const Packed backwards = Packed(query.dt * query.dt) * change.backwards, zero(0);
+  const Packed dt_squared(query.dt * query.dt), zero(0), backwards = dt_squared * change.backwards;
   const auto find_most = [](double most, const Packed& values) {
     const double largest = find_largest_lane(values);
     return largest > most ? largest : most;
@@ -89,6 +89,10 @@ KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedCha
   sums.backwards += query.unit.count(backwards);
   const Packed term = select(backwards < zero, -backwards, backwards);
   sums.largest_term = find_most(sums.largest_term, select(term > zero, term, zero));  // none of what is no number
+  const Packed work = dt_squared * choose_tied(pack, zero, change.work);
+  sums.changed_work += query.work_unit.count(dt_squared * choose_tied(pack, zero, change.changed_work));
+  sums.work += query.work_unit.count(work);
+  sums.largest_work = find_most(sums.largest_work, work);
 }
 
 /// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all

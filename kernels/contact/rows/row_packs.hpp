@@ -31,7 +31,8 @@ void move_nodes(const Space& space, double beta, const RowSystem& system);
 /// What a pass corrects by and is asked besides.
 struct PassQuery {
   double beta = 0, dt = 0;
-  EnergyUnit unit{};  // of PassSums::backwards
+  EnergyUnit unit{};       // of PassSums::backwards
+  EnergyUnit work_unit{};  // of PassSums::changed_work and work
 };
 
 /// Corrects the impulses of all rows from their extrapolated iterate; new shares. Packs of rows that have no push, need

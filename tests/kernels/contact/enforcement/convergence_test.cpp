@@ -87,6 +87,35 @@ TEST(Convergence, IsReachedWhenNoChangeExceedsTheTolerance) {
   EXPECT_FALSE(convergence.is_reached(sums));
 }
 
+TEST(Convergence, OfOneRowMayBeTenTolerancesWhereTheWorkOfAllChangesIsSmall) {
+  const Convergence convergence(1e-3, make_gaps());
+  PassSums sums;
+  sums.change = 1e-5;
+  sums.work = 10000000;
+  sums.changed_work = 2000;  // 0.2 tolerances
+  EXPECT_TRUE(convergence.is_reached(sums));
+  sums.changed_work = 2001;
+  EXPECT_FALSE(convergence.is_reached(sums));
+  sums.changed_work = 2000;
+  sums.change = 1.001e-5;
+  EXPECT_FALSE(convergence.is_reached(sums));
+  sums.change = 2e-6;
+  sums.work = sums.changed_work = 0;  // the unit is not known yet
+  EXPECT_FALSE(convergence.is_reached(sums));
+}
+
+TEST(Convergence, OfRigidBodiesIsReachedWhenNoChangeExceedsAThousandthOfTheTolerance) {
+  PredictedGaps gaps = make_gaps();
+  gaps.rigid = 1;
+  const Convergence convergence(1e-3, gaps);
+  PassSums sums;
+  sums.work = 1000000;
+  sums.change = 1e-9;
+  EXPECT_TRUE(convergence.is_reached(sums));
+  sums.change = 1.001e-9;
+  EXPECT_FALSE(convergence.is_reached(sums));
+}
+
 TEST(Convergence, OfTiesIsReachedByTheirOwnTolerance) {
   PredictedGaps gaps = make_gaps();
   gaps.farthest_tied = 1e-2;
