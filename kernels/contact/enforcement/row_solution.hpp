@@ -93,9 +93,9 @@ struct SolveReport {
 };
 
 /// When the iteration has come far enough: no impulse changes by more than would close the share `tolerance` of the
-/// largest predicted penetration. Where many rows share the work, ten times that is enough for the worst of them, as long
-/// as the changes of all rows do little of the work of contact. A tip alone on an edge gains energy otherwise: what its
-/// rows leave over has the sign of the change of its force.
+/// largest predicted penetration. Where many rows share the work, ten times that is enough for the worst of them, as
+/// long as the changes of all rows do little of the work of contact. A tip alone on an edge gains energy otherwise:
+/// what its rows leave over has the sign of the change of its force.
 struct Convergence {
   // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
   // that it must be far below the penetration that gravity causes in a step.
