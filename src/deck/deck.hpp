@@ -416,8 +416,8 @@ struct WallDeck {
   std::optional<double> mass;  // of a wall that bodies push along its normal
   double start_speed = 0;      // of that at time 0
   double friction = 0;
-  std::vector<Selector> nodes;  // empty: every contact node of the scene
-  bool sees_thickness = false;  // nodes of shells keep half their thickness
+  std::vector<Selector> nodes;      // empty: every contact node of the scene
+  bool includes_thickness = false;  // nodes of shells keep half their thickness
   Place place;
   SwitchDeck when;
 

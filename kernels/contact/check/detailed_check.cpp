@@ -90,8 +90,8 @@ PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const Sur
 /// The candidate faces of a node: of the list those from first to last - 1.
 struct NodeCandidates {
   Array<const int> face, with_history;
-  bool leaves_out = false;   // those that only a node with a history is checked against
-  bool passes_over = false;  // those that cannot change what holds the node
+  bool leaves_out = false;  // those that only a node with a history is checked against
+  bool skips = false;       // those that cannot change what holds the node
   int first = 0, last = 0;
 
   /// -1: left out.
@@ -338,26 +338,26 @@ void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateL
   const Array<const int> with_history = candidates.with_history;
   const bool has_marks = with_history.extent(0) > 0;
   // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to pass over.
-  const bool passes_over = thickness == Thickness::none && table.checked_at.extent(0) > 0;
+  const bool skips = thickness == Thickness::none && table.checked_at.extent(0) > 0;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
-  std::int64_t num_passed_over = 0;
+  std::int64_t num_skipped = 0;
   Kokkos::parallel_reduce(
       "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
-      KOKKOS_LAMBDA(int k, int& found, std::int64_t& passed_over) {
+      KOKKOS_LAMBDA(int k, int& found, std::int64_t& skipped) {
         const int node = nodes(is_listed ? checked(k) : k);
-        NodeCandidates own{face,        with_history, has_marks && !has_history(in.history_face, node),
-                           passes_over, offset(node), offset(node + 1)};
+        NodeCandidates own{face,  with_history, has_marks && !has_history(in.history_face, node),
+                           skips, offset(node), offset(node + 1)};
         own.first = find_first_near(in, node, own);
         const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
         if (own.first == own.last)
           by_node(node).count = 0;
         else
-          passed_over += check_node_flat<thickness>(in, node, own, by_node(node));
+          skipped += check_node_flat<thickness>(in, node, own, by_node(node));
         found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
       },
-      table.num_new, num_passed_over);
-  table.num_kept_pairs += num_passed_over;
+      table.num_new, num_skipped);
+  table.num_kept_pairs += num_skipped;
 }
 
 }  // namespace

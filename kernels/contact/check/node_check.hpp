@@ -175,7 +175,7 @@ KOKKOS_INLINE_FUNCTION void accept_touches(const MovingSurface& moving, const Kn
 
 /// In which turn candidates are checked: first the faces that pushed the node in the last step; then others, but for
 /// those that cannot change what the first hold; at last these, if others are in contact too.
-enum class Turn { remembered, others, passed_over, all };
+enum class Turn { remembered, others, skipped, all };
 
 /// Whether the faces that are found, which pushed the node in the last step, hold it before all others whatever these
 /// come to: no key is less than theirs, and each of them is obeyed.
@@ -230,8 +230,8 @@ struct NearFaces {
   }
 };
 
-/// Places in NearFaces that are passed over.
-struct PassedOver {
+/// Places in NearFaces that are skipped.
+struct SkippedFaces {
   std::uint64_t bits = 0;
   int count = 0;
 
@@ -248,7 +248,7 @@ struct NodeCheck {
   NearFaces near;
   TouchList found;
   int num_first = 0;  // of those found, that hold the node before all others
-  PassedOver passed{};
+  SkippedFaces skipped{};
 };
 
 /// Whether the face at a place of NearFaces is checked in this turn.
@@ -258,15 +258,15 @@ KOKKOS_INLINE_FUNCTION bool is_in_turn(const MovingSurface& moving, Turn turn, i
   const int* const known = check.known.face;
   const bool is_remembered = face == known[0] || face == known[1] || face == known[2];
   if (turn == Turn::remembered || is_remembered) return turn == Turn::remembered && is_remembered;
-  if (turn == Turn::passed_over) return check.passed.has(place);
+  if (turn == Turn::skipped) return check.skipped.has(place);
   if (check.num_first == 0 || !adds_nothing(moving, check.found, face)) return true;
-  check.passed.add(place);
+  check.skipped.add(place);
   return false;
 }
 
 /// The turn that comes first.
-KOKKOS_INLINE_FUNCTION Turn find_first_turn(const KnownFaces& known, bool passes_over) {
-  return passes_over && (known.face[0] >= 0 || known.face[1] >= 0 || known.face[2] >= 0) ? Turn::remembered : Turn::all;
+KOKKOS_INLINE_FUNCTION Turn find_first_turn(const KnownFaces& known, bool skips) {
+  return skips && (known.face[0] >= 0 || known.face[1] >= 0 || known.face[2] >= 0) ? Turn::remembered : Turn::all;
 }
 
 /// Checks the listed faces whose turn it is. pairs: memory.
@@ -282,7 +282,7 @@ KOKKOS_INLINE_FUNCTION void check_near(const MovingSurface& moving, const Checke
 }
 
 /// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
-/// negative. accepted: out. Returns how many were passed over.
+/// negative. accepted: out. Returns how many were skipped.
 template <Thickness thickness, class Faces>
 KOKKOS_INLINE_FUNCTION int check_node(const CheckInputs& inputs, int node, const Faces& candidates,
                                       NodeTouches& accepted) {
@@ -291,7 +291,7 @@ KOKKOS_INLINE_FUNCTION int check_node(const CheckInputs& inputs, int node, const
   check.known = load_known_faces(inputs.faces, inputs.history_face, checked);
   PairPack pairs;
   int next = check.near.fill(checked, inputs.faces.box, candidates, candidates.first);
-  Turn turn = find_first_turn(check.known, candidates.passes_over && next == candidates.last);
+  Turn turn = find_first_turn(check.known, candidates.skips && next == candidates.last);
   for (;;) {
     check_near<thickness>(inputs, checked, turn, pairs, check);
     if (next < candidates.last) {
@@ -299,9 +299,9 @@ KOKKOS_INLINE_FUNCTION int check_node(const CheckInputs& inputs, int node, const
       continue;
     }
     const bool has_others = check.found.count != check.num_first;
-    if (turn == Turn::others && check.num_first > 0 && !has_others) return check.passed.count;  // accepted stands
-    if (turn == Turn::others && check.passed.count > 0) {
-      turn = Turn::passed_over;
+    if (turn == Turn::others && check.num_first > 0 && !has_others) return check.skipped.count;  // accepted stands
+    if (turn == Turn::others && check.skipped.count > 0) {
+      turn = Turn::skipped;
       continue;
     }
     accept_touches<thickness>(inputs, check.known, checked, check.found, accepted);

@@ -30,7 +30,7 @@ inline constexpr double capture = 0.27;
 inline constexpr double recovery = 1e-4;
 /// Sides push each other from this depth on, a share of the largest coordinate of the mesh at the start: some 45 times
 /// the round-off of places. What flies farther than that out of the scene has round-off that is larger.
-inline constexpr double play = 1e-14;
+inline constexpr double depth_tolerance = 1e-14;
 /// Depths below this are round-off of a mesh that touches, not an overlap.
 inline constexpr double overlap = 1e-6;
 

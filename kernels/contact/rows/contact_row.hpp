@@ -59,7 +59,7 @@ struct ContactRow {
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0
   double to_push = 0;            // overlap that is to be pushed out, of which the reference is left
-  double play = 0;               // RowInputs::play
+  double depth_tolerance = 0;    // RowInputs::depth_tolerance
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
   double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
   double rub_stiffness = 0;      // D of both tangents
@@ -72,7 +72,7 @@ KOKKOS_INLINE_FUNCTION bool ties_rotation(const ContactRow& row) { return row.le
 
 /// The gap below which the two sides push each other, <= 0.
 KOKKOS_INLINE_FUNCTION double find_floor(const ContactRow& row) {
-  return row.reference > row.play ? -row.reference : -row.play;
+  return row.reference > row.depth_tolerance ? -row.reference : -row.depth_tolerance;
 }
 
 KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.count; }

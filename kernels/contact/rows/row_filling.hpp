@@ -196,7 +196,8 @@ KOKKOS_FORCEINLINE_FUNCTION void complete_rows(const TouchPack& touch, const Sid
     const PackedPoint rub = row.impulse[1] * row.tangent[0] + row.impulse[2] * row.tangent[1];
     row.force = select_point(load_pack(touch.friction) > zero, row.force + rub, row.force);
   }
-  const Packed play(inputs.play), floor = select(row.reference > play, -row.reference, -play);
+  const Packed depth_tolerance(inputs.depth_tolerance),
+      floor = select(row.reference > depth_tolerance, -row.reference, -depth_tolerance);
   const Packed recovered = gap_start + recovery * load_pack(touch.size);
   row.target = select(recovered < floor, recovered, floor);
   row.couple = row.inverse_inertia * cross(row.arm, row.force);
@@ -297,7 +298,7 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION inline void make_face_rows(const TouchPack& pack
     row = ContactRow{};
     take_touch(touches(pack.row[lane]), row);
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = pack.place[slot][lane];
-    row.play = inputs.play;
+    row.depth_tolerance = inputs.depth_tolerance;
     row.held = pack.held[lane];
     row.to_push = pack.to_push[lane];
     filled.store(lane, row);

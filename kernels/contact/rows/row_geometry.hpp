@@ -135,7 +135,7 @@ KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes
     const Point3 v = find_slip_velocity(row, TouchedVelocity{at.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
-  row.play = inputs.play;
+  row.depth_tolerance = inputs.depth_tolerance;
   if (continues) continue_record(old, inputs, row);
   set_target(row);
   row.previous = row.impulse;

@@ -165,7 +165,7 @@ struct RowInputs {
   int num_pairs = 1;                               // of surfaces and ties; walls are booked after them
   // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
   // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
-  double play = 0;
+  double depth_tolerance = 0;
   Array<const double> spring{};        // [mesh nodes] stiffness of springs.hpp, empty without penalty
   Array<const TieGeometry> ties{};     // of this rank; their touches come last
   Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none

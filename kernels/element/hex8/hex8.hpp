@@ -98,7 +98,7 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const Hourg
 
 /// Input of a material for the step, and lambda + 2 mu at n.
 template <class T>
-struct ToldMotion {
+struct PointInput {
   PointMotion<T> point;
   T modulus;
 };
@@ -106,22 +106,22 @@ struct ToldMotion {
 /// A called material gets the geometry at the end of the step. Others are compiled without it, so that their stress is
 /// complete before the end geometry needs the registers.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const SolidParameters<Material>& par, const VectorModes<T>& a,
-                                               [[maybe_unused]] const State& state, const StepMotion<T>& step,
-                                               const T& dt) {
-  ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
-  told.point.change = step.change;
+PERCUSS_FORCE_INLINE PointInput<T> find_point_input(const SolidParameters<Material>& par, const VectorModes<T>& a,
+                                                    [[maybe_unused]] const State& state, const StepMotion<T>& step,
+                                                    const T& dt) {
+  PointInput<T> input{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
+  input.point.change = step.change;
   if constexpr (is_called<Material>) {
     const VolumeGradient<T> b = find_volume_gradient(a);
-    told.modulus = find_longitudinal_modulus<T>(state.history);
-    told.point.length = find_thickness(find_gradient_size(b), b.volume);
-    told.point.volume_ratio = find_volume_ratio(par, state, b.volume);
+    input.modulus = find_longitudinal_modulus<T>(state.history);
+    input.point.length = find_thickness(find_gradient_size(b), b.volume);
+    input.point.volume_ratio = find_volume_ratio(par, state, b.volume);
     const T density = state.mass * (T(1) / b.volume),
-            speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
-    const T pressure = find_viscous_pressure(par.viscosity, density, told.point.length, speed, step.trace_d).pressure;
-    told.point.viscosity = number<T>(0.5) * (state.viscous_pressure + pressure);
+            speed = square_root(input.modulus * b.volume * (T(1) / state.mass));
+    const T pressure = find_viscous_pressure(par.viscosity, density, input.point.length, speed, step.trace_d).pressure;
+    input.point.viscosity = number<T>(0.5) * (state.viscous_pressure + pressure);
   }
-  return told;
+  return input;
 }
 
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). out: the internal forces (they resist the
@@ -135,15 +135,15 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const SolidParameters<Material>& 
 
   // (1.4) stress
   const Symmetric3<T> old_stress = state.stress;
-  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  const auto response = update_stress(par.material, state.stress, state.stress_rest[0], state.history, 0, told.point);
+  const PointInput<T> input = find_point_input(par, a, state, step, dt);
+  const auto response = update_stress(par.material, state.stress, state.stress_rest[0], state.history, 0, input.point);
   const auto moduli = find_moduli(par, response);
 
   // end geometry
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
   const T density = state.mass * (T(1) / b.volume);
-  const T speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
+  const T speed = square_root(input.modulus * b.volume * (T(1) / state.mass));
 
   const ViscousPressure<T> viscous =
       find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, step.trace_d);

@@ -248,12 +248,12 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const SolidParameters<Material>& 
                                                const CornerForces<T>& out) {
   const T half = number<T>(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
-  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  auto points = advance_points(par, a, v, step, told.point, state);
+  const PointInput<T> input = find_point_input(par, a, state, step, dt);
+  auto points = advance_points(par, a, v, step, input.point, state);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T speed = square_root(told.modulus * b.volume / state.mass);
+  const T speed = square_root(input.modulus * b.volume / state.mass);
   const ViscousPressure<T> viscous =
       find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
   const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;

@@ -463,16 +463,16 @@ requires(is_thick<Kind>) PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const So
                                                                         HexState<T, Material, Kind>& state,
                                                                         const CornerForces<T>& out) {
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
-  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  const ThickMotion<T> motion = find_thick_motion(a, v, step, state.polar, told.point);
-  const Moduli<T> moduli = find_relaxing_moduli(par, told.modulus, state);
+  const PointInput<T> input = find_point_input(par, a, state, step, dt);
+  const ThickMotion<T> motion = find_thick_motion(a, v, step, state.polar, input.point);
+  const Moduli<T> moduli = find_relaxing_moduli(par, input.modulus, state);
   ThickSums<T> sums;
   for (int c = 0; c < 4; ++c) advance_column<layers_of<Kind>>(par, c, motion, moduli, state, sums);
   add_assumed_forces(motion.end, sums.force.assumed, sums.force.modes);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T speed = square_root(told.modulus * b.volume / state.mass);
+  const T speed = square_root(input.modulus * b.volume / state.mass);
   const ViscousPressure<T> viscous =
       find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
   const T viscous_work =

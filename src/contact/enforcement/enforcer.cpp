@@ -36,11 +36,11 @@ Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, co
   return to_view("contact::springs", springs);
 }
 
-/// RowInputs::play of a scene.
-double find_play(const Mesh& mesh) {
+/// RowInputs::depth_tolerance of a scene.
+double find_depth_tolerance(const Mesh& mesh) {
   double farthest = 0;
   for (std::size_t d = 0; d < 3; ++d) farthest = std::max({farthest, std::abs(mesh.low[d]), std::abs(mesh.high[d])});
-  return contact_limits::play * farthest;
+  return contact_limits::depth_tolerance * farthest;
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       copied_(find_copies(ranks)),
       ties_rotations_(deck.contact.ties_rotations()),
       copies_(ranks.ranks, copied_, ties_rotations_ ? 3 : 2),
-      play_(find_play(ranks.mesh)),
+      depth_tolerance_(find_depth_tolerance(ranks.mesh)),
       forces_(forces),
       spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
@@ -260,7 +260,7 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           last_dt_ > 0 ? motion.dt / last_dt_ : 1,
           has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
           count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
-          play_,
+          depth_tolerance_,
           spring_,
           ties_,
           motion.impulse,

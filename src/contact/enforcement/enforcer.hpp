@@ -102,8 +102,8 @@ class Enforcer {
   RowExchange exchange_;
   const SharedNodes copied_;
   const bool ties_rotations_;
-  NodeCopies copies_;  // velocities and impulses, spins where they are tied
-  const double play_;  // RowInputs::play
+  NodeCopies copies_;             // velocities and impulses, spins where they are tied
+  const double depth_tolerance_;  // RowInputs::depth_tolerance
   RowSystem system_;
   RowMeeting meeting_;
   RowSumMemory sums_;

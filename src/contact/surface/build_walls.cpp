@@ -171,8 +171,8 @@ WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const Surfac
   std::vector<int> pair_wall, pair_node, pair_part, pair_inner;
   std::vector<std::int64_t> pair_number;
   std::vector<double> pair_size, pair_spring, pair_offset;
-  const bool sees_thickness =
-      std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.sees_thickness; });
+  const bool includes_thickness =
+      std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.includes_thickness; });
   for (const WallDeck& wall : deck.walls) {
     const std::vector<int> nodes = list_wall_nodes(chunked.mesh, deck, wall, stopped);
     const bool acts = share.active.has_wall(walls.size());
@@ -184,7 +184,7 @@ WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const Surfac
       pair_spring.push_back(stopped[at(node)].spring);
       pair_part.push_back(stopped[at(node)].part);
       pair_number.push_back(stopped[at(node)].number);
-      if (sees_thickness) pair_offset.push_back(wall.sees_thickness ? stopped[at(node)].offset : 0);
+      if (includes_thickness) pair_offset.push_back(wall.includes_thickness ? stopped[at(node)].offset : 0);
     }
     walls.push_back(make_wall(wall));
   }
@@ -192,7 +192,7 @@ WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const Surfac
   pairs.wall = to_view("contact::wall_of_pair", pair_wall);
   pairs.node = to_view("contact::node_of_pair", pair_node);
   pairs.size = to_view("contact::size_of_pair", pair_size);
-  if (sees_thickness) pairs.offset = to_view("contact::offset_of_pair", pair_offset);
+  if (includes_thickness) pairs.offset = to_view("contact::offset_of_pair", pair_offset);
   pairs.is_inner = to_view("contact::inner_node_of_pair", pair_inner);
   pairs.spring = to_view("contact::spring_of_pair", pair_spring);
   pairs.part = to_view("contact::part_of_pair", pair_part);

@@ -59,7 +59,7 @@ const Keys<WallDeck>& wall_keys() {
       may("start_speed", &WallDeck::start_speed, NumberValue{}),
       may("friction", &WallDeck::friction, NumberValue{not_negative}),
       may("nodes", &WallDeck::nodes, SelectorsValue{}),
-      may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"included", true}}}),
+      may("thickness", &WallDeck::includes_thickness, ChoiceValue<bool>{{{"ignored", false}, {"included", true}}}),
   });
   return keys;
 }

@@ -221,7 +221,7 @@ std::optional<double> find_fall_to_wall(const WallDeck& wall, const std::vector<
                                         const Vec3& direction, double clearance) {
   double least = never;
   for (const FallingNode& node : nodes) {
-    const double distance = clearance + (wall.sees_thickness ? node.half_thickness : 0);
+    const double distance = clearance + (wall.includes_thickness ? node.half_thickness : 0);
     const double way = find_way_to_wall(wall, node.place, direction, distance);
     if (way < least && is_within(wall, step_along(node.place, direction, way))) least = way;
   }

@@ -370,7 +370,7 @@ class GroupPlacer {
       if (wall.sphere) gap = find_size(from) - wall.sphere->radius;
       if (wall.cylinder)
         gap = find_size(add(from, scale(-dot(from, wall.cylinder->axis), wall.cylinder->axis))) - wall.cylinder->radius;
-      least = std::min(least, gap - (wall.sees_thickness ? node.half_thickness : 0));
+      least = std::min(least, gap - (wall.includes_thickness ? node.half_thickness : 0));
     }
     return least;
   }

@@ -22,9 +22,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Strains that are nothing but round-off from here on leave no result.
 constexpr double largest_spacing = 1e-3;
 
-/// Contact takes depths below `play` of the largest coordinate for round-off, and tells nodes from faces by new_band of
-/// the face: with this spacing of doubles over the edge the two are equal.
-constexpr double largest_spacing_of_contact = epsilon * contact_limits::new_band / contact_limits::play;
+/// Contact takes depths below depth_tolerance of the largest coordinate for round-off, and tells nodes from faces by
+/// new_band of the face: with this spacing of doubles over the edge the two are equal.
+constexpr double largest_spacing_of_contact = epsilon * contact_limits::new_band / contact_limits::depth_tolerance;
 
 struct WorstElement {
   double spacing = 0;        // over its shortest edge

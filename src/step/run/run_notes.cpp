@@ -38,8 +38,8 @@ constexpr double noted_energy_error = 0.01;
 /// Of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.
 constexpr double noted_depth = 0.1;
 
-/// Motions of so many times contact's play in a step are round-off of contact, too.
-constexpr double motions_in_play = 10;
+/// Motions of so many times the depth tolerance of contact in a step are round-off of contact, too.
+constexpr double motions_in_tolerance = 10;
 
 Warning describe_hourglass(const PartHourglass& part, double time) {
   return {"hourglass_energy",
@@ -93,7 +93,7 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
   double farthest = 0;
   for (std::size_t k = 0; k < 3; ++k)
     farthest = std::max({farthest, std::abs(chunked.mesh.low[k]), std::abs(chunked.mesh.high[k])});
-  const double speed = motions_in_play * contact_limits::play * farthest / dt;
+  const double speed = motions_in_tolerance * contact_limits::depth_tolerance * farthest / dt;
   return 0.5 * model.total_mass * speed * speed;
 }
 

@@ -34,7 +34,7 @@ struct DrawnRows {
     at.v_seen = Rows3<double>("test::v_seen", nodes);
     inputs.motion.dt = 0.1;
     inputs.impulse_scale = 0.9;
-    inputs.play = 1e-3;
+    inputs.depth_tolerance = 1e-3;
     for (int lane = 0; lane < lanes; ++lane) {
       place(draw, lane);
       touch(draw, lane, has_friction);
@@ -126,7 +126,7 @@ void expect_same_bits(const ContactRow& a, const ContactRow& b) {
        {&ContactRow::arm, &ContactRow::normal, &ContactRow::gap_gradient, &ContactRow::force, &ContactRow::couple})
     expect_same_bits(a.*vector, b.*vector);
   for (const auto value : {&ContactRow::gap, &ContactRow::target, &ContactRow::friction, &ContactRow::size,
-                           &ContactRow::gap_start, &ContactRow::reference, &ContactRow::play})
+                           &ContactRow::gap_start, &ContactRow::reference, &ContactRow::depth_tolerance})
     expect_same_bits(a.*value, b.*value);
   for (int d = 0; d < 2; ++d) {
     expect_same_bits(a.tangent[d], b.tangent[d]);
