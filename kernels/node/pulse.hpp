@@ -1,9 +1,9 @@
 #pragma once
 // A pulse of pressure over time.
 
-#include <cmath>
+#include <Kokkos_Core.hpp>
 
-#include "kernels/core/views.hpp"
+#include <cmath>
 
 namespace percuss {
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "kernels/node/pulse.hpp"
 #include "src/deck/functions/expression.hpp"
 
 namespace percuss {
@@ -20,6 +21,7 @@ class Curve::Function {
   virtual double at(double t) const = 0;
   virtual bool is_constant() const { return false; }
   virtual std::vector<std::pair<double, double>> rows() const { return {}; }
+  virtual const Pulse* as_pulse() const { return nullptr; }
 };
 
 namespace {
@@ -61,24 +63,12 @@ class TableFunction final : public Curve::Function {
 
 class PulseFunction final : public Curve::Function {
  public:
-  PulseFunction(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
-                bool has_negative_phase)
-      : start_(start), duration_(duration), pulses_(peaks_and_decays), has_negative_phase_(has_negative_phase) {}
-
-  double at(double t) const override {
-    const double share = (t - start_) / duration_;
-    const bool is_over = share > 1;
-    if (!(share >= 0) || (is_over && !has_negative_phase_)) return 0;
-    double sum = 0;
-    for (const auto& [peak, decay] : pulses_)
-      if (!is_over || decay > 0) sum += peak * (1 - share) * std::exp(-decay * share);
-    return sum;
-  }
+  explicit PulseFunction(const Pulse& pulse) : pulse_(pulse) {}
+  double at(double t) const override { return pulse_(t); }
+  const Pulse* as_pulse() const override { return &pulse_; }
 
  private:
-  double start_, duration_;
-  std::array<std::array<double, 2>, 2> pulses_;
-  bool has_negative_phase_;
+  Pulse pulse_;
 };
 
 class ExpressionFunction final : public Curve::Function {
@@ -139,10 +129,7 @@ Curve Curve::expression(const std::string& text) {
   return Curve(std::make_shared<ExpressionFunction>(text));
 }
 
-Curve Curve::pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
-                   bool has_negative_phase) {
-  return Curve(std::make_shared<PulseFunction>(start, duration, peaks_and_decays, has_negative_phase));
-}
+Curve Curve::pulse(const Pulse& pulse) { return Curve(std::make_shared<PulseFunction>(pulse)); }
 
 double Curve::operator()(double t) const { return function_ ? function_->at(t) : 0.0; }
 
@@ -151,5 +138,7 @@ bool Curve::is_constant() const { return !function_ || function_->is_constant();
 std::vector<std::pair<double, double>> Curve::rows() const {
   return function_ ? function_->rows() : std::vector<std::pair<double, double>>{};
 }
+
+const Pulse* Curve::as_pulse() const { return function_ ? function_->as_pulse() : nullptr; }
 
 }  // namespace percuss

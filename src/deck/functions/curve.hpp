@@ -1,13 +1,14 @@
 #pragma once
-// A scalar function of time as a deck gives it: a constant, a table or an expression.
+// A scalar function of time as a deck gives it: a constant, a table, an expression or a pulse.
 
-#include <array>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace percuss {
+
+struct Pulse;  // kernels/node/pulse.hpp
 
 /// A scalar function of time. Copyable, cheap to copy, const after reading.
 class Curve {
@@ -23,11 +24,7 @@ class Curve {
   /// Throws std::invalid_argument with the parser's reason and position in the text.
   static Curve expression(const std::string& text);
 
-  /// From `start` on, for a duration T, the sum of two pulses p (1 - t/T) exp(-b t/T), each with its peak p and its
-  /// decay b (Friedlander); zero before and after. A negative phase follows if it is wanted: the same formula goes on
-  /// where b > 0.
-  static Curve pulse(double start, double duration, const std::array<std::array<double, 2>, 2>& peaks_and_decays,
-                     bool has_negative_phase = false);
+  static Curve pulse(const Pulse& pulse);
 
   /// Value at time t [s].
   double operator()(double t) const;
@@ -37,6 +34,9 @@ class Curve {
 
   /// The rows of a table; none of other kinds.
   std::vector<std::pair<double, double>> rows() const;
+
+  /// The pulse, for kernels; null of other kinds. Lives as long as a copy of the curve.
+  const Pulse* as_pulse() const;
 
   class Function;
 

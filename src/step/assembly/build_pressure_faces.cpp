@@ -82,15 +82,12 @@ void require_one_side(const Deck& deck, const Mesh& mesh, const PressureDeck& pr
 void add_pressures(const Deck& deck, const PressureDeck& pressure, const ChunkedMesh& chunked,
                    const std::vector<ElementFace>& faces, Model& model) {
   if (pressure.blast) require_blast_range(deck, pressure, chunked, faces);
-  std::vector<Pulse> pulses;
-  if (pressure.blast) pulses = list_blast_pulses(deck, pressure, chunked.mesh, faces);
-  const std::size_t count = pressure.blast ? pulses.size() : 1;
-  model.pulses.resize(model.pressures.size() + count);
-  std::copy(pulses.begin(), pulses.end(), model.pulses.end() - static_cast<std::ptrdiff_t>(count));
-  for (const Pulse& pulse : pulses) model.pressures.push_back(make_curve(pulse));
-  if (!pressure.blast) model.pressures.push_back(pressure.value);
-  const auto entry = static_cast<int>(&pressure - deck.pressures.data());
-  model.pressure_entries.insert(model.pressure_entries.end(), count, entry);
+  if (pressure.blast)
+    for (const Pulse& pulse : list_blast_pulses(deck, pressure, chunked.mesh, faces))
+      model.pressures.push_back(Curve::pulse(pulse));
+  else
+    model.pressures.push_back(pressure.value);
+  model.pressure_entries.resize(model.pressures.size(), static_cast<int>(&pressure - deck.pressures.data()));
 }
 
 /// Where faces of another entry of the deck or of another chunk begin.

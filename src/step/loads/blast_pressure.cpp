@@ -62,16 +62,6 @@ Pulse find_blast_pulse(const BlastDeck& blast, const Units& units, const Vec3& m
           blast.has_negative_phase};
 }
 
-Curve make_curve(const Pulse& pulse) {
-  return Curve::pulse(pulse.start, pulse.duration,
-                      {{{pulse.peaks[0], pulse.decays[0]}, {pulse.peaks[1], pulse.decays[1]}}},
-                      pulse.has_negative_phase);
-}
-
-Curve find_blast_pressure(const BlastDeck& blast, const Units& units, const Vec3& middle, const Vec3& normal) {
-  return make_curve(find_blast_pulse(blast, units, middle, normal));
-}
-
 void require_blast_range(const Deck& deck, const PressureDeck& load, const ChunkedMesh& chunked,
                          const std::vector<ElementFace>& faces) {
   const Units units = *find_units(deck.units);

@@ -32,8 +32,8 @@ void LoadStage::list_pulses() {
     end = static_cast<std::size_t>(std::upper_bound(entries.begin(), entries.end(), entries[i]) - entries.begin());
     std::vector<Pulse> pulses;
     for (std::size_t load = i; load < end; ++load) {
-      if (model_.pulses[load].duration > 0)
-        pulses.push_back(model_.pulses[load]);
+      if (const Pulse* const pulse = model_.pressures[load].as_pulse())
+        pulses.push_back(*pulse);
       else
         curves_.push_back(load);
     }

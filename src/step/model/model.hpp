@@ -19,7 +19,6 @@
 #include "kernels/node/motion.hpp"
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
-#include "kernels/node/pulse.hpp"
 #include "kernels/rigid/spin_inertia.hpp"
 #include "kernels/shell/thickness_points.hpp"
 #include "kernels/tet/tet_nodes.hpp"
@@ -134,9 +133,8 @@ struct Model {
   std::array<Curve, 3> gravity;  // acceleration along x, y, z
   bool gravity_varies = false;
   PressureFaces pressure_faces;
-  std::vector<Curve> pressures;       // by load; of a blast, by face
+  std::vector<Curve> pressures;       // by load; of a blast, pulses by face
   std::vector<int> pressure_entries;  // by the same: entry of the deck
-  std::vector<Pulse> pulses;          // by the same: the curve for kernels, of a blast; a duration of 0: another curve
   NodalLoads nodal_loads;
   std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
   std::vector<Curve> dampings;                     // by entry of the deck: coefficient [1 / time]

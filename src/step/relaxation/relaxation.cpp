@@ -118,7 +118,6 @@ void Relaxation::make_model(const Deck& deck) {
     law.time = WeldLaw::unbreakable;
   }
   for (CohesiveLaw& law : relaxed_.glue.laws) law.normal_strength = law.shear_strength = CohesiveLaw::unbreakable;
-  std::fill(relaxed_.pulses.begin(), relaxed_.pulses.end(), Pulse{});
   for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false, {}};
   relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
   relaxed_.damped_velocity = has_contact_springs(deck) ? DampedVelocity::old : DampedVelocity::mean;

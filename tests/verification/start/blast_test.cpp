@@ -34,7 +34,7 @@ output: {{history: {{every: 1e-4}}}}
 }
 
 /// The integral of the pulse p (1 - s) exp(-b s) over 0 < s < 1, by Simpson's rule.
-double integrate(const Curve& curve, double start, double duration) {
+double integrate(const Pulse& curve, double start, double duration) {
   constexpr int steps = 20000;
   double sum = 0;
   for (int i = 0; i <= steps; ++i)
@@ -126,16 +126,16 @@ TEST(Blast, ThePulseHasItsImpulse) {
     const BlastWave wave = find_blast_wave(1, distance);
     const double decay = find_decay(wave.reflected, wave.duration, wave.reflected_impulse),
                  slow = find_decay(wave.incident, wave.duration, wave.incident_impulse);
-    const Curve reflected = Curve::pulse(2, wave.duration, {{{wave.reflected, decay}, {0, 0}}});
+    const Pulse reflected{2, wave.duration, {wave.reflected, 0}, {decay, 0}};
     EXPECT_NEAR(integrate(reflected, 2, wave.duration), wave.reflected_impulse, 1e-6 * wave.reflected_impulse);
-    const Curve incident = Curve::pulse(2, wave.duration, {{{wave.incident, slow}, {0, 0}}});
+    const Pulse incident{2, wave.duration, {wave.incident, 0}, {slow, 0}};
     EXPECT_NEAR(integrate(incident, 2, wave.duration), wave.incident_impulse, 1e-6 * wave.incident_impulse);
     EXPECT_EQ(reflected(1.999), 0);
     EXPECT_NEAR(reflected(2), wave.reflected, 1e-12 * wave.reflected);
     EXPECT_EQ(reflected(2 + 1.001 * wave.duration), 0);
     const BlastWave in_air = find_blast_wave(1, distance, Burst::air);
     const double in_air_decay = find_decay(in_air.reflected, in_air.duration, in_air.reflected_impulse);
-    const Curve pulse = Curve::pulse(2, in_air.duration, {{{in_air.reflected, in_air_decay}, {0, 0}}});
+    const Pulse pulse{2, in_air.duration, {in_air.reflected, 0}, {in_air_decay, 0}};
     EXPECT_NEAR(integrate(pulse, 2, in_air.duration), in_air.reflected_impulse, 1e-6 * in_air.reflected_impulse);
   }
 }
@@ -143,7 +143,7 @@ TEST(Blast, ThePulseHasItsImpulse) {
 // The integral of p (1 - s) exp(-b s) over all s is 1/b - 1/b^2.
 TEST(Blast, TheNegativePhaseTakesImpulse) {
   const double decay = 2.5, duration = 3, all = duration * (1 / decay - 1 / (decay * decay));
-  const Curve pulse = Curve::pulse(1, duration, {{{7, decay}, {0, 0}}}, true);
+  const Pulse pulse{1, duration, {7, 0}, {decay, 0}, true};
   EXPECT_NEAR(integrate(pulse, 1, 15 * duration), 7 * all, 1e-5 * 7 * all);
   EXPECT_LT(pulse(1 + 1.5 * duration), 0);
 }
@@ -156,7 +156,7 @@ TEST(Blast, TheAngleOfIncidenceDividesItIntoBothWaves) {
     const double arrival = 1e-3 * wave.arrival * (1 + 1e-12);
     const auto peak = [&](double degrees) {
       const double angle = degrees * std::acos(-1.0) / 180;
-      return find_blast_pressure(blast, si, {10, 0, 0}, {-std::cos(angle), std::sin(angle), 0})(arrival);
+      return find_blast_pulse(blast, si, {10, 0, 0}, {-std::cos(angle), std::sin(angle), 0})(arrival);
     };
     EXPECT_NEAR(peak(0), 1e3 * wave.reflected, 1e-6 * 1e3 * wave.reflected);
     EXPECT_NEAR(peak(90), 1e3 * wave.incident, 1e-6 * 1e3 * wave.incident);
