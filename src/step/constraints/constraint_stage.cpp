@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -24,20 +23,14 @@ constexpr double contradiction = 1e-6;
 
 ConstraintStage::ConstraintStage(const Model& model)
     : model_(model),
-      rows_(model.constraints.nodes.size() * NodeRow::count),
+      rows_(model, model.constraints),
       outcomes_(3 * model.constraints.nodes.size()),
       system_(limits_of_equations),
       velocity_(model.constraints.rows.empty() ? 0 : outcomes_.size()),
       inverse_(velocity_.size()),
       after_(velocity_.size()),
-      rates_(model.constraints.rows.size()),
-      own_rows_("percuss::constrained_rows", model.constraints.owned_node.extent(0), NodeRow::count) {
+      rates_(model.constraints.rows.size()) {
   for (const ConstraintRow& row : model.constraints.rows) system_.add_row(row.terms);
-}
-
-void ConstraintStage::gather(const State& state) {
-  const auto& constraints = model_.constraints;
-  gather_nodes(model_, state, {constraints.owned_node, constraints.owned_place}, own_rows_, rows_);
 }
 
 void ConstraintStage::solve_groups() {
@@ -189,7 +182,7 @@ void ConstraintStage::set_row_forces(State& state, double dt_mean) const {
 }
 
 void ConstraintStage::follow_contact(State& state, const StepTimes& times, const ContactReport* /*contact*/) {
-  gather(state);
+  rows_.gather(state);
   const bool has_rows = system_.count() > 0;
   has_rows ? solve_rows(times.time, times.dt) : solve_groups();
   book(state);

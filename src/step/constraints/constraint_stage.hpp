@@ -23,11 +23,8 @@ class ConstraintStage : public Action {
   bool comes_between() const override { return true; }
 
  private:
-  double value(std::size_t node, std::size_t what, std::size_t k = 0) const {
-    return rows_[node * NodeRow::count + what + k];
-  }
+  double value(std::size_t node, std::size_t what, std::size_t k = 0) const { return rows_.value(node, what, k); }
   JoinedMotion& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
-  void gather(const State& state);
   void solve_groups();
   void solve_rows(double time, double dt);
   void check_rows(double time) const;
@@ -38,12 +35,11 @@ class ConstraintStage : public Action {
   void set_row_forces(State& state, double dt_mean) const;
 
   const Model& model_;
-  std::vector<double> rows_;                        // [ConstraintModel::nodes][NodeRow::count] of the last gather()
+  GatheredRows<NodeRow> rows_;
   std::vector<JoinedMotion> outcomes_;              // [ConstraintModel::nodes][3]
   LinearConstraints system_;                        // of ConstraintModel::rows
   std::vector<double> velocity_, inverse_, after_;  // [3 nodes] of the unknowns
   std::vector<double> rates_;                       // [rows] of their sums
-  OwnRows own_rows_;
 };
 
 }  // namespace percuss

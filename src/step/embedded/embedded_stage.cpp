@@ -16,12 +16,11 @@ constexpr ConstraintLimits limits_of_embedded{1e-15, 200};
 EmbeddedStage::EmbeddedStage(const ChunkedMesh& chunked, const Model& model)
     : chunked_(chunked),
       model_(model),
-      rows_(model.embedded.nodes.size() * NodeRow::count),
+      rows_(model, model.embedded),
       outcomes_(3 * model.embedded.nodes.size()),
       system_(limits_of_embedded),
       velocity_(model.embedded.nodes.size()),
-      inverse_(model.embedded.nodes.size()),
-      own_rows_("percuss::embedded_rows", model.embedded.owned_node.extent(0), NodeRow::count) {
+      inverse_(model.embedded.nodes.size()) {
   for (const EmbeddedNode& embedded : model.embedded.embedded) {
     std::vector<ConstraintTerm> terms = {{embedded.node, 1}};
     for (std::size_t i = 0; i < at(embedded.corner_count); ++i)
@@ -30,14 +29,10 @@ EmbeddedStage::EmbeddedStage(const ChunkedMesh& chunked, const Model& model)
   }
 }
 
-void EmbeddedStage::gather(const State& state) {
-  gather_nodes(model_, state, {model_.embedded.owned_node, model_.embedded.owned_place}, own_rows_, rows_);
-}
-
 void EmbeddedStage::solve_direction(std::size_t k) {
   for (std::size_t n = 0; n < inverse_.size(); ++n) {
-    inverse_[n] = value(static_cast<int>(n), NodeRow::inverse_mass + k);
-    velocity_[n] = value(static_cast<int>(n), NodeRow::velocity + k);
+    inverse_[n] = rows_.value(n, NodeRow::inverse_mass + k);
+    velocity_[n] = rows_.value(n, NodeRow::velocity + k);
   }
   system_.solve(velocity_, inverse_, {});
   for (std::size_t n = 0; n < inverse_.size(); ++n) {
@@ -47,7 +42,7 @@ void EmbeddedStage::solve_direction(std::size_t k) {
 }
 
 void EmbeddedStage::follow_contact(State& state, const StepTimes& /*times*/, const ContactReport* /*contact*/) {
-  gather(state);
+  rows_.gather(state);
   for (std::size_t k = 0; k < 3; ++k) solve_direction(k);
   book_joined_work(rows_, outcomes_, state);
   give_joined_motion(model_.embedded, outcomes_, state);
@@ -55,7 +50,7 @@ void EmbeddedStage::follow_contact(State& state, const StepTimes& /*times*/, con
 
 /// Nodes are free from when their solid, or what holds themselves, has died.
 void EmbeddedStage::drop_vanished(State& state) {
-  gather(state);
+  rows_.gather(state);
   const ErodedMesh& eroded = chunked_.mesh.eroded;
   std::vector<int> is_dead(system_.count(), 0);
   for (std::size_t i = 0; i < is_dead.size(); ++i) {
@@ -65,7 +60,7 @@ void EmbeddedStage::drop_vanished(State& state) {
   }
   all_reduce(model_.ranks, Reduce::largest, is_dead);
   for (std::size_t i = 0; i < is_dead.size(); ++i)
-    system_.set_loose(i, is_dead[i] != 0 || !(value(model_.embedded.embedded[i].node, NodeRow::mass) > 0));
+    system_.set_loose(i, is_dead[i] != 0 || !(rows_.value(model_.embedded.embedded[i].node, NodeRow::mass) > 0));
 }
 
 void EmbeddedStage::archive(CheckpointArchive& archive, State& state) {

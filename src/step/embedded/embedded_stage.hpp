@@ -25,19 +25,14 @@ class EmbeddedStage : public Action {
   bool comes_between() const override { return true; }
 
  private:
-  double value(int node, std::size_t what) const {
-    return rows_[static_cast<std::size_t>(node) * NodeRow::count + what];
-  }
-  void gather(const State& state);
   void solve_direction(std::size_t k);
 
   const ChunkedMesh& chunked_;
   const Model& model_;
-  std::vector<double> rows_;                // [EmbeddedModel::nodes][NodeRow::count] of the last gather()
+  GatheredRows<NodeRow> rows_;
   std::vector<JoinedMotion> outcomes_;      // [EmbeddedModel::nodes][3]
   LinearConstraints system_;                // [EmbeddedModel::embedded] loose: node or solid is gone
   std::vector<double> velocity_, inverse_;  // [EmbeddedModel::nodes] of the direction that is solved
-  OwnRows own_rows_;
 };
 
 }  // namespace percuss

@@ -115,17 +115,7 @@ void build_glue(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots,
     glue.laws.push_back(tie.cohesive ? make_cohesive_law(*tie.cohesive) : CohesiveLaw{});
   number_nodes(glued, glue);
   glue.points = make_points(glued, glue.nodes);
-  find_connected_nodes(chunked, glue);
-  // After the orders of everything else: the orders of slots of one node differ.
-  std::int64_t order = 0;
-  for (const std::int64_t other : slots.orders) order = std::max(order, other + 1);
-  all_reduce(model.ranks, Reduce::largest, order);
-  glue.first_slot = static_cast<int>(slots.nodes.size());
-  const auto owned = to_host(glue.owned_node);
-  for (std::size_t i = 0; i < owned.extent(0); ++i) {
-    slots.nodes.push_back(owned(i));
-    slots.orders.push_back(order);
-  }
+  add_force_slots(chunked, model.ranks, glue, slots);
 }
 
 void move_glue_off_nodes(Model& model) {

@@ -5,10 +5,9 @@
 #include <algorithm>
 
 #include "comm/gather_items.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
-#include "src/step/springs/gathered_rows.hpp"
+#include "src/step/springs/connected_nodes.hpp"
 #include "src/step/springs/node_mobility.hpp"
 #include "src/step/springs/spring_law.hpp"
 
@@ -26,30 +25,25 @@ GlueStage::GlueStage(const Deck& deck, const Model& model, ContactStage& contact
     : deck_(deck),
       model_(model),
       contact_(contact),
-      body_of_node_(share_bodies(model, model.glue.nodes.size(), model.glue.owned_node, model.glue.owned_place)),
-      rows_(model.glue.nodes.size() * NodeRow::count),
+      body_of_node_(share_bodies(model, model.glue)),
+      nodes_(model, model.glue),
       moves_(model.glue.nodes.size()),
       points_(model.glue.points.size()),
       shares_(model.glue.points.size()),
       forces_(model.glue.nodes.size()),
       turns_(model.glue.points.size()),
       moments_(model.glue.points.size()),
-      own_rows_("percuss::glue_rows", model.glue.owned_node.extent(0), NodeRow::count),
       own_forces_("percuss::glue_forces", model.glue.owned_node.extent(0)),
       own_moments_("percuss::glue_moments", model.has_rotations ? model.glue.owned_node.extent(0) : 0) {}
 
-/// Three numbers of the row of a node.
-Point3 GlueStage::vector(int node, std::size_t first) const {
-  const std::size_t n = at(node);
-  return {value(n, first), value(n, first + 1), value(n, first + 2)};
-}
-
 void GlueStage::gather(const State& state) {
-  const std::vector<double> before = rows_;
-  gather_forced_nodes<false, true>(model_, state, {model_.glue.owned_node, model_.glue.owned_place}, own_rows_, rows_);
+  const std::vector<double> before = nodes_.rows();
+  nodes_.gather(state);
   for (std::size_t n = 0; n < moves_.size(); ++n) {
-    const auto move = [&](std::size_t k) { return value(n, k) - before[n * NodeRow::count + k]; };
-    moves_[n] = {move(NodeRow::place), move(NodeRow::place + 1), move(NodeRow::place + 2)};
+    const auto move = [&](std::size_t k) {
+      return nodes_.value(n, NodeRow::place + k) - before[n * NodeRow::count + NodeRow::place + k];
+    };
+    moves_[n] = {move(0), move(1), move(2)};
   }
 }
 
@@ -57,15 +51,15 @@ void GlueStage::gather(const State& state) {
 void GlueStage::turn_arms(State& state, double dt) {
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!has_arm(state.glue_arms[p])) continue;
-    turns_[p] = dt * vector(model_.glue.points[p].node[0], NodeRow::spin);
+    turns_[p] = dt * nodes_.vector(model_.glue.points[p].node[0], NodeRow::spin);
     state.glue_arms[p] = rotate(turns_[p], state.glue_arms[p]);
   }
 }
 
 Separation GlueStage::find_separation_of(const GluePoint& point, const Point3& arm) const {
   FacePoints face;
-  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = vector(point.node[i + 1], NodeRow::place);
-  return find_separation(point.geometry, point.side, vector(point.node[0], NodeRow::place) + arm, face);
+  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = nodes_.vector(point.node[i + 1], NodeRow::place);
+  return find_separation(point.geometry, point.side, nodes_.vector(point.node[0], NodeRow::place) + arm, face);
 }
 
 /// Tractions and forces at the places of now, point after point.
@@ -175,47 +169,20 @@ void GlueStage::drop_vanished(State& state) {
 }
 
 void GlueStage::add_forces(State& state, double /*time*/) {
-  fill_slots(forces_, own_forces_, state.slot_force);
+  fill_force_slots(model_.glue, forces_, own_forces_, state.slot_force);
   if (own_moments_.extent(0) == 0) return;
   std::vector<Point3> moments(forces_.size());
   for (std::size_t p = 0; p < moments_.size(); ++p) {
     Point3& moment = moments[at(model_.glue.points[p].node[0])];
     moment = moment + moments_[p];
   }
-  fill_slots(moments, own_moments_, state.slot_moment);
-}
-
-/// by_node: [GlueModel::nodes]; own: scratch, [owned nodes].
-void GlueStage::fill_slots(const std::vector<Point3>& by_node, const Rows3<double>& own,
-                           const Rows3<double>& slots) const {
-  const auto rows = Kokkos::create_mirror_view(own);
-  const auto places = to_host(model_.glue.owned_place);
-  for (std::size_t i = 0; i < places.extent(0); ++i) {
-    const Point3& row = by_node[at(places(i))];
-    rows(i, 0) = row.x;
-    rows(i, 1) = row.y;
-    rows(i, 2) = row.z;
-  }
-  const std::size_t first = at(model_.glue.first_slot);
-  Kokkos::deep_copy(Kokkos::subview(slots, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
-}
-
-/// By node: the largest inverse mass in a direction, or the mobility of its rigid body there.
-std::vector<double> GlueStage::find_mobilities(const State& state) const {
-  std::vector<double> mobilities;
-  for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
-    const Point3 place = vector(static_cast<int>(n), NodeRow::place);
-    mobilities.push_back(find_mobility(
-        model_, state, body_of_node_[n],
-        {{place.x, place.y, place.z}, std::max(value(n, NodeRow::mobility), 0.0)}));  // a node that is gone has none
-  }
-  return mobilities;
+  fill_force_slots(model_.glue, moments, own_moments_, state.slot_moment);
 }
 
 // As of springs (SpringStage::find_rates()): the mass of a node is divided among its points by stiffness times share.
 // With shares c_i of a point's force, (sum c_i |u_i|)^2 <= sum c_i^2 / m_i sum m_i |u_i|^2.
 void GlueStage::limit_step(const State& state, StepBound& bound) const {
-  const std::vector<double> mobility = find_mobilities(state);
+  const std::vector<double> mobility = find_mobilities(model_, state, body_of_node_, nodes_);
   std::vector<double> carried(mobility.size() + state.bodies.size(), 0);
   const auto carrier = [&](int n) {
     return body_of_node_[at(n)] < 0 ? at(n) : mobility.size() + at(body_of_node_[at(n)]);
@@ -235,7 +202,7 @@ void GlueStage::limit_step(const State& state, StepBound& bound) const {
   SpringRates rates;
   visit([&](const GluePoint& point, const GlueShares& of, double stiffness) {
     // Only this point turns its node.
-    double rate = stiffness * dot(point.arm, point.arm) * value(at(point.node[0]), NodeRow::turning);
+    double rate = stiffness * dot(point.arm, point.arm) * nodes_.value(point.node[0], NodeRow::turning);
     for (std::size_t i = 0; i < 5; ++i) rate += of.share[i] * carried[carrier(point.node[i])];
     rates.stiffness = std::max(rates.stiffness, rate);
   });

@@ -31,8 +31,6 @@ class GlueStage : public Action {
  private:
   using NodeRow = ForcedRow<false, true>;
 
-  double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
-  Point3 vector(int node, std::size_t first) const;
   Separation find_separation_of(const GluePoint& point, const Point3& arm) const;
   void gather(const State& state);
   void turn_arms(State& state, double dt);
@@ -40,15 +38,13 @@ class GlueStage : public Action {
   double find_work(double share_before, double share_now) const;
   void book(State& state, const std::vector<double>& damage_before, const std::vector<CohesivePoint>& before);
   void let_go(const State& state, const std::vector<double>& damage_before);
-  std::vector<double> find_mobilities(const State& state) const;
-  void fill_slots(const std::vector<Point3>& by_node, const Rows3<double>& own, const Rows3<double>& slots) const;
 
   const Deck& deck_;
   const Model& model_;
   ContactStage& contact_;
-  std::vector<int> body_of_node_;      // [GlueModel::nodes] rigid; -1: none
-  std::vector<double> rows_;           // [GlueModel::nodes][NodeRow::count] of the last gather()
-  std::vector<Point3> moves_;          // [GlueModel::nodes] between the last two
+  std::vector<int> body_of_node_;  // [GlueModel::nodes] rigid; -1: none
+  GatheredRows<NodeRow> nodes_;
+  std::vector<Point3> moves_;          // [GlueModel::nodes] between the last two gather()
   std::vector<CohesivePoint> points_;  // [GlueModel::points] at n
   std::vector<GlueShares> shares_;     // [GlueModel::points] at n
   std::vector<Point3> forces_;         // [GlueModel::nodes] at n
@@ -57,7 +53,6 @@ class GlueStage : public Action {
   std::vector<Point3> moments_;        // [GlueModel::points] on these nodes, at n
   std::vector<Point3> moments_before_;
   std::vector<Warning> warnings_;
-  OwnRows own_rows_;
   Rows3<double> own_forces_, own_moments_;
 };
 

@@ -22,10 +22,9 @@ struct GluePoint {
   double area = 0;            // of side a that it holds
 };
 
-struct GlueModel : ConnectedNodes {
+struct GlueModel : ForcedNodes {
   std::vector<CohesiveLaw> laws;  // by tie of the deck; of rigid ties unused
   std::vector<GluePoint> points;  // by ascending number
-  int first_slot = 0;             // a slot for each node that it owns
 
   bool any() const { return !points.empty(); }
 };

@@ -17,6 +17,18 @@
 
 namespace percuss {
 
+/// Nodes that connections name, and those of them that a rank holds.
+struct ConnectedNodes {
+  std::vector<std::int64_t> nodes;     // by number in the whole mesh, ascending
+  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
+  Array<int> local_node, local_place;  // of all that this rank holds
+};
+
+/// Those on which connections act by forces.
+struct ForcedNodes : ConnectedNodes {
+  int first_slot = 0;  // a slot for each node that it owns
+};
+
 /// What the springs of an entry of the deck have in common.
 struct SpringLaw {
   static constexpr double unbreakable = 0;
@@ -38,13 +50,10 @@ struct Spring {
   bool has_columns = true;  // of its own in the history
 };
 
-struct SpringModel {
+struct SpringModel : ForcedNodes {
   std::vector<SpringLaw> laws;
   std::vector<Spring> springs;
-  std::vector<std::int64_t> nodes;     // at which springs end, by number in the whole mesh, ascending
-  std::vector<std::string> notes;      // what is to be told of them
-  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
-  int first_slot = 0;                  // a slot for each that it owns
+  std::vector<std::string> notes;  // what is to be told of them
 
   bool any() const { return !springs.empty(); }
   bool has(std::int64_t spring) const { return spring >= 0 && spring < static_cast<std::int64_t>(springs.size()); }
@@ -74,13 +83,6 @@ struct WeldLaw {
   std::string name, place;      // of the entry in the deck
   ConnectionStrength strength;  // of forces; compression counts as tension does
   double time = unbreakable;    // at which it fails
-};
-
-/// Nodes that connections name, and those of them that a rank holds.
-struct ConnectedNodes {
-  std::vector<std::int64_t> nodes;     // by number in the whole mesh, ascending
-  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
-  Array<int> local_node, local_place;  // of all that this rank holds
 };
 
 /// Of two nodes of a patch, as places among these: the mean of the product of their shape functions over a region.

@@ -6,11 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "comm/all_reduce.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/model/whole_mesh.hpp"
+#include "src/step/springs/connected_nodes.hpp"
 #include "src/step/springs/end_pairs.hpp"
 #include "src/step/springs/spring_law.hpp"
 
@@ -117,22 +115,7 @@ SpringModel find_springs(const Deck& deck, const ChunkedMesh& chunked) {
 void build_springs(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model) {
   if (deck.springs.empty()) return;
   SpringModel springs = find_springs(deck, chunked);
-  // After the orders of everything else: the orders of slots of one node differ.
-  std::int64_t order = 0;
-  for (const std::int64_t other : slots.orders) order = std::max(order, other + 1);
-  all_reduce(model.ranks, Reduce::largest, order);
-  springs.first_slot = static_cast<int>(slots.nodes.size());
-  std::vector<int> owned, places;
-  for (std::size_t i = 0; i < springs.nodes.size(); ++i) {
-    const int node = find_local_node(chunked, springs.nodes[i]);
-    if (node < 0 || !owns_node(chunked, node)) continue;
-    owned.push_back(node);
-    places.push_back(static_cast<int>(i));
-    slots.nodes.push_back(node);
-    slots.orders.push_back(order);
-  }
-  springs.owned_node = to_view("percuss::spring_nodes", owned);
-  springs.owned_place = to_view("percuss::spring_places", places);
+  add_force_slots(chunked, model.ranks, springs, slots);
   model.springs = std::move(springs);
 }
 

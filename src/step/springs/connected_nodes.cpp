@@ -1,5 +1,8 @@
 #include "src/step/springs/connected_nodes.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
@@ -22,6 +25,29 @@ void find_connected_nodes(const ChunkedMesh& chunked, ConnectedNodes& connected)
   connected.owned_place = to_view("percuss::connected_places", owned_places);
   connected.local_node = to_view("percuss::local_connected_nodes", local);
   connected.local_place = to_view("percuss::local_connected_places", local_places);
+}
+
+void add_force_slots(const ChunkedMesh& chunked, const Communicator& ranks, ForcedNodes& forced, LocalSlots& slots) {
+  find_connected_nodes(chunked, forced);
+  std::int64_t order = 0;
+  for (const std::int64_t other : slots.orders) order = std::max(order, other + 1);
+  all_reduce(ranks, Reduce::largest, order);
+  forced.first_slot = static_cast<int>(slots.nodes.size());
+  const auto owned = to_host(forced.owned_node);
+  for (std::size_t i = 0; i < owned.extent(0); ++i) {
+    slots.nodes.push_back(owned(i));
+    slots.orders.push_back(order);
+  }
+}
+
+void fill_force_slots(const ForcedNodes& forced, const std::vector<Vector3<double>>& by_node, const Rows3<double>& own,
+                      const Rows3<double>& all) {
+  const auto rows = Kokkos::create_mirror_view(own);
+  const auto places = to_host(forced.owned_place);
+  for (std::size_t i = 0; i < places.extent(0); ++i)
+    for (int k = 0; k < 3; ++k) rows(i, at(k)) = get(by_node[at(places(i))], k);
+  const std::size_t first = at(forced.first_slot);
+  Kokkos::deep_copy(Kokkos::subview(all, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
 }
 
 std::vector<int> mark_rigid_nodes(const Model& model, const ConnectedNodes& connected) {

@@ -1,8 +1,9 @@
 #pragma once
-// The nodes that welds or constraints name, as a rank sees them.
+// The nodes that springs, welds, glue or constraints name, as a rank sees them.
 
 #include <vector>
 
+#include "comm/halo/halo_plan.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/model.hpp"
 
@@ -10,6 +11,14 @@ namespace percuss {
 
 /// Which of `connected.nodes` this rank owns and holds.
 void find_connected_nodes(const ChunkedMesh& chunked, ConnectedNodes& connected);
+
+/// The same, and a slot for the force on each node that this rank owns, after all that there are: the orders of slots
+/// of one node differ. Collective.
+void add_force_slots(const ChunkedMesh& chunked, const Communicator& ranks, ForcedNodes& forced, LocalSlots& slots);
+
+/// Forces into these slots. by_node: [forced.nodes]; own: scratch, [owned nodes]; all: the slots of this rank.
+void fill_force_slots(const ForcedNodes& forced, const std::vector<Vector3<double>>& by_node, const Rows3<double>& own,
+                      const Rows3<double>& all);
 
 /// [connected.nodes] 1: of a rigid body; the same on all ranks. Call when the bodies of the model are built.
 /// Collective.

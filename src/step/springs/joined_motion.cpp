@@ -1,15 +1,16 @@
 #include "src/step/springs/joined_motion.hpp"
 
+#include "kernels/core/host_copy.hpp"
+
 namespace percuss {
 
-void book_joined_work(const std::vector<double>& rows, const std::vector<JoinedMotion>& outcomes, State& state) {
+void book_joined_work(const GatheredRows<NodeRow>& rows, const std::vector<JoinedMotion>& outcomes, State& state) {
   double work = 0, of_contact = 0;
   for (std::size_t n = 0; 3 * n < outcomes.size(); ++n) {
-    const double* const row = &rows[n * NodeRow::count];
     for (std::size_t k = 0; k < 3; ++k) {
       const JoinedMotion& now = outcomes[3 * n + k];
-      work += 0.5 * now.impulse * (row[NodeRow::velocity_before + k] + now.velocity);
-      of_contact += 0.5 * row[NodeRow::contact + k] * (now.velocity - row[NodeRow::velocity + k]);
+      work += 0.5 * now.impulse * (rows.value(n, NodeRow::velocity_before, k) + now.velocity);
+      of_contact += 0.5 * rows.value(n, NodeRow::contact, k) * (now.velocity - rows.value(n, NodeRow::velocity, k));
     }
   }
   state.books.equal_work += work;

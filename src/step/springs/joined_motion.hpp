@@ -13,8 +13,8 @@ struct JoinedMotion {
 };
 
 /// Work with the mean of the velocities before and after the step. Contact has counted its own with the velocities
-/// that the constraints then changed. rows: of gather_nodes(); outcomes: [nodes][3].
-void book_joined_work(const std::vector<double>& rows, const std::vector<JoinedMotion>& outcomes, State& state);
+/// that the constraints then changed. outcomes: [nodes][3].
+void book_joined_work(const GatheredRows<NodeRow>& rows, const std::vector<JoinedMotion>& outcomes, State& state);
 
 /// Outcomes to the nodes that this rank holds: velocities, and impulses as those of welds.
 void give_joined_motion(const ConnectedNodes& connected, const std::vector<JoinedMotion>& outcomes, const State& state);

@@ -8,17 +8,15 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
-#include "src/step/model/state.hpp"
+#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 
-/// Rigid body of each of `count` nodes that connections name, from its owner; -1: none. owned_node, owned_place: as in
-/// ConnectedNodes. Collective.
-inline std::vector<int> share_bodies(const Model& model, std::size_t count, const Array<const int>& owned_node,
-                                     const Array<const int>& owned_place) {
-  std::vector<int> bodies(count, -1);
+/// [connected.nodes] rigid body of each, from its owner; -1: none. Collective.
+inline std::vector<int> share_bodies(const Model& model, const ConnectedNodes& connected) {
+  std::vector<int> bodies(connected.nodes.size(), -1);
   if (!model.rigid.any()) return bodies;
-  const auto nodes = to_host(owned_node), places = to_host(owned_place);
+  const auto nodes = to_host(connected.owned_node), places = to_host(connected.owned_place);
   const auto body_of_node = to_host(model.rigid.body_of_node);
   for (std::size_t i = 0; i < nodes.extent(0); ++i) bodies[at(places(i))] = body_of_node(nodes(i));
   all_reduce(model.ranks, Reduce::largest, bodies);
@@ -32,16 +30,19 @@ inline double bound_mobility(const RigidBody& body, const RigidState& state, con
   return (is_fixed ? 0 : 1 / body.mass) + dot(arm, arm) * trace(find_free_inverse(body, state));
 }
 
-/// A node and its largest inverse mass in a direction; below 0: the node is gone.
-struct MobileNode {
-  Vector3<double> place;
-  double inverse_mass = 0;
-};
-
-/// The inverse mass, or the mobility of the rigid body, -1: none, that the node belongs to.
-inline double find_mobility(const Model& model, const State& state, int body, const MobileNode& node) {
-  return body < 0 ? std::max(node.inverse_mass, 0.0)
-                  : bound_mobility(model.rigid.bodies[at(body)], state.bodies[at(body)], node.place);
+/// By node: the largest inverse mass in a direction, or the mobility of its rigid body there. body_of_node: of
+/// share_bodies().
+template <class Row>
+std::vector<double> find_mobilities(const Model& model, const State& state, const std::vector<int>& body_of_node,
+                                    const GatheredRows<Row>& nodes) {
+  std::vector<double> mobilities;
+  for (std::size_t n = 0; n < body_of_node.size(); ++n) {
+    const int body = body_of_node[n];
+    mobilities.push_back(
+        body < 0 ? std::max(nodes.value(n, Row::mobility), 0.0)  // a node that is gone has none
+                 : bound_mobility(model.rigid.bodies[at(body)], state.bodies[at(body)], nodes.vector(n, Row::place)));
+  }
+  return mobilities;
 }
 
 }  // namespace percuss

@@ -4,38 +4,36 @@
 
 #include <algorithm>
 
-#include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
-#include "src/step/springs/gathered_rows.hpp"
+#include "src/step/springs/connected_nodes.hpp"
 #include "src/step/springs/node_mobility.hpp"
 
 namespace percuss {
+
 SpringStage::SpringStage(const Model& model)
     : model_(model),
-      body_of_node_(
-          share_bodies(model, model.springs.nodes.size(), model.springs.owned_node, model.springs.owned_place)),
-      rows_(model.springs.nodes.size() * NodeRow::count),
-      own_rows_("percuss::spring_rows", model.springs.owned_node.extent(0), NodeRow::count),
+      body_of_node_(share_bodies(model, model.springs)),
+      nodes_(model, model.springs),
       own_forces_("percuss::spring_forces", model.springs.owned_node.extent(0)) {}
 
 SpringEnds SpringStage::find_ends(const Spring& spring) const {
   SpringEnds ends;
   for (std::size_t i = 0; i < 2; ++i) {
-    ends.place[i] = vector(at(spring.end[i]), NodeRow::place);
-    ends.velocity[i] = vector(at(spring.end[i]), NodeRow::velocity);
+    ends.place[i] = nodes_.vector(spring.end[i], NodeRow::place);
+    ends.velocity[i] = nodes_.vector(spring.end[i], NodeRow::velocity);
   }
   return ends;
 }
 
 bool SpringStage::has_lost_a_node(const Spring& spring) const {
   return std::any_of(spring.end.begin(), spring.end.end(),
-                     [&](int n) { return value(at(n), NodeRow::mobility) == NodeRow::gone; });
+                     [&](int n) { return nodes_.value(n, NodeRow::mobility) == NodeRow::gone; });
 }
 
 // A force does the work of its mean over the step along the change of length, as elements do theirs.
 void SpringStage::advance(State& state, double dt) {
-  gather_forced_nodes<true>(model_, state, {model_.springs.owned_node, model_.springs.owned_place}, own_rows_, rows_);
+  nodes_.gather(state);
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     const Spring& spring = model_.springs.springs[s];
     const SpringLaw& law = model_.springs.laws[at(spring.law)];
@@ -59,7 +57,7 @@ void SpringStage::drop_vanished(State& state) {
     const SpringEnds ends = find_ends(model_.springs.springs[s]);
     changes.push_back(state.dt * dot(state.springs[s].axis, ends.velocity[1] - ends.velocity[0]));
   }
-  gather_forced_nodes<true>(model_, state, {model_.springs.owned_node, model_.springs.owned_place}, own_rows_, rows_);
+  nodes_.gather(state);
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     SpringState& spring = state.springs[s];
     if (spring.is_broken != 0 || !has_lost_a_node(model_.springs.springs[s])) continue;
@@ -78,28 +76,14 @@ void SpringStage::add_forces(State& state, double /*time*/) {
     forces[at(spring.end[0])] = forces[at(spring.end[0])] + force;
     forces[at(spring.end[1])] = forces[at(spring.end[1])] - force;
   }
-  const auto own = Kokkos::create_mirror_view(own_forces_);
-  const auto places = to_host(model_.springs.owned_place);
-  for (std::size_t i = 0; i < places.extent(0); ++i)
-    for (int k = 0; k < 3; ++k) own(i, at(k)) = get(forces[at(places(i))], k);
-  const std::size_t first = at(model_.springs.first_slot);
-  Kokkos::deep_copy(Kokkos::subview(state.slot_force, std::pair(first, first + own.extent(0)), Kokkos::ALL), own);
-}
-
-/// By node: the largest inverse mass in a direction, or the mobility of its rigid body there.
-std::vector<double> SpringStage::find_mobilities(const State& state) const {
-  std::vector<double> mobilities;
-  for (std::size_t n = 0; n < body_of_node_.size(); ++n)
-    mobilities.push_back(
-        find_mobility(model_, state, body_of_node_[n], {vector(n, NodeRow::place), value(n, NodeRow::mobility)}));
-  return mobilities;
+  fill_force_slots(model_.springs, forces, own_forces_, state.slot_force);
 }
 
 // The mass of a node, or of a body, is divided among its springs by stiffness times mobility. The largest eigenvalue of
 // each spring with its shares is then the sum of what its two nodes carry, and that of all is at most the largest of
 // these (the element eigenvalue theorem, Irons and Treharne 1971).
 SpringStage::StiffestSpring SpringStage::find_rates(const State& state) const {
-  const std::vector<double> mobility = find_mobilities(state);
+  const std::vector<double> mobility = find_mobilities(model_, state, body_of_node_, nodes_);
   const std::size_t nodes = mobility.size();
   std::vector<SpringRates> carried(nodes + state.bodies.size());
   const auto carrier = [&](int n) { return body_of_node_[at(n)] < 0 ? at(n) : nodes + at(body_of_node_[at(n)]); };

@@ -36,19 +36,13 @@ class SpringStage : public Action {
     double step = std::numeric_limits<double>::infinity();  // that this one allows
   };
 
-  double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
-  Vector3<double> vector(std::size_t node, std::size_t first) const {
-    return {value(node, first), value(node, first + 1), value(node, first + 2)};
-  }
   SpringEnds find_ends(const Spring& spring) const;
   bool has_lost_a_node(const Spring& spring) const;
-  std::vector<double> find_mobilities(const State& state) const;
   StiffestSpring find_rates(const State& state) const;
 
   const Model& model_;
   std::vector<int> body_of_node_;  // [SpringModel::nodes] rigid; -1: none
-  std::vector<double> rows_;       // [SpringModel::nodes][NodeRow::count] at n
-  OwnRows own_rows_;
+  GatheredRows<NodeRow> nodes_;    // at n
   Rows3<double> own_forces_;
 };
 

@@ -8,7 +8,6 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
-#include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
 namespace {
@@ -35,22 +34,25 @@ void add(const WeldImpulse& more, WeldImpulse& sum) {
 
 WeldStage::WeldStage(const Model& model)
     : model_(model),
-      rows_(model.welds.nodes.size() * NodeRow::count),
+      rows_(model, model.welds),
       nodes_(model.welds.nodes.size()),
       on_nodes_(model.welds.nodes.size()),
-      sums_(model.welds.welds.size()),
-      own_rows_("percuss::weld_rows", model.welds.owned_node.extent(0), NodeRow::count) {}
+      sums_(model.welds.welds.size()) {}
 
 void WeldStage::gather(const State& state) {
-  gather_nodes(model_, state, {model_.welds.owned_node, model_.welds.owned_place}, own_rows_, rows_);
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const double* row = &rows_[n * NodeRow::count];
-    nodes_[n] = {vector(n, NodeRow::place),        vector(n, NodeRow::velocity),        vector(n, NodeRow::spin),
-                 vector(n, NodeRow::inverse_mass), vector(n, NodeRow::inverse_inertia), row[NodeRow::inertia] > 0,
-                 !(row[NodeRow::mass] > 0)};
-  }
+  rows_.gather(state);
   std::vector<double> masses(nodes_.size());
-  for (std::size_t n = 0; n < masses.size(); ++n) masses[n] = rows_[n * NodeRow::count + NodeRow::mass];
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const auto vector = [&](std::size_t what) { return rows_.vector(n, what); };
+    masses[n] = rows_.value(n, NodeRow::mass);
+    nodes_[n] = {vector(NodeRow::place),
+                 vector(NodeRow::velocity),
+                 vector(NodeRow::spin),
+                 vector(NodeRow::inverse_mass),
+                 vector(NodeRow::inverse_inertia),
+                 rows_.value(n, NodeRow::inertia) > 0,
+                 !(masses[n] > 0)};
+  }
   patches_.clear();
   for (const WeldPatch& patch : model_.welds.patches) patches_.emplace_back(patch, nodes_, masses);
 }
@@ -162,8 +164,8 @@ double WeldStage::find_work() const {
   double work = 0;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const NodeImpulse& on = on_nodes_[n];
-    work += 0.5 * dot(on.impulse, vector(n, NodeRow::velocity_before) + nodes_[n].velocity);
-    if (nodes_[n].turns) work += 0.5 * dot(on.moment, vector(n, NodeRow::spin_before) + nodes_[n].spin);
+    work += 0.5 * dot(on.impulse, rows_.vector(n, NodeRow::velocity_before) + nodes_[n].velocity);
+    if (nodes_[n].turns) work += 0.5 * dot(on.moment, rows_.vector(n, NodeRow::spin_before) + nodes_[n].spin);
   }
   return work;
 }
@@ -172,7 +174,7 @@ double WeldStage::find_work() const {
 double WeldStage::find_work_of_contact() const {
   double work = 0;
   for (std::size_t n = 0; n < nodes_.size(); ++n)
-    work += 0.5 * dot(vector(n, NodeRow::contact), nodes_[n].velocity - vector(n, NodeRow::velocity));
+    work += 0.5 * dot(rows_.vector(n, NodeRow::contact), nodes_[n].velocity - rows_.vector(n, NodeRow::velocity));
   return work;
 }
 

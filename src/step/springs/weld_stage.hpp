@@ -29,11 +29,6 @@ class WeldStage : public Action {
   void give_back(const State& state) const;
 
  private:
-  Vector3<double> vector(std::size_t node, std::size_t first) const {
-    const double* row = &rows_[node * NodeRow::count + first];
-    return {row[0], row[1], row[2]};
-  }
-
   void gather(const State& state);
   std::array<WeldNode, 2> find_ends(const Weld& weld) const;
   void join_one(std::size_t weld, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends);
@@ -47,14 +42,13 @@ class WeldStage : public Action {
   double find_work_of_contact() const;
 
   const Model& model_;
-  std::vector<double> rows_;           // [WeldModel::nodes][NodeRow::count] of the last gather()
+  GatheredRows<NodeRow> rows_;
   std::vector<WeldNode> nodes_;        // [WeldModel::nodes]
   std::vector<MovingPatch> patches_;   // [WeldModel::patches] at n
   std::vector<NodeImpulse> on_nodes_;  // [WeldModel::nodes] of the step
   std::vector<WeldImpulse> sums_;      // [welds] of the step
   std::size_t slowest_ = 0;            // weld that changed most in the last turn
   std::vector<Warning> warnings_;
-  OwnRows own_rows_;
 };
 
 }  // namespace percuss
