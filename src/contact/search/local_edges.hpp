@@ -38,6 +38,13 @@ class LocalEdges {
     return measure_edge_pairs(motion, space_);
   }
 
+  // Of the last search and check.
+  const EdgeSpace& space() const { return space_; }
+  const std::vector<EdgeTopology>& divided_edges() const { return divided_edges_; }
+  const Boxes& boxes() const { return boxes_; }                  // [edges]
+  int piece_count() const { return points_.points.num_points; }  // of all edges
+  const Rows3<double>& places() const { return places_; }        // [pieces]
+
  private:
   void identify_edges();
 

@@ -33,6 +33,11 @@ class LocalFinder : public ContactFinder {
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }
 
+  // Of the last search and check.
+  CheckSpace& faces() { return check_; }
+  const Boxes& boxes() const { return boxes_; }  // [searched faces]
+  LocalEdges& edges() { return edges_; }
+
   // Kernels of its own: nvcc takes none in a private function.
   int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
 
