@@ -149,6 +149,7 @@ std::vector<std::string> make_words() {
           "sum_names",
           "state",
           "number_names",
+          "number_counts",
           "time_bits",
           "format",
           "\xff\xff\xff\xff\xff\xff\xff\xff"};

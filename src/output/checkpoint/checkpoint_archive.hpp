@@ -47,9 +47,30 @@ class CheckpointArchive {
   /// Loading: whether there is a number of this name, for state that a run may begin without. Saving: true.
   virtual bool has_number(const std::string& name) const = 0;
 
+  /// Numbers that all ranks know: integers, or the bits of doubles.
+  virtual void words(const std::string& name, std::span<std::int64_t> values) = 0;
+
   /// A number that all ranks know.
-  virtual void number(const std::string& name, double& value) = 0;
-  virtual void number(const std::string& name, std::int64_t& value) = 0;
+  void number(const std::string& name, double& value) { numbers(name, std::span(&value, 1)); }
+  void number(const std::string& name, std::int64_t& value) { words(name, std::span(&value, 1)); }
+
+  /// Several of one name.
+  void numbers(const std::string& name, std::span<double> values) {
+    each(name, values, [](double& value, const auto& take) { take(value); });
+  }
+
+  /// Those of a list, under one name. visit(row, take): calls take(...) with all numbers of a row, doubles or 64-bit
+  /// integers.
+  template <class Rows, class Visit>
+  void each(const std::string& name, Rows&& rows, const Visit& visit) {
+    std::vector<std::int64_t> all;
+    for (auto& row : rows)
+      visit(row, [&](const auto&... values) { (all.push_back(std::bit_cast<std::int64_t>(values)), ...); });
+    words(name, all);
+    if (!is_loading()) return;
+    auto next = all.begin();
+    for (auto& row : rows) visit(row, [&](auto&... values) { (load_word(name, *next++, values), ...); });
+  }
 
   /// A number that is infinite where there is no limit; never NaN. In the file it is like any other.
   void number_or_infinity(const std::string& name, double& value) {
@@ -81,10 +102,7 @@ class CheckpointArchive {
     if (is_loading()) Kokkos::deep_copy(view, host);
   }
 
-  /// Several numbers of one name: NAME/0, NAME/1 ...
-  void numbers(const std::string& name, std::span<double> values) {
-    for (std::size_t i = 0; i < values.size(); ++i) number(name + "/" + std::to_string(i), values[i]);
-  }
+  /// Several sums of one name: NAME/0, NAME/1 ...
   void sums(const std::string& name, std::span<ExactSum> values) {
     for (std::size_t i = 0; i < values.size(); ++i) sum(name + "/" + std::to_string(i), values[i]);
   }
@@ -101,6 +119,13 @@ class CheckpointArchive {
  protected:
   /// Loading: what the checkpoint says under this name, on all ranks alike, cannot be. Throws InputError.
   [[noreturn]] virtual void refuse_value(const std::string& name) const = 0;
+
+ private:
+  void load_word(const std::string& /*name*/, std::int64_t word, std::int64_t& value) const { value = word; }
+  void load_word(const std::string& name, std::int64_t word, double& value) const {
+    value = std::bit_cast<double>(word);
+    if (!std::isfinite(value)) refuse_value(name);
+  }
 };
 
 }  // namespace percuss

@@ -57,8 +57,7 @@ class CheckpointWriter : public CheckpointArchive {
   bool is_loading() const override { return false; }
   bool has_number(const std::string&) const override { return true; }
   using CheckpointArchive::rows;
-  void number(const std::string& name, double& value) override;
-  void number(const std::string& name, std::int64_t& value) override;
+  void words(const std::string& name, std::span<std::int64_t> values) override;
   void sum(const std::string& name, ExactSum& value) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
@@ -93,7 +92,7 @@ class CheckpointWriter : public CheckpointArchive {
   DiskReservation disk_;  // rank 0's
   std::set<std::string> groups_;
   std::vector<std::string> number_names_, sum_names_;
-  std::vector<std::int64_t> numbers_, sums_;  // bits; limbs
+  std::vector<std::int64_t> number_counts_, numbers_, sums_;  // by name; bits; limbs
   hdf5::WriteRecord record_;
 };
 
@@ -106,10 +105,9 @@ class CheckpointReader : public CheckpointArchive {
   const CheckpointHeader& header() const { return header_; }
 
   bool is_loading() const override { return true; }
-  bool has_number(const std::string& name) const override { return numbers_.count(name) > 0; }
+  bool has_number(const std::string& name) const override { return number_places_.count(name) > 0; }
   using CheckpointArchive::rows;
-  void number(const std::string& name, double& value) override;
-  void number(const std::string& name, std::int64_t& value) override;
+  void words(const std::string& name, std::span<std::int64_t> values) override;
   void sum(const std::string& name, ExactSum& value) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
@@ -117,7 +115,6 @@ class CheckpointReader : public CheckpointArchive {
 
  private:
   [[noreturn]] void refuse_value(const std::string& name) const override;
-  std::int64_t find_number(const std::string& name) const;
   void load();
   void check_length(const std::string& name, std::int64_t rows, int components) const;
   template <class T>
@@ -132,9 +129,14 @@ class CheckpointReader : public CheckpointArchive {
   std::uint64_t file_bytes_ = 0;
   hdf5::Handle file_;
   CheckpointHeader header_;
-  std::map<std::string, std::int64_t> numbers_;
+  /// Of a name, in numbers_.
+  struct Place {
+    std::size_t first = 0, count = 0;
+  };
+  void place_numbers(const std::vector<std::string>& names, const std::vector<std::int64_t>& counts);
+  std::map<std::string, Place> number_places_;
   std::map<std::string, std::size_t> sum_places_;
-  std::vector<std::int64_t> sums_;
+  std::vector<std::int64_t> numbers_, sums_;
 };
 
 /// The header of a file that has no seal yet, by this process alone. Throws InputError, SystemError.

@@ -26,6 +26,7 @@ namespace names = checkpoint_names;
 using hdf5::check;
 
 constexpr int words_per_sum = ExactSum::limb_count + 1;
+constexpr const char* other_number_of_names = "the checkpoint has another number of values than of names";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem) {
   throw InputError(fmt::format("{}: error: {}", path, problem));
@@ -145,25 +146,36 @@ void CheckpointReader::load() {
   };
   const auto number_names = hdf5::read_texts(group.get(), names::number_names);
   const auto sum_names = hdf5::read_texts(group.get(), names::sum_names);
-  const auto numbers = integers(names::numbers);
+  numbers_ = integers(names::numbers);
   sums_ = integers(names::sums);
-  if (numbers.size() != number_names.size() || sums_.size() != words_per_sum * sum_names.size())
-    refuse(path_, "the checkpoint has another number of values than of names");
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers_[number_names[i]] = numbers[i];
+  place_numbers(number_names, integers(names::number_counts));
+  if (sums_.size() != words_per_sum * sum_names.size()) refuse(path_, other_number_of_names);
   for (std::size_t i = 0; i < sum_names.size(); ++i) sum_places_[sum_names[i]] = words_per_sum * i;
 }
 
-std::int64_t CheckpointReader::find_number(const std::string& name) const {
-  const auto found = numbers_.find(name);
-  if (found == numbers_.end()) refuse(path_, fmt::format("the checkpoint has no {} (this scene needs one)", name));
-  return found->second;
+void CheckpointReader::place_numbers(const std::vector<std::string>& names, const std::vector<std::int64_t>& counts) {
+  if (names.size() != counts.size()) refuse(path_, other_number_of_names);
+  number_places_.clear();
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t left = numbers_.size() - first;
+    if (counts[i] < 0 || static_cast<std::uint64_t>(counts[i]) > left) refuse(path_, other_number_of_names);
+    number_places_[names[i]] = {first, static_cast<std::size_t>(counts[i])};
+    first += static_cast<std::size_t>(counts[i]);
+  }
+  if (first != numbers_.size()) refuse(path_, other_number_of_names);
 }
 
-void CheckpointReader::number(const std::string& name, double& value) {
-  value = std::bit_cast<double>(find_number(name));
-  if (!std::isfinite(value)) refuse_value(name);
+void CheckpointReader::words(const std::string& name, std::span<std::int64_t> values) {
+  const auto found = number_places_.find(name);
+  if (found == number_places_.end())
+    refuse(path_, fmt::format("the checkpoint has no {} (this scene needs one)", name));
+  const Place& place = found->second;
+  if (place.count != values.size())
+    refuse(path_,
+           fmt::format("{} has {} values in the checkpoint (this scene has {})", name, place.count, values.size()));
+  std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, values.begin());
 }
-void CheckpointReader::number(const std::string& name, std::int64_t& value) { value = find_number(name); }
 
 void CheckpointReader::sum(const std::string& name, ExactSum& value) {
   const auto found = sum_places_.find(name);

@@ -186,13 +186,10 @@ void CheckpointWriter::rows(const std::string& name, const ChunkRows& rows, int 
   write_rows<std::int64_t>(name, rows, components, values);
 }
 
-void CheckpointWriter::number(const std::string& name, double& value) {
+void CheckpointWriter::words(const std::string& name, std::span<std::int64_t> values) {
   number_names_.push_back(name);
-  numbers_.push_back(std::bit_cast<std::int64_t>(value));
-}
-void CheckpointWriter::number(const std::string& name, std::int64_t& value) {
-  number_names_.push_back(name);
-  numbers_.push_back(value);
+  number_counts_.push_back(static_cast<std::int64_t>(values.size()));
+  numbers_.insert(numbers_.end(), values.begin(), values.end());
 }
 
 void CheckpointWriter::sum(const std::string& name, ExactSum& value) {
@@ -212,9 +209,10 @@ void CheckpointWriter::write_numbers() {
   for (const auto* list : {&number_names_, &sum_names_}) {
     for (const std::string& name : *list) longest = std::max<std::uint64_t>(longest, name.size());
   }
-  reserve(4 * metadata_bytes + 8 * (numbers_.size() + sums_.size()) +
+  reserve(5 * metadata_bytes + 8 * (number_counts_.size() + numbers_.size() + sums_.size()) +
           longest * (number_names_.size() + sum_names_.size()));
   texts(names::number_names, number_names_);
+  write_once<std::int64_t>(group + names::number_counts, number_counts_);
   write_once<std::int64_t>(group + names::numbers, numbers_);
   texts(names::sum_names, sum_names_);
   write_once<std::int64_t>(group + names::sums, sums_);

@@ -192,12 +192,8 @@ void ConstraintStage::follow_contact(State& state, const StepTimes& times, const
 }
 
 void ConstraintStage::archive(CheckpointArchive& archive, State& state) {
-  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
-    Vector3<double>& force = state.constraints[c].force;
-    double values[] = {force.x, force.y, force.z};
-    archive.numbers(fmt::format("constraints/{}", c), values);
-    force = {values[0], values[1], values[2]};
-  }
+  archive.each("constraints", state.constraints,
+               [](ConstraintState& c, const auto& take) { take(c.force.x, c.force.y, c.force.z); });
   archive.number("books/equal_work", state.books.equal_work);
 }
 

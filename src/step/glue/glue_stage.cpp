@@ -211,13 +211,7 @@ void GlueStage::limit_step(const State& state, StepBound& bound) const {
 
 void GlueStage::archive(CheckpointArchive& archive, State& state) {
   archive.numbers("glue/damage", state.glue_damage);
-  for (std::size_t p = 0; p < state.glue_arms.size(); ++p) {
-    Point3& arm = state.glue_arms[p];
-    if (!has_arm(model_.glue.points[p].arm)) continue;
-    double values[] = {arm.x, arm.y, arm.z};
-    archive.numbers(fmt::format("glue/arm/{}", p), values);
-    arm = {values[0], values[1], values[2]};
-  }
+  archive.each("glue/arms", state.glue_arms, [](Point3& arm, const auto& take) { take(arm.x, arm.y, arm.z); });
   archive.number("books/glue_work", state.books.glue_work);
   archive.number("books/glue_dissipated", state.books.glue_dissipated);
   archive.number("books/glue_failed", state.books.glue_failed);

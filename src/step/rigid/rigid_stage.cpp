@@ -35,44 +35,6 @@ double find_kinetic_energy(const Model& model, const std::vector<RigidState>& bo
                   joint.name, state.step + 1, state.time));
 }
 
-void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    RigidState& s = bodies[b];
-    Orientation& q = s.orientation;
-    double values[] = {s.center.x,
-                       s.center.y,
-                       s.center.z,
-                       q.w,
-                       q.x,
-                       q.y,
-                       q.z,
-                       s.velocity.x,
-                       s.velocity.y,
-                       s.velocity.z,
-                       s.spin_momentum.x,
-                       s.spin_momentum.y,
-                       s.spin_momentum.z,
-                       s.spin.x,
-                       s.spin.y,
-                       s.spin.z};
-    archive.numbers(fmt::format("bodies/{}", b), values);
-    s = {{values[0], values[1], values[2]},
-         {values[3], values[4], values[5], values[6]},
-         {values[7], values[8], values[9]},
-         {values[10], values[11], values[12]},
-         {values[13], values[14], values[15]}};
-  }
-}
-
-void archive_joints(CheckpointArchive& archive, std::vector<JointState>& joints) {
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    JointState& s = joints[j];
-    double values[] = {s.force.x, s.force.y, s.force.z, s.moment.x, s.moment.y, s.moment.z};
-    archive.numbers(fmt::format("joints/{}", j), values);
-    s = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
-  }
-}
-
 }  // namespace
 
 RigidStage::RigidStage(const Model& model, const std::vector<double>& damping, double end)
@@ -378,8 +340,13 @@ double RigidStage::largest_step(const State& state) const {
 }
 
 void RigidStage::archive(CheckpointArchive& archive, State& state) {
-  archive_bodies(archive, state.bodies);
-  archive_joints(archive, state.joints);
+  archive.each("bodies", state.bodies, [](RigidState& s, const auto& take) {
+    take(s.center.x, s.center.y, s.center.z, s.orientation.w, s.orientation.x, s.orientation.y, s.orientation.z);
+    for (Vector3<double>* const v : {&s.velocity, &s.spin_momentum, &s.spin}) take(v->x, v->y, v->z);
+  });
+  archive.each("joints", state.joints, [](JointState& s, const auto& take) {
+    take(s.force.x, s.force.y, s.force.z, s.moment.x, s.moment.y, s.moment.z);
+  });
 }
 
 }  // namespace percuss

@@ -122,14 +122,9 @@ void SpringStage::limit_step(const State& state, StepBound& bound) const {
 }
 
 void SpringStage::archive(CheckpointArchive& archive, State& state) {
-  for (std::size_t s = 0; s < state.springs.size(); ++s) {
-    SpringState& spring = state.springs[s];
-    double values[] = {spring.elongation, spring.elastic, spring.damping, spring.axis.x,
-                       spring.axis.y,     spring.axis.z,  spring.length};
-    archive.numbers(fmt::format("springs/{}", s), values);
-    archive.number(fmt::format("springs/{}/is_broken", s), spring.is_broken);
-    spring = {values[0], values[1], values[2], {values[3], values[4], values[5]}, values[6], spring.is_broken};
-  }
+  archive.each("springs", state.springs, [](SpringState& s, const auto& take) {
+    take(s.elongation, s.elastic, s.damping, s.axis.x, s.axis.y, s.axis.z, s.length, s.is_broken);
+  });
   archive.number("bound/spring", state.bound.spring);
   archive.number("books/spring_work", state.books.spring_work);
   archive.number("books/damper_work", state.books.damper_work);

@@ -239,13 +239,9 @@ void WeldStage::drop_vanished(State& state) {
 }
 
 void WeldStage::archive(CheckpointArchive& archive, State& state) {
-  for (std::size_t w = 0; w < state.welds.size(); ++w) {
-    WeldState& weld = state.welds[w];
-    double values[] = {weld.normal.x, weld.normal.y, weld.normal.z, weld.pull, weld.shear};
-    archive.numbers(fmt::format("welds/{}", w), values);
-    archive.number(fmt::format("welds/{}/is_broken", w), weld.is_broken);
-    weld = {{values[0], values[1], values[2]}, values[3], values[4], weld.is_broken};
-  }
+  archive.each("welds", state.welds, [](WeldState& w, const auto& take) {
+    take(w.normal.x, w.normal.y, w.normal.z, w.pull, w.shear, w.is_broken);
+  });
   archive.number("books/weld_work", state.books.weld_work);
 }
 

@@ -104,16 +104,10 @@ void TurnSpringStage::limit_step(const State& state, StepBound& bound) const {
 }
 
 void TurnSpringStage::archive(CheckpointArchive& archive, State& state) {
-  for (std::size_t s = 0; s < state.turn_springs.size(); ++s) {
-    TurnSpringState& spring = state.turn_springs[s];
-    double values[15];
-    const std::array<std::array<double, 3>*, 4> rows{&spring.angle, &spring.elastic, &spring.damping, &spring.friction};
-    for (std::size_t r = 0; r < 4; ++r) std::copy(rows[r]->begin(), rows[r]->end(), values + 3 * r);
-    for (int k = 0; k < 3; ++k) values[12 + k] = get(spring.moment, k);
-    archive.numbers(fmt::format("turn_springs/{}", s), values);
-    for (std::size_t r = 0; r < 4; ++r) std::copy_n(values + 3 * r, 3, rows[r]->begin());
-    spring.moment = {values[12], values[13], values[14]};
-  }
+  archive.each("turn_springs", state.turn_springs, [](TurnSpringState& s, const auto& take) {
+    for (std::size_t k = 0; k < 3; ++k) take(s.angle[k], s.elastic[k], s.damping[k], s.friction[k]);
+    take(s.moment.x, s.moment.y, s.moment.z);
+  });
   archive.number("books/turn_work", state.books.turn_work);
   archive.number("books/turn_loss", state.books.turn_loss);
 }
