@@ -3,6 +3,7 @@
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/embedded/embedded_stage.hpp"
+#include "src/step/forces/wall_motions.hpp"
 #include "src/step/glue/glue_stage.hpp"
 #include "src/step/loads/condition_stage.hpp"
 #include "src/step/loads/load_stage.hpp"
@@ -19,7 +20,8 @@ const std::vector<double> no_damping;
 }  // namespace
 
 // The order counts where two act at the same moment: conditions hold what damping has slowed down; rigid bodies have
-// their velocities before welds and constraints join their nodes, and bars in solids come last.
+// their velocities before welds and constraints join their nodes, and bars in solids come last. The columns of the
+// history have this order, too.
 Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact) {
   Actions actions;
   const auto add = [&](auto action) {
@@ -31,14 +33,16 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (!model.dampings.empty()) damping = &add(std::make_unique<DampingStage>(model))->coefficients();
   add(std::make_unique<ConditionStage>(model));
   if (model.rigid.any()) actions.rigid = add(std::make_unique<RigidStage>(model, *damping, deck.time.end));
-  if (model.welds.any()) add(std::make_unique<WeldStage>(model));
-  if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
-  if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
   if (model.springs.any()) add(std::make_unique<SpringStage>(model));
   if (!model.turn_springs.empty()) add(std::make_unique<TurnSpringStage>(model));
   if (model.glue.any()) add(std::make_unique<GlueStage>(deck, model, contact));
+  if (model.welds.any()) add(std::make_unique<WeldStage>(model));
+  if (model.constraints.any()) add(std::make_unique<ConstraintStage>(model));
+  if (model.embedded.any()) add(std::make_unique<EmbeddedStage>(chunked, model));
   add(std::make_unique<LoadStage>(deck, model));
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
+  add(std::make_unique<WallMotions>(deck, contact));
+  actions.sensors = add(std::make_unique<Sensors>(deck, model.ranks));
   actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact));
   actions.accelerometers = add(std::make_unique<Accelerometers>(deck, chunked, model));
   return actions;

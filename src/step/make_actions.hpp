@@ -9,6 +9,7 @@
 #include "src/step/forces/force_books.hpp"
 #include "src/step/model/action.hpp"
 #include "src/step/rigid/rigid_stage.hpp"
+#include "src/step/sensors/sensors.hpp"
 
 namespace percuss {
 
@@ -16,6 +17,7 @@ struct Actions {
   std::vector<std::unique_ptr<Action>> all;  // in their order
   // Of them, what others ask.
   const RigidStage* rigid = nullptr;  // null: no body is rigid
+  Sensors* sensors = nullptr;
   ForceBooks* forces = nullptr;
   Accelerometers* accelerometers = nullptr;
 };

@@ -30,6 +30,17 @@ void mirror_followers(const State& state, const Rows3<double>& start) {
       });
 }
 
+/// What list() gives of each action, one after the other.
+template <class Item, class List>
+std::vector<Item> join_lists(const std::vector<Action*>& actions, const List& list) {
+  std::vector<Item> all;
+  for (Action* const action : actions) {
+    const std::vector<Item> more = list(action);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -266,12 +277,23 @@ void Stepper::follow_contact(State& state, const StepTimes& times) {
 }
 
 std::vector<Warning> Stepper::take_warnings() {
-  std::vector<Warning> taken;
-  for (Action* const action : order_) {
-    const std::vector<Warning> more = action->take_warnings();
-    taken.insert(taken.end(), more.begin(), more.end());
-  }
-  return taken;
+  return join_lists<Warning>(order_, [](Action* action) { return action->take_warnings(); });
+}
+
+std::vector<Warning> Stepper::list_start_warnings() const {
+  return join_lists<Warning>(order_, [](const Action* action) { return action->list_start_warnings(); });
+}
+
+std::vector<std::string> Stepper::list_notes() const {
+  return join_lists<std::string>(order_, [](const Action* action) { return action->list_notes(); });
+}
+
+std::vector<HistoryColumn> Stepper::list_columns() const {
+  return join_lists<HistoryColumn>(order_, [](const Action* action) { return action->list_columns(); });
+}
+
+void Stepper::append_values(const State& state, std::vector<double>& row) {
+  for (Action* const action : order_) action->append_values(state, row);
 }
 
 /// The next step keeps to the bounds of the lighter elements.

@@ -83,6 +83,8 @@ class Stepper {
   Bookkeeper& bookkeeper() { return bookkeeper_; }
   ForceBooks& forces() { return *actions_.forces; }
   Accelerometers& accelerometers() { return *actions_.accelerometers; }
+  Sensors& sensors() { return *actions_.sensors; }
+  const Sensors& sensors() const { return *actions_.sensors; }
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
@@ -92,7 +94,11 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
-  /// Of the actions, since the last call; the same on all ranks.
+  // Of all actions (src/step/model/action.hpp).
+  std::vector<HistoryColumn> list_columns() const;
+  void append_values(const State& state, std::vector<double>& row);
+  std::vector<std::string> list_notes() const;
+  std::vector<Warning> list_start_warnings() const;
   std::vector<Warning> take_warnings();
   const ContactReport& contact_report() const { return report_; }
   /// Before the first step: energy in the springs of contact that a relaxation has left.

@@ -24,7 +24,6 @@
 #include "src/step/results/fields/frame_scene.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run_notes.hpp"
-#include "src/step/sensors/sensors.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "src/step/step.hpp"
 
@@ -92,7 +91,7 @@ struct StartState {
 
 /// What a run of the scene would warn of at its start. Collective.
 std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                                   const ContactStage& contact, const StartState& start) {
+                                   const Stepper& stepper, const ContactStage& contact, const StartState& start) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   const double bound = model.rigid.is_all ? start.state.next_dt : start.state.bound.step;
   const TieMeasures ties = contact.measure_ties();
@@ -102,7 +101,7 @@ std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked,
   log.add(deck.warnings);
   log.add(find_start_warnings(deck, chunked));
   log.add(check_input(scene));
-  log.add(model.welds.warnings);
+  log.add(stepper.list_start_warnings());
   log.add(start.warnings);
   log.add(check_start(scene));
   return log.list();
@@ -135,13 +134,10 @@ double find_undamped_step(const Deck& deck, const State& state, const Stepper& s
 }
 
 /// What the model tells of the scene.
-void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scene) {
+void add_notes(const ChunkedMesh& chunked, const Model& model, const Stepper& stepper, SceneReport& scene) {
   scene.mesh_notes = chunked.mesh.notes;
   for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
-  scene.spring_notes = model.springs.notes;
-  scene.spring_notes.insert(scene.spring_notes.end(), model.welds.notes.begin(), model.welds.notes.end());
-  scene.spring_notes.insert(scene.spring_notes.end(), model.constraints.notes.begin(), model.constraints.notes.end());
-  scene.spring_notes.insert(scene.spring_notes.end(), model.embedded.notes.begin(), model.embedded.notes.end());
+  scene.spring_notes = stepper.list_notes();
 }
 
 /// overlap: what contact says of it; empty: there is none.
@@ -153,13 +149,12 @@ void add_contact(const ContactStage& contact, const std::string& overlap, SceneR
 }
 
 /// Throws what files of stresses and sensors have wrong. Collective.
-StartState make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+StartState make_checked_state(const Deck& deck, const ChunkedMesh& chunked, const Model& model, Stepper& stepper) {
   StartState start{make_initial_state(model), {}};
   start.warnings = set_start_states(deck, chunked, model, start.state);
-  if (deck.sensors.empty()) return start;
-  Sensors sensors(deck, model.ranks);
-  sensors.find_columns(History::list_columns(deck, chunked, model));
-  start.state.happened = sensors.find_happened(0);
+  if (!stepper.sensors().any()) return start;
+  stepper.sensors().find_columns(History::list_columns({deck, chunked, stepper}));
+  start.state.happened = stepper.sensors().find_happened(0);
   return start;
 }
 
@@ -193,23 +188,23 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
-  StartState start = make_checked_state(deck, chunked, model);
+  Stepper stepper(deck, chunked, model, contact);
+  StartState start = make_checked_state(deck, chunked, model, stepper);
   State& state = start.state;
   contact.set_switches(state.happened);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   stage.show("finding the first step");
-  Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
   scene.controlling_element = name_controller(chunked, model, state, stepper);
   scene.undamped_step = find_undamped_step(deck, state, stepper);
-  add_notes(chunked, model, scene);
+  add_notes(chunked, model, stepper, scene);
   scene.field_outputs = find_sizes(deck, chunked, ranks);
   add_contact(contact, overlap, scene);
   stage.show("looking for suspicious input");
-  scene.warnings = list_warnings(deck, chunked, model, contact, start);
+  scene.warnings = list_warnings(deck, chunked, model, stepper, contact, start);
   check_relaxation(deck, chunked, model, contact);
   stage.clear();
   if (command.json)

@@ -197,4 +197,30 @@ void ConstraintStage::archive(CheckpointArchive& archive, State& state) {
   archive.number("books/equal_work", state.books.equal_work);
 }
 
+std::vector<HistoryColumn> ConstraintStage::list_columns() const {
+  std::vector<HistoryColumn> columns = {equal_work_column()};
+  for (const Constraint& constraint : model_.constraints.constraints) {
+    if (constraint.is_equation)
+      columns.push_back({"equation:" + constraint.name, dimensions::force,
+                         fmt::format("force of constraint '{}' on displacements of factor 1", constraint.name)});
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!constraint.equal[k]) continue;
+      columns.push_back({fmt::format("equal_{}:{}", "xyz"[k], constraint.name), dimensions::force,
+                         fmt::format("force in a direction of constraint '{}' in {}", constraint.name, "xyz"[k])});
+    }
+  }
+  return columns;
+}
+
+void ConstraintStage::append_values(const State& state, std::vector<double>& row) {
+  row.push_back(state.books.equal_work);
+  for (std::size_t c = 0; c < state.constraints.size(); ++c) {
+    const Vector3<double>& force = state.constraints[c].force;
+    const double along[] = {force.x, force.y, force.z};
+    if (model_.constraints.constraints[c].is_equation) row.push_back(force.x);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (model_.constraints.constraints[c].equal[k]) row.push_back(along[k]);
+  }
+}
+
 }  // namespace percuss

@@ -20,6 +20,9 @@ class ConstraintStage : public Action {
   /// Velocities at n+1/2 of constrained nodes, the forces that this takes, and their work.
   void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
   void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
+  std::vector<std::string> list_notes() const override { return model_.constraints.notes; }
   bool comes_between() const override { return true; }
 
  private:

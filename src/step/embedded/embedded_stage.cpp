@@ -67,4 +67,13 @@ void EmbeddedStage::archive(CheckpointArchive& archive, State& state) {
   if (!model_.constraints.any()) archive.number("books/equal_work", state.books.equal_work);
 }
 
+std::vector<HistoryColumn> EmbeddedStage::list_columns() const {
+  if (model_.constraints.any()) return {};
+  return {equal_work_column()};
+}
+
+void EmbeddedStage::append_values(const State& state, std::vector<double>& row) {
+  if (!model_.constraints.any()) row.push_back(state.books.equal_work);
+}
+
 }  // namespace percuss

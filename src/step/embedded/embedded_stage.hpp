@@ -22,6 +22,10 @@ class EmbeddedStage : public Action {
   void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
   void drop_vanished(State& state) override;
   void archive(CheckpointArchive& archive, State& state) override;
+  // Where there are constraints, too, these have the one column of work.
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
+  std::vector<std::string> list_notes() const override { return model_.embedded.notes; }
   bool comes_between() const override { return true; }
 
  private:

@@ -33,23 +33,6 @@ const FollowedPoint& find_node(const std::vector<FollowedPoint>& points, const s
 
 }  // namespace
 
-std::vector<HistoryColumn> list_accelerometer_columns(const Deck& deck) {
-  std::vector<HistoryColumn> columns;
-  for (const AccelerometerDeck& one : deck.output.accelerometers) {
-    for (const char axis : {'x', 'y', 'z'})
-      columns.push_back({fmt::format("local_a{}:{}", axis, one.name), acceleration,
-                         fmt::format("acceleration along {} of accelerometer '{}', in its moving axes, mean since the "
-                                     "row before",
-                                     axis, one.name)});
-    for (const char axis : {'x', 'y', 'z'})
-      columns.push_back({fmt::format("local_dv{}:{}", axis, one.name), dimensions::velocity,
-                         fmt::format("velocity change along {} of accelerometer '{}', in its moving axes, since the "
-                                     "start",
-                                     axis, one.name)});
-  }
-  return columns;
-}
-
 FoundAxes find_local_axes(const Vec3& origin, const Vec3& along_x, const Vec3& in_plane) {
   const Vec3 a = subtract(along_x, origin), b = subtract(in_plane, origin);
   const Vec3 normal = find_normal(a, b);
@@ -175,6 +158,28 @@ std::vector<double> Accelerometers::take(const State& state) {
     sums.last_row = time;
   }
   return row;
+}
+
+std::vector<HistoryColumn> Accelerometers::list_columns() const {
+  std::vector<HistoryColumn> columns;
+  for (const AccelerometerDeck& one : deck_.output.accelerometers) {
+    for (const char axis : {'x', 'y', 'z'})
+      columns.push_back({fmt::format("local_a{}:{}", axis, one.name), acceleration,
+                         fmt::format("acceleration along {} of accelerometer '{}', in its moving axes, mean since the "
+                                     "row before",
+                                     axis, one.name)});
+    for (const char axis : {'x', 'y', 'z'})
+      columns.push_back({fmt::format("local_dv{}:{}", axis, one.name), dimensions::velocity,
+                         fmt::format("velocity change along {} of accelerometer '{}', in its moving axes, since the "
+                                     "start",
+                                     axis, one.name)});
+  }
+  return columns;
+}
+
+void Accelerometers::append_values(const State& state, std::vector<double>& row) {
+  const std::vector<double> values = take(state);
+  row.insert(row.end(), values.begin(), values.end());
 }
 
 }  // namespace percuss

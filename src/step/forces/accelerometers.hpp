@@ -11,13 +11,9 @@
 
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
-#include "src/output/history_columns.hpp"
 #include "src/step/model/action.hpp"
 
 namespace percuss {
-
-/// The columns, accelerometer after accelerometer.
-std::vector<HistoryColumn> list_accelerometer_columns(const Deck& deck);
 
 /// Unit vectors along x, y and z.
 using LocalAxes = std::array<Vec3, 3>;
@@ -44,6 +40,9 @@ class Accelerometers : public Action {
   /// One that the checkpoint does not have begins with nothing at resume().
   void archive(CheckpointArchive& archive, State& state) override;
   void resume(const State& state) override;
+
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
 
   /// The values of a row of this state, the same on every rank.
   std::vector<double> take(const State& state);

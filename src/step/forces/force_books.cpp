@@ -53,28 +53,6 @@ void append_mean(const ContactImpulse& since, double per_time, bool is_contact, 
 
 }  // namespace
 
-std::vector<HistoryColumn> list_force_columns(const Deck& deck) {
-  std::vector<HistoryColumn> columns;
-  for (const ForceDeck& force : deck.output.forces) {
-    const std::string which = describe(force);
-    const auto add = [&](const std::string& name, const Dimension& dimension, const std::string& meaning) {
-      const bool is_moment = dimension == dimensions::energy;
-      columns.push_back({name + ":" + force.name, dimension, fmt::format("{} of '{}', {}", meaning, force.name, which),
-                         is_moment ? HistoryColumn::Kind::moment : HistoryColumn::Kind::by_dimension});
-    };
-    for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("f{}", axis), dimensions::force, fmt::format("force in {}", axis));
-    for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("m{}", axis), dimensions::energy, fmt::format("moment about {}", axis));
-    if (!force.is_of_contact()) continue;
-    add("normal", dimensions::force, "normal force");
-    add("tangential", dimensions::force, "friction force");
-    add("area", dimensions::area, "area of contact");
-    add("pressure", dimensions::stress, "largest contact pressure");
-  }
-  return columns;
-}
-
 ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
     : deck_(deck), ranks_(model.ranks), contact_(contact) {
   for (const ForceDeck& force : deck.output.forces) {
@@ -156,6 +134,33 @@ std::vector<double> ForceBooks::take(const State& state) {
     has_acted_[f] = static_cast<unsigned char>(has_acted_[f] != 0 || acts);
   }
   return row;
+}
+
+std::vector<HistoryColumn> ForceBooks::list_columns() const {
+  std::vector<HistoryColumn> columns;
+  for (const ForceDeck& force : deck_.output.forces) {
+    const std::string which = describe(force);
+    const auto add = [&](const std::string& name, const Dimension& dimension, const std::string& meaning) {
+      const bool is_moment = dimension == dimensions::energy;
+      columns.push_back({name + ":" + force.name, dimension, fmt::format("{} of '{}', {}", meaning, force.name, which),
+                         is_moment ? HistoryColumn::Kind::moment : HistoryColumn::Kind::by_dimension});
+    };
+    for (const char* axis : {"x", "y", "z"})
+      add(fmt::format("f{}", axis), dimensions::force, fmt::format("force in {}", axis));
+    for (const char* axis : {"x", "y", "z"})
+      add(fmt::format("m{}", axis), dimensions::energy, fmt::format("moment about {}", axis));
+    if (!force.is_of_contact()) continue;
+    add("normal", dimensions::force, "normal force");
+    add("tangential", dimensions::force, "friction force");
+    add("area", dimensions::area, "area of contact");
+    add("pressure", dimensions::stress, "largest contact pressure");
+  }
+  return columns;
+}
+
+void ForceBooks::append_values(const State& state, std::vector<double>& row) {
+  const std::vector<double> values = take(state);
+  row.insert(row.end(), values.begin(), values.end());
 }
 
 }  // namespace percuss

@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "src/contact/contact_stage.hpp"
-#include "src/output/history_columns.hpp"
 #include "src/step/forces/force_sources.hpp"
 #include "src/step/model/action.hpp"
 
 namespace percuss {
-
-/// The columns, force after force.
-std::vector<HistoryColumn> list_force_columns(const Deck& deck);
 
 class ForceBooks : public Action {
  public:
@@ -36,6 +32,9 @@ class ForceBooks : public Action {
   /// A force that the checkpoint does not have begins with nothing at resume().
   void archive(CheckpointArchive& archive, State& state) override;
   void resume(const State& state) override;
+
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
 
   /// The values of a row of this state: means since the last one. Collective; empty where the deck names no force.
   std::vector<double> take(const State& state);

@@ -224,4 +224,16 @@ void GlueStage::resume(const State& state) {
 
 std::vector<Warning> GlueStage::take_warnings() { return std::exchange(warnings_, {}); }
 
+std::vector<HistoryColumn> GlueStage::list_columns() const {
+  return {{"glue_work", dimensions::energy, "energy of cohesive ties, part of internal"},
+          {"glue_dissipated", dimensions::energy, "energy dissipated by cohesive ties, part of glue_work"},
+          {"glue_failed", dimensions::area, "failed area of cohesive ties"}};
+}
+
+void GlueStage::append_values(const State& state, std::vector<double>& row) {
+  row.push_back(state.books.glue_work);
+  row.push_back(state.books.glue_dissipated);
+  row.push_back(state.books.glue_failed);
+}
+
 }  // namespace percuss

@@ -25,6 +25,8 @@ class GlueStage : public Action {
   void add_forces(State& state, double time) override;
   void limit_step(const State& state, StepBound& bound) const override;
   void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
   void resume(const State& state) override;
   std::vector<Warning> take_warnings() override;
 

@@ -1,13 +1,15 @@
 #pragma once
 // What acts in a step besides elements and contact: loads, conditions, dampings, springs, welds, constraints, rigid
-// bodies, added mass; and what watches it: forces and accelerometers of the history.
+// bodies, added mass; and what watches it: moving walls, sensors, forces and accelerometers of the history.
 //
 // Each is an Action, which overrides the moments of a step at which it does something. The stepper calls them in the
 // order of make_actions() (src/step/make_actions.hpp), each moment for all of them before the next.
 
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "src/output/history_columns.hpp"
 #include "src/step/model/element_bounds.hpp"
 #include "src/step/model/state.hpp"
 #include "src/warning.hpp"
@@ -80,7 +82,17 @@ class Action {
   virtual void archive(CheckpointArchive& /*archive*/, State& /*state*/) {}
   /// After all of a checkpoint has been read.
   virtual void resume(const State& /*state*/) {}
-  /// Since the last call; the same on all ranks. Not collective.
+
+  // What it says. The same on all ranks; not collective but for append_values().
+
+  /// Its columns of history.csv.
+  virtual std::vector<HistoryColumn> list_columns() const { return {}; }
+  /// Their values at n, at the end of a row.
+  virtual void append_values(const State& /*state*/, std::vector<double>& /*row*/) {}
+  /// Before the first step: what is to be said of it, and what is suspicious of its input.
+  virtual std::vector<std::string> list_notes() const { return {}; }
+  virtual std::vector<Warning> list_start_warnings() const { return {}; }
+  /// Since the last call.
   virtual std::vector<Warning> take_warnings() { return {}; }
 
   // What the stepper may leave out.

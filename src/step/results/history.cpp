@@ -15,11 +15,8 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/files/atomic_file.hpp"
-#include "src/step/forces/accelerometers.hpp"
-#include "src/step/forces/force_books.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/fields/element_fields.hpp"
-#include "src/step/sensors/sensors.hpp"
 
 namespace percuss {
 
@@ -121,62 +118,46 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
                        fmt::format("state variable {} of '{}'", i, point.name), HistoryColumn::Kind::by_dimension});
 }
 
-std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
-                                        const Model& model, const Deck& deck) {
-  std::vector<HistoryColumn> columns = table.columns();
+std::vector<HistoryColumn> list_all_columns(const HistoryScene& scene, const std::vector<FollowedPoint>& points) {
+  const Deck& deck = scene.deck;
+  std::vector<HistoryColumn> columns = HistoryTable(deck).columns();
   const auto add = [&](const std::vector<HistoryColumn>& more) {
     columns.insert(columns.end(), more.begin(), more.end());
   };
   add(list_part_columns(find_booked_parts(deck)));
   add(list_motion_columns(deck));
   add(list_block_columns(deck));
-  add(list_body_columns(deck));
-  add(list_joint_columns(deck));
-  add(list_spring_columns(model.springs));
-  add(list_turn_spring_columns(model.turn_springs));
-  add(list_glue_columns(model.glue));
-  add(list_weld_columns(model.welds));
-  add(list_constraint_columns(model.constraints, model.constraints.any() || model.embedded.any()));
-  for (const std::string& name : name_moving_walls(deck)) {
-    columns.push_back({"wall_displacement:" + name, dimensions::length,
-                       fmt::format("displacement of wall '{}', along its normal or direction", name)});
-    columns.push_back({"wall_speed:" + name, dimensions::velocity,
-                       fmt::format("speed of wall '{}', along its normal or direction", name)});
-  }
-  add(list_sensor_columns(deck));
-  add(list_force_columns(deck));
-  add(list_accelerometer_columns(deck));
+  add(scene.stepper.list_columns());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
   return columns;
 }
 
 }  // namespace
 
-History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                 std::optional<std::int64_t> bytes)
-    : ranks_(find_ranks(chunked.mesh)),
-      table_(deck),
-      points_(find_history_points(deck, chunked)),
-      parts_(deck, chunked),
-      motions_(deck, chunked),
-      blocks_(deck, chunked),
-      has_sections_(has_sections(deck)),
-      scalars_(name_scalar_columns(deck)),
-      states_(count_state_variables(deck)) {
+History::History(const std::string& directory, const HistoryScene& scene, std::optional<std::int64_t> bytes)
+    : ranks_(find_ranks(scene.chunked.mesh)),
+      table_(scene.deck),
+      points_(find_history_points(scene.deck, scene.chunked)),
+      parts_(scene.deck, scene.chunked),
+      motions_(scene.deck, scene.chunked),
+      blocks_(scene.deck, scene.chunked),
+      has_sections_(has_sections(scene.deck)),
+      scalars_(name_scalar_columns(scene.deck)),
+      states_(count_state_variables(scene.deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || directory.empty()) return;
-    const std::vector<HistoryColumn> columns = percuss::list_columns(table_, points_, model, deck);
+    const std::vector<HistoryColumn> columns = list_all_columns(scene, points_);
     const std::string path = directory + "/history.csv";
     if (bytes)
       file_.emplace(path, name_columns(columns), *bytes);
     else
       file_.emplace(path, name_columns(columns));
-    write_file_atomically(directory + "/columns.json", format_columns(columns, deck.units), Durability::system);
+    write_file_atomically(directory + "/columns.json", format_columns(columns, scene.deck.units), Durability::system);
   });
 }
 
-std::vector<HistoryColumn> History::list_columns(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
-  return percuss::list_columns(HistoryTable(deck), find_history_points(deck, chunked), model, deck);
+std::vector<HistoryColumn> History::list_columns(const HistoryScene& scene) {
+  return list_all_columns(scene, find_history_points(scene.deck, scene.chunked));
 }
 
 void History::check_points(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
@@ -194,14 +175,11 @@ void History::check_points(const Deck& deck, const ChunkedMesh& chunked, const M
   }
 }
 
-void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                    std::int64_t bytes) {
-  const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
-  const Communicator ranks = find_ranks(chunked.mesh);
+void History::check(const std::string& directory, const HistoryScene& scene, std::int64_t bytes) {
+  const std::vector<HistoryColumn> columns = list_columns(scene);
+  const Communicator ranks = find_ranks(scene.chunked.mesh);
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0)
-      check_history_file(directory + "/history.csv",
-                         name_columns(percuss::list_columns(HistoryTable(deck), points, model, deck)), bytes);
+    if (ranks.rank() == 0) check_history_file(directory + "/history.csv", name_columns(columns), bytes);
   });
 }
 
@@ -298,17 +276,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   parts_.append(model, state, row);
   motions_.append(model, state, row);
   blocks_.append(model, state, row);
-  bodies_.append(model, state, row);
-  append_joints(model, state, row);
-  append_springs(model.springs, state, row);
-  append_turn_springs(model.turn_springs, state, row);
-  append_glue(model.glue, state, row);
-  append_welds(model.welds, state, row);
-  append_constraints(model.constraints, model.constraints.any() || model.embedded.any(), state, row);
-  row.insert(row.end(), sources.walls.begin(), sources.walls.end());
-  for (const char happened : state.happened) row.push_back(happened);
-  row.insert(row.end(), sources.forces.begin(), sources.forces.end());
-  row.insert(row.end(), sources.accelerations.begin(), sources.accelerations.end());
+  sources.stepper.append_values(state, row);
   gather_points(model, state, row);
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);

@@ -11,29 +11,32 @@
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/audit/part_motions.hpp"
 #include "src/step/model/followed_points.hpp"
-#include "src/step/results/body_columns.hpp"
 #include "src/step/results/history_table.hpp"
-#include "src/step/results/spring_columns.hpp"
 
 namespace percuss {
+
+/// What the columns follow from.
+struct HistoryScene {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  const Stepper& stepper;
+};
 
 class History {
  public:
   /// Without a directory the rows are made and not written. Else creates history.csv and columns.json in the directory,
   /// or goes on with the history.csv of an earlier run behind its first `bytes`: rank 0 writes. Collective. Throws
   /// SystemError, InputError, the same on all ranks.
-  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-          std::optional<std::int64_t> bytes = std::nullopt);
+  History(const std::string& directory, const HistoryScene& scene, std::optional<std::int64_t> bytes = std::nullopt);
 
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
-  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                    std::int64_t bytes);
+  static void check(const std::string& directory, const HistoryScene& scene, std::int64_t bytes);
 
   /// Throws InputError, on all ranks, for a point of the deck that the mesh does not have. Collective.
   static void check_points(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-  /// The columns of a deck. Collective.
-  static std::vector<HistoryColumn> list_columns(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+  /// Collective.
+  static std::vector<HistoryColumn> list_columns(const HistoryScene& scene);
 
   /// The last row, on rank 0.
   const std::vector<double>& row() const { return row_; }
@@ -60,7 +63,6 @@ class History {
   PartEnergies parts_;
   PartMotions motions_;
   BlockEnergies blocks_;
-  BodyColumns bodies_;
   bool has_sections_ = false;           // whether followed elements have the columns of beams
   std::vector<HistoryScalar> scalars_;  // columns of followed elements that only some materials fill
   int states_;                          // state variables of users' laws, likewise

@@ -15,12 +15,10 @@ struct HistorySources {
   const State& state;
   const AuditResult& audit;
   const ContactReport& contact;
-  const Vec3& wall_force;                    // used only with walls
-  const std::vector<double>& pair_work;      // ContactStage::sum_pair_work()
-  const std::vector<double>& walls;          // ContactStage::list_wall_motions()
-  const std::vector<double>& forces;         // ForceBooks::take()
-  const std::vector<double>& accelerations;  // Accelerometers::take()
-  bool is_approach_limiting = false;         // Stepper::find_limiting_approach()
+  const Vec3& wall_force;                // used only with walls
+  const std::vector<double>& pair_work;  // ContactStage::sum_pair_work()
+  Stepper& stepper;                      // whose actions have columns
+  bool is_approach_limiting = false;     // Stepper::find_limiting_approach()
 };
 
 /// The columns of a deck, without those of parts and followed points.

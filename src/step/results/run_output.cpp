@@ -22,11 +22,12 @@ LaterStates keep_lost(LaterStates states, const SavedState& from, const SavedSta
 }  // namespace
 
 RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const ContactStage& contact,
-                     std::string directory)
+                     Stepper& stepper, std::string directory)
     : deck_(deck),
       chunked_(chunked),
       model_(model),
       contact_(contact),
+      stepper_(stepper),
       directory_(std::move(directory)),
       rows_(deck.output.history_every) {
   for (const FieldsDeck* const fields : deck.output.list_fields())
@@ -34,12 +35,12 @@ RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& 
 }
 
 void RunOutput::create() {
-  if (wants_rows()) history_.emplace(directory_, deck_, chunked_, model_);
+  if (wants_rows()) history_.emplace(directory_, history_scene());
   for (FieldOutput& fields : fields_) fields.create();
 }
 
 void RunOutput::check_earlier() const {
-  if (wants_rows() && history_bytes_ != no_file) History::check(directory_, deck_, chunked_, model_, history_bytes_);
+  if (wants_rows() && history_bytes_ != no_file) History::check(directory_, history_scene(), history_bytes_);
   for (const FieldOutput& fields : fields_) fields.check_earlier();
 }
 
@@ -57,22 +58,19 @@ CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& e
 
 void RunOutput::go_on() {
   if (wants_rows() && history_bytes_ != no_file) {
-    history_.emplace(directory_, deck_, chunked_, model_, history_bytes_);
+    history_.emplace(directory_, history_scene(), history_bytes_);
   } else if (wants_rows()) {
-    history_.emplace(directory_, deck_, chunked_, model_);
+    history_.emplace(directory_, history_scene());
   }
   for (FieldOutput& fields : fields_) fields.go_on();
 }
 
-void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper& stepper) {
+void RunOutput::write_row(const State& state, const AuditResult& audit) {
   if (!history_ || last_row_ == state.step) return;
-  const Vec3 wall_force = stepper.find_wall_force();
+  const Vec3 wall_force = stepper_.find_wall_force();
   const std::vector<double> pair_work = contact_.sum_pair_work();
-  const std::vector<double> walls = contact_.list_wall_motions();
-  const std::vector<double> forces = stepper.forces().take(state);
-  const std::vector<double> accelerations = stepper.accelerometers().take(state);
-  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, walls, forces, accelerations,
-                           stepper.find_limiting_approach(state) != nullptr});
+  history_->write(model_, {state, audit, stepper_.contact_report(), wall_force, pair_work, stepper_,
+                           stepper_.find_limiting_approach(state) != nullptr});
   last_row_ = state.step;
 }
 

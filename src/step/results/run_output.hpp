@@ -24,7 +24,7 @@ class RunOutput {
  public:
   /// directory: empty: nothing is written. The others outlive this.
   RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const ContactStage& contact,
-            std::string directory);
+            Stepper& stepper, std::string directory);
 
   /// Makes new files. Throws SystemError, InputError, the same on all ranks, as everything below.
   void create();
@@ -50,7 +50,7 @@ class RunOutput {
   std::vector<double> last_row() const { return history_ ? history_->row() : std::vector<double>(); }
 
   /// Writes the state, unless it was written.
-  void write_row(const State& state, const AuditResult& audit, Stepper& stepper);
+  void write_row(const State& state, const AuditResult& audit);
   /// A frame of each output, or of those that are due.
   void write_frames(const State& state);
   void write_due_frames(const State& state);
@@ -78,6 +78,7 @@ class RunOutput {
   static constexpr std::int64_t no_file = -1;
 
   bool wants_rows() const { return (!directory_.empty() || !deck_.sensors.empty()) && rows_.is_set(); }
+  HistoryScene history_scene() const { return {deck_, chunked_, stepper_}; }
   template <class IsWanted>
   void write_some_frames(const State& state, const IsWanted& is_wanted);
 
@@ -85,6 +86,7 @@ class RunOutput {
   const ChunkedMesh& chunked_;
   const Model& model_;
   const ContactStage& contact_;
+  Stepper& stepper_;
   const std::string directory_;
   std::list<FieldOutput> fields_;  // output.fields first
   std::optional<History> history_;

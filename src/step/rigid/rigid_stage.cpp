@@ -349,4 +349,16 @@ void RigidStage::archive(CheckpointArchive& archive, State& state) {
   });
 }
 
+std::vector<HistoryColumn> RigidStage::list_columns() const {
+  std::vector<HistoryColumn> columns = list_body_columns(model_.rigid);
+  const std::vector<HistoryColumn> of_joints = list_joint_columns(model_.rigid);
+  columns.insert(columns.end(), of_joints.begin(), of_joints.end());
+  return columns;
+}
+
+void RigidStage::append_values(const State& state, std::vector<double>& row) {
+  columns_.append(model_, state, row);
+  append_joints(model_, state, row);
+}
+
 }  // namespace percuss

@@ -9,6 +9,7 @@
 
 #include "kernels/contact/rows/row_bodies.hpp"
 #include "src/step/model/action.hpp"
+#include "src/step/rigid/body_columns.hpp"
 #include "src/step/rigid/joint_solver.hpp"
 #include "src/step/rigid/rigid_forces.hpp"
 
@@ -46,6 +47,8 @@ class RigidStage : public Action {
 
   void set_switches(State& state) override;
   void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
   bool comes_between() const override { return true; }
   std::vector<Warning> take_warnings() override { return std::exchange(warnings_, {}); }
 
@@ -76,6 +79,7 @@ class RigidStage : public Action {
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;
   BodyInputs inputs_;
+  BodyColumns columns_;
   std::vector<Warning> warnings_;
 };
 

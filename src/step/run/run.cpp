@@ -51,8 +51,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       stepper_(deck, chunked_, model_, contact_),
       erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
-      output_(deck, chunked_, model_, contact_, options.out_dir),
-      sensors_(deck, ranks_),
+      output_(deck, chunked_, model_, contact_, stepper_, options.out_dir),
       checkpoints_(deck, options.out_dir, options.allows_external_files),
       mesh_pieces_(list_mesh_pieces(deck, chunked_, ranks_)),
       requests_(ranks_.rank() == 0 ? options.out_dir : ""),
@@ -63,13 +62,13 @@ Run::Run(const Deck& deck, const RunOptions& options)
   warnings_.print_over(*progress_);
   warnings_.add(find_start_warnings(deck_, chunked_));
   warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
-  warnings_.add(model_.welds.warnings);
+  warnings_.add(stepper_.list_start_warnings());
   warnings_.end_input();
   say(chunked_.mesh.notes);
   say(describe_joints(chunked_.mesh));
   say(model_.mass_notes);
   say(describe_added_masses(model_));
-  if (sensors_.any()) sensors_.find_columns(History::list_columns(deck_, chunked_, model_));
+  if (stepper_.sensors().any()) stepper_.sensors().find_columns(History::list_columns({deck_, chunked_, stepper_}));
   if (options.restart.empty()) {
     begin();
   } else {
@@ -131,7 +130,7 @@ void Run::restart() {
                     deck_.file, deck_.time.end, state_.time));
   }
   complete_state(chunked_, model_, state_);
-  if (sensors_.any()) switch_contact();
+  if (stepper_.sensors().any()) switch_contact();
   compute_start_ = compute_seconds();
   call_user_code(RunMoment::start_of_analysis);
   call_user_code(RunMoment::start_of_step);
@@ -192,7 +191,7 @@ void Run::check_removals() const {
 
 bool Run::is_finished() const {
   return deck_.time.end - state_.time <= 1e-12 * deck_.time.end ||
-         (deck_.time.max_steps && state_.step >= *deck_.time.max_steps) || sensors_.ends_run(state_.time);
+         (deck_.time.max_steps && state_.step >= *deck_.time.max_steps) || stepper_.sensors().ends_run(state_.time);
 }
 
 void Run::loop() {
@@ -334,12 +333,12 @@ void Run::audit() {
 /// that it shows what grew; a frame only after.
 void Run::observe() {
   const bool is_asked = stepper_.is_frame_agreed();
-  const bool row_due = output_.is_row_due(state_.time) || (is_asked && !sensors_.any()),
+  const bool row_due = output_.is_row_due(state_.time) || (is_asked && !stepper_.sensors().any()),
              frame_due = output_.is_frame_due(state_.time) || is_asked;
   if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return look_by_sensors(false);
   audit();
   const Phase phase("percuss::output", stepper_.clocks().output);
-  if (row_due) output_.write_row(state_, audited_, stepper_);
+  if (row_due) output_.write_row(state_, audited_);
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
   if (is_asked)
@@ -373,7 +372,7 @@ void Run::observe_last() {
   audit();
   if (contact_.is_active() && !warnings_.has_told_gain()) note_contact_gain(true);
   const Phase phase("percuss::output", stepper_.clocks().output);
-  output_.write_row(state_, audited_, stepper_);
+  output_.write_row(state_, audited_);
   look_at_corners();
   warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
@@ -392,17 +391,13 @@ void Run::archive(CheckpointArchive& archive) {
   if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
   stepper_.archive(archive);
   audit_.archive(archive);
-  sensors_.archive(archive);
-  if (archive.is_loading() && sensors_.any()) {
-    state_.happened = sensors_.find_happened(state_.time);
-    stepper_.set_switches(state_);
-  }
+  if (archive.is_loading() && stepper_.sensors().any()) stepper_.set_switches(state_);
   output_.archive(archive, state_.time);
   archive.number("run/first_dt", first_dt_);
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
-  if (model_.springs.any() || !model_.turn_springs.empty()) archive.number("run/limiting_spring", limiting_spring_);
+  archive.number("run/limiting_spring", limiting_spring_);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
   archive_relaxation(archive);

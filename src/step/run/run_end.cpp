@@ -36,8 +36,8 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   if (model_.springs.has(limiting_spring_)) summary.dt.spring = model_.springs.springs[at(limiting_spring_)].name;
   summary.dt.approach = limiting_approach_;
   summary.loop_s = find_seconds(loop_start_);
-  if (status == "completed" && sensors_.ends_run(state_.time)) summary.ended_by = deck_.time.until;
-  for (const SensorEvent& event : sensors_.list_events(state_.time))
+  if (status == "completed" && stepper_.sensors().ends_run(state_.time)) summary.ended_by = deck_.time.until;
+  for (const SensorEvent& event : stepper_.sensors().list_events(state_.time))
     summary.sensors.push_back({event.sensor, event.time, event.value});
   summary.warnings = warnings_.list();
   fill_summary(summed(), summary);
@@ -128,7 +128,7 @@ void Run::note_lost_frames() {
 /// The state in which a run failed, if it can be looked at: a row and a frame more.
 void Run::write_failed_state() {
   if (!is_state_whole_) return;
-  output_.write_row(state_, audit_(state_, contact_.find_wall_energy()), stepper_);
+  output_.write_row(state_, audit_(state_, contact_.find_wall_energy()));
   note_lost_frames();
   output_.write_kept_frames(state_);
   if (!has_finite_positions(model_, state_)) return;

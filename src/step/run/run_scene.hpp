@@ -109,7 +109,6 @@ class Run {
   AuditResult audited_;
   long audited_step_ = -1;
   RunOutput output_;
-  Sensors sensors_;
   RunCheckpoints checkpoints_;
   const std::vector<std::string> mesh_pieces_;  // for its checkpoints (mesh_pieces.hpp)
   FolderRequests requests_;

@@ -9,8 +9,8 @@ namespace percuss {
 
 /// What has happened at time 0 acts from the start on.
 void Run::start_sensors() {
-  if (!sensors_.any()) return;
-  const std::vector<char> happened = sensors_.find_happened(state_.time);
+  if (!stepper_.sensors().any()) return;
+  const std::vector<char> happened = stepper_.sensors().find_happened(state_.time);
   tell_events(happened);
   state_.happened = happened;
   set_held_directions(model_, state_);
@@ -19,9 +19,9 @@ void Run::start_sensors() {
 
 /// Sensors see rows of the history that are due, and no other: whoever asks for a frame does not change the run.
 void Run::look_by_sensors(bool has_new_row) {
-  if (!sensors_.any()) return;
-  if (has_new_row && output_.has_rows()) sensors_.look(state_.time, output_.last_row());
-  const std::vector<char> happened = sensors_.find_happened(state_.time);
+  if (!stepper_.sensors().any()) return;
+  if (has_new_row && output_.has_rows()) stepper_.sensors().look(state_.time, output_.last_row());
+  const std::vector<char> happened = stepper_.sensors().find_happened(state_.time);
   if (happened == state_.happened) return;
   tell_events(happened);
   stepper_.switch_now(state_, happened);

@@ -7,6 +7,7 @@
 
 #include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 
 namespace percuss {
 namespace {
@@ -105,7 +106,7 @@ std::vector<SensorEvent> Sensors::list_events(double time) const {
   return events;
 }
 
-void Sensors::archive(CheckpointArchive& archive) {
+void Sensors::archive(CheckpointArchive& archive, State& scene) {
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const std::string name = "sensors/" + deck_.sensors[s].name;
     SensorState& state = states_[s];
@@ -115,14 +116,19 @@ void Sensors::archive(CheckpointArchive& archive) {
     archive.number(name + "/event", state.event);
     archive.number(name + "/value", state.value);
   }
+  if (archive.is_loading() && any()) scene.happened = find_happened(scene.time);
 }
 
-std::vector<HistoryColumn> list_sensor_columns(const Deck& deck) {
+std::vector<HistoryColumn> Sensors::list_columns() const {
   std::vector<HistoryColumn> columns;
-  for (const SensorDeck& sensor : deck.sensors)
+  for (const SensorDeck& sensor : deck_.sensors)
     columns.push_back(
         {"sensor:" + sensor.name, {}, fmt::format("state of sensor '{}', 1 once it has acted, else 0", sensor.name)});
   return columns;
+}
+
+void Sensors::append_values(const State& state, std::vector<double>& row) {
+  row.insert(row.end(), state.happened.begin(), state.happened.end());
 }
 
 }  // namespace percuss

@@ -7,8 +7,7 @@
 
 #include "comm/communicator.hpp"
 #include "src/deck/deck.hpp"
-#include "src/output/checkpoint/checkpoint_archive.hpp"
-#include "src/output/history_columns.hpp"
+#include "src/step/model/action.hpp"
 
 namespace percuss {
 
@@ -19,7 +18,7 @@ struct SensorEvent {
   double value = 0;  // that it saw; of a time, that
 };
 
-class Sensors {
+class Sensors : public Action {
  public:
   /// deck and ranks outlive this.
   Sensors(const Deck& deck, const Communicator& ranks) : deck_(deck), ranks_(ranks), states_(deck.sensors.size()) {}
@@ -42,7 +41,12 @@ class Sensors {
   /// The events so far, in the order of the deck; one whose delay is not over yet among them.
   std::vector<SensorEvent> list_events(double time) const;
 
-  void archive(CheckpointArchive& archive);
+  /// Loading: what has happened, too.
+  void archive(CheckpointArchive& archive, State& scene) override;
+
+  /// Whether each has happened.
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
 
  private:
   static constexpr double never = -1;
@@ -60,8 +64,5 @@ class Sensors {
   std::vector<SensorState> states_;
   std::vector<std::vector<std::size_t>> columns_;  // [sensors] places of its columns: of a distance, six
 };
-
-/// Columns of the history: whether each sensor has happened.
-std::vector<HistoryColumn> list_sensor_columns(const Deck& deck);
 
 }  // namespace percuss

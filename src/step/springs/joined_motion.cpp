@@ -4,6 +4,11 @@
 
 namespace percuss {
 
+HistoryColumn equal_work_column() {
+  return {"equal_work", dimensions::energy,
+          "work of constraints on their nodes, also of embedded ones, taken from the viscous energy"};
+}
+
 void book_joined_work(const GatheredRows<NodeRow>& rows, const std::vector<JoinedMotion>& outcomes, State& state) {
   double work = 0, of_contact = 0;
   for (std::size_t n = 0; 3 * n < outcomes.size(); ++n) {

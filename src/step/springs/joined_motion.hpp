@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "src/output/history_columns.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
@@ -11,6 +12,9 @@ namespace percuss {
 struct JoinedMotion {
   double velocity = 0, impulse = 0;
 };
+
+/// Of the history: Books::equal_work.
+HistoryColumn equal_work_column();
 
 /// Work with the mean of the velocities before and after the step. Contact has counted its own with the velocities
 /// that the constraints then changed. outcomes: [nodes][3].

@@ -10,6 +10,18 @@
 #include "src/step/springs/node_mobility.hpp"
 
 namespace percuss {
+namespace {
+
+/// 0: none; from 1 on: a spring by its place among those with columns; below 0: one without, by that of its entry.
+double number_limiting_spring(const SpringModel& springs, std::int64_t limiting) {
+  if (!springs.has(limiting)) return 0;
+  const auto at = springs.springs.begin() + static_cast<std::ptrdiff_t>(limiting);
+  if (!at->has_columns) return -1 - at->law;
+  return 1 +
+         static_cast<double>(std::count_if(springs.springs.begin(), at, [](const Spring& s) { return s.has_columns; }));
+}
+
+}  // namespace
 
 SpringStage::SpringStage(const Model& model)
     : model_(model),
@@ -128,6 +140,31 @@ void SpringStage::archive(CheckpointArchive& archive, State& state) {
   archive.number("bound/spring", state.bound.spring);
   archive.number("books/spring_work", state.books.spring_work);
   archive.number("books/damper_work", state.books.damper_work);
+}
+
+std::vector<HistoryColumn> SpringStage::list_columns() const {
+  std::vector<HistoryColumn> columns = {{"spring_work", dimensions::energy, "energy of springs, part of internal"},
+                                        {"damper_work", dimensions::energy, "energy taken by dampers, part of viscous"},
+                                        {"dt_spring", {}, "spring that limits the next step, 0 where an element does"}};
+  for (const Spring& spring : model_.springs.springs) {
+    if (!spring.has_columns) continue;
+    columns.push_back({"spring_force:" + spring.name, dimensions::force,
+                       fmt::format("force of spring '{}', positive in tension, its damper included", spring.name)});
+    columns.push_back({"spring_elongation:" + spring.name, dimensions::length,
+                       fmt::format("elongation of spring '{}'", spring.name)});
+  }
+  return columns;
+}
+
+void SpringStage::append_values(const State& state, std::vector<double>& row) {
+  row.push_back(state.books.spring_work);
+  row.push_back(state.books.damper_work);
+  row.push_back(number_limiting_spring(model_.springs, state.bound.spring));
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    if (!model_.springs.springs[s].has_columns) continue;
+    row.push_back(state.springs[s].force());
+    row.push_back(state.springs[s].elongation);
+  }
 }
 
 }  // namespace percuss

@@ -25,6 +25,11 @@ class SpringStage : public Action {
   void add_forces(State& state, double time) override;
   void limit_step(const State& state, StepBound& bound) const override;
   void archive(CheckpointArchive& archive, State& state) override;
+  /// Work of all springs and dampers, which spring limits the step, then force and elongation, spring after spring, of
+  /// those with Spring::has_columns.
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
+  std::vector<std::string> list_notes() const override { return model_.springs.notes; }
 
  private:
   using NodeRow = ForcedRow<true>;

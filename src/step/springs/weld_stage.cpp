@@ -251,4 +251,29 @@ std::vector<Warning> WeldStage::take_warnings() {
   return taken;
 }
 
+std::vector<HistoryColumn> WeldStage::list_columns() const {
+  std::vector<HistoryColumn> columns = {
+      {"weld_work", dimensions::energy, "work of welds on their nodes, taken from the viscous energy"},
+      {"welds_failed", {}, "number of welds that have failed"}};
+  for (const Weld& weld : model_.welds.welds) {
+    if (!weld.has_columns) continue;
+    columns.push_back({"weld_normal:" + weld.name, dimensions::force,
+                       fmt::format("force of weld '{}' along its normal, positive in tension", weld.name)});
+    columns.push_back({"weld_shear:" + weld.name, dimensions::force,
+                       fmt::format("magnitude of the force of weld '{}' across its normal", weld.name)});
+  }
+  return columns;
+}
+
+void WeldStage::append_values(const State& state, std::vector<double>& row) {
+  row.push_back(state.books.weld_work);
+  row.push_back(static_cast<double>(std::count_if(state.welds.begin(), state.welds.end(),
+                                                  [](const WeldState& weld) { return weld.is_broken != 0; })));
+  for (std::size_t i = 0; i < state.welds.size(); ++i) {
+    if (!model_.welds.welds[i].has_columns) continue;
+    row.push_back(state.welds[i].pull);
+    row.push_back(state.welds[i].shear);
+  }
+}
+
 }  // namespace percuss

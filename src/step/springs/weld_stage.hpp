@@ -22,6 +22,10 @@ class WeldStage : public Action {
   void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
   void drop_vanished(State& state) override;
   void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
+  std::vector<std::string> list_notes() const override { return model_.welds.notes; }
+  std::vector<Warning> list_start_warnings() const override { return model_.welds.warnings; }
   std::vector<Warning> take_warnings() override;
   bool comes_between() const override { return true; }
 
@@ -31,7 +35,7 @@ class WeldStage : public Action {
  private:
   void gather(const State& state);
   std::array<WeldNode, 2> find_ends(const Weld& weld) const;
-  void join_one(std::size_t weld, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends);
+  void join_one(std::size_t index, double dt, WeldImpulse& impulse, std::array<WeldNode, 2>& ends);
   double solve(const State& state, double dt);
   double solve_once(const State& state, double dt);
   void warn_of_unsettled(double time);

@@ -112,4 +112,36 @@ void TurnSpringStage::archive(CheckpointArchive& archive, State& state) {
   archive.number("books/turn_loss", state.books.turn_loss);
 }
 
+std::vector<HistoryColumn> TurnSpringStage::list_columns() const {
+  std::vector<HistoryColumn> columns = {
+      {"turn_work", dimensions::energy, "energy of turn springs and their stops, part of internal"},
+      {"turn_loss", dimensions::energy, "energy taken by dampers and friction of turn springs, part of viscous"}};
+  for (const TurnSpring& spring : model_.turn_springs) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!spring.laws[k]) continue;
+      columns.push_back({fmt::format("turn_angle_{}:{}", "xyz"[k], spring.name),
+                         {},
+                         fmt::format("angle about {} of turn spring '{}', of its second body", "xyz"[k], spring.name)});
+      columns.push_back(
+          {fmt::format("turn_moment_{}:{}", "xyz"[k], spring.name), dimensions::energy,
+           fmt::format("moment about {} of turn spring '{}', against a positive angle", "xyz"[k], spring.name),
+           HistoryColumn::Kind::moment});
+    }
+  }
+  return columns;
+}
+
+void TurnSpringStage::append_values(const State& state, std::vector<double>& row) {
+  row.push_back(state.books.turn_work);
+  row.push_back(state.books.turn_loss);
+  for (std::size_t s = 0; s < state.turn_springs.size(); ++s) {
+    const TurnSpringState& now = state.turn_springs[s];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!model_.turn_springs[s].laws[k]) continue;
+      row.push_back(now.angle[k]);
+      row.push_back(now.elastic[k] + now.damping[k] + now.friction[k]);
+    }
+  }
+}
+
 }  // namespace percuss

@@ -15,6 +15,8 @@ class TurnSpringStage : public Action {
   void advance(State& state, double dt) override;
   void limit_step(const State& state, StepBound& bound) const override;
   void archive(CheckpointArchive& archive, State& state) override;
+  std::vector<HistoryColumn> list_columns() const override;
+  void append_values(const State& state, std::vector<double>& row) override;
 
  private:
   const Model& model_;

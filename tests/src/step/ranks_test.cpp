@@ -61,18 +61,12 @@ std::string read_file(const std::string& path) {
 std::string write_history(Scene& scene) {
   const TemporaryFolder folder;
   {
-    History history(folder.path(), scene.deck, scene.chunked, scene.model);
+    History history(folder.path(), {scene.deck, scene.chunked, scene.stepper});
     Audit audit(scene.model);
     scene.stepper.start(scene.state);
     for (int i = 0; i < 10; ++i) {
-      history.write(scene.model, {scene.state,
-                                  audit(scene.state),
-                                  scene.stepper.contact_report(),
-                                  Vec3{},
-                                  scene.contact.sum_pair_work(),
-                                  {},
-                                  {},
-                                  {}});
+      history.write(scene.model, {scene.state, audit(scene.state), scene.stepper.contact_report(), Vec3{},
+                                  scene.contact.sum_pair_work(), scene.stepper});
       scene.stepper.advance(scene.state);
     }
     history.flush();

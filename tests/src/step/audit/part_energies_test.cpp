@@ -201,16 +201,10 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
     for (std::size_t i = 0; i < 2; ++i) {
       ErodingScene& eroding = *scenes[i];
       Scene& scene = eroding.scene;
-      History history(folders[i].path(), scene.deck, scene.chunked, scene.model);
+      History history(folders[i].path(), {scene.deck, scene.chunked, scene.stepper});
       erode(eroding, [&] {
-        history.write(scene.model, {scene.state,
-                                    eroding.audit(scene.state),
-                                    scene.stepper.contact_report(),
-                                    Vec3{},
-                                    scene.contact.sum_pair_work(),
-                                    {},
-                                    {},
-                                    {}});
+        history.write(scene.model, {scene.state, eroding.audit(scene.state), scene.stepper.contact_report(), Vec3{},
+                                    scene.contact.sum_pair_work(), scene.stepper});
       });
       history.flush();
     }

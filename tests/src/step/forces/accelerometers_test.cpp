@@ -39,7 +39,7 @@ output:
 
 /// The values of a row, by heading.
 std::map<std::string, double> take_row(Scene& scene) {
-  const std::vector<HistoryColumn> columns = list_accelerometer_columns(scene.deck);
+  const std::vector<HistoryColumn> columns = scene.stepper.accelerometers().list_columns();
   const std::vector<double> row = scene.stepper.accelerometers().take(scene.state);
   EXPECT_EQ(row.size(), columns.size());
   std::map<std::string, double> values;

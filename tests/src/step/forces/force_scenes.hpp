@@ -34,7 +34,7 @@ Vec3 sum_momentum(const Scene& scene, const Counted& is_counted) {
 /// The values of a row by the headings of their columns, as impulses: mean times the time of the row, which of the
 /// first ends half a step earlier.
 inline std::map<std::string, double> take_impulses(Scene& scene, double since) {
-  const std::vector<HistoryColumn> columns = list_force_columns(scene.deck);
+  const std::vector<HistoryColumn> columns = scene.stepper.forces().list_columns();
   const std::vector<double> row = scene.stepper.forces().take(scene.state);
   EXPECT_EQ(row.size(), columns.size());
   std::map<std::string, double> values;

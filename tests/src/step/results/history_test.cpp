@@ -103,7 +103,7 @@ TEST(HistoryColumns, AreDescribedForPrograms) {
       "units: mm, kg, ms\n" + make_history_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]") +
       "walls: [{name: ram, normal: z, point: [0, 0, -9], speed: 1}, {normal: x, point: [-9, 0, 0], mass: 1}]\n";
   const Scene scene(text);
-  History(folder.path(), scene.deck, scene.chunked, scene.model).close();
+  History(folder.path(), {scene.deck, scene.chunked, scene.stepper}).close();
   std::ifstream history(folder.path() + "/history.csv"), file(folder.path() + "/columns.json");
   std::string heading;
   std::getline(history, heading);

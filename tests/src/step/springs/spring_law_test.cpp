@@ -10,7 +10,6 @@
 #include <limits>
 
 #include "src/error.hpp"
-#include "src/step/results/spring_columns.hpp"
 #include "src/step/run/run_checks.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "tests/src/step/scene.hpp"
@@ -201,11 +200,11 @@ springs: {{s: {{between: [a/x_max, b/x_min], stiffness: 1}}, one: {{{1}, stiffne
                             size, centres));
     scene.stepper.start(scene.state);
     const std::size_t expected = 3 + 2 + (cells == 9 ? 200 : 0);
-    EXPECT_EQ(list_spring_columns(scene.model.springs).size(), expected);
+    EXPECT_EQ(scene.stepper.list_columns().size(), expected);
     std::vector<double> row;
-    append_springs(scene.model.springs, scene.state, row);
+    scene.stepper.append_values(scene.state, row);
     EXPECT_EQ(row.size(), expected);
-    EXPECT_EQ(list_spring_columns(scene.model.springs).back().name, "spring_elongation:one");
+    EXPECT_EQ(scene.stepper.list_columns().back().name, "spring_elongation:one");
   }
 }
 

@@ -4,17 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "src/deck/deck.hpp"
 #include "src/output/history_columns.hpp"
 #include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
 
 /// "body_x:ram" and so on, body after body.
-std::vector<HistoryColumn> list_body_columns(const Deck& deck);
+std::vector<HistoryColumn> list_body_columns(const RigidModel& rigid);
 
 /// "joint_fx:hinge" and so on, joint after joint.
-std::vector<HistoryColumn> list_joint_columns(const Deck& deck);
+std::vector<HistoryColumn> list_joint_columns(const RigidModel& rigid);
 
 /// Appends their values to a row.
 void append_joints(const Model& model, const State& state, std::vector<double>& row);

@@ -1,8 +1,7 @@
-#include "src/step/results/body_columns.hpp"
+#include "src/step/rigid/body_columns.hpp"
 
 #include <fmt/format.h>
 
-#include "src/deck/rigid_bodies.hpp"
 #include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
@@ -49,22 +48,22 @@ constexpr BodyColumn body_columns[] = {
 
 }  // namespace
 
-std::vector<HistoryColumn> list_body_columns(const Deck& deck) {
+std::vector<HistoryColumn> list_body_columns(const RigidModel& rigid) {
   std::vector<HistoryColumn> columns;
-  for (const std::string& name : name_rigid_bodies(deck).bodies)
+  for (const RigidBody& body : rigid.bodies)
     for (const BodyColumn& column : body_columns)
-      columns.push_back({fmt::format("body_{}:{}", column.name, name), column.dimension,
-                         fmt::format(fmt::runtime(column.meaning), "rigid body '" + name + "'")});
+      columns.push_back({fmt::format("body_{}:{}", column.name, body.name), column.dimension,
+                         fmt::format(fmt::runtime(column.meaning), "rigid body '" + body.name + "'")});
   return columns;
 }
 
-std::vector<HistoryColumn> list_joint_columns(const Deck& deck) {
+std::vector<HistoryColumn> list_joint_columns(const RigidModel& rigid) {
   std::vector<HistoryColumn> columns;
-  for (const JointDeck& joint : deck.joints) {
+  for (const Joint& joint : rigid.joints) {
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_f{}:{}", axis, joint.name), dim::force,
                          fmt::format("force in {} of joint '{}', on its first body", axis, joint.name)});
-    if (!find_traits(joint.kind).keeps_axis && !find_traits(joint.kind).keeps_turn) continue;
+    if (!joint.keeps_axis && !joint.keeps_turn) continue;
     for (const char* axis : {"x", "y", "z"})
       columns.push_back({fmt::format("joint_m{}:{}", axis, joint.name), dim::energy,
                          fmt::format("moment about {} of joint '{}', on its first body", axis, joint.name),
@@ -82,7 +81,6 @@ void append_joints(const Model& model, const State& state, std::vector<double>& 
 }
 
 void BodyColumns::append(const Model& model, const State& state, std::vector<double>& row) {
-  if (!model.rigid.any()) return;
   if (!find_forces_) find_forces_.emplace(model);
   const std::vector<BodyForces> forces = (*find_forces_)(state);
   for (std::size_t b = 0; b < forces.size(); ++b) {
