@@ -13,6 +13,7 @@
 #include "kernels/element/element_records.hpp"
 #include "kernels/one_point/shapes.hpp"
 #include "kernels/tet/geometry.hpp"
+#include "kernels/tet/tet_nodes.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -175,7 +176,7 @@ void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots
       first.push_back(static_cast<int>(slots.size()));
     }
   }
-  TetNodes& nodes = model.tet_nodes;
+  TetNodes& nodes = *model.tet_nodes;
   nodes.count = static_cast<int>(first.size()) - 1;
   nodes.first = to_view("percuss::first_tet_slot", first);
   nodes.slots = to_view("percuss::tet_slots", slots);

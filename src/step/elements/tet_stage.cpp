@@ -7,7 +7,7 @@ namespace percuss {
 TetStage::TetStage(const Model& model)
     : model_(model), rates_(model.ranks, model.halo), stresses_(model.ranks, model.halo) {
   if (!model.mixes_solids) return;
-  launch_ = {model.tet_nodes, make_tet_passes(model.tet_nodes, model.chunks, model.slot_count)};
+  launch_ = {*model.tet_nodes, make_tet_passes(*model.tet_nodes, model.chunks, model.slot_count)};
 }
 
 void TetStage::prepare(const State& state, const ElementMotion& motion) {

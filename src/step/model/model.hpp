@@ -21,7 +21,6 @@
 #include "kernels/node/pressure.hpp"
 #include "kernels/rigid/spin_inertia.hpp"
 #include "kernels/shell/thickness_points.hpp"
-#include "kernels/tet/tet_nodes.hpp"
 #include "src/deck/deck.hpp"
 #include "src/deck/switches.hpp"
 #include "src/mesh/mesh.hpp"
@@ -64,6 +63,7 @@ struct AddedMass {
 };
 
 struct ElementBlocks;  // src/step/model/element_blocks.hpp
+struct TetNodes;       // kernels/tet/tet_nodes.hpp
 
 struct Model {
   // Not inline: every source would compile them, which takes longer than the rest of this header.
@@ -106,7 +106,7 @@ struct Model {
 
   bool has_small_solids = false;  // whether any rank has tetrahedra, wedges or pyramids
   bool mixes_solids = false;      // whether their rates and stresses are averaged over nodes
-  TetNodes tet_nodes;             // of the mixed form, of wedges and pyramids too
+  Boxed<TetNodes> tet_nodes;      // of the mixed form, of wedges and pyramids too
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;

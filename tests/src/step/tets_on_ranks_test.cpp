@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "kernels/tet/tet_nodes.hpp"
 #include "src/error.hpp"
 #include "tests/src/step/two_scenes.hpp"
 
@@ -46,9 +47,9 @@ TEST(TetsOnRanks, AreAveragedForEachMaterialOfANode) {
   const Scene scene(joined_tets_text, Communicator(MPI_COMM_SELF));
   // Nodes of the common face have a record for copper and one for steel: 7 x 6 of them.
   std::vector<int> nodes(static_cast<std::size_t>(scene.model.node_count), 0);
-  const auto first = to_host(scene.model.tet_nodes.first), slots = to_host(scene.model.tet_nodes.slots),
+  const auto first = to_host(scene.model.tet_nodes->first), slots = to_host(scene.model.tet_nodes->slots),
              slots_to_nodes = to_host(scene.model.chunks.slots_to_nodes);
-  for (int r = 0; r < scene.model.tet_nodes.count; ++r)
+  for (int r = 0; r < scene.model.tet_nodes->count; ++r)
     ++nodes[static_cast<std::size_t>(
         slots_to_nodes(static_cast<std::size_t>(slots(static_cast<std::size_t>(first(r))))))];
   EXPECT_EQ(std::count(nodes.begin(), nodes.end(), 2), 42);
