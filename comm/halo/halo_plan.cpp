@@ -78,17 +78,6 @@ Halo build_halo(UnstructuredExchange& exchange, const SharedNodes& shared, const
   return halo;
 }
 
-std::vector<char> mark_waiting_nodes(const Halo& halo) {
-  const SlotLists& lists = halo.nodes_to_slots;
-  std::vector<char> waits(lists.first.size() - 1, 0);
-  for (std::size_t n = 0; n < waits.size(); ++n) {
-    for (int s = lists.first[n]; s < lists.first[n + 1]; ++s) {
-      if (lists.slots[static_cast<std::size_t>(s)] >= halo.plan.first_remote_slot) waits[n] = 1;
-    }
-  }
-  return waits;
-}
-
 std::vector<char> mark_sending_chunks(const HaloPlan& plan, const std::vector<int>& first_slot) {
   std::vector<char> sends(first_slot.size() - 1, 0);
   for (const int slot : plan.send_slots) {

@@ -44,9 +44,6 @@ struct Halo {
 /// Makes the halo of this rank's slots. Collective. Throws MpiError.
 Halo build_halo(UnstructuredExchange& exchange, const SharedNodes& shared, const LocalSlots& slots);
 
-/// [nodes] 1: the node sums a remote slot, so its force is complete only once the halo has arrived; 0: interior.
-std::vector<char> mark_waiting_nodes(const Halo& halo);
-
 /// [chunks] 1: a slot of the chunk is sent, so the chunk is computed before the halo is begun; 0: it can wait.
 /// first_slot: [chunks + 1] into the local slots.
 std::vector<char> mark_sending_chunks(const HaloPlan& plan, const std::vector<int>& first_slot);

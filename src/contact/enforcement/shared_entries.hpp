@@ -72,7 +72,6 @@ struct EntryAnswer {
 struct AnswerWord {
   std::int64_t value[2];
 };
-inline constexpr int node_answer_words = sizeof(NodeAnswer) / sizeof(AnswerWord);
 static_assert(sizeof(NodeAnswer) % sizeof(AnswerWord) == 0 && sizeof(EntryAnswer) == sizeof(AnswerWord));
 
 /// Node data by place, on the host, to and from answers.
