@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -18,7 +17,6 @@
 #include "src/deck/text/table_text.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
-#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
@@ -129,39 +127,21 @@ std::string read_start_file(const std::string& path) {
   std::error_code problem;
   if (!std::filesystem::exists(path, problem) && !problem)
     throw InputError(fmt::format("{}: error: no such file (a table of stresses or velocities is expected)", path));
-  if (const std::string kind = describe_irregular_file(path); !kind.empty())
-    throw InputError(fmt::format("{}: error: the table is {}", path, kind));
-  std::ifstream file(path, std::ios::binary);
-  const std::uintmax_t bytes = std::filesystem::file_size(path, problem);
-  if (!file || problem) throw SystemError(fmt::format("{}: error: the file cannot be opened", path));
-  if (bytes > largest_table)
-    throw InputError(
-        fmt::format("{}: error: the table has {} bytes (must have less than 2 GiB): use several files", path, bytes));
-  std::string text(bytes, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(bytes));
-  if (static_cast<std::uintmax_t>(file.gcount()) != bytes)
-    throw SystemError(fmt::format("{}: error: the file cannot be read", path));
-  return text;
+  return read_table_file(path, "the table", largest_table);
 }
 
 StartTable parse_start_table(const std::string& text, const std::string& path) {
   StartTable table;
   bool has_heading = false;
-  std::size_t number = 0;
-  for (std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; begin < text.size();) {
-    const auto end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = trim_cell(std::string_view(text).substr(begin, end - begin));
-    begin = end + 1;
-    ++number;
-    if (line.empty() || line.front() == '#') continue;
+  const std::size_t lines = visit_rows(text, [&](std::string_view row, std::size_t line) {
     if (has_heading)
-      read_row(line, number, path, table);
+      read_row(row, line, path, table);
     else
-      read_heading(line, number, path, table);
+      read_heading(row, line, path, table);
     has_heading = true;
-  }
+  });
   if (table.ids.empty())
-    refuse_row(path, number + 1, "there are no rows (a heading and a row an element or node are expected)");
+    refuse_row(path, lines + 1, "there are no rows (a heading and a row an element or node are expected)");
   sort_rows(path, table);
   return table;
 }

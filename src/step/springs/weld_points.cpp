@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string_view>
 #include <variant>
@@ -16,7 +14,6 @@
 #include "src/deck/units.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
-#include "src/regular_file.hpp"
 #include "src/step/springs/connection_file.hpp"
 
 namespace percuss {
@@ -45,23 +42,6 @@ WeldPoint read_point(const std::vector<std::string_view>& cells, std::size_t lin
   }
   if (cells.size() == 4 && !(values[3] > 0)) refuse_row(path, line, "the diameter is not positive");
   return {{values[0], values[1], values[2]}, 0.5 * values[3], static_cast<int>(line)};
-}
-
-std::string read_table(const std::string& path) {
-  if (const std::string kind = describe_irregular_file(path); !kind.empty())
-    throw InputError(fmt::format("{}: error: the table of welds is {}", path, kind));
-  std::error_code problem;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, problem);
-  std::ifstream file(path, std::ios::binary);
-  if (!file || problem) throw SystemError(fmt::format("{}: error: the file cannot be opened", path));
-  if (bytes > most_bytes)
-    throw InputError(fmt::format("{}: error: the table of welds has {} bytes (at most {}): is it another file?", path,
-                                 bytes, most_bytes));
-  std::string text(bytes, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(bytes));
-  if (static_cast<std::uintmax_t>(file.gcount()) != bytes)
-    throw SystemError(fmt::format("{}: error: the file cannot be read", path));
-  return text;
 }
 
 /// The part of an end of a weld: "roof" of "roof/x_min".
@@ -145,21 +125,14 @@ void set_radius(const Deck& deck, const WeldDeck& weld, std::vector<WeldPoint>& 
 
 std::vector<WeldPoint> parse_weld_points(const std::string& text, const std::string& path, std::size_t most) {
   std::vector<WeldPoint> points;
-  std::size_t number = 0;
   bool is_first = true;
-  for (std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; begin < text.size();) {
-    const auto end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = trim_cell(std::string_view(text).substr(begin, end - begin));
-    begin = end + 1;
-    ++number;
-    if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string_view> cells = split_cells(line);
-    if (!(is_first && is_heading(cells))) points.push_back(read_point(cells, number, path));
+  const std::size_t lines = visit_rows(text, [&](std::string_view row, std::size_t line) {
+    const std::vector<std::string_view> cells = split_cells(row);
+    if (!(is_first && is_heading(cells))) points.push_back(read_point(cells, line, path));
     is_first = false;
-    if (points.size() > most)
-      refuse_row(path, number, fmt::format("the table has more than {} welds: divide it", most));
-  }
-  if (points.empty()) refuse_row(path, number + 1, "there are no welds (a row x, y, z each is expected)");
+    if (points.size() > most) refuse_row(path, line, fmt::format("the table has more than {} welds: divide it", most));
+  });
+  if (points.empty()) refuse_row(path, lines + 1, "there are no welds (a row x, y, z each is expected)");
   return points;
 }
 
@@ -169,7 +142,7 @@ WeldPoints list_weld_points(const Deck& deck, const Communicator& ranks, const W
   if (weld.file.empty()) return found;
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
-    const std::string text = read_table(weld.file);
+    const std::string text = read_table_file(weld.file, "the table of welds", most_bytes);
     if (is_connection_file(text))
       found = choose_points(deck, weld, parse_connections(text, weld.file, most_rows));
     else

@@ -101,7 +101,7 @@ TEST(StartFields, APipeAndATableThatIsTooLongAreRefused) {
   scene.add("s.csv", "");
   std::filesystem::resize_file(scene.path("s.csv"), std::uintmax_t{1} << 31);  // without blocks on the disk
   EXPECT_THAT(scene.find_error(hang("")),
-              HasSubstr("s.csv: error: the table has 2147483648 bytes (must have less than 2 GiB)"));
+              HasSubstr("s.csv: error: the table has 2147483648 bytes (at most 2147483647)"));
 }
 
 TEST(StartFields, AVelocityIsThatOfItsNodes) {
