@@ -26,10 +26,12 @@ TEST_F(CheckpointFile, GivesBackWhatWasPutIn) {
   std::fill(taken.numbers.begin(), taken.numbers.end(), -1);
   taken.time = 0;
   taken.step = 0;
+  for (Contents::Row& row : taken.list) row = {};
   CheckpointReader reader(path(), share_, world());
   taken.archive(reader);
   EXPECT_EQ(taken.time, 0.1);
   EXPECT_EQ(taken.step, -7);
+  EXPECT_EQ(taken.list, given.list);
   EXPECT_EQ(taken.numbers, given.numbers);
   for (const int n : given.nodes.places)
     EXPECT_EQ(taken.x(static_cast<std::size_t>(n), 2), given.x(static_cast<std::size_t>(n), 2));

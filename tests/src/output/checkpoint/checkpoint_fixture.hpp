@@ -76,12 +76,19 @@ struct Contents {
   void archive(CheckpointArchive& archive) {
     archive.number("time", time);
     archive.number("step", step);
+    archive.each("list", list, [](Row& row, const auto& take) { take(row.length, row.count); });
     archive.sum("work", work);
     archive.rows("nodes/x", nodes, 3, x);
     archive.rows("nodes/deeper/v", nodes, 3, v);
     archive.rows("chunks/some", some, 2, numbers);
   }
 
+  struct Row {
+    double length = 0;
+    std::int64_t count = 0;
+    bool operator==(const Row&) const = default;
+  };
+  std::vector<Row> list{{0.5, 3}, {-1e300, -9}, {1e-300, INT64_MAX}};
   ChunkRows nodes, some;
   Rows3<double> x, v;
   std::vector<std::int64_t> numbers;

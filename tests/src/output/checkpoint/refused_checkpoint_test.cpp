@@ -73,6 +73,12 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   double value = 0;
   EXPECT_THROW(reader.number("pressure", value), InputError);
   Contents other(share_);
+  const auto read_list = [&] {
+    reader.each("list", other.list, [](Contents::Row& row, const auto& take) { take(row.length, row.count); });
+  };
+  other.list.pop_back();
+  EXPECT_THAT(read_list,
+              testing::ThrowsMessage<InputError>(HasSubstr("list has 6 values in the checkpoint (this scene has 4)")));
   for (std::int64_t& count : other.some.counts) count += 1;
   other.numbers.resize(other.numbers.size() + 2 * other.some.counts.size());
   EXPECT_THROW(reader.rows("chunks/some", other.some, 2, other.numbers), InputError);
@@ -99,6 +105,8 @@ TEST_F(CheckpointFile, WithAValueThatIsNotFiniteIsRefused) {
   EXPECT_EQ(take_refusal_of(path(), share_, [](Contents&) {}), "no refusal");
   for (const double value : {nan, infinity, -infinity}) {
     EXPECT_THAT(take_refusal_of(path(), share_, [&](Contents& c) { c.time = value; }), HasSubstr("a value of time"));
+    EXPECT_THAT(take_refusal_of(path(), share_, [&](Contents& c) { c.list[1].length = value; }),
+                HasSubstr("a value of list"));
     EXPECT_THAT(take_refusal_of(path(), share_, [&](Contents& c) { c.work.add(value); }), HasSubstr("a value of work"));
     EXPECT_THAT(take_refusal_of(path(), share_,
                                 [&](Contents& c) {
