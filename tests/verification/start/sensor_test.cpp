@@ -102,6 +102,24 @@ TEST(Sensors, ALoadEndsInTheStepInWhichANodeHasMovedFar) {
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 
+TEST(Sensors, CheckpointsLeaveAReleasedBodyFree) {
+  const HistoryTable history = run_deck(R"yaml(
+units: m, kg, s
+time: {end: 0.02, max_step: 1e-4}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: m, rigid: {}}
+  b: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [0, 0, 5], material: m}
+materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e7, poissons_ratio: 0.3}}
+loads: {gravity: [0, 0, -10]}
+sensors: {go: {time: 0.005}}
+conditions: [{body: a, fixed: [z], until: go}]
+output: {history: {every: 1e-3}, checkpoint: {every: 1e-3}}
+)yaml")
+                                   .history;
+  EXPECT_EQ(history.at(0.004, "body_vz:a"), 0);
+  EXPECT_NEAR(history.last("body_vz:a"), -10 * (0.02 - 0.005), 2e-3);  // two steps
+}
+
 TEST(Sensors, ADelayIsAddedToTheEvent) {
   const HistoryTable now = run_deck(pull("{time: 1e-3}")).history;
   const HistoryTable later = run_deck(pull("{time: 1e-3, delay: 5e-4}")).history;
