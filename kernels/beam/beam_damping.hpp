@@ -29,7 +29,7 @@ KOKKOS_INLINE_FUNCTION BeamNodalForces<double> find_beam_damping(const BeamParam
 }
 
 /// Damps every listed chunk, after its internal forces.
-void damp_beams(const ExecSpace& space, const ElementChunks& chunks, const DampedBeams& damped, const BeamStep& step,
-                const SpinDampingFields& fields);
+void damp_beams(const ExecSpace& space, const ElementChunks& chunks, const DampedBeams& damped,
+                const ElementMotion& motion, const DampingFields& fields);
 
 }  // namespace percuss

@@ -7,7 +7,7 @@
 
 #include "kernels/beam/beam_step.hpp"
 #include "kernels/element/element_chunks.hpp"
-#include "kernels/element/element_lives.hpp"
+#include "kernels/element/element_motion.hpp"
 
 namespace percuss {
 
@@ -19,6 +19,7 @@ struct BeamRecord {
   static constexpr int find_size(int fibre_count, int more_history) {
     return fibres + (2 + more_history) * fibre_count;
   }
+  static constexpr int largest = fibres + (1 + most_fibre_history) * most_beam_fibres;
 };
 
 /// Chunks of beams.
@@ -27,26 +28,8 @@ struct BeamBlock {
   Kokkos::View<BeamParameters*, MemSpace> parameters;  // by ElementChunks::parameters
 };
 
-/// The motion that beams see: positions at n+1, velocities and spins at n+1/2, the step between.
-struct BeamStep {
-  Rows3<const double> x;
-  Rows3<const double> v;
-  Rows3<const double> w;  // empty: all are trusses, in a scene without rotations
-  double dt = 0;
-  bool skips_rest = false;  // as ElementMotion::skips_rest
-  Array<double> bound{};    // [elements] out: step bound of each, without the deck's scale; empty: nobody asks
-  FailingChunks failing{};
-  ElementLives lives{};  // forces and work of the chunks that can fail count by these; work is added to
-
-  /// Of the first element of a chunk, among those that can fail; -1: none can.
-  KOKKOS_INLINE_FUNCTION int find_first_lane(int c) const {
-    const int pack = failing.find_pack(c);
-    return pack < 0 ? -1 : pack * pack_size<Real>;
-  }
-};
-
 /// Advances every beam from n to n+1.
-void advance_beams(const ExecSpace& space, const ElementChunks& chunks, const BeamBlock& block, const BeamStep& step,
-                   const ChunkFields& fields);
+void advance_beams(const ExecSpace& space, const ElementChunks& chunks, const BeamBlock& block,
+                   const ElementMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

@@ -7,32 +7,26 @@
 
 namespace percuss {
 
-inline constexpr int beam_force_record = 6;  // force, moment
-using BeamScratch = ChunkScratch<0, beam_force_record>;
+using BeamScratch = ChunkScratch<3, 2>;
 
 /// Of an element, within its chunk.
 struct BeamSlots {
   int first, second;
 };
 
-KOKKOS_INLINE_FUNCTION BeamSlots find_beam_slots(const ElementChunks& chunks, int c, int lane) {
-  return {find_corner_slot(chunks, c, lane, 0), find_corner_slot(chunks, c, lane, 1)};
+KOKKOS_INLINE_FUNCTION BeamSlots find_beam_slots(const TeamChunk& chunk, int lane) {
+  return {find_corner_slot(chunk.chunks, chunk.c, lane, 0), find_corner_slot(chunk.chunks, chunk.c, lane, 1)};
 }
 
-KOKKOS_INLINE_FUNCTION Vector3<double> load_vector(const Rows3<const double>& rows, int n) {
-  return {rows(n, 0), rows(n, 1), rows(n, 2)};
-}
-
-KOKKOS_INLINE_FUNCTION BeamMotion find_beam_motion(const ElementChunks& chunks, int c, const BeamSlots& slots,
-                                                   const BeamStep& step) {
-  const int a = chunks.slots_to_nodes(chunks.first_slot(c) + slots.first),
-            b = chunks.slots_to_nodes(chunks.first_slot(c) + slots.second);
-  BeamMotion motion{{load_vector(step.x, a), load_vector(step.x, b)},
-                    {load_vector(step.v, a), load_vector(step.v, b)},
-                    {{0, 0, 0}, {0, 0, 0}},
-                    step.dt};
-  if (step.w.extent(0) > 0) motion.w = {load_vector(step.w, a), load_vector(step.w, b)};
-  return motion;
+KOKKOS_INLINE_FUNCTION BeamMotion find_beam_motion(const BeamScratch& scratch, const BeamSlots& slots, double dt) {
+  const auto load = [&](int k, int slot) {
+    const double* const from = scratch.nodes + BeamScratch::node_size * slot + 4 * k;
+    return Vector3<double>{from[0], from[1], from[2]};
+  };
+  return {{load(0, slots.first), load(0, slots.second)},
+          {load(1, slots.first), load(1, slots.second)},
+          {load(2, slots.first), load(2, slots.second)},
+          dt};
 }
 
 KOKKOS_INLINE_FUNCTION BeamNodalForces<double> scale_beam_forces(double share, const BeamNodalForces<double>& on) {
@@ -45,14 +39,15 @@ KOKKOS_INLINE_FUNCTION void subtract_vector(const Vector3<double>& u, double* su
   sum[2] -= u.z;
 }
 
-/// sums: [slots][beam_force_record], what the nodes feel.
-KOKKOS_INLINE_FUNCTION void add_beam_forces(const BeamNodalForces<double>& on, const BeamSlots& slots, double* sums) {
-  double* const first = sums + beam_force_record * slots.first;
-  double* const second = sums + beam_force_record * slots.second;
+/// To what the nodes feel.
+KOKKOS_INLINE_FUNCTION void add_beam_forces(const BeamNodalForces<double>& on, const BeamSlots& slots,
+                                            const BeamScratch& scratch) {
+  double* const first = scratch.forces + BeamScratch::force_size * slots.first;
+  double* const second = scratch.forces + BeamScratch::force_size * slots.second;
   subtract_vector(-1.0 * on.force_on_second, first);
   subtract_vector(on.force_on_second, second);
-  subtract_vector(on.moment.first, first + 3);
-  subtract_vector(on.moment.second, second + 3);
+  subtract_vector(on.moment.first, first + 4);
+  subtract_vector(on.moment.second, second + 4);
 }
 
 }  // namespace percuss

@@ -4,7 +4,7 @@
 // Records and corners of `Stored` elements lie side by side, one element a lane: neighbouring threads read neighbouring
 // words. The team works through its chunk in rounds. After a round a thread a slot adds up the corner forces of the
 // round, in the order of elements and of their corners. The sums have the bits of those that the launcher of packs
-// makes (advance_chunk.hpp). Runs on hosts too, where a test compares both.
+// makes (chunk_launcher.hpp). Runs on hosts too, where a test compares both.
 //
 // Not served: chunks that rest are not skipped. Elements neither fail nor resist folding, and nobody watches their
 // step.
@@ -12,8 +12,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "kernels/element/chunk_records.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/element/hex8/modes.hpp"
 #include "kernels/element/internal_force.hpp"
 
 namespace percuss {
@@ -103,7 +103,7 @@ class AdvanceByThreads {
         step = result.stable_step;
         controlling = element;
       }
-      if (failed < 0 && !(result.volume > 0 && result.stable_step > 0)) failed = element;  // also for NaN
+      if (failed < 0 && !(result.size > 0 && result.stable_step > 0)) failed = element;  // also for NaN
       work[0] += static_cast<double>(result.work.internal);
       work[1] += static_cast<double>(result.work.hourglass);
       work[2] += static_cast<double>(result.work.viscous);

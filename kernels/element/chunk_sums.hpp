@@ -5,7 +5,7 @@
 #include "kernels/core/short_scalar.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/work_kinds.hpp"
-#include "kernels/element/element_chunks.hpp"
+#include "kernels/element/chunk_records.hpp"
 
 namespace percuss {
 
@@ -38,7 +38,7 @@ struct ChunkTotals {
     for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
   }
 
-  KOKKOS_FUNCTION void leave_step(int c, int first_element, const ChunkResults& results) const {
+  KOKKOS_FUNCTION void leave_step(int c, int first_element, int /*count*/, const ChunkResults& results) const {
     results.stable_step(c) = step;
     results.controlling_element(c) = first_element + controlling;
     results.failed_element(c) = failed < 0 ? -1 : first_element + failed;
@@ -51,6 +51,13 @@ class ChunkSums {
  public:
   using Lanes = Pack<Scalar>;
   static constexpr int width = pack_size<Scalar>;
+
+  /// result: of the elements of a pack, as ElementResult.
+  template <class Result>
+  PERCUSS_FORCE_INLINE void take(const Result& result, const ChunkPack& pack) {
+    take_step(result.stable_step, result.size, pack.first, pack.lanes);
+    take_work(result.work, pack.lanes);
+  }
 
   /// of: work of the first `lanes` elements of a pack.
   template <class Work>
@@ -87,7 +94,7 @@ class ChunkSums {
       }
     }
     totals_.step = smallest;
-    totals_.leave_step(c, first_element, results);
+    totals_.leave_step(c, first_element, count, results);
   }
 
  private:

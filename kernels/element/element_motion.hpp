@@ -1,5 +1,5 @@
 #pragma once
-// What the launchers of solids see of a step.
+// What the launchers of elements see of a step.
 
 #include "kernels/core/precision.hpp"
 #include "kernels/core/views.hpp"
@@ -25,7 +25,13 @@ struct ElementMotion {
   double time = 0;          // at n+1
   StepWatch watch = {};
   FailingChunks failing{};
-  ElementLives lives{};  // forces and work of the chunks that can fail count by these; work is added to
+  ElementLives lives{};     // forces and work of the chunks that can fail count by these; work is added to
+  Rows3<const double> w{};  // spins of the nodes at n+1/2; empty: no element of the scene turns them
+  Array<double> bound{};    // [elements] out: step bounds of shells and beams, without the deck's scale; empty: nobody
+                            // asks
+
+  /// Three numbers a node where elements want spins: those that there are, or else what nobody reads.
+  KOKKOS_INLINE_FUNCTION const Rows3<const double>& spins() const { return w.extent(0) > 0 ? w : v; }
 };
 
 }  // namespace percuss

@@ -11,13 +11,17 @@
 
 namespace percuss {
 
-/// One compiled variant of the element: a compiled-in material (or CalledMaterial, for all others) and a kind of
-/// element, with the chunks that use it.
-template <class Material, HexKind Kind>
-struct HexBlock {
-  Array<int> chunks;                                              // ascending chunk ids
-  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
+/// Chunks of one compiled-in material of solids, or of CalledMaterial, for all others.
+template <class M>
+struct SolidBlock {
+  using Material = M;
+  Array<int> chunks;                                       // ascending chunk ids
+  Kokkos::View<SolidParameters<M>*, MemSpace> parameters;  // by ElementChunks::parameters
 };
+
+/// One compiled variant of the hexahedron.
+template <class Material, HexKind Kind>
+struct HexBlock : SolidBlock<Material> {};
 
 /// The materials that the element is compiled for: those that say so, and one that calls all others.
 using CompiledMaterials = TypeList<Elastic, J2Plasticity, CalledMaterial>;

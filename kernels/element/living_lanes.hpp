@@ -6,21 +6,20 @@
 
 #include "kernels/core/precision.hpp"
 #include "kernels/core/short_scalar.hpp"
+#include "kernels/core/tensor.hpp"
 #include "kernels/core/widen.hpp"
-#include "kernels/element/element_lives.hpp"
-#include "kernels/element/hex8/hex8.hpp"
+#include "kernels/element/element_records.hpp"
 
 namespace percuss {
 
-/// Forces of N corners by the shares that lanes leave of them; nothing from inactive lanes and from those that must
-/// stop.
-template <int N, class Field>
-PERCUSS_FORCE_INLINE void settle_forces(const Pack<double>& share, Field& f) {
+/// Forces by the shares that lanes leave of them, corner by corner or axis by axis; nothing from inactive lanes and
+/// from those that must stop.
+template <int N>
+PERCUSS_FORCE_INLINE void settle_forces(const Pack<double>& share, Vector3<Pack<double>> (&f)[N]) {
   const Pack<double> zero(0.0);
   const auto lives = !(share < zero);
-  for (int i = 0; i < N; ++i)
-    f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
-            select(lives, share * f[i].z, zero)};
+  for (auto& at : f)
+    at = {select(lives, share * at.x, zero), select(lives, share * at.y, zero), select(lives, share * at.z, zero)};
 }
 PERCUSS_FORCE_INLINE void settle_forces(const Pack<Real>& share, Pack<Real> (&f)[3][8]) {
   const Pack<Real> zero(0);
@@ -38,12 +37,14 @@ PERCUSS_FORCE_INLINE void settle_step(const T& share, T& step, T& size) {
   size = select(lives, size, T(1));
 }
 
+/// The lanes of a chunk, pack by pack from its first, of elements that work in Scalar. Of a chunk that cannot fail all
+/// live, and nothing is read. MayFail: some chunks can; else nobody asks.
+template <class Scalar, bool MayFail = true>
 class LivingLanes {
  public:
-  using Lanes = Pack<Real>;
-  static constexpr int width = pack_size<Real>;
+  using Lanes = Pack<Scalar>;
+  static constexpr int width = pack_size<Scalar>;
 
-  /// The lanes of a chunk, pack by pack from its first. Of a chunk that cannot fail all live, and nothing is read.
   KOKKOS_FUNCTION LivingLanes(const FailingChunks& failing, const ElementLives& lives, int chunk)
       : next_(failing.find_pack(chunk)) {
     if (next_ < 0) return;
@@ -51,7 +52,7 @@ class LivingLanes {
     limits_ = &failing.limits(failing.row(chunk));
   }
 
-  KOKKOS_FUNCTION bool can_fail() const { return lives_ != nullptr; }
+  KOKKOS_FUNCTION bool can_fail() const { return MayFail && lives_ != nullptr; }
 
   /// Continues to the next pack; returns whether any lane is active. corners: [8][W]; out: those to gather from.
   KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
@@ -59,7 +60,7 @@ class LivingLanes {
     first_ = pack * width;
     int living = -1, count = 0;
     for (int lane = width - 1; lane >= 0; --lane) {
-      if (lives_->force_share(first_ + lane) < 0) continue;
+      if (is_dead(lane)) continue;
       living = lane;
       ++count;
     }
@@ -68,26 +69,41 @@ class LivingLanes {
     return true;
   }
 
-  /// Output of a pack of hexahedra: forces and work by their shares; nothing from inactive lanes and from those that
-  /// must stop.
-  KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
-    const Lanes share = take_force_share(result.stable_step, result.volume);
-    settle_forces(share, f);
+  /// What a pack leaves: forces and work by their shares; nothing from inactive lanes and from those that must stop.
+  /// size: not positive where the element is inverted. Returns the shares.
+  template <class Result, class... Forces>
+  KOKKOS_FUNCTION Lanes settle(Result& result, const Lanes& size, Forces&... forces) const {
+    const Lanes share = take_force_share(result.stable_step, size);
+    (settle_forces(share, forces), ...);
     take_work(share, result.work);
-    take_work(share, WorkKind::folding, result.work.folding);
-    settle_step(share, result.stable_step, result.volume);
+    settle_step(share, result.stable_step, result.size);
+    return share;
   }
 
-  /// Share of its force that each lane leaves; negative: it is eroded or must stop. size: not positive where the
-  /// element is inverted.
+  /// Shares of its force that each lane leaves at this evaluation, as far as the last one says; negative: eroded.
+  KOKKOS_FUNCTION Lanes load_force_share() const { return load_pack(&lives_->force_share(first_)); }
+
+  /// The same at this evaluation; negative also where the element must stop.
   KOKKOS_FUNCTION Lanes take_force_share(const Lanes& step, const Lanes& size) const {
-    const Lanes zero(0), dead(static_cast<Real>(ElementLives::dead));
-    Lanes share = load_pack(&lives_->force_share(first_));
-    auto lost = step < Lanes(static_cast<Real>(limits_->least_step));
+    const Lanes zero(0), dead(static_cast<Scalar>(ElementLives::dead));
+    Lanes share = load_force_share();
+    auto lost = step < Lanes(static_cast<Scalar>(limits_->least_step));
     if (limits_->takes_inverted) lost = lost | !((size > zero) & (step > zero));  // also for NaN
     share = select(lost, dead, share);
     store_pack(&lives_->force_share(first_), share);
     return share;
+  }
+
+  /// Of a lane by itself: whether it is inactive, and the share of its force that it leaves.
+  KOKKOS_FUNCTION bool is_dead(int lane) const { return lives_->force_share(first_ + lane) < 0; }
+  KOKKOS_FUNCTION double find_force_share(int lane) const {
+    return static_cast<double>(lives_->force_share(first_ + lane));
+  }
+  /// Makes its work what counts of it, and adds it to that of the lane.
+  KOKKOS_FUNCTION void take_work(int lane, int kind, double& work) const {
+    work *= static_cast<double>(lives_->work_share(first_ + lane));
+    const std::size_t of_all = static_cast<std::size_t>(first_) + static_cast<std::size_t>(lane);
+    lives_->work(find_work_place(of_all, static_cast<std::size_t>(kind))) += work;
   }
 
   /// Makes work what counts of it, and adds it to that of the lanes.
@@ -110,8 +126,7 @@ class LivingLanes {
   KOKKOS_FUNCTION const std::uint16_t* replace_dead(const std::uint16_t* corners, int living) {
     for (int i = 0; i < 8; ++i) {
       for (int lane = 0; lane < width; ++lane) {
-        const bool is_dead = lives_->force_share(first_ + lane) < 0;
-        corners_[i * width + lane] = corners[i * width + (is_dead ? living : lane)];
+        corners_[i * width + lane] = corners[i * width + (is_dead(lane) ? living : lane)];
       }
     }
     return corners_;

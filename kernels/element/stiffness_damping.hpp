@@ -25,15 +25,11 @@ struct DampedSolids {
 
 /// Forces of damping by slot (what nodes feel), and what they are added to.
 struct DampingFields {
-  Rows3<double> force;       // in: at n, out: at n+1
-  Rows3<double> slot_force;  // added to
-  WorkRows work;             // viscous: added to, with the mean of the forces at n and n+1
-};
-
-/// What damping of elements reads and writes besides, whose nodes turn.
-struct SpinDampingFields : DampingFields {
-  Rows3<double> moment, slot_moment;  // as force and slot_force
-  Array<const Real> state;            // records of the elements
+  Rows3<double> force;                    // in: at n, out: at n+1
+  Rows3<double> slot_force;               // added to
+  WorkRows work;                          // viscous: added to, with the mean of the forces at n and n+1
+  Rows3<double> moment{}, slot_moment{};  // as force and slot_force, of elements whose nodes turn
+  Array<Real> state{};                    // records of the elements: in
 };
 
 /// Damps every listed chunk, after its internal forces.
@@ -80,38 +76,6 @@ PERCUSS_FORCE_INLINE void find_thick_damping(const DampingModuli& moduli, const 
 /// xi = beta omega / 2. With a viscosity within `step` it is a lower bound.
 KOKKOS_INLINE_FUNCTION double find_damped_step(double step, double beta) {
   return step / (std::sqrt(1 + (beta / step) * (beta / step)) + beta / step);
-}
-
-/// The kind of work that counts it.
-inline constexpr int viscous_work = 2;
-
-/// The slots of a chunk, which begin at `first`, and their nodes.
-struct ChunkSlots {
-  const int* slots_to_nodes;
-  int first, count;
-};
-
-/// Records of forces or moments by slot of the chunk, `size` numbers apart.
-struct SlotRecords {
-  const double* first;
-  int size;
-};
-
-/// Makes `now` the damping of each slot, in place of that of the step before, and adds it to `all`. Returns the sum of
-/// old and new times the velocities, slot by slot.
-KOKKOS_INLINE_FUNCTION double set_damping(const Rows3<const double>& v, const ChunkSlots& slots, const SlotRecords& now,
-                                          const Rows3<double>& damping, const Rows3<double>& all) {
-  double power = 0;
-  for (int s = 0; s < slots.count; ++s) {
-    const int n = slots.slots_to_nodes[s], slot = slots.first + s;
-    for (int k = 0; k < 3; ++k) {
-      const double force = now.first[now.size * s + k];
-      power += v(n, k) * (damping(slot, k) + force);
-      damping(slot, k) = force;
-      all(slot, k) += force;
-    }
-  }
-  return power;
 }
 
 }  // namespace percuss

@@ -43,13 +43,6 @@ struct OnePointWork {
   }
 };
 
-template <class T>
-struct OnePointResult {
-  OnePointWork<T> work;
-  T stable_step;  // bound for the next step, without the deck's scale
-  T volume;       // at n+1; not positive: the element is inverted
-};
-
 /// The element's own motion over the step on the geometry of its mid-point.
 template <class T, class Shape>
 struct OnePointMotion {
@@ -216,16 +209,31 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
 /// Advances an element that averages nothing from n to n+1. x, v: places at n+1 and velocities at n+1/2. f: out. With
 /// dt = 0 it evaluates forces and step only.
 template <class T, class Material, class Shape>
-PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const SolidParameters<Material>& par,
-                                                         const CornerField<T, Shape>& x, const CornerField<T, Shape>& v,
-                                                         const T& dt, OnePointState<T, Material, Shape>& state,
-                                                         CornerField<T, Shape>& f) {
+PERCUSS_FORCE_INLINE ElementResult<OnePointWork<T>, T> advance_solid(const SolidParameters<Material>& par,
+                                                                     const CornerField<T, Shape>& x,
+                                                                     const CornerField<T, Shape>& v, const T& dt,
+                                                                     OnePointState<T, Material, Shape>& state,
+                                                                     CornerField<T, Shape>& f) {
   const OnePointMotion<T, Shape> motion = follow_one_point(x, v, dt);
   const OnePointPoint<T, Shape> point = advance_point<false>(par, x, motion, motion.d, dt, state);
   find_corner_forces(add_to_diagonal(point.stress, T(0) - state.viscous_pressure), state.hourglass, point.geometry,
                      point.gamma, f);
   return {point.work, find_one_point_step(point.size, point.geometry.volume, state.mass, point.own),
           point.geometry.volume};
+}
+
+/// Advances stress, hourglass forces and history of one that averages. mean: of the nodes' rates.
+template <class T, class Material, class Shape>
+PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_mixed(const SolidParameters<Material>& par,
+                                                           const CornerField<T, Shape>& x,
+                                                           const CornerField<T, Shape>& v, const Symmetric3<T>& mean,
+                                                           const T& dt, OnePointState<T, Material, Shape>& state) {
+  const OnePointMotion<T, Shape> own = follow_one_point(x, v, dt);
+  return advance_point<true>(par, x, own, blend(own.d, mean), dt, state);
+}
+template <class T, class Shape>
+PERCUSS_FORCE_INLINE TetStiffness<T> find_stiffness(const OnePointPoint<T, Shape>& point) {
+  return {point.own.lambda + T(2.0 / 3.0) * point.own.mu, point.own.mu, point.own.tangent};
 }
 
 }  // namespace percuss

@@ -19,11 +19,12 @@ struct OnePointRecord {
   static constexpr int find_size(int count) { return history + count; }
 };
 
-/// Chunks of one material of one shape.
-template <class Material, class Shape>
-struct OnePointBlock {
-  Array<int> chunks;                                              // ascending chunk ids
-  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
+/// Chunks of one material of one shape, and what a pack of them works with.
+template <class M, class Shape_>
+struct OnePointBlock : SolidBlock<M> {
+  using Shape = Shape_;
+  using State = OnePointState<Pack<double>, M, Shape>;
+  using Field = CornerField<Pack<double>, Shape>;
 };
 
 template <class List>
@@ -35,24 +36,15 @@ struct AllOnePointBlocks<TypeList<Material...>> {
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using OnePointBlocks = AllOnePointBlocks<CompiledMaterials>::type;
 
-/// (1.3) to (1.5): advances every wedge and pyramid of the blocks from n to n+1, none of which averages.
-void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                        const ElementMotion& motion, const ChunkFields& fields);
-
-/// The three passes of the mixed form, as those of tetrahedra (kernels/tet/tet_force.hpp), whose averages they share.
-void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                         const TetStep& step, const ChunkResults& results);
-void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                                const TetStep& step, const Array<Real>& state, const ChunkResults& results);
-void sum_one_point_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                          const TetStep& step, const ChunkFields& fields);
-
-/// The same for one variant; compiled in files of their own.
-template <class Material, class Shape>
-void advance_block(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
+/// The plain form and the three passes of the mixed form, as of tetrahedra (kernels/tet/tet_force.hpp), whose averages
+/// these share.
+void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
                    const ElementMotion& motion, const ChunkFields& fields);
-template <class Material, class Shape>
-void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
-                      const TetStep& step, const Array<Real>& state, const ChunkResults& results);
+void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks, const TetStep& step,
+               const ChunkFields& fields);
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
+                      const TetStep& step, const ChunkFields& fields);
+void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks, const TetStep& step,
+                const ChunkFields& fields);
 
 }  // namespace percuss

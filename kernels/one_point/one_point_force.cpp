@@ -1,4 +1,3 @@
-#include "kernels/element/solid_packs.hpp"
 #include "kernels/one_point/one_point_chunks.hpp"
 #include "kernels/tet/tet_packs.hpp"
 
@@ -6,118 +5,64 @@ namespace percuss {
 
 namespace {
 
-/// Third pass of the mixed form. L: Lanes.
-template <class L, class Shape>
-struct FindOnePointForces : ForcePass<L, Shape> {
-  using Base = ForcePass<L, Shape>;
-  using Base::chunks;
-  using Base::fields;
-  using Base::launch;
-  using Base::motion;
-  using typename Base::Living;
-  using typename Base::Scratch;
+/// A pack of wedges or pyramids in the third pass (ForcePass).
+template <class Shape>
+struct OnePointForces {
+  CornerGradient<Lanes, Shape> g;
+  HourglassVectors<Lanes, Shape> gamma;
+  ModeVectors<Lanes, Shape> q;  // forces of the modes
+  Lanes mass;
 
-  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, SolidSums& sums, const Scratch& scratch) {
-      leave_pack(on, living, sums, scratch);
-    });
-    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
-  }
-
-  /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, SolidSums& sums,
-                                  const Scratch& scratch) const {
-    CornerField<Lanes, Shape> x, f;
-    gather_corners<Shape::corners>(scratch.nodes, node_record, on.corners, x);
-    const CornerGradient<Lanes, Shape> g = find_corner_gradient(x);
-    const HourglassVectors<Lanes, Shape> gamma = find_hourglass_vectors(x, g);
-    const TetMeans<Lanes> means = TetGather{scratch.means}.template find_means<Shape::corners>(on.corners);
-    const double* const record = find_pack_record(chunks, fields.state, on.chunk.c, on.pack);
-    OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
-    ModeVectors<Lanes, Shape> q = load_modes(record);
-    Lanes step = find_step(on, g, gamma, means, load_pack(record)), volume = g.volume, share(1.0);
-    if (living.can_fail()) {
-      share = living.take_force_share(step, volume);
-      own.scale(share);
-      for (auto& mode : q.at) mode = share * mode;
-    }
-    find_corner_forces(find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure), q, g, gamma, f);
-    if (living.can_fail()) {
-      settle_forces<Shape::corners>(select(share < Lanes(0.0), share, Lanes(1.0)), f);
-      settle_step(share, step, volume);
-    }
-    Base::leave_forces(f, scratch.find_given(on.pack));
-    on.take_step(step, volume, sums);
-    on.leave_bound(motion.watch, step);
-  }
-
-  static PERCUSS_FORCE_INLINE ModeVectors<Lanes, Shape> load_modes(const double* record) {
-    ModeVectors<Lanes, Shape> q;
+  KOKKOS_FUNCTION OnePointForces(const SolidScratch& scratch, const ChunkPack& pack) {
+    CornerField<Lanes, Shape> x;
+    scratch.gather(0, pack.corners, x.at);
+    g = find_corner_gradient(x);
+    gamma = find_hourglass_vectors(x, g);
+    const auto* const record = reinterpret_cast<const double*>(pack.record);
+    mass = load_pack(record);
     const double* mode = record + OnePointRecord<Shape>::hourglass * solid_width;
     for (auto& of : q.at) {
       of = {load_pack(mode), load_pack(mode + solid_width), load_pack(mode + 2 * solid_width)};
       mode += 3 * solid_width;
     }
-    return q;
   }
 
+  KOKKOS_FUNCTION const Lanes& volume() const { return g.volume; }
   /// The bound of the element with the moduli that it feels (kernels/tet/mixing.hpp).
-  KOKKOS_FUNCTION Lanes find_step(const SolidPack& on, const CornerGradient<Lanes, Shape>& g,
-                                  const HourglassVectors<Lanes, Shape>& gamma, const TetMeans<Lanes>& means,
-                                  const Lanes& mass) const {
-    const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
-    const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
-    const TetStiffness<Lanes> felt = mix_moduli({Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)}, means,
-                                                load(TetPasses::guard_modulus));
+  KOKKOS_FUNCTION Lanes find_step(const TetStiffness<Lanes>& felt, const double* scalars) const {
     const Lanes lambda = larger(felt.bulk - Lanes(2.0 / 3.0) * felt.shear, Lanes(0.0));
-    return find_one_point_step(find_gradient_sizes(g, gamma), g.volume, mass,
-                               {lambda, felt.shear, load(TetPasses::hourglass), felt.tangent});
+    return find_one_point_step(
+        find_gradient_sizes(g, gamma), g.volume, mass,
+        {lambda, felt.shear, load_pack(scalars + TetPasses::hourglass * solid_width), felt.tangent});
+  }
+  KOKKOS_FUNCTION void scale(const Lanes& share) {
+    for (auto& mode : q.at) mode = share * mode;
+  }
+  KOKKOS_FUNCTION void find_forces(const Symmetric3<Lanes>& stress, CornerField<Lanes, Shape>& f) const {
+    find_corner_forces(stress, q, g, gamma, f);
   }
 };
 
-template <class Run>
-void for_each_block(const OnePointBlocks& blocks, const Run& run) {
-  std::apply([&](const auto&... block) { (run(block), ...); }, blocks);
-}
-
-template <class Material, class Shape>
-void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
-               const TetStep& step, const ChunkResults& results) {
-  if constexpr (!is_single_precision) {
-    launch_pass("percuss::sum_one_point_rates", space, chunks, block.chunks,
-                SumRates<Lanes, Shape>{chunks, block.chunks, step.motion, step.launch, results});
-  }
-}
-
-template <class Material, class Shape>
-void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlock<Material, Shape>& block,
-                const TetStep& step, const ChunkFields& fields) {
-  if constexpr (!is_single_precision) {
-    launch_pass("percuss::sum_one_point_forces", space, chunks, block.chunks,
-                FindOnePointForces<Lanes, Shape>{{chunks, block.chunks, step.motion, step.launch, fields}});
-  }
-}
-
 }  // namespace
 
-void advance_one_points(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                        const ElementMotion& motion, const ChunkFields& fields) {
-  for_each_block(blocks, [&](const auto& block) { advance_block(space, chunks, block, motion, fields); });
+void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
+                   const ElementMotion& motion, const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { advance_plain_of(space, chunks, block, motion, fields); });
 }
 
-void sum_one_point_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                         const TetStep& step, const ChunkResults& results) {
-  for_each_block(blocks, [&](const auto& block) { sum_rates(space, chunks, block, step, results); });
+void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks, const TetStep& step,
+               const ChunkFields& fields) {
+  sum_rates_of(space, chunks, blocks, step, fields);
 }
 
-void advance_one_point_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                                const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
-  for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
+                      const TetStep& step, const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { advance_stresses_of(space, chunks, block, step, fields); });
 }
 
-void sum_one_point_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks,
-                          const TetStep& step, const ChunkFields& fields) {
-  for_each_block(blocks, [&](const auto& block) { sum_forces(space, chunks, block, step, fields); });
+void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const OnePointBlocks& blocks, const TetStep& step,
+                const ChunkFields& fields) {
+  sum_forces_of<OnePointForces>(space, chunks, blocks, step, fields);
 }
 
 }  // namespace percuss

@@ -42,7 +42,7 @@ template <class T>
 struct ShellResult {
   ShellWork<T> work;
   T stable_step;   // bound for the next step, without the deck's scale
-  T area;          // at n+1
+  T size;          // area at n+1
   T least_cosine;  // ShellGeometry::least_cosine at n+1
 };
 

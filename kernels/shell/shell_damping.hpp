@@ -25,6 +25,6 @@ struct DampedShells {
 
 /// Damps every listed chunk, after its internal forces.
 void damp_shells(const ExecSpace& space, const ElementChunks& chunks, const DampedShells& damped,
-                 const ShellMotion& motion, const SpinDampingFields& fields);
+                 const ElementMotion& motion, const DampingFields& fields);
 
 }  // namespace percuss

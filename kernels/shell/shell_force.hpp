@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "kernels/element/element_chunks.hpp"
+#include "kernels/element/element_motion.hpp"
 #include "kernels/shell/fabric.hpp"
 #include "kernels/shell/hardening_layer.hpp"
 #include "kernels/shell/laminate.hpp"
@@ -27,20 +28,8 @@ struct ShellBlock {
 using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>,
                                ShellBlock<LaminateLayer>, ShellBlock<FabricLayer>>;
 
-/// The motion that shells see: positions at n+1, velocities and angular velocities at n+1/2, the step between.
-struct ShellMotion {
-  Rows3<const double> x;
-  Rows3<const double> v;
-  Rows3<const double> w;
-  double dt = 0;
-  bool skips_rest = false;  // as ElementMotion::skips_rest
-  FailingChunks failing{};  // as ElementMotion's
-  ElementLives lives{};
-  Array<double> bound{};  // [elements] out: step bound of each shell, without the deck's scale; empty: nobody asks
-};
-
 /// Advances every shell from n to n+1.
 void advance_shells(const ExecSpace& space, const ElementChunks& chunks, const ShellBlocks& blocks,
-                    const ShellMotion& motion, const ChunkFields& fields);
+                    const ElementMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

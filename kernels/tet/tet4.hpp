@@ -182,4 +182,30 @@ PERCUSS_FORCE_INLINE T find_mixed_step(const TetGeometry<T>& g, const T (&share)
   return find_stable_step(frequency.square, frequency.damping_rate);
 }
 
+/// Advances an element that averages nothing from n to n+1. x, v: places at n+1 and velocities at n+1/2. f: out. With
+/// dt = 0 it evaluates forces and step only.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE ElementResult<TetWork<T>, T> advance_solid(const SolidParameters<Material>& par,
+                                                                const TetCorners<T>& x, const TetCorners<T>& v,
+                                                                const T& dt, TetState<T, Material>& state,
+                                                                TetCorners<T>& f) {
+  const TetMotion<T> own = follow_tet(x, v, dt);
+  const TetPoint<T> point = advance_tet4<false>(par, x, own, own.d, dt, state);
+  f = find_tet_forces(point.geometry, add_to_diagonal(point.stress, T(0) - state.viscous_pressure));
+  return {point.work, find_plain_step(point.geometry, state.mass, point.own), point.geometry.volume};
+}
+
+/// Advances stress and history of one that averages. mean: of the nodes' rates.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE TetPoint<T> advance_mixed(const SolidParameters<Material>& par, const TetCorners<T>& x,
+                                               const TetCorners<T>& v, const Symmetric3<T>& mean, const T& dt,
+                                               TetState<T, Material>& state) {
+  const TetMotion<T> own = follow_tet(x, v, dt);
+  return advance_tet4<true>(par, x, own, blend(own.d, mean), dt, state);
+}
+template <class T>
+PERCUSS_FORCE_INLINE const TetStiffness<T>& find_stiffness(const TetPoint<T>& point) {
+  return point.own;
+}
+
 }  // namespace percuss

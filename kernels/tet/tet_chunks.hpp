@@ -21,11 +21,12 @@ struct TetRecord {
   static constexpr int find_size(int count) { return history + count; }
 };
 
-/// Chunks of one material of tetrahedra.
-template <class Material>
-struct TetBlock {
-  Array<int> chunks;                                              // ascending chunk ids
-  Kokkos::View<SolidParameters<Material>*, MemSpace> parameters;  // by ElementChunks::parameters
+/// Chunks of one material of tetrahedra, and what a pack of them works with.
+template <class M>
+struct TetBlock : SolidBlock<M> {
+  using Shape = Tet4;
+  using State = TetState<Pack<double>, M>;
+  using Field = TetCorners<Pack<double>>;
 };
 
 template <class List>
@@ -48,7 +49,7 @@ struct TetPasses {
   // axes.
   static constexpr int shear = 0, tangent = 1, guard_modulus = 2, hourglass = 3, guard = 4, viscous_pressure = 5,
                        stress = 6, scalars = 12;
-  // Places and velocities of the nodes of chunks [slots of this rank's chunks][node_record]; behind a place its share.
+  // Places and velocities of the nodes of chunks [slots of this rank's chunks][8]; behind a place its share.
   Array<double> nodes;
   TetRateRows slot_rates;       // [slots] sums of the chunks, and what other ranks have sent
   TetStressRows slot_stresses;  // likewise

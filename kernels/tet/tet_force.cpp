@@ -6,57 +6,30 @@ namespace percuss {
 
 namespace {
 
-/// Third pass. L: Lanes.
-template <class L>
-struct FindForces : ForcePass<L, Tet4> {
-  using Base = ForcePass<L, Tet4>;
-  using Base::chunks;
-  using Base::fields;
-  using Base::launch;
-  using Base::motion;
-  using typename Base::Living;
-  using typename Base::Scratch;
+/// A pack of tetrahedra in the third pass (ForcePass).
+template <class Shape>
+struct TetForces {
+  TetGeometry<Lanes> g;
+  Lanes shares[4];  // of the mass of the corners
 
-  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    this->sum_chunk(member, [&](const SolidPack& on, const Living& living, SolidSums& sums, const Scratch& scratch) {
-      leave_pack(on, living, sums, scratch);
-    });
-    if (motion.watch.bound.extent(0) > 0) motion.watch.growth(this->list(member.league_rank())) = 0;
-  }
-
-  KOKKOS_FUNCTION void leave_pack(const SolidPack& on, const Living& living, SolidSums& sums,
-                                  const Scratch& scratch) const {
+  KOKKOS_FUNCTION TetForces(const SolidScratch& scratch, const ChunkPack& pack) {
     TetCorners<Lanes> x;
-    Lanes shares[4];
-    gather_corners<4>(scratch.nodes, node_record, on.corners, x, shares);
-    const TetGeometry<Lanes> g = find_tet_geometry(x);
-    const TetMeans<Lanes> means = TetGather{scratch.means}.template find_means<4>(on.corners);
-    const double* const scalars = find_scalars(chunks, launch.passes, on.chunk.c, on.pack);
-    const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
-    const TetStiffness<Lanes> own{Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)};
-    const Lanes step = find_mixed_step(g, shares, mix_moduli(own, means, load(TetPasses::guard_modulus)));
-    Base::leave_forces(settle(on, means, g, step, living, sums), scratch.find_given(on.pack));
+    for (int i = 0; i < 4; ++i) {
+      Lanes packs[4];
+      gather_corner(scratch.nodes, SolidScratch::node_size, pack.corners + i * solid_width, packs);
+      x[i] = {packs[0], packs[1], packs[2]};
+      shares[i] = packs[3];
+    }
+    g = find_tet_geometry(x);
   }
 
-  /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
-  KOKKOS_FUNCTION TetCorners<Lanes> settle(const SolidPack& on, const TetMeans<Lanes>& means,
-                                           const TetGeometry<Lanes>& g, Lanes step, const Living& living,
-                                           SolidSums& sums) const {
-    OwnStress own(find_scalars(chunks, launch.passes, on.chunk.c, on.pack));
-    Lanes volume = g.volume, share(1.0);
-    if (living.can_fail()) {
-      share = living.take_force_share(step, volume);
-      own.scale(share);
-    }
-    TetCorners<Lanes> f =
-        find_tet_forces(g, find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure));
-    if (living.can_fail()) {
-      settle_forces<4>(select(share < Lanes(0.0), share, Lanes(1.0)), f);
-      settle_step(share, step, volume);
-    }
-    on.take_step(step, volume, sums);
-    on.leave_bound(motion.watch, step);
-    return f;
+  KOKKOS_FUNCTION const Lanes& volume() const { return g.volume; }
+  KOKKOS_FUNCTION Lanes find_step(const TetStiffness<Lanes>& felt, const double*) const {
+    return find_mixed_step(g, shares, felt);
+  }
+  KOKKOS_FUNCTION void scale(const Lanes&) {}
+  KOKKOS_FUNCTION void find_forces(const Symmetric3<Lanes>& stress, TetCorners<Lanes>& f) const {
+    f = find_tet_forces(g, stress);
   }
 };
 
@@ -65,16 +38,11 @@ template <class Rows, class Take>
 PERCUSS_FORCE_INLINE void visit_slots(const TetNodes& nodes, const Rows& rows, int record, const Take& take) {
   const int last = static_cast<int>(nodes.slots.extent(0)) - 1, size = static_cast<int>(rows.extent(1));
   for (int i = nodes.first(record); i < nodes.first(record + 1); ++i) {
-    const double* const ahead = &rows(nodes.slots(i + node_rows_ahead < last ? i + node_rows_ahead : last), 0);
+    const double* const ahead = &rows(nodes.slots(i + rows_ahead < last ? i + rows_ahead : last), 0);
     fetch_ahead(ahead);
     fetch_ahead(ahead + size - 1);
     take(&rows(nodes.slots(i), 0));
   }
-}
-
-template <class Run>
-void for_each_block(const TetBlocks& blocks, const Run& run) {
-  std::apply([&](const auto&... block) { (run(block), ...); }, blocks);
 }
 
 }  // namespace
@@ -82,26 +50,22 @@ void for_each_block(const TetBlocks& blocks, const Run& run) {
 TetPasses make_tet_passes(const TetNodes& nodes, const ElementChunks& chunks, int slot_count) {
   const auto slots = static_cast<std::size_t>(slot_count), records = static_cast<std::size_t>(nodes.count);
   const auto packs = chunks.corner_slots.extent(0) / (8 * pack_size<Real>);
-  return {Array<double>("percuss::tet_slot_nodes", nodes.slots_to_records.extent(0) * std::size_t{node_record}),
-          TetRateRows("percuss::tet_slot_rates", slots),
-          TetStressRows("percuss::tet_slot_stresses", slots),
-          TetAverageRows("percuss::tet_rates", records),
-          TetAverageRows("percuss::tet_stresses", records),
-          Array<double>("percuss::tet_shares", records),
-          Array<double>("percuss::tet_elements", packs * TetPasses::scalars * static_cast<std::size_t>(solid_width)),
-          Array<int>("percuss::tet_rates_rest", records),
-          Array<int>("percuss::tet_stresses_stay", records),
-          Array<int>("percuss::tet_is_left", static_cast<std::size_t>(chunks.count))};
+  return {
+      Array<double>("percuss::tet_slot_nodes", nodes.slots_to_records.extent(0) * std::size_t{SolidScratch::node_size}),
+      TetRateRows("percuss::tet_slot_rates", slots),
+      TetStressRows("percuss::tet_slot_stresses", slots),
+      TetAverageRows("percuss::tet_rates", records),
+      TetAverageRows("percuss::tet_stresses", records),
+      Array<double>("percuss::tet_shares", records),
+      Array<double>("percuss::tet_elements", packs * TetPasses::scalars * static_cast<std::size_t>(solid_width)),
+      Array<int>("percuss::tet_rates_rest", records),
+      Array<int>("percuss::tet_stresses_stay", records),
+      Array<int>("percuss::tet_is_left", static_cast<std::size_t>(chunks.count))};
 }
 
-void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                   const ChunkResults& results) {
-  for_each_block(blocks, [&](const auto& block) {
-    if constexpr (!is_single_precision) {
-      launch_pass("percuss::sum_tet_rates", space, chunks, block.chunks,
-                  SumRates<Lanes, Tet4>{chunks, block.chunks, step.motion, step.launch, results});
-    }
-  });
+void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+               const ChunkFields& fields) {
+  sum_rates_of(space, chunks, blocks, step, fields);
 }
 
 void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
@@ -126,9 +90,9 @@ void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
       });
 }
 
-void advance_tet_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
-                          const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
-  for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                      const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { advance_stresses_of(space, chunks, block, step, fields); });
 }
 
 void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
@@ -158,19 +122,14 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
       });
 }
 
-void sum_tet_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                    const ChunkFields& fields) {
-  for_each_block(blocks, [&](const auto& block) {
-    if constexpr (!is_single_precision) {
-      launch_pass("percuss::sum_tet_forces", space, chunks, block.chunks,
-                  FindForces<Lanes>{{chunks, block.chunks, step.motion, step.launch, fields}});
-    }
-  });
+void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                const ChunkFields& fields) {
+  sum_forces_of<TetForces>(space, chunks, blocks, step, fields);
 }
 
-void advance_plain_tets(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
-                        const ElementMotion& motion, const ChunkFields& fields) {
-  for_each_block(blocks, [&](const auto& block) { advance_plain(space, chunks, block, motion, fields); });
+void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
+                   const ElementMotion& motion, const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { advance_plain_of(space, chunks, block, motion, fields); });
 }
 
 }  // namespace percuss

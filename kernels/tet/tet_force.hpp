@@ -14,37 +14,42 @@ struct TetStep {
   TetLaunch launch;
 };
 
-/// First pass: passes.slot_rates of these chunks. results: of the step before; settled chunks that rest keep their
-/// rows.
-void sum_tet_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                   const ChunkResults& results);
+/// First pass: passes.slot_rates of these chunks. Settled chunks that rest, by the results of the step before, keep
+/// their rows.
+void sum_rates(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+               const ChunkFields& fields);
 
 /// Nodes average what their elements have given: passes.rates.
 void average_tet_rates(const ExecSpace& space, const TetLaunch& launch);
 
-/// Second pass: advances stress and history from n to n+1, and books the work. state: element records, in and out.
-/// results: work is added to, and is_settled is out. Fills passes.slot_stresses, passes.elements and passes.is_left.
-void advance_tet_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
-                          const TetStep& step, const Array<Real>& state, const ChunkResults& results);
+/// Second pass: advances stress and history from n to n+1, and books the work. Of the results work is added to, and
+/// is_settled is out. Fills passes.slot_stresses, passes.elements and passes.is_left.
+void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                      const ChunkFields& fields);
 
 /// passes.stresses from what the elements have given.
 void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch);
 
-/// Third pass. slot_force: out, the chunk's share of the force on its nodes (minus the internal force). results: out,
-/// except for work.
-void sum_tet_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                    const ChunkFields& fields);
+/// Third pass. fields: out, except for work.
+void sum_forces(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                const ChunkFields& fields);
 
 /// The plain form, all of it.
-void advance_plain_tets(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
-                        const ElementMotion& motion, const ChunkFields& fields);
-
-/// The same for one material; compiled in files of their own.
-template <class Material>
-void advance_stresses(const ExecSpace& space, const ElementChunks& chunks, const TetBlock<Material>& block,
-                      const TetStep& step, const Array<Real>& state, const ChunkResults& results);
-template <class Material>
-void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const TetBlock<Material>& block,
+void advance_plain(const ExecSpace& space, const ElementChunks& chunks, const TetBlocks& blocks,
                    const ElementMotion& motion, const ChunkFields& fields);
+
+/// The same for one block; compiled for each material.
+template <class Block>
+void advance_stresses_of(const ExecSpace& space, const ElementChunks& chunks, const Block& block, const TetStep& step,
+                         const ChunkFields& fields);
+template <class Block>
+void advance_plain_of(const ExecSpace& space, const ElementChunks& chunks, const Block& block,
+                      const ElementMotion& motion, const ChunkFields& fields);
+
+/// Calls run(block) for each block of a tuple.
+template <class Blocks, class Run>
+void for_each_block(const Blocks& blocks, const Run& run) {
+  std::apply([&](const auto&... block) { (run(block), ...); }, blocks);
+}
 
 }  // namespace percuss

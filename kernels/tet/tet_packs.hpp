@@ -7,10 +7,21 @@
 #include <type_traits>
 
 #include "kernels/core/number_rows.hpp"
-#include "kernels/element/solid_packs.hpp"
-#include "kernels/tet/tet_chunks.hpp"
+#include "kernels/element/solid_body.hpp"
+#include "kernels/tet/tet_force.hpp"
 
 namespace percuss {
+
+/// What a pass reads of a block in a step.
+template <class Block>
+struct PassStep : BlockStep<Block> {
+  TetLaunch launch;
+};
+
+/// Chunks, of which a pass asks for no material.
+struct ChunkList {
+  Array<int> chunks;
+};
 
 /// Scratch of a pass: averages at a chunk's nodes, and what its elements give to them, GivenRow numbers each.
 /// Elements first leave what they give side by side; a node then adds up what its elements have left. An element that
@@ -18,31 +29,24 @@ namespace percuss {
 /// The nodes themselves lie in passes.nodes, for all passes of a step.
 template <int GivenRow>
 struct MixedScratch : SolidScratch {
-  static constexpr int given_row = GivenRow;
   double* means;  // [slots][TetSums::average_row]
   double* given;  // [lanes of the chunk + 1][GivenRow], of which the last row is 0
 
-  KOKKOS_FUNCTION MixedScratch(const ChunkMember& member, const SolidChunk& chunk, const TetPasses& passes)
+  KOKKOS_FUNCTION MixedScratch(const ChunkMember& member, const TeamChunk& chunk, const TetPasses& passes)
       : SolidScratch(member, 0),
         means(take<double>(member, chunk.slot_count * TetSums::average_row)),
-        given(take<double>(member, (count_lanes(chunk) + 1) * GivenRow)) {
-    nodes = &passes.nodes(static_cast<std::size_t>(node_record) * static_cast<std::size_t>(chunk.first_slot));
-    double* const end = given + count_lanes(chunk) * GivenRow;
+        given(take<double>(member, (chunk.count_lanes() + 1) * GivenRow)) {
+    nodes = &passes.nodes(static_cast<std::size_t>(node_size * chunk.first_slot));
+    double* const end = given + chunk.count_lanes() * GivenRow;
     for (int k = 0; k < GivenRow; ++k) end[k] = 0;
   }
 
-  static KOKKOS_FUNCTION int count_lanes(const SolidChunk& chunk) {
-    return (chunk.end_element - chunk.first_element + solid_width - 1) / solid_width * solid_width;
-  }
-
   /// What a pack gives, its first element first.
-  PERCUSS_FORCE_INLINE double* find_given(int pack) const {
-    return given + static_cast<std::size_t>(pack) * solid_width * GivenRow;
-  }
+  PERCUSS_FORCE_INLINE double* find_given(const ChunkPack& pack) const { return given + pack.first * GivenRow; }
 
   /// Elements that died give nothing.
-  KOKKOS_FUNCTION void clear_given(const SolidChunk& chunk) const {
-    for (int i = 0; i < count_lanes(chunk) * GivenRow; ++i) given[i] = 0;
+  KOKKOS_FUNCTION void clear_given(const TeamChunk& chunk) const {
+    for (int i = 0; i < chunk.count_lanes() * GivenRow; ++i) given[i] = 0;
   }
 
   static std::size_t count_bytes(const ElementChunks& chunks, const TetNodes& nodes) {
@@ -68,11 +72,13 @@ PERCUSS_FORCE_INLINE void sum_slots(const TetNodes& nodes, int c, const Add& add
   }
 }
 
-/// Launches a pass over chunks, a team each.
-template <class Kernel>
-void launch_pass(const char* label, const ExecSpace& space, const ElementChunks& chunks, const Array<int>& list,
-                 const Kernel& kernel) {
-  launch_solids(label, space, chunks, list, kernel, Kernel::Scratch::count_bytes(chunks, kernel.launch.nodes));
+/// Launches a pass over the chunks of a block, a team each.
+template <class Pass, class Block>
+void launch_pass(const char* label, const ExecSpace& space, const ElementChunks& chunks, const Block& block,
+                 const TetStep& step, const ChunkFields& fields) {
+  if (block.chunks.extent(0) == 0) return;
+  launch_chunks(label, space, chunks, block.chunks, Pass{{{chunks, block, step.motion, fields}, step.launch}},
+                Pass::Scratch::count_bytes(chunks, step.launch.nodes));
 }
 
 /// Averages at the nodes of a chunk, [slots][TetSums::average_row].
@@ -129,30 +135,20 @@ struct TetGather {
   }
 };
 
-/// First pass of the elements of a shape: V D / N and V / N of each to its N nodes. L: Lanes.
-template <class L, class Shape>
-struct SumRates {
-  using Living = LivingSolids<L>;
+/// First pass of the elements of a shape: V D / N and V / N of each to its N nodes.
+template <class Shape>
+struct SumRates : PassStep<ChunkList> {
   using Scratch = MixedScratch<TetSums::rate_row>;
   static constexpr int corners_of = Shape::corners;
-  ElementChunks chunks;
-  Array<int> list;
-  ElementMotion motion;
-  TetLaunch launch;
-  ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const SolidChunk chunk(chunks, list(member.league_rank()));
-    if (ChunkRest(chunks, results, chunk.c, motion.skips_rest, motion.v).is_settled()) return;
+    const TeamChunk chunk(chunks, block.chunks(member.league_rank()));
+    if (ChunkRest(chunks, fields.results, chunk.c, motion.skips_rest, motion.v).is_settled()) return;
     const Scratch scratch(member, chunk, launch.passes);
-    chunk.fill_nodes(motion, scratch.nodes);
-    Living living(motion.failing, motion.lives, chunk.c);
+    scratch.fill(chunk, motion.x.data(), motion.v.data());
+    LivingSolids living(motion.failing, motion.lives, chunk.c);
     if (living.can_fail()) scratch.clear_given(chunk);
-    chunk.for_each_pack([&](int pack, int, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      leave_pack(scratch.nodes, corners, living, scratch.find_given(pack));
-    });
+    chunk.for_each_pack(living, nullptr, 0, [&](const ChunkPack& pack) { leave_pack(scratch, pack, living); });
     using Sum = RowSum<TetSums::rate_row>;
     double* const sums = &launch.passes.slot_rates(chunk.first_slot, 0);
     sum_slots<Sum>(
@@ -161,12 +157,11 @@ struct SumRates {
         [&](int s, const Sum& sum) { sum.store(sums + TetSums::rate_row * s); });
   }
 
-  KOKKOS_FUNCTION void leave_pack(const double* nodes, const std::uint16_t* corners, const Living& living,
-                                  double* given) const {
+  KOKKOS_FUNCTION void leave_pack(const Scratch& scratch, const ChunkPack& pack, const LivingSolids& living) const {
     const Lanes zero(0.0), part(1.0 / corners_of);
     typename ShapeField<Lanes, Shape>::type x, v;
-    gather_corners<corners_of>(nodes, node_record, corners, x);
-    gather_corners<corners_of>(nodes + 4, node_record, corners, v);
+    scratch.gather(0, pack.corners, x.at);
+    scratch.gather(1, pack.corners, v.at);
     const auto middle = find_shape_geometry(find_middle(x, v, Lanes(motion.dt)));
     Lanes volume = middle.volume;
     if (living.can_fail()) volume = select(living.load_force_share() < zero, zero, volume);
@@ -174,7 +169,7 @@ struct SumRates {
     const Symmetric3<Lanes> d = part * symmetric_part(find_volume_times_gradient(v, middle));
     const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
     turn_to_rows({keep(d.xx), keep(d.yy), keep(d.zz), keep(part * volume), keep(d.xy), keep(d.yz), keep(d.zx), zero},
-                 given, TetSums::rate_row);
+                 scratch.find_given(pack), TetSums::rate_row);
   }
 };
 
@@ -231,66 +226,114 @@ struct OwnStress {
   }
 };
 
-/// The record of a pack.
-KOKKOS_INLINE_FUNCTION const double* find_pack_record(const ElementChunks& chunks, const Array<Real>& state, int c,
-                                                      int pack) {
-  return reinterpret_cast<const double*>(&state(chunks.first_state(c))) +
-         static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(c)) * solid_width;
-}
-
-/// What the second pass leaves for the third [TetPasses::scalars][W].
-KOKKOS_INLINE_FUNCTION double* find_scalars(const ElementChunks& chunks, const TetPasses& passes, int c, int pack) {
-  const int place = chunks.first_pack(c) + pack;
-  return &passes.elements(static_cast<std::size_t>(place) * TetPasses::scalars * solid_width);
+/// What the second pass leaves of a pack for the third [TetPasses::scalars][W].
+KOKKOS_INLINE_FUNCTION double* find_scalars(const TetPasses& passes, const TeamChunk& chunk, const ChunkPack& pack) {
+  const int lane = chunk.chunks.first_pack(chunk.c) * solid_width + pack.first;
+  return &passes.elements(static_cast<std::size_t>(lane) * TetPasses::scalars);
 }
 
 /// Averages at the nodes of a chunk into its scratch. Their records jump where other chunks come first.
-PERCUSS_FORCE_INLINE void fill_averages(const TetLaunch& launch, const SolidChunk& chunk, const TetAverageRows& rows,
+PERCUSS_FORCE_INLINE void fill_averages(const TetLaunch& launch, const TeamChunk& chunk, const TetAverageRows& rows,
                                         double* means) {
   constexpr int size = TetSums::average_row;
   const int* const records = &launch.nodes.slots_to_records(chunk.first_slot);
   const auto find_row = [from = rows.data()](int record) { return from + size * static_cast<std::size_t>(record); };
   for (int s = 0; s < chunk.slot_count; ++s) {
-    fetch_ahead(find_row(records[s + node_rows_ahead < chunk.slot_count ? s + node_rows_ahead : s]));
+    fetch_ahead(find_row(records[s + rows_ahead < chunk.slot_count ? s + rows_ahead : s]));
     std::memcpy(means + size * s, find_row(records[s]), size * sizeof(double));
   }
 }
 
-/// Second pass over the elements of a block: their stress and history, and what each pack gives to its nodes.
-template <class Material, class Block>
-struct StressPass {
-  using Living = LivingSolids<Material>;
+/// Body of StressPass, as that of ElementKernel. The mass of the nodes of tetrahedra is shared by the squares of
+/// corners, that of the others' is not.
+template <class Block_>
+struct StressBody : SolidMaterial<Block_> {
+  using Block = Block_;
+  using Parameters = const SolidParameters<typename Block::Material>;
+  using Sums = SolidSums;
+  using Lives = LivingSolids;
   using Scratch = MixedScratch<GivenStress::row>;
-  ElementChunks chunks;
-  Block block;
-  ElementMotion motion;
-  TetLaunch launch;
-  Array<Real> state;
-  ChunkResults results;
+  static constexpr int corners = Block::Shape::corners;
+  static constexpr int largest_record = sizeof(typename Block::State) / sizeof(Real);
+  static constexpr bool shares_mass = std::is_same_v<typename Block::Shape, Tet4>;
+  const PassStep<Block>& of;
+  const TeamChunk& chunk;
+  const Scratch& scratch;
 
-  /// Calls leave_pack(parameters, pack, living, state, sums, scratch) as SolidRecords::advance for the team's chunk,
-  /// then adds up what packs have left. SharesMass: the squares of corners, too.
-  template <class State, bool SharesMass, class LeavePack>
-  KOKKOS_FUNCTION void advance_chunk(const ChunkMember& member, const LeavePack& leave_pack) const {
-    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
-    const SolidParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
-    const ChunkRest rest(chunks, results, chunk.c, motion.skips_rest && !changes_at_rest(parameters.material),
-                         motion.v);
+  KOKKOS_FUNCTION int find_record_size() const { return chunk.chunks.record_size(chunk.c) * solid_width; }
+
+  PERCUSS_FORCE_INLINE void advance(Parameters& parameters, const ChunkPack& pack, const Lives& lives,
+                                    Sums& sums) const {
+    const int size = find_record_size();
+    typename Block::Field x, v;
+    pack.fetch_third(size, 0);
+    scratch.gather(0, pack.corners, x.at);
+    pack.fetch_third(size, 1);
+    scratch.gather(1, pack.corners, v.at);
+    pack.fetch_third(size, 2);
+    auto& state = *reinterpret_cast<typename Block::State*>(pack.record);
+    const Symmetric3<Lanes> mean = TetGather{scratch.means}.template find_mean<corners>(pack.corners);
+    auto point = advance_mixed(parameters, x, v, mean, Lanes(of.motion.dt), state);
+    Lanes share(1.0);
+    if (lives.can_fail()) {
+      share = lives.take_force_share(Lanes(1e300), point.geometry.volume);
+      lives.take_work(share, point.work);
+    }
+    sums.take_work(point.work, pack.lanes);
+    leave_stress(point, state, pack, share,
+                 find_guard_modulus(state.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu));
+  }
+
+  /// For the third pass, and what the pack gives to its nodes. share: of its force that each lane leaves.
+  template <class Point>
+  PERCUSS_FORCE_INLINE void leave_stress(const Point& point, const typename Block::State& state, const ChunkPack& pack,
+                                         const Lanes& share, const Lanes& guard_modulus) const {
+    const Lanes zero(0.0);
+    const TetStiffness<Lanes> own = find_stiffness(point);
+    double* const scalars = find_scalars(of.launch.passes, chunk, pack);
+    store_pack(scalars + TetPasses::shear * solid_width, own.shear);
+    store_pack(scalars + TetPasses::tangent * solid_width, own.tangent);
+    store_pack(scalars + TetPasses::guard_modulus * solid_width, guard_modulus);
+    OwnStress(point.stress, state.guard, state.viscous_pressure).leave(scalars);
+    Lanes mass = zero, square[4] = {zero, zero, zero, zero};
+    if constexpr (shares_mass) {
+      mass = Lanes(0.25) * state.mass;
+      for (int i = 0; i < 4; ++i) square[i] = dot(point.geometry.b[i], point.geometry.b[i]) / point.geometry.volume;
+    } else {
+      store_pack(scalars + TetPasses::hourglass * solid_width, point.own.hourglass);
+    }
+    GivenStress::leave<corners>(
+        {share * add_to_diagonal(point.stress, zero - state.guard), own.bulk + guard_modulus, own.shear},
+        point.geometry.volume, !(share < zero), mass, square, scratch.find_given(pack));
+  }
+};
+
+/// Second pass over the elements of a block: their stress and history, and what each pack gives to its nodes.
+template <class Block>
+struct StressPass : PassStep<Block> {
+  using Of = PassStep<Block>;
+  using Of::launch;
+  using Body = StressBody<Block>;
+  using Scratch = typename Body::Scratch;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TeamChunk chunk(Of::chunks, Of::block.chunks(member.league_rank()));
+    const ChunkResults& results = Of::fields.results;
+    const ChunkRest rest(Of::chunks, results, chunk.c, Of::motion.skips_rest && Body::may_rest(*this, chunk.c),
+                         Of::motion.v);
     if (leave_as_it_is(chunk, rest)) return;
     const Scratch scratch(member, chunk, launch.passes);
     fill_averages(launch, chunk, launch.passes.rates, scratch.means);
-    if (motion.failing.find_pack(chunk.c) >= 0) scratch.clear_given(chunk);
-    SolidRecords{chunk, rest, motion, state, scratch}
-        .template advance<State>(
-            parameters, [&](const SolidParameters<Material>& of_step, const SolidPack& on, const Living& living,
-                            State& of, SolidSums& sums) { leave_pack(of_step, on, living, of, sums, scratch); })
-        .leave_work(chunk.c, results);
-    add_up<SharesMass>(chunk, scratch.given);
+    if (Of::motion.failing.find_pack(chunk.c) >= 0) scratch.clear_given(chunk);
+    Body body{{}, *this, chunk, scratch};
+    SolidSums sums;
+    rest.leave(advance_packs(*this, chunk, body, sums, rest.is_at_rest()));
+    sums.leave_work(chunk.c, results);
+    add_up(chunk, scratch.given);
   }
 
   /// Sums of the chunk's slots.
-  template <bool SharesMass>
-  KOKKOS_FUNCTION void add_up(const SolidChunk& chunk, const double* given) const {
+  KOKKOS_FUNCTION void add_up(const TeamChunk& chunk, const double* given) const {
     struct Sum {
       RowSum<8> low;
       RowSum<4> high;
@@ -303,18 +346,18 @@ struct StressPass {
           const double* const row = given + GivenStress::row * element;
           sum.low.add(row);
           sum.high.add(row + 8);
-          if constexpr (SharesMass) sum.square += row[GivenStress::squares + corner];
+          if constexpr (Body::shares_mass) sum.square += row[GivenStress::squares + corner];
         },
         [&](int s, const Sum& sum) {
           double* const row = sums + TetSums::stress_row * s;
           sum.low.store(row);
           sum.high.store(row + 8);
-          if constexpr (SharesMass) row[TetSums::square] = sum.square;
+          if constexpr (Body::shares_mass) row[TetSums::square] = sum.square;
         });
   }
 
   /// Whether neither the motion of a chunk nor the averaged rates at its nodes ask for an evaluation.
-  KOKKOS_FUNCTION bool leave_as_it_is(const SolidChunk& chunk, const ChunkRest& rest) const {
+  KOKKOS_FUNCTION bool leave_as_it_is(const TeamChunk& chunk, const ChunkRest& rest) const {
     const TetPasses& passes = launch.passes;
     const bool is_left =
         rest.is_settled() &&
@@ -324,55 +367,72 @@ struct StressPass {
   }
 };
 
-/// Third pass: forces of the elements of a shape. L: Lanes.
-template <class L, class Shape>
-struct ForcePass {
-  using Living = LivingSolids<L>;
+/// Third pass: forces of the elements of a shape. Element: a pack of them, with volume(), find_step() with the moduli
+/// that it feels, scale() of what it remembers of its forces, find_forces() of a stress.
+template <class Shape, class Element>
+struct ForcePass : PassStep<ChunkList> {
   using Scratch = MixedScratch<4 * Shape::corners>;
-  ElementChunks chunks;
-  Array<int> list;
-  ElementMotion motion;
-  TetLaunch launch;
-  ChunkFields fields;
+  using Field = typename ShapeField<Lanes, Shape>::type;
 
-  /// Calls leave_pack(pack, living, sums, scratch) for each pack of the team's chunk that has living elements.
-  template <class LeavePack>
-  KOKKOS_FUNCTION void sum_chunk(const ChunkMember& member, const LeavePack& leave_pack) const {
-    const SolidChunk chunk(chunks, list(member.league_rank()));
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TeamChunk chunk(chunks, block.chunks(member.league_rank()));
     const TetPasses& passes = launch.passes;
     if (passes.is_left(chunk.c) != 0 &&
         TetPasses::are_set(passes.stresses_stay, &launch.nodes.slots_to_records(chunk.first_slot), chunk.slot_count)) {
       ++fields.results.skipped(chunk.c);
-      return;
+    } else {
+      const Scratch scratch(member, chunk, passes);
+      fill_averages(launch, chunk, passes.stresses, scratch.means);
+      if constexpr (std::is_same_v<Shape, Tet4>) fill_shares(chunk, scratch.nodes);
+      SolidSums sums;
+      LivingSolids living(motion.failing, motion.lives, chunk.c);
+      if (living.can_fail()) scratch.clear_given(chunk);
+      chunk.for_each_pack(living, &fields.state(chunks.first_state(chunk.c)), chunks.record_size(chunk.c) * solid_width,
+                          [&](const ChunkPack& pack) { leave_pack(chunk, pack, living, sums, scratch); });
+      sums.leave_step(chunk.c, chunk.first_element, chunk.count, fields.results);
+      subtract_forces(chunk, scratch.given);
     }
-    const Scratch scratch(member, chunk, passes);
-    fill_averages(launch, chunk, passes.stresses, scratch.means);
-    if constexpr (std::is_same_v<Shape, Tet4>) fill_shares(chunk, scratch.nodes);
-    SolidSums sums;
-    Living living(motion.failing, motion.lives, chunk.c);
-    if (living.can_fail()) scratch.clear_given(chunk);
-    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
-      const std::uint16_t* corners = own_corners;
-      if (living.can_fail() && !living.take_pack(corners)) return;
-      leave_pack(SolidPack{chunk, pack, lanes, corners, scratch, nullptr, 0}, living, sums, scratch);
-    });
-    chunk.leave_step(sums, fields.results);
-    subtract_forces(chunk, scratch.given);
+    leave_growth(motion.watch, chunk.c);
+  }
+
+  /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
+  KOKKOS_FUNCTION void leave_pack(const TeamChunk& chunk, const ChunkPack& pack, const LivingSolids& living,
+                                  SolidSums& sums, const Scratch& scratch) const {
+    Element element(scratch, pack);
+    const TetMeans<Lanes> means = TetGather{scratch.means}.template find_means<Shape::corners>(pack.corners);
+    const double* const scalars = find_scalars(launch.passes, chunk, pack);
+    const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
+    OwnStress own(scalars);
+    Lanes step = element.find_step(mix_moduli({Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)}, means,
+                                              load(TetPasses::guard_modulus)),
+                                   scalars);
+    Lanes volume = element.volume(), share(1.0);
+    if (living.can_fail()) {
+      share = living.take_force_share(step, volume);
+      own.scale(share);
+      element.scale(share);
+    }
+    Field f;
+    element.find_forces(find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure), f);
+    if (living.can_fail()) {
+      settle_forces(select(share < Lanes(0.0), share, Lanes(1.0)), f.at);
+      settle_step(share, step, volume);
+    }
+    double* const given = scratch.find_given(pack);
+    for (int i = 0; i < Shape::corners; ++i) turn_to_rows({f[i].x, f[i].y, f[i].z}, given + 4 * i, 4 * Shape::corners);
+    sums.take_step(step, volume, pack.first, pack.lanes);
+    leave_bound(motion.watch, chunk, pack.first, step);
   }
 
   /// Shares of mass behind the places in node records.
-  KOKKOS_FUNCTION void fill_shares(const SolidChunk& chunk, double* nodes) const {
+  KOKKOS_FUNCTION void fill_shares(const TeamChunk& chunk, double* nodes) const {
     const int* const records = &launch.nodes.slots_to_records(chunk.first_slot);
-    for (int s = 0; s < chunk.slot_count; ++s) nodes[node_record * s + 3] = launch.passes.shares(records[s]);
-  }
-
-  /// A pack's corner forces [W][N][4].
-  static PERCUSS_FORCE_INLINE void leave_forces(const typename ShapeField<Lanes, Shape>::type& f, double* given) {
-    for (int i = 0; i < Shape::corners; ++i) turn_to_rows({f[i].x, f[i].y, f[i].z}, given + 4 * i, 4 * Shape::corners);
+    for (int s = 0; s < chunk.slot_count; ++s)
+      nodes[SolidScratch::node_size * s + 3] = launch.passes.shares(records[s]);
   }
 
   /// Minus the sum of corner forces, into the chunk's slots.
-  KOKKOS_FUNCTION void subtract_forces(const SolidChunk& chunk, const double* given) const {
+  KOKKOS_FUNCTION void subtract_forces(const TeamChunk& chunk, const double* given) const {
     using Sum = RowSum<4>;
     double* const to = &fields.slot_force(chunk.first_slot, 0);
     sum_slots<Sum>(
@@ -381,5 +441,23 @@ struct ForcePass {
         [&](int s, const Sum& sum) { sum.store_three(to + 3 * s); });
   }
 };
+
+/// The first and the third pass over every block of a family.
+template <class Blocks>
+void sum_rates_of(const ExecSpace& space, const ElementChunks& chunks, const Blocks& blocks, const TetStep& step,
+                  const ChunkFields& fields) {
+  for_each_block(blocks, [&]<class Block>(const Block& block) {
+    using Pass = SumRates<typename Block::Shape>;
+    launch_pass<Pass>("percuss::sum_rates", space, chunks, ChunkList{block.chunks}, step, fields);
+  });
+}
+template <template <class> class Element, class Blocks>
+void sum_forces_of(const ExecSpace& space, const ElementChunks& chunks, const Blocks& blocks, const TetStep& step,
+                   const ChunkFields& fields) {
+  for_each_block(blocks, [&]<class Block>(const Block& block) {
+    using Pass = ForcePass<typename Block::Shape, Element<typename Block::Shape>>;
+    launch_pass<Pass>("percuss::sum_forces", space, chunks, ChunkList{block.chunks}, step, fields);
+  });
+}
 
 }  // namespace percuss

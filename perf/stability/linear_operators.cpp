@@ -77,8 +77,8 @@ class RestingElements {
     state_.v = to_rows("stability::v", v);
     advance_elements(ExecSpace(), model_.chunks, model_.others->hexahedra, {state_.x, state_.v, dt},
                      state_.chunk_fields());
-    advance_one_points(ExecSpace(), model_.chunks, model_.others->one_point, {state_.x, state_.v, dt},
-                       state_.chunk_fields());
+    advance_plain(ExecSpace(), model_.chunks, model_.others->one_point, {state_.x, state_.v, dt},
+                  state_.chunk_fields());
     assemble_slots(ExecSpace(), model_.nodes_to_slots, state_.slot_force, state_.force);
     const auto force = to_host(state_.force);
     forces_.resize(x.size());

@@ -308,26 +308,27 @@ void Stepper::scale_masses(State& state) {
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
-    const ElementInput input = find_input(state, dt);
-    elements_.prepare(state, input.motion);
-    elements_.advance(state, *model_.sending, input);
+    const ElementMotion motion = find_motion(state, dt);
+    elements_.prepare(state, motion);
+    elements_.advance(state, *model_.sending, motion);
     for (Action* const action : order_) action->advance(state, dt);
     add_forces(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
-    elements_.advance(state, *model_.others, input);
+    elements_.advance(state, *model_.others, motion);
   }
   const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();
   if (moment_halo_) moment_halo_->end();
 }
 
-ElementInput Stepper::find_input(const State& state, double dt) const {
+ElementMotion Stepper::find_motion(const State& state, double dt) const {
   const Action* const asker = find_asker();
   const ElementBounds* const asked = asker != nullptr ? asker->asked_bounds() : nullptr;
   const StepWatch watch = global_ ? global_->watch() : asked != nullptr ? asked->watch : StepWatch{};
-  return {{state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives},
-          asked != nullptr ? asked->others : Array<double>()};
+  const Array<double> others = asked != nullptr ? asked->others : Array<double>();
+  return {state.x,     state.v, dt,    deck_.elements.skip_resting, state.time + dt, watch, model_.failing,
+          state.lives, state.w, others};
 }
 
 /// Who wants the bounds of all elements; null: nobody.

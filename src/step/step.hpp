@@ -134,7 +134,7 @@ class Stepper {
   void share_forces(State& state);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
-  ElementInput find_input(const State& state, double dt) const;
+  ElementMotion find_motion(const State& state, double dt) const;
   const Action* find_asker() const;
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);

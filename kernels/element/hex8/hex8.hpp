@@ -45,7 +45,7 @@ template <class T>
 struct HexResult {
   HexWork<T> work;
   T stable_step;  // bound for the next step, without the deck's scale
-  T volume;       // at n+1; not positive: the element is inverted
+  T size;         // volume at n+1; not positive: the element is inverted
   T obliqueness;  // at n+1
 };
 

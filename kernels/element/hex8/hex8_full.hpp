@@ -239,7 +239,7 @@ PERCUSS_FORCE_INLINE auto advance_points(const SolidParameters<Material>& par, c
   return sums;
 }
 
-/// As advance_hex8 of the one-point elements. HexResult::volume is 8 times the smallest of a point: an element that is
+/// As advance_hex8 of the one-point elements. HexResult::size is 8 times the smallest of a point: an element that is
 /// inverted anywhere has failed.
 template <class T, class Material>
 PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const SolidParameters<Material>& par, const VectorModes<T>& a,

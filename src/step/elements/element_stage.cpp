@@ -18,14 +18,13 @@ void ElementStage::prepare(const State& state, const ElementMotion& motion) {
   if (tets_) tets_->prepare(state, motion);
 }
 
-void ElementStage::advance(const State& state, const ElementBlocks& blocks, const ElementInput& input) const {
+void ElementStage::advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const {
   const ChunkFields fields = state.chunk_fields();
-  advance_elements(space_, model_.chunks, blocks.hexahedra, input.motion, fields);
-  if (tets_) tets_->advance(state, blocks, input.motion);
-  if (model_.has_rotations)
-    advance_shells(space_, model_.chunks, blocks.shells, find_shell_motion(state, input), fields);
-  if (model_.has_beams) advance_beams(space_, model_.chunks, blocks.beams, find_beam_step(state, input), fields);
-  if (damping_factor_.extent(0) > 0) damp(state, blocks, input);
+  advance_elements(space_, model_.chunks, blocks.hexahedra, motion, fields);
+  if (tets_) tets_->advance(state, blocks, motion);
+  if (model_.has_rotations) advance_shells(space_, model_.chunks, blocks.shells, motion, fields);
+  if (model_.has_beams) advance_beams(space_, model_.chunks, blocks.beams, motion, fields);
+  if (damping_factor_.extent(0) > 0) damp(state, blocks, motion);
 }
 
 double ElementStage::find_step(std::size_t chunk, double bound) const {
@@ -35,27 +34,12 @@ double ElementStage::find_step(std::size_t chunk, double bound) const {
 Traffic ElementStage::traffic() const { return tets_ ? tets_->traffic() : Traffic{}; }
 
 /// Adds forces to the slots, and their work to the viscous work of the chunks.
-void ElementStage::damp(const State& state, const ElementBlocks& blocks, const ElementInput& input) const {
-  SpinDampingFields fields;
-  fields.force = state.damping_force;
-  fields.slot_force = state.slot_force;
-  fields.work = state.results.work;
-  fields.moment = state.damping_moment;
-  fields.slot_moment = state.slot_moment;
-  fields.state = state.elements;
-  damp_solids(space_, model_.chunks, blocks.damped_solids, input.motion, fields);
-  damp_shells(space_, model_.chunks, blocks.damped_shells, find_shell_motion(state, input), fields);
-  damp_beams(space_, model_.chunks, blocks.damped_beams, find_beam_step(state, input), fields);
-}
-
-ShellMotion ElementStage::find_shell_motion(const State& state, const ElementInput& input) const {
-  const ElementMotion& motion = input.motion;
-  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, input.other_bounds};
-}
-
-BeamStep ElementStage::find_beam_step(const State& state, const ElementInput& input) const {
-  const ElementMotion& motion = input.motion;
-  return {state.x, state.v, state.w, motion.dt, motion.skips_rest, input.other_bounds, model_.failing, state.lives};
+void ElementStage::damp(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const {
+  const DampingFields fields{state.damping_force,  state.slot_force,  state.results.work,
+                             state.damping_moment, state.slot_moment, state.elements};
+  damp_solids(space_, model_.chunks, blocks.damped_solids, motion, fields);
+  damp_shells(space_, model_.chunks, blocks.damped_shells, motion, fields);
+  damp_beams(space_, model_.chunks, blocks.damped_beams, motion, fields);
 }
 
 FailureCounts ElementStage::judge(const State& state, double dt, double time) const {

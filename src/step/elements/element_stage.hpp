@@ -12,14 +12,6 @@
 namespace percuss {
 
 class TetStage;
-struct BeamStep;
-struct ShellMotion;
-
-/// What the elements see of a step besides the state.
-struct ElementInput {
-  ElementMotion motion;
-  Array<double> other_bounds;  // [elements] out: step bounds of shells and beams; empty: nobody asks
-};
 
 class ElementStage {
  public:
@@ -31,7 +23,7 @@ class ElementStage {
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces at n+1 of some chunks into their slots, and those of damping in proportion to stiffness.
-  void advance(const State& state, const ElementBlocks& blocks, const ElementInput& input) const;
+  void advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const;
 
   /// Which elements fail by the forces at n+1, and which die. dt: of the step; time: n+1.
   FailureCounts judge(const State& state, double dt, double time) const;
@@ -43,9 +35,7 @@ class ElementStage {
   Traffic traffic() const;
 
  private:
-  ShellMotion find_shell_motion(const State& state, const ElementInput& input) const;
-  BeamStep find_beam_step(const State& state, const ElementInput& input) const;
-  void damp(const State& state, const ElementBlocks& blocks, const ElementInput& input) const;
+  void damp(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const;
 
   const Model& model_;
   ExecSpace space_;

@@ -26,22 +26,22 @@ void TetStage::prepare(const State& state, const ElementMotion& motion) {
 }
 
 void TetStage::sum_rates(const State& state, const ElementBlocks& blocks, const TetStep& step) const {
-  sum_tet_rates(space_, model_.chunks, blocks.tetrahedra, step, state.results);
-  sum_one_point_rates(space_, model_.chunks, blocks.one_point, step, state.results);
+  percuss::sum_rates(space_, model_.chunks, blocks.tetrahedra, step, state.chunk_fields());
+  percuss::sum_rates(space_, model_.chunks, blocks.one_point, step, state.chunk_fields());
 }
 
 void TetStage::advance_stresses(const State& state, const ElementBlocks& blocks, const TetStep& step) const {
-  advance_tet_stresses(space_, model_.chunks, blocks.tetrahedra, step, state.elements, state.results);
-  advance_one_point_stresses(space_, model_.chunks, blocks.one_point, step, state.elements, state.results);
+  percuss::advance_stresses(space_, model_.chunks, blocks.tetrahedra, step, state.chunk_fields());
+  percuss::advance_stresses(space_, model_.chunks, blocks.one_point, step, state.chunk_fields());
 }
 
 void TetStage::advance(const State& state, const ElementBlocks& blocks, const ElementMotion& motion) const {
   if (model_.mixes_solids) {
-    sum_tet_forces(space_, model_.chunks, blocks.tetrahedra, {motion, launch_}, state.chunk_fields());
-    sum_one_point_forces(space_, model_.chunks, blocks.one_point, {motion, launch_}, state.chunk_fields());
+    sum_forces(space_, model_.chunks, blocks.tetrahedra, {motion, launch_}, state.chunk_fields());
+    sum_forces(space_, model_.chunks, blocks.one_point, {motion, launch_}, state.chunk_fields());
   } else {
-    advance_plain_tets(space_, model_.chunks, blocks.tetrahedra, motion, state.chunk_fields());
-    advance_one_points(space_, model_.chunks, blocks.one_point, motion, state.chunk_fields());
+    advance_plain(space_, model_.chunks, blocks.tetrahedra, motion, state.chunk_fields());
+    advance_plain(space_, model_.chunks, blocks.one_point, motion, state.chunk_fields());
   }
 }
 

@@ -39,8 +39,8 @@ class SolidBounds {
     const ElementBounds bounds(resting_);
     const ElementMotion motion{state.x, state.v, 0, false, 0, bounds.watch};
     elements_.prepare(state, motion);
-    elements_.advance(state, *resting_.sending, {motion, {}});
-    elements_.advance(state, *resting_.others, {motion, {}});
+    elements_.advance(state, *resting_.sending, motion);
+    elements_.advance(state, *resting_.others, motion);
     return bounds.list();
   }
 

@@ -115,7 +115,7 @@ TYPED_TEST(ShortHex8, StepsAreThoseOfDoubleToItsOwnRoundOff) {
       const double energy = std::abs(twins.long_result.work.internal) + std::abs(twins.long_result.work.hourglass);
       EXPECT_NEAR(twins.short_result.work.internal, twins.long_result.work.internal, 300 * unit * energy);
       EXPECT_NEAR(twins.short_result.work.hourglass, twins.long_result.work.hourglass, 300 * unit * energy);
-      EXPECT_NEAR(twins.short_result.volume / twins.long_result.volume, 1, 100 * unit);
+      EXPECT_NEAR(twins.short_result.size / twins.long_result.size, 1, 100 * unit);
     }
   }
 }

@@ -146,7 +146,7 @@ TYPED_TEST(OnePoint, TurnedRigidlyHasNoForces) {
     const Places<TypeParam> end = apply(find_rotation(1.0, {0.3, -0.5, 0.4}), x);
     Places<TypeParam> v;
     for (int i = 0; i < TypeParam::corners; ++i) v[i] = end[i] - x[i];
-    advance_one_point(par, end, v, 1.0, state, f);
+    advance_solid(par, end, v, 1.0, state, f);
     for (int i = 0; i < TypeParam::corners; ++i) EXPECT_NEAR(norm(f[i]), 0, 1e-11 * 1e9);
     x = end;
   }
@@ -164,7 +164,7 @@ TYPED_TEST(OnePoint, StoresTheWorkThatItsForcesDo) {
     v[i] = small * u[i];
   }
   auto state = make_solid<TypeParam>(1);
-  const auto result = advance_one_point(make_solid_parameters({2e9, 1e9}), end, v, 1.0, state, f);
+  const auto result = advance_solid(make_solid_parameters({2e9, 1e9}), end, v, 1.0, state, f);
   double power = 0;
   for (int i = 0; i < TypeParam::corners; ++i) power += 0.5 * dot(f[i], v[i]);
   EXPECT_GT(result.work.hourglass, 0.01 * result.work.internal);
@@ -189,7 +189,7 @@ double find_frequency_square(const Places<Shape>& x, const SolidParameters<Elast
       v[i] = scale * u[i];
       end[i] = x[i] + v[i];
     }
-    advance_one_point(par, end, v, 1.0, state, f);
+    advance_solid(par, end, v, 1.0, state, f);
     double work = 0, kinetic = 0;
     for (int i = 0; i < Shape::corners; ++i) {
       const double of_corner = Shape::mass_share[i] * mass;
@@ -216,7 +216,7 @@ TYPED_TEST(OnePoint, HasAStepBelowThatOfItsTrueLargestFrequency) {
     const double mass = 1000 * find_corner_gradient(x).volume;
     auto state = make_solid<TypeParam>(mass);
     Places<TypeParam> f;
-    const double step = advance_one_point(par, x, Places<TypeParam>{}, 0.0, state, f).stable_step;
+    const double step = advance_solid(par, x, Places<TypeParam>{}, 0.0, state, f).stable_step;
     const double used = step * std::sqrt(find_frequency_square(x, par, mass, random)) / 2;
     ASSERT_LE(used, 1 + 1e-5) << "shape " << k;
     EXPECT_GT(used, 0.55) << "shape " << k;
@@ -239,7 +239,7 @@ TYPED_TEST(OnePoint, HasTheSameForcesHoweverItIsNumbered) {
   const auto advance = [&](const Places<TypeParam>& at, const Places<TypeParam>& by) {
     auto state = make_solid<TypeParam>(1000);
     Places<TypeParam> f;
-    advance_one_point(par, at, by, 1e-3, state, f);
+    advance_solid(par, at, by, 1e-3, state, f);
     return f;
   };
   const auto f = advance(x, v);

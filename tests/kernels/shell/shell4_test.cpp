@@ -150,7 +150,7 @@ TEST(Shell4, FoldedElementSaysSoAndGoesOn) {
   EXPECT_EQ(whole.least_cosine, 1);
   const auto folded = shell.advance(dart, {}, {}, 0);
   EXPECT_LT(folded.least_cosine, 0);
-  EXPECT_DOUBLE_EQ(folded.area, 0.2);
+  EXPECT_DOUBLE_EQ(folded.size, 0.2);
   EXPECT_GT(folded.stable_step, 0.05 * whole.stable_step);
 }
 

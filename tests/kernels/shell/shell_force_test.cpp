@@ -32,6 +32,12 @@ struct Strip {
     }
   }
 
+  ElementMotion motion(bool skips_rest) const {
+    ElementMotion motion{to_rows("x", x), to_rows("v", v), dt, skips_rest};
+    motion.w = to_rows("w", w);
+    return motion;
+  }
+
   static ShellCorners gather(const RowsOnHost& rows, int e) {
     ShellCorners u;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -108,8 +114,7 @@ TEST(ShellLauncher, GivesWhatThePureFunctionGives) {
   block.parameters = to_view<ShellParameters<J2Layer>>("parameters", {shells[0].par});
   const Rows3<double> force("force", node_count), moment("moment", node_count);
   const ChunkResults results = make_results();
-  advance_shells(ExecSpace(), chunks, blocks, {to_rows("x", strip.x), to_rows("v", strip.v), to_rows("w", strip.w), dt},
-                 {state, force, results, moment});
+  advance_shells(ExecSpace(), chunks, blocks, strip.motion(false), {state, force, results, moment});
 
   RowsOnHost expected_force(node_count, {0, 0, 0}), expected_moment(node_count, {0, 0, 0});
   double step = 1e300, work = 0;
@@ -159,9 +164,7 @@ TEST(ShellLauncher, SkipsAChunkThatRestsAndIsSettled) {
   const Rows3<double> force("force", node_count), moment("moment", node_count);
   const ChunkResults results = make_results();
   const auto advance = [&] {
-    advance_shells(ExecSpace(), make_chunks(), blocks,
-                   {to_rows("x", strip.x), to_rows("v", strip.v), to_rows("w", strip.w), dt, true},
-                   {state, force, results, moment});
+    advance_shells(ExecSpace(), make_chunks(), blocks, strip.motion(true), {state, force, results, moment});
     return to_host(results.skipped)(0);
   };
   EXPECT_EQ(advance(), 0);

@@ -347,7 +347,7 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
     }
     EXPECT_EQ(lane_of(result.stable_step, lane), expected.stable_step);
     EXPECT_EQ(lane_of(result.work.internal, lane), expected.work.internal);
-    EXPECT_EQ(lane_of(result.area, lane), expected.area);
+    EXPECT_EQ(lane_of(result.size, lane), expected.size);
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(lane_of(force[i].x, lane), f[i].x);
       EXPECT_EQ(lane_of(force[i].z, lane), f[i].z);

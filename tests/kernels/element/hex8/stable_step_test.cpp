@@ -77,7 +77,7 @@ void compare_bounds(double largest_distortion, int count) {
     Corners rest{};
     double fx[8], fy[8], fz[8];
     const HexResult<double> result = advance_hex8(par, find_modes(c), find_modes(rest), 0.0, state, {fx, fy, fz});
-    if (!(result.volume > 0)) continue;  // inverted in a corner
+    if (!(result.size > 0)) continue;  // inverted in a corner
     const double used = result.stable_step * std::sqrt(find_largest_frequency_square<Kind>(par, c, mass, random)) / 2;
     ASSERT_LE(used, 1.0 + 1e-7) << "shape " << k << " ey " << ey << " ez " << ez << " nu " << poisson;
     tightest = std::max(tightest, used);

@@ -130,7 +130,7 @@ BoundUse compare_bounds(const ShellShape& most, int count) {
     auto state = make_state<J2Plasticity, three>(mass);
     Corners rest{}, f{};
     const auto result = advance_hex8(par, find_modes(c), find_modes(rest), 0.0, state, {f.x, f.y, f.z});
-    if (!(result.volume > 0)) continue;  // inverted at a point
+    if (!(result.size > 0)) continue;  // inverted at a point
     const double of = result.stable_step * std::sqrt(find_largest_square(par, c, mass, random)) / 2;
     EXPECT_LE(of, 1 + 1e-6) << "shape " << k << " width " << shape.width << " thickness " << shape.thickness
                             << " distortion " << shape.distortion << " lean " << shape.lean;
