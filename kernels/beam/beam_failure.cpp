@@ -1,6 +1,6 @@
 #include "kernels/beam/beam_failure.hpp"
 
-#include "kernels/element/dying_lanes.hpp"
+#include "kernels/element/life.hpp"
 
 namespace percuss {
 namespace {
@@ -50,7 +50,7 @@ FailureCounts find_beam_failures(const ExecSpace& space, const ElementChunks& ch
           if (find_beam_load(par.limits, read_forces(record)) < 1 && beams.time < par.limits.time &&
               !do_fibres_fail(limits, par.fibres, record))
             continue;
-          set_left(lives, lane, limits.fade_steps, limits);
+          find_life(lives, lane).set_left(limits.fade_steps, limits.fade_steps);
           ++sum_failing;
           changed = true;
         }

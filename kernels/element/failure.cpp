@@ -1,9 +1,9 @@
 #include "kernels/element/failure.hpp"
 
-#include "kernels/element/dying_lanes.hpp"
 #include "kernels/element/failure_criteria.hpp"
 #include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
+#include "kernels/element/life.hpp"
 
 namespace percuss {
 
@@ -46,16 +46,6 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c,
   return load;
 }
 
-/// Gives an element the force that its damage leaves; returns whether that is another one than before.
-KOKKOS_INLINE_FUNCTION bool soften(const ElementLives& lives, int lane, double left) {
-  const Real before = lives.force_share(lane), share = static_cast<Real>(left),
-             of_work = static_cast<Real>(0.5) * (before + share);
-  const bool changed = share != before || of_work != lives.work_share(lane);
-  lives.force_share(lane) = share;
-  lives.work_share(lane) = of_work;
-  return changed;
-}
-
 /// One element: undamaged, failing, removed by its evaluation, or eroded. Returns whether anything has changed.
 KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
                                   const ElementLoad& load, double dt, FailureCounts& counts) {
@@ -65,9 +55,9 @@ KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const Fai
   lives.plastic_strain(lane) = history.plastic_strain;
   lives.damage(lane) = history.damage;
   lives.second(lane) = history.second;
-  if (!failed) return limits.softens() && soften(lives, lane, find_force_share(limits, history));
+  if (!failed) return limits.softens() && find_life(lives, lane).soften(find_force_share(limits, history));
   ++counts.failing;
-  begin_to_die(lives, lane, limits);
+  find_life(lives, lane).begin_to_die(limits);
   return true;
 }
 

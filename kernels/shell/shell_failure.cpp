@@ -1,6 +1,5 @@
 #include "kernels/shell/shell_failure.hpp"
 
-#include "kernels/element/dying_lanes.hpp"
 #include "kernels/element/failure_criteria.hpp"
 
 namespace percuss {
@@ -87,29 +86,11 @@ KOKKOS_INLINE_FUNCTION bool fade_layers(const FailingShell& shell, int points, i
   return changed;
 }
 
-/// Gives a layer the stress that its damage leaves; returns whether that is another one than before.
-KOKKOS_INLINE_FUNCTION bool soften(double* life, const FailureLimits& limits) {
-  double &force = life[LayerLives::force_share * width], &work = life[LayerLives::work_share * width];
-  const double share = find_force_share(limits, read_history(life)), of_work = 0.5 * (force + share);
-  const bool changed = share != force || of_work != work;
-  force = share;
-  work = of_work;
-  return changed;
-}
-
-/// A layer has failed: it loses the stress that it has, over the steps of its fade or, where it softens, at once.
-KOKKOS_INLINE_FUNCTION void begin_to_die(double* life, const FailureLimits& limits) {
-  const double before = life[LayerLives::force_share * width];
-  set_layer_left(life, limits.fade_steps, limits.fade_steps);
-  if (limits.softens()) life[LayerLives::work_share * width] = 0.5 * before;
-}
-
 /// The element fails, and its layers keep what they have.
 KOKKOS_INLINE_FUNCTION void keep_shares(const FailingShell& shell, int points) {
   for (int p = 0; p < points; ++p) {
-    double* const life = shell.life(p);
-    if (shell.left(p) == ElementLives::whole)
-      life[LayerLives::work_share * width] = life[LayerLives::force_share * width];
+    const Life<double, double> life = find_life(shell.life(p));
+    if (shell.left(p) == ElementLives::whole) life.work = life.force;
   }
 }
 
@@ -142,8 +123,11 @@ KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellC
     return true;
   }
   for (int p = 0; p < rule.count; ++p) {
-    if (fresh[p]) begin_to_die(shell.life(p), limits);
-    if (fresh[p] || (softens && shell.left(p) == ElementLives::whole && soften(shell.life(p), limits))) changed = true;
+    double* const layer = shell.life(p);
+    if (fresh[p]) find_life(layer).begin_to_die(limits);
+    if (fresh[p] || (softens && shell.left(p) == ElementLives::whole &&
+                     find_life(layer).soften(find_force_share(limits, read_history(layer)))))
+      changed = true;
   }
   return false;
 }
@@ -171,7 +155,7 @@ KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ShellCriteria
   if (go_on_dying(lives, lane, limits, counts)) return true;
   if (judge_layers(shell, by, changed)) {
     ++counts.failing;
-    set_left(lives, lane, limits.fade_steps, limits);
+    find_life(lives, lane).set_left(limits.fade_steps, limits.fade_steps);
     changed = true;
   }
   take_means(shell, by.rule, limits, lives, lane);

@@ -4,7 +4,7 @@
 // Each layer is judged by itself, as a point of a solid is; the element fails when its layers have failed over a share
 // of the thickness that the deck gives, all of it by default (docs/theory_failure.md).
 
-#include "kernels/element/failure.hpp"
+#include "kernels/element/life.hpp"
 #include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/shell_record.hpp"
 #include "kernels/shell/thickness_points.hpp"
@@ -18,13 +18,18 @@ using ThicknessRules = Kokkos::View<ThicknessPoints*, MemSpace>;
 FailureCounts find_shell_failures(const ExecSpace& space, const ElementChunks& chunks, const FailingElements& elements,
                                   const ThicknessRules& rules, double dt, const ChunkResults& results);
 
-/// Sets the shares of a layer with so many evaluations left. layer: its first scalar in ElementLives::layers.
-KOKKOS_INLINE_FUNCTION void set_layer_left(double* layer, int left, int fade_steps) {
+/// layer: its first scalar in ElementLives::layers.
+KOKKOS_INLINE_FUNCTION Life<double, double> find_life(double* layer) {
   constexpr int width = pack_size<double>;
-  const LifeShares shares = find_life_shares(left, fade_steps);
-  layer[LayerLives::left * width] = left;
-  layer[LayerLives::force_share * width] = shares.force > 0 ? shares.force : 0;
-  layer[LayerLives::work_share * width] = shares.work;
+  return {layer[LayerLives::left * width], layer[LayerLives::force_share * width],
+          layer[LayerLives::work_share * width]};
+}
+
+/// Gives a layer so many evaluations. Without any it has no stress, but is in the sums of its shell.
+KOKKOS_INLINE_FUNCTION void set_layer_left(double* layer, int left, int fade_steps) {
+  const Life<double, double> life = find_life(layer);
+  life.set_left(left, fade_steps);
+  if (left == 0) life.force = 0;
 }
 
 /// First scalar of a lane's layer p. lives: of the lane's element.

@@ -36,7 +36,7 @@ struct MixedScratch : SolidScratch {
       : SolidScratch(member, 0),
         means(take<double>(member, chunk.slot_count * TetSums::average_row)),
         given(take<double>(member, (chunk.count_lanes() + 1) * GivenRow)) {
-    nodes = &passes.nodes(static_cast<std::size_t>(node_size * chunk.first_slot));
+    nodes = &passes.nodes(std::size_t{node_size} * static_cast<std::size_t>(chunk.first_slot));
     double* const end = given + chunk.count_lanes() * GivenRow;
     for (int k = 0; k < GivenRow; ++k) end[k] = 0;
   }

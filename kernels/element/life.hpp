@@ -1,5 +1,5 @@
 #pragma once
-// Loss of force of failed elements, lane by lane: shared by the loops over solids, shells and beams.
+// The life of an element from its failure to its end, lane by lane: shared by the loops over solids, shells and beams.
 
 #include <cstddef>
 
@@ -25,32 +25,53 @@ KOKKOS_INLINE_FUNCTION FailingRecords find_records(const ElementChunks& chunks, 
           chunks.first_pack(c + 1) - chunks.first_pack(c)};
 }
 
-/// The element has `left` evaluations until its force is gone.
-KOKKOS_INLINE_FUNCTION void set_left(const ElementLives& lives, int lane, int left, const FailureLimits& limits) {
-  const LifeShares shares = find_life_shares(left, limits.fade_steps);
-  lives.steps_left(lane) = left;
-  lives.force_share(lane) = static_cast<Real>(shares.force);
-  lives.work_share(lane) = static_cast<Real>(shares.work);
-}
+/// The life of an element, or of a layer of one, where its owner keeps it.
+template <class Count, class Share>
+struct Life {
+  Count& left;   // evaluations until the force is gone; ElementLives::whole
+  Share& force;  // share of it at the next evaluation
+  Share& work;   // share of that of the step up to there
 
-/// An element has failed: it loses the force that it has, over the steps of its fade or, where it softens, at once.
-KOKKOS_INLINE_FUNCTION void begin_to_die(const ElementLives& lives, int lane, const FailureLimits& limits) {
-  const Real before = lives.force_share(lane);
-  set_left(lives, lane, limits.fade_steps, limits);
-  if (limits.softens()) lives.work_share(lane) = static_cast<Real>(0.5) * before;
+  KOKKOS_INLINE_FUNCTION void set_left(int evaluations, int fade_steps) const {
+    const LifeShares shares = find_life_shares(evaluations, fade_steps);
+    left = evaluations;
+    force = static_cast<Share>(shares.force);
+    work = static_cast<Share>(shares.work);
+  }
+
+  /// It has failed: it loses the force that it has, over the steps of its fade or, where it softens, at once.
+  KOKKOS_INLINE_FUNCTION void begin_to_die(const FailureLimits& limits) const {
+    const Share before = force;
+    set_left(limits.fade_steps, limits.fade_steps);
+    if (limits.softens()) work = static_cast<Share>(0.5) * before;
+  }
+
+  /// Gives it the force that its damage leaves; returns whether that is another one than before.
+  KOKKOS_INLINE_FUNCTION bool soften(double share) const {
+    const Share before = force, of_work = static_cast<Share>(0.5) * (before + static_cast<Share>(share));
+    const bool changed = static_cast<Share>(share) != before || of_work != work;
+    force = static_cast<Share>(share);
+    work = of_work;
+    return changed;
+  }
+};
+
+KOKKOS_INLINE_FUNCTION Life<int, Real> find_life(const ElementLives& lives, int lane) {
+  return {lives.steps_left(lane), lives.force_share(lane), lives.work_share(lane)};
 }
 
 /// Brings an element that has failed, or that its evaluation has taken out, one evaluation nearer to death. Returns
 /// whether it is one.
 KOKKOS_INLINE_FUNCTION bool go_on_dying(const ElementLives& lives, int lane, const FailureLimits& limits,
                                         FailureCounts& counts) {
-  const int left = lives.steps_left(lane);
-  if (lives.force_share(lane) < 0 || left == 1) {
-    set_left(lives, lane, 0, limits);
+  const Life<int, Real> life = find_life(lives, lane);
+  const int left = life.left;
+  if (life.force < 0 || left == 1) {
+    life.set_left(0, limits.fade_steps);
     ++counts.died;
     return true;
   }
-  if (left > 1) set_left(lives, lane, left - 1, limits);
+  if (left > 1) life.set_left(left - 1, limits.fade_steps);
   return left > 1;
 }
 
