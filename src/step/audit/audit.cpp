@@ -169,13 +169,8 @@ Audit::Totals Audit::sum_all(const State& state) {
   }
   constexpr int first_work = S::work;
   if (model_.ranks.rank() == 0) {  // what all ranks know
-    sums[at(first_work + WorkKind::internal)].add(state.books.spring_work);
-    sums[at(first_work + WorkKind::internal)].add(state.books.turn_work);
-    sums[at(first_work + WorkKind::internal)].add(state.books.glue_work);
-    sums[at(first_work + WorkKind::viscous)].add(state.books.damper_work);
-    sums[at(first_work + WorkKind::viscous)].add(state.books.turn_loss);
-    sums[at(first_work + WorkKind::viscous)].add(-state.books.weld_work);
-    sums[at(first_work + WorkKind::viscous)].add(-state.books.equal_work);
+    for (const double work : state.books.stored_by_actions()) sums[at(first_work + WorkKind::internal)].add(work);
+    for (const double work : state.books.taken_by_actions()) sums[at(first_work + WorkKind::viscous)].add(work);
   }
   sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;

@@ -1,6 +1,7 @@
 #pragma once
 // What changes in the loop. All of it is needed to continue a run; the rest can be derived.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ struct Books {
   double equal_work = 0;       // of all ranks: what constraints have given; nothing once their nodes move equally
   double added_mass = 0;       // of all ranks: by mass scaling during the run
   double added_energy = 0;     // kinetic energy that came with it, within external_work
+
+  /// What actions have stored, part of the internal energy, and what they have taken, part of the viscous one.
+  std::array<double, 3> stored_by_actions() const { return {spring_work, turn_work, glue_work}; }
+  std::array<double, 4> taken_by_actions() const { return {damper_work, turn_loss, -weld_work, -equal_work}; }
 };
 
 /// The controlling step bound and what failed, after the elements of a step; of all ranks. Elements by their number in

@@ -78,7 +78,8 @@ MotionTotals MotionSums::find(const State& state, double dt_mean) {
   std::array<ExactSum, 6> all{sums[0], sums[1], sums[2], sum_stored(state), sums[3], sums[4]};
   sum_over_ranks(model_.ranks, all);
   const MotionTotals of_bodies = sum_bodies(state);
-  const double stored = all[3].round() + state.books.spring_work + state.books.turn_work + state.books.glue_work;
+  double stored = all[3].round();
+  for (const double work : state.books.stored_by_actions()) stored += work;
   return {all[0].round() + of_bodies.kinetic,
           all[1].round(),
           all[2].round() + of_bodies.inertia,
