@@ -120,7 +120,8 @@ class LawsOfLibraries(LawTest):
         for wrong, words in ((constants.replace("number: 1e9, ", ""), "constants.number of this law is missing"),
                              (constants.replace("1e9", "-1e9"), "must be positive"), (constants.replace("count: 2", "count: 7"), "an integer from 0 to 5"),
                              (constants.replace("double", "triple"), "single or double"), (constants.replace("[0, 0, 5e8]", "3"), "it is three numbers"),
-                             (constants + ", more: 1", "is unknown"), (constants.replace("[4, 3]", "[4, -3]"), "zero or positive"),
+                             (constants + ", more: 1", "is unknown: it has"), (constants + ", numbr: 1", "did you mean 'number'?"),
+                             (constants.replace("[4, 3]", "[4, -3]"), "zero or positive"),
                              (constants.replace("[4, 3]", "[0, 3]"), "rows must ascend")):
             done = self.call(write_cube(law.replace(constants, wrong), 1e-4, UNIAXIAL), command="check")
             self.assertEqual((done.returncode, words in done.stderr, "deck.yaml:3:" in done.stderr), (2, True, True), done.stderr)

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+
+#include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {
 namespace {
@@ -30,6 +33,9 @@ constexpr ForeignKey foreign_keys[] = {
     {"sigy", "yield_stress"},
     {"sigma_y", "yield_stress"},
     {"etan", "hardening_modulus", " From a tangent modulus Et it is E Et / (E - Et)"},
+    {"library", "vumat"},
+    {"library", "vuhard"},
+    {"library", "law"},
     // parts
     {"mid", "material"},
     {"mat", "material"},
@@ -79,14 +85,19 @@ std::string in_lower_case(std::string text) {
 }  // namespace
 
 std::string find_foreign_key(const std::string& key, const std::vector<std::string>& known) {
-  const std::string wanted = in_lower_case(key);
-  for (const ForeignKey& row : foreign_keys) {
-    if (wanted != row.foreign) continue;
-    const std::string name = row.key;
-    const bool is_path = name.find('.') != std::string::npos;
-    if (is_path || std::find(known.begin(), known.end(), name) != known.end())
-      return fmt::format(" (did you mean '{}'?{})", name, row.more);
-  }
+  constexpr std::size_t long_enough = 6;  // of a name, to be meant by one that differs by a letter
+  const auto is_known = [&](const ForeignKey& row) {
+    return std::string_view(row.key).find('.') != std::string_view::npos ||
+           std::find(known.begin(), known.end(), row.key) != known.end();
+  };
+  std::string wanted = in_lower_case(key);
+  std::vector<std::string> names;
+  for (const ForeignKey& row : foreign_keys)
+    if (is_known(row) && (row.foreign == wanted || std::string_view(row.foreign).size() >= long_enough))
+      names.emplace_back(row.foreign);
+  if (std::find(names.begin(), names.end(), wanted) == names.end()) wanted = nearest_name(wanted, names);
+  for (const ForeignKey& row : foreign_keys)
+    if (wanted == row.foreign && is_known(row)) return fmt::format(" (did you mean '{}'?{})", row.key, row.more);
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/user_code.hpp"
 #include "src/deck/range.hpp"
+#include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -74,8 +75,12 @@ std::set<std::string> list_given(const LawDeck& law) {
 void check_names(const LawDeck& law, const std::string& file, const LawLibrary& library) {
   for (const std::string& given : list_given(law)) {
     const auto is_it = [&](const LawKey& key) { return given == key.name; };
-    if (std::none_of(library.keys, library.keys + library.key_count, is_it))
-      refuse_constant(file, given, "is unknown", "it has " + name_constants(library));
+    if (std::any_of(library.keys, library.keys + library.key_count, is_it)) continue;
+    std::vector<std::string> names;
+    for (int k = 0; k < library.key_count; ++k) names.emplace_back(library.keys[k].name);
+    const std::string near = nearest_name(given, names);
+    refuse_constant(file, given, "is unknown",
+                    near.empty() ? "it has " + name_constants(library) : "did you mean '" + near + "'?");
   }
 }
 
