@@ -46,11 +46,15 @@ struct ShellBody {
                                       Lanes(of.motion.dt)};
     Vector3<Lanes> f[4], m[4];
     ShellResult<Lanes> result;
-    if (lives.can_fail()) {
-      result = advance_shapes(parameters, corners, pack, find_layers(pack.first, parameters.points.count), {f, m});
-      const auto is_open = Lanes(shell_folded_cosine) < result.least_cosine;
-      lives.settle(result, select(is_open, result.size, Lanes(0.0)), f, m);
-    } else {
+    if constexpr (CanFail) {
+      if (lives.can_fail()) {
+        result = advance_shapes(parameters, corners, pack, find_layers(pack.first, parameters.points.count), {f, m});
+        const auto is_open = Lanes(shell_folded_cosine) < result.least_cosine;
+        lives.settle(result, select(is_open, result.size, Lanes(0.0)), f, m);
+      } else {
+        result = advance_shapes(parameters, corners, pack, WholeLayers{}, {f, m});
+      }
+    } else {  // a body for layers that fail is not compiled
       result = advance_shapes(parameters, corners, pack, WholeLayers{}, {f, m});
     }
     scratch.scatter(0, f, pack);
