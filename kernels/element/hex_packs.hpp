@@ -16,10 +16,10 @@ using HexScratch = ChunkScratch<2, 1, Real>;
 template <class Scalar>
 PERCUSS_NO_INLINE void gather_modes(const Scalar* nodes, const std::uint16_t* corners,
                                     VectorModes<Pack<Scalar>>& modes) {
-  constexpr int width = pack_size<Scalar>;
   Pack<Scalar> u[3][8];
   // one after the other and not in a loop, so that u stays in registers
   const auto gather_corner = [&](auto i) {
+    constexpr int width = pack_size<Scalar>;
     const Scalar* records[width];
     for (int lane = 0; lane < width; ++lane) {
       records[lane] = nodes + HexScratch::node_size * static_cast<std::size_t>(corners[i * width + lane]);
