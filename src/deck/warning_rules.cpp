@@ -135,7 +135,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"weld_failure", "weld that has failed"},
       {"joint_start", "joint whose bodies begin with velocities that part them"},
       {"missed_contact", "nodes and edges inside another body that no contact holds"},
-      {"tie_failure", "ties whose nodes have let go"},
+      {"tie_failure", "ties whose nodes have failed"},
       {"unsettled_welds", "welds in a chain whose nodes do not yet move as one"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact adds"},
