@@ -76,8 +76,9 @@ void check_names(const LawDeck& law, const std::string& file, const LawLibrary& 
   for (const std::string& given : list_given(law)) {
     const auto is_it = [&](const LawKey& key) { return given == key.name; };
     if (std::any_of(library.keys, library.keys + library.key_count, is_it)) continue;
-    std::vector<std::string> names;
-    for (int k = 0; k < library.key_count; ++k) names.emplace_back(library.keys[k].name);
+    std::vector<std::string> names(static_cast<std::size_t>(library.key_count));
+    std::transform(library.keys, library.keys + library.key_count, names.begin(),
+                   [](const LawKey& key) { return key.name; });
     const std::string near = nearest_name(given, names);
     refuse_constant(file, given, "is unknown",
                     near.empty() ? "it has " + name_constants(library) : "did you mean '" + near + "'?");
