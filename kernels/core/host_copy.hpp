@@ -11,11 +11,8 @@
 
 namespace percuss {
 
-/// Whether kernels run on memory that the host reads. Copies of vectors then need no deep_copy(), whose kernels each
-/// source would compile for each type.
-inline constexpr bool is_host_memory = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible;
-
-/// A view with the values of a host vector.
+/// A view with the values of a host vector. Where the host reads the memory of kernels copies need no deep_copy(),
+/// whose kernels each source would compile for each type.
 template <class T>
 Array<T> to_view(const std::string& label, const std::vector<T>& values) {
   const Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());

@@ -10,7 +10,8 @@
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 
-#if defined(KOKKOS_ENABLE_SERIAL) && !defined(PERCUSS_BACKEND_SERIAL) && !defined(PERCUSS_ON_DEVICE)
+#if defined(KOKKOS_ENABLE_SERIAL) && !defined(PERCUSS_BACKEND_SERIAL) && !defined(PERCUSS_ON_DEVICE) && \
+    !defined(PERCUSS_MEMORY_APART)
 #define PERCUSS_SMALL_SPACE 1
 #endif
 

@@ -9,6 +9,10 @@
 
 #include <cstdint>
 
+#if defined(PERCUSS_MEMORY_APART)
+#include "kernels/core/guarded_memory.hpp"
+#endif
+
 namespace percuss {
 
 #if defined(PERCUSS_BACKEND_OPENMP)
@@ -20,7 +24,9 @@ using ExecSpace = Kokkos::Cuda;
 #else
 using ExecSpace = Kokkos::DefaultExecutionSpace;
 #endif
-#if defined(PERCUSS_PINNED_MEMORY)
+#if defined(PERCUSS_MEMORY_APART)
+using MemSpace = GuardedSpace;
+#elif defined(PERCUSS_PINNED_MEMORY)
 // Of the host, read by the device too: for tests that look into views.
 using MemSpace = Kokkos::SharedHostPinnedSpace;
 #elif defined(PERCUSS_BACKEND_CUDA) && !defined(PERCUSS_DEVICE_MEMORY)
@@ -28,6 +34,12 @@ using MemSpace = Kokkos::SharedHostPinnedSpace;
 using MemSpace = Kokkos::SharedSpace;
 #else
 using MemSpace = ExecSpace::memory_space;
+#endif
+/// Whether the host reads the memory of kernels.
+#if defined(PERCUSS_MEMORY_APART)
+inline constexpr bool is_host_memory = false;
+#else
+inline constexpr bool is_host_memory = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible;
 #endif
 
 /// One value an item: shape [n].

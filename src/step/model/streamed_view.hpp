@@ -19,7 +19,7 @@ namespace percuss {
 inline void wish_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t huge_page = std::uintptr_t{1} << 21;
-  if (!Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible) return;
+  if (!is_host_memory) return;
   const auto start = reinterpret_cast<std::uintptr_t>(data);
   const std::uintptr_t first = (start + huge_page - 1) / huge_page * huge_page;
   const std::uintptr_t end = (start + bytes) / huge_page * huge_page;
