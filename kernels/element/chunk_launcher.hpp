@@ -7,9 +7,8 @@
 //   largest_record                               numbers of a pack's record at most
 //   find_parameters(of, c), may_rest(of, c)      of a chunk; whether an evaluation at rest leaves its material as it is
 //   find_record_size()                           numbers of a pack's record
-//   advance(parameters, pack, lives, sums)       a pack from n to n+1: its forces into the scratch, bounds and work
-//   into
-//                                                the sums
+//   advance(parameters, pack, lives, sums)       a pack from n to n+1: its forces go into the scratch, its bounds and
+//                                                its work into the sums
 //   leave()                                      what else the chunk leaves
 
 #include "kernels/element/chunk_records.hpp"
