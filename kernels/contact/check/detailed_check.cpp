@@ -89,13 +89,15 @@ PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const Sur
 
 /// The candidate faces of a node: of the list those from first to last - 1.
 struct NodeCandidates {
-  Array<const int> face, with_history;
-  bool leaves_out = false;  // those that only a node with a history is checked against
-  bool skips = false;       // those that cannot change what holds the node
-  int first = 0, last = 0;
+  const int* face;
+  const int* with_history;  // null: none is left out; else those that only a node with a history is checked against are
+  bool skips;               // those that cannot change what holds the node
+  int first, last;
 
   /// -1: left out.
-  KOKKOS_INLINE_FUNCTION int operator()(int c) const { return leaves_out && with_history(c) != 0 ? -1 : face(c); }
+  KOKKOS_INLINE_FUNCTION int operator()(int c) const {
+    return with_history != nullptr && with_history[c] != 0 ? -1 : face[c];
+  }
 };
 
 KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, int node) {
@@ -104,11 +106,12 @@ KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, in
   return false;
 }
 
+using Group = NodeGroup<NodeCandidates>;
+
 /// Flattened: a pair is checked by some fifty small functions.
 template <Thickness thickness>
-PERCUSS_FLATTEN KOKKOS_FUNCTION int check_node_flat(const CheckInputs& inputs, int node,
-                                                    const NodeCandidates& candidates, NodeTouches& accepted) {
-  return check_node<thickness>(inputs, node, candidates, accepted);
+PERCUSS_FLATTEN KOKKOS_FUNCTION int check_group_flat(const CheckInputs& inputs, Group& group) {
+  return check_group<thickness>(inputs, group);
 }
 
 /// The first of the candidates whose box the node meets in the step, or `last`: for most nodes, in most steps, there is
@@ -310,6 +313,7 @@ struct StillTouches {
   int count = -1;  // -1: the node does not lie still
   int face[contact_limits::max_touches]{}, record[contact_limits::max_touches]{};
 
+  StillTouches() = default;
   KOKKOS_FUNCTION explicit StillTouches(const NodeTouches* touches) {
     if (touches == nullptr) return;
     count = touches->count;
@@ -329,33 +333,71 @@ struct StillTouches {
   }
 };
 
+/// The kernel of the detailed check: some nodes a turn, those that have a candidate near in groups.
+template <Thickness thickness>
+struct CheckNodes {
+  static constexpr int nodes_a_turn = Group::most > 1 ? 4 * Group::most : 1;
+  CheckInputs inputs;
+  Array<const int> nodes, offset, face, with_history;  // CandidateList
+  Array<const int> checked, is_still, near_moved;      // TouchTable
+  Array<NodeTouches> by_node;
+  int num_checked = 0;
+  bool is_listed = false;  // whether `checked` names the nodes to be checked, or it is all of them
+  bool skips = false;      // candidates that cannot change what holds a node
+
+  /// found: touches that may not be those of the check before.
+  KOKKOS_FUNCTION void operator()(int turn, int& found, std::int64_t& skipped) const {
+    const int last = nodes_a_turn * (turn + 1), end = last < num_checked ? last : num_checked;
+    Group group;
+    for (int k = nodes_a_turn * turn; k < end; ++k) {
+      const int node = nodes(is_listed ? checked(k) : k);
+      const NodeCandidates near = list_near(node);
+      if (near.first == near.last)
+        by_node(node).count = 0;
+      else
+        group.of[group.count++].begin(inputs, node, near, by_node(node));
+      if (group.count == Group::most) check(group, found, skipped);
+    }
+    check(group, found, skipped);
+  }
+
+  /// The candidates of a node from the first that is near.
+  KOKKOS_FUNCTION NodeCandidates list_near(int node) const {
+    const bool leaves_out = with_history.extent(0) > 0 && !has_history(inputs.history_face, node);
+    NodeCandidates own{face.data(), leaves_out ? with_history.data() : nullptr, skips, offset(node), offset(node + 1)};
+    own.first = find_first_near(inputs, node, own);
+    return own;
+  }
+
+  KOKKOS_FUNCTION void check(Group& group, int& found, std::int64_t& skipped) const {
+    if (group.count == 0) return;
+    StillTouches before[Group::most];
+    for (int i = 0; i < group.count; ++i) {
+      const int node = group.of[i].at.node;
+      before[i] = StillTouches(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
+    }
+    skipped += check_group_flat<thickness>(inputs, group);
+    for (int i = 0; i < group.count; ++i) {
+      const NodeTouches& touches = by_node(group.of[i].at.node);
+      found += before[i].are(touches, near_moved) ? 0 : touches.count;
+    }
+    group.count = 0;
+  }
+};
+
 /// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
 template <Thickness thickness, class Space>
 void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, bool is_listed,
                  int num_checked, TouchTable& table) {
-  const CheckInputs in = inputs;
-  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
-  const Array<const int> with_history = candidates.with_history;
-  const bool has_marks = with_history.extent(0) > 0;
-  // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to pass over.
+  // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to skip.
   const bool skips = thickness == Thickness::none && table.checked_at.extent(0) > 0;
-  const Array<NodeTouches> by_node = table.by_node;
-  const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
+  using Kernel = CheckNodes<thickness>;
+  const int turns = (num_checked + Kernel::nodes_a_turn - 1) / Kernel::nodes_a_turn;
   std::int64_t num_skipped = 0;
   Kokkos::parallel_reduce(
-      "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
-      KOKKOS_LAMBDA(int k, int& found, std::int64_t& skipped) {
-        const int node = nodes(is_listed ? checked(k) : k);
-        NodeCandidates own{face,  with_history, has_marks && !has_history(in.history_face, node),
-                           skips, offset(node), offset(node + 1)};
-        own.first = find_first_near(in, node, own);
-        const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
-        if (own.first == own.last)
-          by_node(node).count = 0;
-        else
-          skipped += check_node_flat<thickness>(in, node, own, by_node(node));
-        found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
-      },
+      "contact::detailed_check", RangeOf<Space>(space, 0, turns),
+      Kernel{inputs, candidates.nodes, candidates.offset, candidates.face, candidates.with_history, table.checked,
+             table.is_still, table.near_moved, table.by_node, num_checked, is_listed, skips},
       table.num_new, num_skipped);
   table.num_kept_pairs += num_skipped;
 }

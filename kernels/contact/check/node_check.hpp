@@ -1,5 +1,5 @@
 #pragma once
-// The detailed check of one contact node: which of the faces it is in contact with does it obey?
+// The detailed check of contact nodes: which of the faces that a node is in contact with does it obey?
 //
 // One face on a convex neighbourhood; several on a concave one (a corner between faces) and on other bodies, up to
 // three independent normals. Candidates are ordered by integer keys: a comparison with tolerances is no strict order.
@@ -187,19 +187,19 @@ KOKKOS_INLINE_FUNCTION bool are_first(const TouchList& found, const NodeTouches&
   return sum == 0;
 }
 
-/// Whether a face, if it is in contact too, pushes the same way as one of those that hold the node (are_first()) and
-/// takes none of the others away: it is then not obeyed, and changes nothing. Its push direction is a mean of its
+/// Whether a face, if it is in contact too, pushes the same way as one of the first that hold the node (are_first())
+/// and takes none of the others away: it is then not obeyed, and changes nothing. Its push direction is a mean of its
 /// vertex normals with weights that are not negative, but for the band beside a face.
-KOKKOS_INLINE_FUNCTION bool adds_nothing(const MovingSurface& moving, const TouchList& holds, int face) {
+KOKKOS_INLINE_FUNCTION bool adds_nothing(const MovingSurface& moving, const TouchList& holds, int num_holds, int face) {
   constexpr double same = contact_limits::independent + 2e-3;   // of all vertex normals: so is their mean
   constexpr double other = contact_limits::independent - 0.05;  // divided by `same`: less than independent
   const Point3 normal = load_row(moving.faces.normal, face);
   bool may_be = false;
-  for (int i = 0; i < holds.count; ++i) may_be = may_be || dot(normal, holds.touch[i].normal) > same;
+  for (int i = 0; i < num_holds; ++i) may_be = may_be || dot(normal, holds.touch[i].normal) > same;
   if (!may_be || !moving.faces.has_prepared(face)) return false;
   const CornerDirections& vertex = moving.faces.vertex(face);
   int num_same = 0;
-  for (int i = 0; i < holds.count; ++i) {
+  for (int i = 0; i < num_holds; ++i) {
     double least = 1, most = -1;
     for (int k = 0; k < 4; ++k) {
       const double cosine = dot(vertex.of[k], holds.touch[i].normal);
@@ -242,73 +242,117 @@ struct SkippedFaces {
   }
 };
 
-/// What the check of a node keeps from turn to turn.
-struct NodeCheck {
-  KnownFaces known;
+/// What the check of a node keeps from turn to turn. Faces: its candidates, candidates(candidates.first) to
+/// candidates(candidates.last - 1) that are not negative.
+template <class Faces>
+struct NodeCheck : PairNode {
+  Faces candidates;
+  NodeTouches* accepted;  // out
   NearFaces near;
   TouchList found;
-  int num_first = 0;  // of those found, that hold the node before all others
-  SkippedFaces skipped{};
-};
+  SkippedFaces skipped;
+  Turn turn;
+  int num_first;  // of those found, that hold the node before all others
+  int next;       // the first candidate that is not among the near ones yet
+  bool is_done;
 
-/// Whether the face at a place of NearFaces is checked in this turn.
-KOKKOS_INLINE_FUNCTION bool is_in_turn(const MovingSurface& moving, Turn turn, int place, NodeCheck& check) {
-  if (turn == Turn::all) return true;
-  const int face = check.near.face[place];
-  const int* const known = check.known.face;
-  const bool is_remembered = face == known[0] || face == known[1] || face == known[2];
-  if (turn == Turn::remembered || is_remembered) return turn == Turn::remembered && is_remembered;
-  if (turn == Turn::skipped) return check.skipped.has(place);
-  if (check.num_first == 0 || !adds_nothing(moving, check.found, face)) return true;
-  check.skipped.add(place);
-  return false;
-}
-
-/// The turn that comes first.
-KOKKOS_INLINE_FUNCTION Turn find_first_turn(const KnownFaces& known, bool skips) {
-  return skips && (known.face[0] >= 0 || known.face[1] >= 0 || known.face[2] >= 0) ? Turn::remembered : Turn::all;
-}
-
-/// Checks the listed faces whose turn it is. pairs: memory.
-template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION void check_near(const MovingSurface& moving, const CheckedNode& node, Turn turn, PairPack& pairs,
-                                       NodeCheck& check) {
-  for (int i = 0; i < check.near.count;) {
-    pairs.faces.count = 0;  // other lanes keep what they have
-    for (; i < check.near.count && pairs.faces.count < FacePack::lanes; ++i)
-      if (is_in_turn(moving, turn, i, check)) add_pair<thickness>(moving, check.known, node, check.near.face[i], pairs);
-    check_pairs<thickness>(moving, check.known, node, pairs, [&](const Touch& t) { check.found.insert(t); });
+  KOKKOS_INLINE_FUNCTION void begin(const CheckInputs& inputs, int node, const Faces& faces, NodeTouches& out) {
+    at = load_checked_node(inputs.surface, inputs.motion, node);
+    known = load_known_faces(inputs.faces, inputs.history_face, at);
+    candidates = faces;
+    accepted = &out;
+    found.count = num_first = 0;
+    skipped = {};
+    is_done = false;
+    next = near.fill(at, inputs.faces.box, faces, faces.first);
+    const bool remembers = known.face[0] >= 0 || known.face[1] >= 0 || known.face[2] >= 0;
+    turn = remembers && faces.skips && next == faces.last ? Turn::remembered : Turn::all;
   }
-}
 
-/// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
-/// negative. accepted: out. Returns how many were skipped.
-template <Thickness thickness, class Faces>
-KOKKOS_INLINE_FUNCTION int check_node(const CheckInputs& inputs, int node, const Faces& candidates,
-                                      NodeTouches& accepted) {
-  const CheckedNode checked = load_checked_node(inputs.surface, inputs.motion, node);
-  NodeCheck check;
-  check.known = load_known_faces(inputs.faces, inputs.history_face, checked);
-  PairPack pairs;
-  int next = check.near.fill(checked, inputs.faces.box, candidates, candidates.first);
-  Turn turn = find_first_turn(check.known, candidates.skips && next == candidates.last);
-  for (;;) {
-    check_near<thickness>(inputs, checked, turn, pairs, check);
+  /// Whether the near face at this place is checked in this turn.
+  KOKKOS_INLINE_FUNCTION bool is_in_turn(const MovingSurface& moving, int place) {
+    if (turn == Turn::all) return true;
+    const int face = near.face[place];
+    const bool is_remembered = face == known.face[0] || face == known.face[1] || face == known.face[2];
+    if (turn == Turn::remembered || is_remembered) return turn == Turn::remembered && is_remembered;
+    if (turn == Turn::skipped) return skipped.has(place);
+    if (num_first == 0 || !adds_nothing(moving, found, num_first, face)) return true;
+    skipped.add(place);
+    return false;
+  }
+
+  /// After a turn: what comes next.
+  template <Thickness thickness>
+  KOKKOS_INLINE_FUNCTION void end_turn(const CheckInputs& inputs) {
     if (next < candidates.last) {
-      next = check.near.fill(checked, inputs.faces.box, candidates, next);
-      continue;
+      next = near.fill(at, inputs.faces.box, candidates, next);
+      return;
     }
-    const bool has_others = check.found.count != check.num_first;
-    if (turn == Turn::others && check.num_first > 0 && !has_others) return check.skipped.count;  // accepted stands
-    if (turn == Turn::others && check.skipped.count > 0) {
+    if (turn == Turn::others && num_first > 0 && found.count == num_first) {  // what was accepted stands
+      is_done = true;
+      return;
+    }
+    if (turn == Turn::others && skipped.count > 0) {
       turn = Turn::skipped;
-      continue;
+      return;
     }
-    accept_touches<thickness>(inputs, check.known, checked, check.found, accepted);
-    if (turn != Turn::remembered) return 0;
-    check.num_first = are_first(check.found, accepted) ? check.found.count : 0;
+    accept_touches<thickness>(inputs, known, at, found, *accepted);
+    is_done = turn != Turn::remembered;
+    if (is_done) {
+      skipped.count = 0;
+      return;
+    }
+    num_first = are_first(found, *accepted) ? found.count : 0;
     turn = Turn::others;
   }
+};
+
+/// Nodes that are checked together, so that few lanes of a pack of pairs stay empty: a node in contact has one to three
+/// faces to check.
+template <class Faces>
+struct NodeGroup {
+  static constexpr int most = FacePack::lanes;
+  int count = 0;
+  NodeCheck<Faces> of[most];
+};
+
+/// A turn of the nodes of a group. pairs: memory.
+template <Thickness thickness, class Faces>
+KOKKOS_INLINE_FUNCTION void check_turn(const MovingSurface& moving, NodeGroup<Faces>& group, PairPack& pairs) {
+  for (int node = 0, place = 0; node < group.count;) {
+    pairs.faces.count = 0;  // other lanes keep what they have
+    while (node < group.count && pairs.faces.count < FacePack::lanes) {
+      NodeCheck<Faces>& check = group.of[node];
+      if (check.is_done || place == check.near.count) {
+        ++node;
+        place = 0;
+        continue;
+      }
+      if (check.is_in_turn(moving, place)) add_pair<thickness>(moving, check, node, check.near.face[place], pairs);
+      ++place;
+    }
+    check_pairs<thickness>(
+        moving, [&](int i) -> const PairNode& { return group.of[i]; }, pairs,
+        [&](int i, const Touch& t) { group.of[i].found.insert(t); });
+  }
+}
+
+/// Checks the nodes of a group. Returns how many of their candidates were skipped.
+template <Thickness thickness, class Faces>
+KOKKOS_INLINE_FUNCTION int check_group(const CheckInputs& inputs, NodeGroup<Faces>& group) {
+  PairPack pairs;
+  for (int open = group.count; open > 0;) {
+    check_turn<thickness>(inputs, group, pairs);
+    open = 0;
+    for (int i = 0; i < group.count; ++i) {
+      NodeCheck<Faces>& check = group.of[i];
+      if (!check.is_done) check.template end_turn<thickness>(inputs);
+      open += check.is_done ? 0 : 1;
+    }
+  }
+  int skipped = 0;
+  for (int i = 0; i < group.count; ++i) skipped += group.of[i].skipped.count;
+  return skipped;
 }
 
 }  // namespace percuss

@@ -194,32 +194,40 @@ KOKKOS_INLINE_FUNCTION bool check_kept(const ContactSurface& surface, const Face
   return touch.gap_end <= find_row_gap(touch) && touch.gap_start >= -find_deepest_start(touch);
 }
 
-/// Candidate faces of a node that are checked together; touch is meaningful for those that are found in contact.
+/// A node of pairs: where it is, and what it remembers.
+struct PairNode {
+  CheckedNode at;
+  KnownFaces known;
+};
+
+/// Pairs that are checked together; touch is meaningful for those that are found in contact.
 struct PairPack {
   FacePack faces;
   Touch touch[FacePack::lanes];
+  int node[FacePack::lanes];  // of each pair, among the nodes that are checked together
 };
 
-/// Adds the pair of the node and a face whose box it meets, unless thickness keeps them apart for certain.
+/// Adds the pair of node `number` and a face whose box it meets, unless thickness keeps them apart for certain.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION void add_pair(const MovingSurface& moving, const KnownFaces& known, const CheckedNode& node,
-                                     int face, PairPack& pairs) {
+KOKKOS_INLINE_FUNCTION void add_pair(const MovingSurface& moving, const PairNode& node, int number, int face,
+                                     PairPack& pairs) {
   const ContactSurface& surface = moving.surface;
-  const SurfaceMotion& motion = moving.motion;
   const FaceState& faces = moving.faces;
-  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, face) : 0;
-  Touch& touch = pairs.touch[pairs.faces.count];
+  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.at.node, face) : 0;
+  const int lane = pairs.faces.count;
+  Touch& touch = pairs.touch[lane];
   start_touch(face, faces.size(face), offset, touch);
+  pairs.node[lane] = number;
   if (offset > 0) {
-    find_record(surface, faces, known, touch);
-    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node,
+    find_record(surface, faces, node.known, touch);
+    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), moving.motion, node.at,
                     {offset, contact_limits::history_row_gap * touch.size, find_reach(touch)}))
       return;
   }
   if constexpr (thickness == Thickness::of_shells)
-    add_face(faces, face, load_touched_face(moving, node.x, node.v, face, offset), pairs.faces);
+    add_face(faces, face, load_touched_face(moving, node.at.x, node.at.v, face, offset), pairs.faces);
   else
-    add_face(surface, motion, faces, face, pairs.faces);
+    add_face(moving, node.at, face, pairs.faces);
 }
 
 /// How a pair may still be in contact.
@@ -248,8 +256,8 @@ KOKKOS_INLINE_FUNCTION bool may_have_passed(const FacePack& faces, int lane, dou
 
 /// By the plane of the face and by what node and face look at. In: FacePack::range.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, const KnownFaces& known,
-                                                const CheckedNode& node, int lane, PairPack& pairs) {
+KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, const PairNode& node, int lane,
+                                                PairPack& pairs) {
   const ContactSurface& surface = moving.surface;
   const SurfaceMotion& motion = moving.motion;
   const FaceState& faces = moving.faces;
@@ -257,12 +265,12 @@ KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, con
   const auto& range = pairs.faces.range;
   if (range.least[lane] > contact_limits::history_row_gap * touch.size || range.most[lane] < -find_reach(touch))
     return PairOutlook::out;
-  if (!(touch.offset > 0)) find_record(surface, faces, known, touch);
+  if (!(touch.offset > 0)) find_record(surface, faces, node.known, touch);
   touch.way = pairs.faces.way[lane];
   if (range.least[lane] > find_row_gap(touch)) return PairOutlook::out;
   touch.opposed = thickness == Thickness::of_shells
-                      ? looks_against(surface, motion, faces, node.node, touch.face)
-                      : has_opposed_face(surface, faces, node.node, touch.face, contact_limits::opposing);
+                      ? looks_against(surface, motion, faces, node.at.node, touch.face)
+                      : has_opposed_face(surface, faces, node.at.node, touch.face, contact_limits::opposing);
   if (touch.opposed || touch.same_face) return PairOutlook::any;
   const bool may_cross =
       starts_in_front(pairs.faces, lane, touch.size) || may_have_passed(pairs.faces, lane, touch.size);
@@ -326,18 +334,19 @@ KOKKOS_INLINE_FUNCTION FacePoint measure_one_end(const MovingSurface& moving, co
   return closest;
 }
 
-/// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.
-template <Thickness thickness, class Found>
-KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const KnownFaces& known, const CheckedNode& node,
-                                        PairPack& pairs, const Found& found) {
+/// Checks the pairs of a pack, of nodes nodes(number), and calls found(number, touch) for those in contact, in their
+/// order.
+template <Thickness thickness, class Nodes, class Found>
+KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const Nodes& nodes, PairPack& pairs,
+                                        const Found& found) {
   const int count = pairs.faces.count;
   if (count == 0) return;
-  if constexpr (thickness == Thickness::none) see_from(node.x, node.v, moving.motion.dt, pairs.faces);
+  if constexpr (thickness == Thickness::none) see_from_nodes(moving.motion.dt, pairs.faces);
   measure_motion(pairs.faces);
   PairOutlook outlook[FacePack::lanes];
   int measured = 0;
   for (int lane = 0; lane < count; ++lane) {
-    outlook[lane] = look_at_pair<thickness>(moving, known, node, lane, pairs);
+    outlook[lane] = look_at_pair<thickness>(moving, nodes(pairs.node[lane]), lane, pairs);
     measured += outlook[lane] == PairOutlook::any ? 1 : 0;
   }
   constexpr int worth_a_pack = 2;  // one face is measured faster by its four triangles at once
@@ -349,7 +358,7 @@ KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const Known
     if (is_measured && measured < worth_a_pack)
       points[lane] = measure_one_end(moving, pairs.faces.end[lane], pairs.touch[lane]);
     if (judge_pair(moving.surface, moving.faces, is_measured ? &points[lane] : nullptr, lane, pairs))
-      found(pairs.touch[lane]);
+      found(pairs.node[lane], pairs.touch[lane]);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// Candidate faces of a node, one a lane: what the detailed check measures on every pair, before it judges them one by
-// one. Each lane has the bits of the functions of one face (face_geometry.hpp), so that it does not matter which faces
-// come together.
+// Pairs of a node and a candidate face, one a lane: what the detailed check measures on every pair, before it judges
+// them one by one. Each lane has the bits of the functions of one face (face_geometry.hpp), so that it does not matter
+// which pairs come together.
 
 #include "kernels/contact/geometry/packed_point.hpp"
 #include "kernels/contact/surface/contact_state.hpp"
@@ -30,6 +30,12 @@ PERCUSS_FORCE_INLINE PlaneRange<T> find_plane_range(const Vector3<T> (&start)[4]
   return range;
 }
 
+KOKKOS_INLINE_FUNCTION void set_lane(int lane, const Point3& a, double (&to)[3][packed_lanes]) {
+  to[0][lane] = a.x;
+  to[1][lane] = a.y;
+  to[2][lane] = a.z;
+}
+
 /// Corners by number, component and lane, relative to the node. A lane without a face is one of no size.
 struct alignas(64) CornerPack {
   static constexpr int lanes = packed_lanes;
@@ -40,11 +46,7 @@ struct alignas(64) CornerPack {
     for (int i = 0; i < 4; ++i) points.corner[i] = {of[i][0][lane], of[i][1][lane], of[i][2][lane]};
     return points;
   }
-  KOKKOS_INLINE_FUNCTION void set(int lane, int corner, const Point3& a) {
-    of[corner][0][lane] = a.x;
-    of[corner][1][lane] = a.y;
-    of[corner][2][lane] = a.z;
-  }
+  KOKKOS_INLINE_FUNCTION void set(int lane, int corner, const Point3& a) { set_lane(lane, a, of[corner]); }
 };
 
 struct alignas(64) FacePack {
@@ -52,7 +54,8 @@ struct alignas(64) FacePack {
   int count = 0;
   CornerPack start{}, move{};  // at n, and by how much over the step
   double normal[3][lanes] = {};
-  CornerPack end;  // at the predicted place
+  double origin[3][lanes] = {}, velocity[3][lanes] = {};  // of the node, for see_from_nodes()
+  CornerPack end;                                         // at the predicted place
   PlaneRange<double[lanes]> range;
   double way[lanes];  // longest way of a corner
 
@@ -69,9 +72,9 @@ KOKKOS_INLINE_FUNCTION void add_face(const FaceState& faces, int face, const Rel
   for (int axis = 0; axis < 3; ++axis) pack.normal[axis][lane] = faces.normal(face, axis);
 }
 
-/// Adds a face by place and velocity of its corners, for see_from().
-KOKKOS_INLINE_FUNCTION void add_face(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-                                     int face, FacePack& pack) {
+/// Adds a face by place and velocity of its corners and of the node, for see_from_nodes().
+KOKKOS_INLINE_FUNCTION void add_face(const MovingSurface& moving, const CheckedNode& node, int face, FacePack& pack) {
+  const auto& [surface, motion, faces] = moving;
   const int lane = pack.count++;
   for (int i = 0; i < 4; ++i) {
     const int a = surface.nodes(surface.face_corners(face, i));
@@ -79,11 +82,13 @@ KOKKOS_INLINE_FUNCTION void add_face(const ContactSurface& surface, const Surfac
     pack.move.set(lane, i, load_row(motion.v, a));
   }
   for (int axis = 0; axis < 3; ++axis) pack.normal[axis][lane] = faces.normal(face, axis);
+  set_lane(lane, node.x, pack.origin);
+  set_lane(lane, node.v, pack.velocity);
 }
 
 /// From places and velocities to what load_relative_face() gives.
-KOKKOS_FORCEINLINE_FUNCTION void see_from(const Point3& x, const Point3& v, double dt, FacePack& pack) {
-  const PackedPoint origin = spread_to_pack(x), velocity = spread_to_pack(v);
+KOKKOS_FORCEINLINE_FUNCTION void see_from_nodes(double dt, FacePack& pack) {
+  const PackedPoint origin = load_point(pack.origin), velocity = load_point(pack.velocity);
   for (int i = 0; i < 4; ++i) {
     store_point(pack.start.of[i], load_point(pack.start.of[i]) - origin);
     store_point(pack.move.of[i], Packed(dt) * (load_point(pack.move.of[i]) - velocity));
