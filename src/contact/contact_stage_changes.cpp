@@ -68,6 +68,7 @@ void ContactStage::Impl::redefine_folds(const SurfaceMotion& here) {
   const std::vector<EdgeTopology> before = share.edges;
   if (!change_folds(chunks, deck, ties, exchange, folds.folds(), share)) follow_share();
   renew_finder();
+  is_new_surface = false;  // the next one is many steps away: a list of near pairs pays
   history.edges = carry_edges(ranks, history.edges, before, share.edges);
   if (!has_pairs()) return;
   search_changed(here);

@@ -51,6 +51,7 @@ void ContactStage::Impl::tell_missed(const std::optional<MissedContact>& found, 
 void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
   Impl& stage = *impl_;
   if (!stage.has_pairs() || stage.has_told_missed) return;
+  const Phase phase("percuss::contact_watch", stage.clocks.check);
   const std::optional<KnownContact> known = stage.find_known();
   if (!known) return;
   ContactDeck once = stage.contact;
@@ -77,6 +78,7 @@ void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
     stage.next_piercing_look = find_next(of_a_face * stage.share.total_faces) - least_steps;
   const bool looks_through = step >= stage.next_piercing_look;
   if (!looks_at_edges && !looks_through) return;
+  const Phase phase("percuss::contact_watch", stage.clocks.check);
   const std::optional<KnownContact> known = stage.find_known();
   const OverlapSearch search = stage.look_for_overlap(*stage.finder);
   if (looks_at_edges) {
