@@ -33,20 +33,15 @@ struct BlockStep {
 template <class Body>
 PERCUSS_FORCE_INLINE bool advance_packs(const BlockStep<typename Body::Block>& of, const TeamChunk& chunk, Body& body,
                                         typename Body::Sums& sums, bool watched) {
-  constexpr int width = TeamChunk::width;
   typename Body::Parameters parameters = Body::find_parameters(of, chunk.c);
   typename Body::Lives lives(of.motion.failing, of.motion.lives, chunk.c);
   RecordWatch<Body::largest_record> watch(watched);
   const auto size = body.find_record_size();
-  Real* record = &of.fields.state(of.chunks.first_state(chunk.c));
-  const std::uint16_t* corners = chunk.corners();
-  for (int e = 0; e < chunk.count; e += width, record += size, corners += 8 * width) {
-    ChunkPack pack{e, chunk.count - e < width ? chunk.count - e : width, corners, record, record + size};
-    if (lives.can_fail() && !lives.take_pack(pack.corners)) continue;
-    watch.keep(record, size);
+  chunk.for_each_pack(lives, &of.fields.state(of.chunks.first_state(chunk.c)), size, [&](const ChunkPack& pack) {
+    watch.keep(pack.record, size);
     body.advance(parameters, pack, lives, sums);
-    watch.compare(record, size);
-  }
+    watch.compare(pack.record, size);
+  });
   return watch.has_changed();
 }
 
@@ -59,23 +54,10 @@ struct ElementKernel : BlockStep<typename Body::Block> {
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const TeamChunk chunk(Of::chunks, Of::block.chunks(member.league_rank()));
-    const bool may_rest = motion.skips_rest && Body::may_rest(*this, chunk.c);
-    if constexpr (Scratch::vectors == 3) {
-      const ChunkRest rest(Of::chunks, fields.results, chunk.c, may_rest, motion.v, motion.w);
-      if (rest.skips()) return;
-      const Scratch scratch(member, chunk.slot_count);
-      scratch.fill(chunk, motion.x.data(), motion.v.data(), motion.spins().data());
-      advance_chunk(chunk, scratch, rest);
-    } else {
-      const ChunkRest rest(Of::chunks, fields.results, chunk.c, may_rest, motion.v);
-      if (rest.skips()) return;
-      const Scratch scratch(member, chunk.slot_count);
-      scratch.fill(chunk, motion.x.data(), motion.v.data());
-      advance_chunk(chunk, scratch, rest);
-    }
-  }
-
-  KOKKOS_FUNCTION void advance_chunk(const TeamChunk& chunk, const Scratch& scratch, const ChunkRest& rest) const {
+    const ChunkRest rest = look_at_rest(chunk);
+    if (rest.skips()) return;
+    const Scratch scratch(member, chunk.slot_count);
+    scratch.fill(chunk, motion);
     scratch.clear(chunk);
     Body body(*this, chunk, scratch);
     typename Body::Sums sums;
@@ -84,6 +66,15 @@ struct ElementKernel : BlockStep<typename Body::Block> {
     sums.leave_work(chunk.c, fields.results);
     sums.leave_step(chunk.c, chunk.first_element, chunk.count, fields.results);
     scratch.leave(chunk, fields.slot_force, fields.slot_moment);
+  }
+
+  KOKKOS_FUNCTION ChunkRest look_at_rest(const TeamChunk& chunk) const {
+    const bool may_rest = motion.skips_rest && Body::may_rest(*this, chunk.c);
+    if constexpr (Scratch::has_spins) {
+      return {Of::chunks, fields.results, chunk.c, may_rest, motion.v, motion.w};
+    } else {
+      return {Of::chunks, fields.results, chunk.c, may_rest, motion.v};
+    }
   }
 };
 

@@ -11,6 +11,7 @@
 #include "kernels/core/tensor.hpp"
 #include "kernels/core/transpose.hpp"
 #include "kernels/element/element_chunks.hpp"
+#include "kernels/element/element_motion.hpp"
 
 namespace percuss {
 
@@ -64,7 +65,7 @@ struct TeamChunk {
   /// Calls visit(pack) for each pack with elements that live (LivingLanes). records: of the chunk, a pack's `size`
   /// numbers apart; null: nobody asks.
   template <class Lives, class Visit>
-  KOKKOS_FUNCTION void for_each_pack(Lives& lives, Real* records, int size, const Visit& visit) const {
+  PERCUSS_FORCE_INLINE void for_each_pack(Lives& lives, Real* records, int size, const Visit& visit) const {
     const std::uint16_t* all = corners();
     for (int e = 0; e < count; e += width, records += size, all += 8 * width) {
       ChunkPack pack{e, count - e < width ? count - e : width, all, records, records + size};
@@ -130,7 +131,8 @@ inline constexpr int rows_ahead = 48;
 /// work in. A vector has three numbers and one behind.
 template <int Vectors, int Loads, class Number = double>
 struct ChunkScratch {
-  static constexpr int vectors = Vectors, node_size = 4 * Vectors, force_size = 4 * Loads;
+  static constexpr int node_size = 4 * Vectors, force_size = 4 * Loads;
+  static constexpr bool has_spins = Vectors == 3;
   using Scalar = Number;
   Number* nodes;
   double* forces;
@@ -143,9 +145,17 @@ struct ChunkScratch {
     return static_cast<T*>(member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(scalars) * sizeof(T), 64));
   }
 
+  KOKKOS_FUNCTION void fill(const TeamChunk& chunk, const ElementMotion& motion) const {
+    if constexpr (has_spins) {
+      fill_rows(chunk, motion.x.data(), motion.v.data(), motion.spins().data());
+    } else {
+      fill_rows(chunk, motion.x.data(), motion.v.data());
+    }
+  }
+
   /// Fills the node records with rows by node, vector by vector.
   template <class... Rows>
-  KOKKOS_FUNCTION void fill(const TeamChunk& chunk, const Rows*... rows) const {
+  KOKKOS_FUNCTION void fill_rows(const TeamChunk& chunk, const Rows*... rows) const {
     const int* const to_nodes = chunk.nodes();
     const std::size_t middle = 3 * static_cast<std::size_t>(to_nodes[chunk.slot_count / 2]);
     for (int s = 0; s < chunk.slot_count; ++s) {

@@ -29,15 +29,11 @@ struct DampingKernel : DampingStep<typename Body::Damped> {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const TeamChunk chunk(Of::chunks, Of::damped.chunks(member.league_rank()));
     const Scratch scratch(member, chunk.slot_count);
-    if constexpr (Scratch::vectors == 3) {
-      scratch.fill(chunk, motion.x.data(), motion.v.data(), motion.spins().data());
-    } else {
-      scratch.fill(chunk, motion.x.data(), motion.v.data());
-    }
+    scratch.fill(chunk, motion);
     scratch.clear(chunk);
     Body{*this, chunk, scratch}.damp();
     double power = set_damping(chunk, motion.v, scratch.forces, fields.force, fields.slot_force);
-    if (Scratch::vectors == 3 && motion.w.extent(0) > 0)
+    if (Scratch::has_spins && motion.w.extent(0) > 0)
       power += set_damping(chunk, motion.w, scratch.forces + 4, fields.moment, fields.slot_moment);
     fields.work(chunk.c, WorkKind::viscous) -= 0.5 * motion.dt * power;
   }

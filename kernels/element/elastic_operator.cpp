@@ -21,7 +21,7 @@ struct ProbeChunk {
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const TeamChunk chunk(chunks, block.chunks(member.league_rank()));
     const HexScratch scratch(member, chunk.slot_count);
-    scratch.fill(chunk, probe.x.data(), probe.u.data());
+    scratch.fill_rows(chunk, probe.x.data(), probe.u.data());
     scratch.clear(chunk);
     // A called material gives its moduli with the bound only.
     const bool knows_bound_only =

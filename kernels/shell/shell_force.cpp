@@ -39,8 +39,8 @@ struct ShellBody {
   KOKKOS_FUNCTION static bool may_rest(const BlockStep<Block>&, int) { return true; }
   KOKKOS_FUNCTION int find_record_size() const { return chunk.chunks.record_size(chunk.c) * width; }
 
-  PERCUSS_FORCE_INLINE void advance(const ShellParameters<Layer>& parameters, const ChunkPack& pack, const Lives& lives,
-                                    Sums& sums) const {
+  KOKKOS_FUNCTION void advance(const ShellParameters<Layer>& parameters, const ChunkPack& pack, const Lives& lives,
+                               Sums& sums) const {
     const GatheredShells gathered(scratch, pack.corners);
     const CornerMotion<Lanes> corners{find_differences(gathered.x), find_differences(gathered.v), gathered.w,
                                       Lanes(of.motion.dt)};

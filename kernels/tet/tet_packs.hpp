@@ -145,7 +145,7 @@ struct SumRates : PassStep<ChunkList> {
     const TeamChunk chunk(chunks, block.chunks(member.league_rank()));
     if (ChunkRest(chunks, fields.results, chunk.c, motion.skips_rest, motion.v).is_settled()) return;
     const Scratch scratch(member, chunk, launch.passes);
-    scratch.fill(chunk, motion.x.data(), motion.v.data());
+    scratch.fill(chunk, motion);
     LivingSolids living(motion.failing, motion.lives, chunk.c);
     if (living.can_fail()) scratch.clear_given(chunk);
     chunk.for_each_pack(living, nullptr, 0, [&](const ChunkPack& pack) { leave_pack(scratch, pack, living); });
