@@ -90,8 +90,8 @@ struct StartState {
 };
 
 /// What a run of the scene would warn of at its start. Collective.
-std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
-                                   const Stepper& stepper, const ContactStage& contact, const StartState& start) {
+std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const Model& model, Stepper& stepper,
+                                   const ContactStage& contact, const StartState& start) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   const double bound = model.rigid.is_all ? start.state.next_dt : start.state.bound.step;
   const TieMeasures ties = contact.measure_ties();
@@ -103,6 +103,7 @@ std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked,
   log.add(check_input(scene));
   log.add(stepper.list_start_warnings());
   log.add(start.warnings);
+  log.add(stepper.take_warnings());
   log.add(check_start(scene));
   return log.list();
 }

@@ -103,6 +103,7 @@ void Run::begin() {
   call_user_code(RunMoment::start_of_analysis);
   call_user_code(RunMoment::start_of_step);
   stepper_.start(state_);
+  warnings_.add(stepper_.take_warnings());
   begin_books();
   const TieMeasures ties = contact_.measure_ties();
   const double bound = model_.rigid.is_all ? state_.next_dt : state_.bound.step;

@@ -141,6 +141,30 @@ TEST(PercussCheck, ShowsWarnings) {
   EXPECT_THAT(result.out, testing::EndsWith("The deck and its meshes can be run; 1 warning.\n"));
 }
 
+// Of the deck, of the mesh with the deck, and of what the stepper does at the start: the rods part at their joint.
+TEST(PercussCheck, WarnsOfAllThatARunWarnsOfAtItsStart) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", R"yaml(
+time: {end: 0.1, max_step: 1.0e-3}
+parts:
+  a: {box: {size: [1, 0.02, 0.02], cells: [4, 2, 2]}, at: [0, -0.01, -0.01], material: steel, rigid: true}
+  b: {box: {size: [1, 0.02, 0.02], cells: [4, 2, 2]}, at: [1, -0.01, -0.01], material: steel, rigid: true}
+materials:
+  steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3}
+  spare: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3}
+joints: {ab: {kind: spherical, bodies: [a, b], at: [1, 0, 0]}}
+initial: [{part: a, velocity: [0, 0, 2]}]
+)yaml");
+  const auto checked = nlohmann::json::parse(run_percuss({"check", file, "--json"}).out)["warnings"];
+  const std::string out = folder.path() + "/out";
+  ASSERT_EQ(run_percuss({"run", file, "--quiet", "--out", out, "--set", "time.max_steps=1"}).exit_code, 0);
+  std::vector<std::string> of_check, of_run;
+  for (const auto& warning : checked) of_check.push_back(warning["rule"]);
+  for (const Warning& warning : read_summary(out + "/summary.json").warnings) of_run.push_back(warning.rule);
+  EXPECT_EQ(of_check, of_run);
+  for (const char* rule : {"unused_material", "joint_start"}) EXPECT_THAT(of_check, testing::Contains(rule));
+}
+
 TEST(PercussCheck, RefusesASceneThatCoordinatesDoNotResolveAsARunDoes) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", cube);
