@@ -105,6 +105,9 @@ struct Convergence {
   static constexpr double tie_tolerance = 1e-6;
   // Of a row among others, in tolerances; of the work of all changes over that of all impulses, in tolerances.
   static constexpr double most_of_one = 10, most_of_work = 0.2;
+  // The least tolerance that works can judge: the change of each row is counted in whole units, which lie as far below
+  // the largest work of a row as EnergyUnit::after() says. Of that row they resolve a fiftieth of what may change.
+  static constexpr double finest_of_work = 1e-6;
   // Of the tolerance, where rigid bodies are among the rows: what is left of a rebound stays for good.
   static constexpr double of_rigid = 1e-3;
 
@@ -112,8 +115,9 @@ struct Convergence {
 
   Convergence(double tolerance, const PredictedGaps& gaps) {
     const double least = absolute_tolerance * gaps.smallest_size;
+    const bool is_work_judged = gaps.rigid == 0 && tolerance >= finest_of_work;
     enough = std::max((gaps.rigid > 0 ? of_rigid : 1) * tolerance * gaps.deepest, least);
-    enough_of_one = gaps.rigid > 0 ? enough : std::max(most_of_one * tolerance * gaps.deepest, least);
+    enough_of_one = is_work_judged ? std::max(most_of_one * tolerance * gaps.deepest, least) : enough;
     enough_tied = std::max(tie_tolerance * gaps.farthest_tied, least);
     enough_work = most_of_work * tolerance;
   }

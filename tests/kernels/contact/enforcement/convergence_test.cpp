@@ -104,6 +104,25 @@ TEST(Convergence, OfOneRowMayBeTenTolerancesWhereTheWorkOfAllChangesIsSmall) {
   EXPECT_FALSE(convergence.is_reached(sums));
 }
 
+// The largest row and 999 others change by 9 tolerances of their impulses: the changes do 45 times the work that is
+// enough. Works must show it, or not be asked.
+TEST(Convergence, IsNotReachedByWorkThatRoundingHides) {
+  for (const double tolerance : {1e-3, 1e-5, 1e-6, 9e-7, 1e-8, 1e-10, 1e-12}) {
+    PassSums sums;
+    sums.change = 9 * tolerance * make_gaps().deepest;
+    const double largest = 0.37;
+    const EnergyUnit unit = EnergyUnit::after(largest);
+    for (int row = 0; row < 1000; ++row) {
+      const double work = largest / (1 + row % 7);
+      sums.work += unit.count(work);
+      sums.changed_work += unit.count(9 * tolerance * work);
+    }
+    EXPECT_FALSE(Convergence(tolerance, make_gaps()).is_reached(sums)) << tolerance;
+    sums.change = tolerance * make_gaps().deepest;
+    EXPECT_TRUE(Convergence(tolerance, make_gaps()).is_reached(sums)) << tolerance;
+  }
+}
+
 TEST(Convergence, OfRigidBodiesIsReachedWhenNoChangeExceedsAThousandthOfTheTolerance) {
   PredictedGaps gaps = make_gaps();
   gaps.rigid = 1;
