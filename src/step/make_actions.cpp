@@ -3,6 +3,7 @@
 #include "src/step/constraints/constraint_stage.hpp"
 #include "src/step/damping/damping_stage.hpp"
 #include "src/step/embedded/embedded_stage.hpp"
+#include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/wall_motions.hpp"
 #include "src/step/glue/glue_stage.hpp"
 #include "src/step/loads/condition_stage.hpp"
@@ -44,7 +45,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   add(std::make_unique<WallMotions>(deck, contact));
   actions.sensors = add(std::make_unique<Sensors>(deck, model.ranks));
   actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact));
-  actions.accelerometers = add(std::make_unique<Accelerometers>(deck, chunked, model));
+  add(std::make_unique<Accelerometers>(deck, chunked, model));
   return actions;
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "src/contact/contact_stage.hpp"
-#include "src/step/forces/accelerometers.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/model/action.hpp"
 #include "src/step/rigid/rigid_stage.hpp"
@@ -19,7 +18,6 @@ struct Actions {
   const RigidStage* rigid = nullptr;  // null: no body is rigid
   Sensors* sensors = nullptr;
   ForceBooks* forces = nullptr;
-  Accelerometers* accelerometers = nullptr;
 };
 
 /// What the scene has. All arguments outlive the actions. Collective; throws InputError as the constructors do.

@@ -82,7 +82,6 @@ class Stepper {
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
   ForceBooks& forces() { return *actions_.forces; }
-  Accelerometers& accelerometers() { return *actions_.accelerometers; }
   Sensors& sensors() { return *actions_.sensors; }
   const Sensors& sensors() const { return *actions_.sensors; }
 

@@ -23,7 +23,7 @@ class ConstraintStage : public Action {
   std::vector<HistoryColumn> list_columns() const override;
   void append_values(const State& state, std::vector<double>& row) override;
   std::vector<std::string> list_notes() const override { return model_.constraints.notes; }
-  bool comes_between() const override { return true; }
+  double bound_component(const State& /*state*/, double predicted) const override { return predicted; }
 
  private:
   double value(std::size_t node, std::size_t what, std::size_t k = 0) const { return rows_.value(node, what, k); }

@@ -25,7 +25,6 @@ class DampingStage : public Action {
   /// Of the nodes of shells and beams.
   void change_spins(State& state, const StepTimes& times) override;
   void book_motion(State& state, const StepTimes& times) override;
-  bool comes_between() const override { return true; }
 
  private:
   const Model& model_;

@@ -16,6 +16,7 @@ constexpr ConstraintLimits limits_of_embedded{1e-15, 200};
 EmbeddedStage::EmbeddedStage(const ChunkedMesh& chunked, const Model& model)
     : chunked_(chunked),
       model_(model),
+      keeps_work_(!model.constraints.any()),
       rows_(model, model.embedded),
       outcomes_(3 * model.embedded.nodes.size()),
       system_(limits_of_embedded),
@@ -64,16 +65,16 @@ void EmbeddedStage::drop_vanished(State& state) {
 }
 
 void EmbeddedStage::archive(CheckpointArchive& archive, State& state) {
-  if (!model_.constraints.any()) archive.number("books/equal_work", state.books.equal_work);
+  if (keeps_work_) archive.number("books/equal_work", state.books.equal_work);
 }
 
 std::vector<HistoryColumn> EmbeddedStage::list_columns() const {
-  if (model_.constraints.any()) return {};
+  if (!keeps_work_) return {};
   return {equal_work_column()};
 }
 
 void EmbeddedStage::append_values(const State& state, std::vector<double>& row) {
-  if (!model_.constraints.any()) row.push_back(state.books.equal_work);
+  if (keeps_work_) row.push_back(state.books.equal_work);
 }
 
 }  // namespace percuss

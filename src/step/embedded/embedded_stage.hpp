@@ -22,17 +22,17 @@ class EmbeddedStage : public Action {
   void follow_contact(State& state, const StepTimes& times, const ContactReport* contact) override;
   void drop_vanished(State& state) override;
   void archive(CheckpointArchive& archive, State& state) override;
-  // Where there are constraints, too, these have the one column of work.
   std::vector<HistoryColumn> list_columns() const override;
   void append_values(const State& state, std::vector<double>& row) override;
   std::vector<std::string> list_notes() const override { return model_.embedded.notes; }
-  bool comes_between() const override { return true; }
+  double bound_component(const State& /*state*/, double predicted) const override { return predicted; }
 
  private:
   void solve_direction(std::size_t k);
 
   const ChunkedMesh& chunked_;
   const Model& model_;
+  const bool keeps_work_;  // Books::equal_work, its column too; where there are constraints, these keep it
   GatheredRows<NodeRow> rows_;
   std::vector<JoinedMotion> outcomes_;      // [EmbeddedModel::nodes][3]
   LinearConstraints system_;                // [EmbeddedModel::embedded] loose: node or solid is gone

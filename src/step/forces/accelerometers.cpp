@@ -146,20 +146,6 @@ void Accelerometers::resume(const State& state) {
     if (sums.is_new) sums.last_row = find_velocity_time(state);
 }
 
-std::vector<double> Accelerometers::take(const State& state) {
-  std::vector<double> row;
-  const double time = find_velocity_time(state);
-  for (Sums& sums : sums_) {
-    const double interval = time - sums.last_row;
-    for (std::size_t k = 0; k < 3; ++k)
-      row.push_back(interval > 0 ? (sums.change[k] - sums.at_last_row[k]) / interval : 0);
-    row.insert(row.end(), sums.change.begin(), sums.change.end());
-    sums.at_last_row = sums.change;
-    sums.last_row = time;
-  }
-  return row;
-}
-
 std::vector<HistoryColumn> Accelerometers::list_columns() const {
   std::vector<HistoryColumn> columns;
   for (const AccelerometerDeck& one : deck_.output.accelerometers) {
@@ -178,8 +164,15 @@ std::vector<HistoryColumn> Accelerometers::list_columns() const {
 }
 
 void Accelerometers::append_values(const State& state, std::vector<double>& row) {
-  const std::vector<double> values = take(state);
-  row.insert(row.end(), values.begin(), values.end());
+  const double time = find_velocity_time(state);
+  for (Sums& sums : sums_) {
+    const double interval = time - sums.last_row;
+    for (std::size_t k = 0; k < 3; ++k)
+      row.push_back(interval > 0 ? (sums.change[k] - sums.at_last_row[k]) / interval : 0);
+    row.insert(row.end(), sums.change.begin(), sums.change.end());
+    sums.at_last_row = sums.change;
+    sums.last_row = time;
+  }
 }
 
 }  // namespace percuss

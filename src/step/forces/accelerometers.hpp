@@ -31,6 +31,8 @@ class Accelerometers : public Action {
   /// this.
   Accelerometers(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
+  bool comes_between() const override { return false; }
+
   /// Notes places at n and velocities at n-1/2.
   void begin_step(const State& state, const StepTimes& times) override;
 
@@ -42,10 +44,8 @@ class Accelerometers : public Action {
   void resume(const State& state) override;
 
   std::vector<HistoryColumn> list_columns() const override;
+  /// The same on every rank.
   void append_values(const State& state, std::vector<double>& row) override;
-
-  /// The values of a row of this state, the same on every rank.
-  std::vector<double> take(const State& state);
 
  private:
   struct Nodes {

@@ -115,27 +115,6 @@ void ForceBooks::archive(CheckpointArchive& archive, State& /*state*/) {
 
 void ForceBooks::resume(const State& state) { std::replace(since_.begin(), since_.end(), not_begun, state.time); }
 
-std::vector<double> ForceBooks::take(const State& state) {
-  const double time = state.time;
-  std::vector<double> row;
-  if (since_.empty()) return row;
-  const std::vector<ContactImpulse> of_contact = contact_.take_forces(state.x);
-  auto contact = of_contact.begin();
-  for (std::size_t f = 0; f < since_.size(); ++f) {
-    const double passed = time - since_[f] - (since_[f] == 0 ? 0.5 * state.dt : 0);  // velocities begin at time 0
-    const double per_time = time > since_[f] ? 1 / passed : 0;
-    const auto first = static_cast<std::ptrdiff_t>(row.size());
-    since_[f] = time;
-    if (deck_.output.forces[f].is_of_contact())
-      append_mean(*contact++, per_time, true, row);
-    else
-      append_mean(take_sums(f), per_time, false, row);
-    const bool acts = std::any_of(row.begin() + first, row.end(), [](double value) { return value != 0; });
-    has_acted_[f] = static_cast<unsigned char>(has_acted_[f] != 0 || acts);
-  }
-  return row;
-}
-
 std::vector<HistoryColumn> ForceBooks::list_columns() const {
   std::vector<HistoryColumn> columns;
   for (const ForceDeck& force : deck_.output.forces) {
@@ -159,8 +138,22 @@ std::vector<HistoryColumn> ForceBooks::list_columns() const {
 }
 
 void ForceBooks::append_values(const State& state, std::vector<double>& row) {
-  const std::vector<double> values = take(state);
-  row.insert(row.end(), values.begin(), values.end());
+  if (since_.empty()) return;
+  const double time = state.time;
+  const std::vector<ContactImpulse> of_contact = contact_.take_forces(state.x);
+  auto contact = of_contact.begin();
+  for (std::size_t f = 0; f < since_.size(); ++f) {
+    const double passed = time - since_[f] - (since_[f] == 0 ? 0.5 * state.dt : 0);  // velocities begin at time 0
+    const double per_time = time > since_[f] ? 1 / passed : 0;
+    const auto first = static_cast<std::ptrdiff_t>(row.size());
+    since_[f] = time;
+    if (deck_.output.forces[f].is_of_contact())
+      append_mean(*contact++, per_time, true, row);
+    else
+      append_mean(take_sums(f), per_time, false, row);
+    const bool acts = std::any_of(row.begin() + first, row.end(), [](double value) { return value != 0; });
+    has_acted_[f] = static_cast<unsigned char>(has_acted_[f] != 0 || acts);
+  }
 }
 
 }  // namespace percuss

@@ -28,16 +28,15 @@ class ForceBooks : public Action {
 
   /// Sections need the places at n.
   bool comes_between() const override { return !sections_.empty(); }
+  double bound_component(const State& /*state*/, double predicted) const override { return predicted; }
 
   /// A force that the checkpoint does not have begins with nothing at resume().
   void archive(CheckpointArchive& archive, State& state) override;
   void resume(const State& state) override;
 
   std::vector<HistoryColumn> list_columns() const override;
+  /// Means since the last row.
   void append_values(const State& state, std::vector<double>& row) override;
-
-  /// The values of a row of this state: means since the last one. Collective; empty where the deck names no force.
-  std::vector<double> take(const State& state);
 
   /// Whether each force of the deck has been other than 0 in a row so far, those before a restart included.
   const std::vector<unsigned char>& has_acted() const { return has_acted_; }

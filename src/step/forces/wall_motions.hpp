@@ -11,6 +11,7 @@ class WallMotions : public Action {
   /// Both outlive this.
   WallMotions(const Deck& deck, const ContactStage& contact) : deck_(deck), contact_(contact) {}
 
+  bool comes_between() const override { return false; }
   std::vector<HistoryColumn> list_columns() const override;
   void append_values(const State& state, std::vector<double>& row) override;
 

@@ -41,7 +41,7 @@ void GlueStage::gather(const State& state) {
   nodes_.gather(state);
   for (std::size_t n = 0; n < moves_.size(); ++n) {
     const auto move = [&](std::size_t k) {
-      return nodes_.value(n, NodeRow::place + k) - before[n * NodeRow::count + NodeRow::place + k];
+      return nodes_.value(n, Row::place + k) - before[n * Row::count + Row::place + k];
     };
     moves_[n] = {move(0), move(1), move(2)};
   }
@@ -51,15 +51,15 @@ void GlueStage::gather(const State& state) {
 void GlueStage::turn_arms(State& state, double dt) {
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (!has_arm(state.glue_arms[p])) continue;
-    turns_[p] = dt * nodes_.vector(model_.glue.points[p].node[0], NodeRow::spin);
+    turns_[p] = dt * nodes_.vector(model_.glue.points[p].node[0], Row::spin);
     state.glue_arms[p] = rotate(turns_[p], state.glue_arms[p]);
   }
 }
 
 Separation GlueStage::find_separation_of(const GluePoint& point, const Point3& arm) const {
   FacePoints face;
-  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = nodes_.vector(point.node[i + 1], NodeRow::place);
-  return find_separation(point.geometry, point.side, nodes_.vector(point.node[0], NodeRow::place) + arm, face);
+  for (std::size_t i = 0; i < 4; ++i) face.corner[i] = nodes_.vector(point.node[i + 1], Row::place);
+  return find_separation(point.geometry, point.side, nodes_.vector(point.node[0], Row::place) + arm, face);
 }
 
 /// Tractions and forces at the places of now, point after point.
@@ -202,7 +202,7 @@ void GlueStage::limit_step(const State& state, StepBound& bound) const {
   SpringRates rates;
   visit([&](const GluePoint& point, const GlueShares& of, double stiffness) {
     // Only this point turns its node.
-    double rate = stiffness * dot(point.arm, point.arm) * nodes_.value(point.node[0], NodeRow::turning);
+    double rate = stiffness * dot(point.arm, point.arm) * nodes_.value(point.node[0], Row::turning);
     for (std::size_t i = 0; i < 5; ++i) rate += of.share[i] * carried[carrier(point.node[i])];
     rates.stiffness = std::max(rates.stiffness, rate);
   });

@@ -21,6 +21,7 @@ class GlueStage : public Action {
 
   void advance(State& state, double dt) override;
   void drop_vanished(State& state) override;
+  bool comes_between() const override { return false; }
   bool adds_forces() const override { return true; }
   void add_forces(State& state, double time) override;
   void limit_step(const State& state, StepBound& bound) const override;
@@ -31,7 +32,7 @@ class GlueStage : public Action {
   std::vector<Warning> take_warnings() override;
 
  private:
-  using NodeRow = ForcedRow<false, true>;
+  using Row = ForcedRow<false, true>;
 
   Separation find_separation_of(const GluePoint& point, const Point3& arm) const;
   void gather(const State& state);
@@ -45,7 +46,7 @@ class GlueStage : public Action {
   const Model& model_;
   ContactStage& contact_;
   std::vector<int> body_of_node_;  // [GlueModel::nodes] rigid; -1: none
-  GatheredRows<NodeRow> nodes_;
+  GatheredRows<Row> nodes_;
   std::vector<Point3> moves_;          // [GlueModel::nodes] between the last two gather()
   std::vector<CohesivePoint> points_;  // [GlueModel::points] at n
   std::vector<GlueShares> shares_;     // [GlueModel::points] at n

@@ -32,7 +32,7 @@ void ConditionStage::change_velocities(State& state, const StepTimes& times) {
 }
 
 double ConditionStage::bound_component(const State& state, double predicted) const {
-  if (state.held.count == 0) return predicted;
+  if (predicted < 0 || state.held.count == 0) return predicted;
   return std::max(predicted, find_largest_component(ExecSpace(), state.held.node, state.held.count, state.v));
 }
 

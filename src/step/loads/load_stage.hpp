@@ -17,6 +17,7 @@ class LoadStage : public Action {
   /// The gravity of the state too. Not collective.
   void add_forces(State& state, double time) override;
   bool comes_between() const override { return model_.pressure_faces.count > 0 || model_.nodal_loads.count > 0; }
+  double bound_component(const State& /*state*/, double predicted) const override { return predicted; }
 
  private:
   /// The pressures of a blast on its faces, which kernels evaluate.

@@ -21,6 +21,7 @@ class MassScaler : public Action {
   /// All arguments outlive this.
   MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
+  bool comes_between() const override { return false; }
   const ElementBounds* asked_bounds() const override { return &bounds_; }
 
   /// Whether an element of this rank is to get mass.

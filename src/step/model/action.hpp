@@ -45,8 +45,11 @@ class Action {
   virtual void predict(State& /*state*/, const StepTimes& /*times*/) {}
   /// v is that of n+1/2 without contact. v_before: n-1/2.
   virtual void change_velocities(State& /*state*/, const StepTimes& /*times*/) {}
-  /// Bound on the components of v on this rank after that; predicted: before.
-  virtual double bound_component(const State& /*state*/, double predicted) const { return predicted; }
+  /// Bound on the components of v on this rank after that; predicted: before. Negative: not known, which all that come
+  /// after leave so, but for those that measure all nodes.
+  virtual double bound_component(const State& /*state*/, double predicted) const {
+    return comes_between() ? -1 : predicted;
+  }
   /// w is that of n+1/2, w_before that of n-1/2. Only of scenes with rotations.
   virtual void change_spins(State& /*state*/, const StepTimes& /*times*/) {}
   /// v is that of n+1/2 with contact. contact: of the step; null: the scene has none.
@@ -98,8 +101,9 @@ class Action {
   // What the stepper may leave out.
 
   /// Whether it comes between the velocities of this rank's nodes and their motion, or asks for their forces, or for
-  /// their places before they move.
-  virtual bool comes_between() const { return false; }
+  /// their places before they move. Where nothing does, predict() and change_velocities() are not called, and x is at
+  /// n+1 right after begin_step(). One that returns true and leaves v as it is says so in bound_component().
+  virtual bool comes_between() const { return true; }
   /// Whether add_forces() does something on any rank.
   virtual bool adds_forces() const { return false; }
   /// Whether it gives gravity to the nodes in predict(), which the stepper leaves out then.

@@ -49,7 +49,6 @@ class RigidStage : public Action {
   void archive(CheckpointArchive& archive, State& state) override;
   std::vector<HistoryColumn> list_columns() const override;
   void append_values(const State& state, std::vector<double>& row) override;
-  bool comes_between() const override { return true; }
   std::vector<Warning> take_warnings() override { return std::exchange(warnings_, {}); }
 
  private:

@@ -24,6 +24,7 @@ class Sensors : public Action {
   Sensors(const Deck& deck, const Communicator& ranks) : deck_(deck), ranks_(ranks), states_(deck.sensors.size()) {}
 
   bool any() const { return !states_.empty(); }
+  bool comes_between() const override { return false; }
 
   /// Finds what the sensors look at. Throws InputError with the deck's place for a column that the history does not
   /// have. columns: of the history; the same on all ranks.

@@ -50,14 +50,20 @@ void fill_force_slots(const ForcedNodes& forced, const std::vector<Vector3<doubl
   Kokkos::deep_copy(Kokkos::subview(all, std::pair(first, first + rows.extent(0)), Kokkos::ALL), rows);
 }
 
+std::vector<int> share_bodies(const Model& model, const ConnectedNodes& connected) {
+  std::vector<int> bodies(connected.nodes.size(), -1);
+  if (!model.rigid.any()) return bodies;
+  const auto nodes = to_host(connected.owned_node), places = to_host(connected.owned_place);
+  const auto body_of_node = to_host(model.rigid.body_of_node);
+  for (std::size_t i = 0; i < nodes.extent(0); ++i) bodies[at(places(i))] = body_of_node(nodes(i));
+  all_reduce(model.ranks, Reduce::largest, bodies);
+  return bodies;
+}
+
 std::vector<int> mark_rigid_nodes(const Model& model, const ConnectedNodes& connected) {
-  std::vector<int> is_rigid(connected.nodes.size(), 0);
-  if (!model.rigid.any()) return is_rigid;
-  const auto nodes = to_host(connected.owned_node), places = to_host(connected.owned_place),
-             bodies = to_host(model.rigid.body_of_node);
-  for (std::size_t i = 0; i < nodes.extent(0); ++i) is_rigid[at(places(i))] = bodies(at(nodes(i))) >= 0 ? 1 : 0;
-  all_reduce(model.ranks, Reduce::largest, is_rigid);
-  return is_rigid;
+  std::vector<int> marks = share_bodies(model, connected);
+  for (int& mark : marks) mark = mark >= 0 ? 1 : 0;
+  return marks;
 }
 
 }  // namespace percuss

@@ -20,8 +20,11 @@ void add_force_slots(const ChunkedMesh& chunked, const Communicator& ranks, Forc
 void fill_force_slots(const ForcedNodes& forced, const std::vector<Vector3<double>>& by_node, const Rows3<double>& own,
                       const Rows3<double>& all);
 
-/// [connected.nodes] 1: of a rigid body; the same on all ranks. Call when the bodies of the model are built.
+/// [connected.nodes] rigid body of each, from its owner; -1: none. Call when the bodies of the model are built.
 /// Collective.
+std::vector<int> share_bodies(const Model& model, const ConnectedNodes& connected);
+
+/// [connected.nodes] 1: of a rigid body. As share_bodies().
 std::vector<int> mark_rigid_nodes(const Model& model, const ConnectedNodes& connected);
 
 }  // namespace percuss

@@ -5,23 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "comm/all_reduce.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/step/springs/gathered_rows.hpp"
 
 namespace percuss {
-
-/// [connected.nodes] rigid body of each, from its owner; -1: none. Collective.
-inline std::vector<int> share_bodies(const Model& model, const ConnectedNodes& connected) {
-  std::vector<int> bodies(connected.nodes.size(), -1);
-  if (!model.rigid.any()) return bodies;
-  const auto nodes = to_host(connected.owned_node), places = to_host(connected.owned_place);
-  const auto body_of_node = to_host(model.rigid.body_of_node);
-  for (std::size_t i = 0; i < nodes.extent(0); ++i) bodies[at(places(i))] = body_of_node(nodes(i));
-  all_reduce(model.ranks, Reduce::largest, bodies);
-  return bodies;
-}
 
 /// Bound on the speed that a unit impulse on a node of a body gives to the node.
 inline double bound_mobility(const RigidBody& body, const RigidState& state, const Vector3<double>& place) {

@@ -32,15 +32,15 @@ SpringStage::SpringStage(const Model& model)
 SpringEnds SpringStage::find_ends(const Spring& spring) const {
   SpringEnds ends;
   for (std::size_t i = 0; i < 2; ++i) {
-    ends.place[i] = nodes_.vector(spring.end[i], NodeRow::place);
-    ends.velocity[i] = nodes_.vector(spring.end[i], NodeRow::velocity);
+    ends.place[i] = nodes_.vector(spring.end[i], Row::place);
+    ends.velocity[i] = nodes_.vector(spring.end[i], Row::velocity);
   }
   return ends;
 }
 
 bool SpringStage::has_lost_a_node(const Spring& spring) const {
   return std::any_of(spring.end.begin(), spring.end.end(),
-                     [&](int n) { return nodes_.value(n, NodeRow::mobility) == NodeRow::gone; });
+                     [&](int n) { return nodes_.value(n, Row::mobility) == Row::gone; });
 }
 
 // A force does the work of its mean over the step along the change of length, as elements do theirs.

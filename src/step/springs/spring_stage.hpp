@@ -21,6 +21,7 @@ class SpringStage : public Action {
   /// At time 0 also the energy that is stored then.
   void advance(State& state, double dt) override;
   void drop_vanished(State& state) override;
+  bool comes_between() const override { return false; }
   bool adds_forces() const override { return true; }
   void add_forces(State& state, double time) override;
   void limit_step(const State& state, StepBound& bound) const override;
@@ -32,7 +33,7 @@ class SpringStage : public Action {
   std::vector<std::string> list_notes() const override { return model_.springs.notes; }
 
  private:
-  using NodeRow = ForcedRow<true>;
+  using Row = ForcedRow<true>;
 
   /// What all springs are bounded by, and the one that alone allows the shortest step.
   struct StiffestSpring {
@@ -47,7 +48,7 @@ class SpringStage : public Action {
 
   const Model& model_;
   std::vector<int> body_of_node_;  // [SpringModel::nodes] rigid; -1: none
-  GatheredRows<NodeRow> nodes_;    // at n
+  GatheredRows<Row> nodes_;        // at n
   Rows3<double> own_forces_;
 };
 

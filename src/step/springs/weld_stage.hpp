@@ -27,7 +27,7 @@ class WeldStage : public Action {
   std::vector<std::string> list_notes() const override { return model_.welds.notes; }
   std::vector<Warning> list_start_warnings() const override { return model_.welds.warnings; }
   std::vector<Warning> take_warnings() override;
-  bool comes_between() const override { return true; }
+  double bound_component(const State& /*state*/, double predicted) const override { return predicted; }
 
   // Kernels of its own: nvcc takes none in a private function.
   void give_back(const State& state) const;

@@ -13,6 +13,7 @@ class TurnSpringStage : public Action {
   explicit TurnSpringStage(const Model& model) : model_(model) {}
 
   void advance(State& state, double dt) override;
+  bool comes_between() const override { return false; }
   void limit_step(const State& state, StepBound& bound) const override;
   void archive(CheckpointArchive& archive, State& state) override;
   std::vector<HistoryColumn> list_columns() const override;

@@ -37,16 +37,6 @@ output:
                      keys, motion, more);
 }
 
-/// The values of a row, by heading.
-std::map<std::string, double> take_row(Scene& scene) {
-  const std::vector<HistoryColumn> columns = scene.stepper.accelerometers().list_columns();
-  const std::vector<double> row = scene.stepper.accelerometers().take(scene.state);
-  EXPECT_EQ(row.size(), columns.size());
-  std::map<std::string, double> values;
-  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i];
-  return values;
-}
-
 Vec3 find_local(const std::map<std::string, double>& values, const std::string& kind, const std::string& name) {
   return {values.at(kind + "x:" + name), values.at(kind + "y:" + name), values.at(kind + "z:" + name)};
 }
@@ -139,8 +129,8 @@ TEST(Accelerometers, AreTheSameBitsOnAnyRanks) {
   Scene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
   together.run(60);
   alone.run(60);
-  const std::vector<double> row = together.stepper.accelerometers().take(together.state);
-  EXPECT_EQ(row, alone.stepper.accelerometers().take(alone.state));
+  const std::vector<double> row = take_values(together);
+  EXPECT_EQ(row, take_values(alone));
   EXPECT_GT(std::abs(row[0]), 1);
 }
 

@@ -109,7 +109,7 @@ output: {history: {forces: [{name: cut, section: {point: [1, 0, 0], normal: x}},
   };
   run_to(1.2 / c);  // the wave has passed the section
   double since = scene.state.time;
-  scene.stepper.forces().take(scene.state);
+  take_values(scene);
   run_to(3.5 / c);
   const auto j = take_impulses(scene, since);
   EXPECT_NEAR(j.at("fx:cut"), -exact * (scene.state.time - since), 0.01 * exact * (scene.state.time - since));
@@ -182,7 +182,7 @@ TEST(ForceBooks, AreTheSameBitsOnAnyRanks) {
     Scene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
     together.run(60);
     alone.run(60);
-    EXPECT_EQ(together.stepper.forces().take(together.state), alone.stepper.forces().take(alone.state));
+    EXPECT_EQ(take_values(together), take_values(alone));
   }
 }
 

@@ -31,15 +31,29 @@ Vec3 sum_momentum(const Scene& scene, const Counted& is_counted) {
   return {sums[0].round(), sums[1].round(), sums[2].round()};
 }
 
+/// The values of a row of the history that are of actions, forces and accelerometers among them.
+inline std::vector<double> take_values(Scene& scene) {
+  std::vector<double> row;
+  scene.stepper.append_values(scene.state, row);
+  return row;
+}
+
+/// The same by the headings of their columns.
+inline std::map<std::string, double> take_row(Scene& scene) {
+  const std::vector<HistoryColumn> columns = scene.stepper.list_columns();
+  const std::vector<double> row = take_values(scene);
+  EXPECT_EQ(row.size(), columns.size());
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i];
+  return values;
+}
+
 /// The values of a row by the headings of their columns, as impulses: mean times the time of the row, which of the
 /// first ends half a step earlier.
 inline std::map<std::string, double> take_impulses(Scene& scene, double since) {
-  const std::vector<HistoryColumn> columns = scene.stepper.forces().list_columns();
-  const std::vector<double> row = scene.stepper.forces().take(scene.state);
-  EXPECT_EQ(row.size(), columns.size());
-  std::map<std::string, double> values;
+  std::map<std::string, double> values = take_row(scene);
   const double passed = scene.state.time - since - (since == 0 ? 0.5 * scene.state.dt : 0);
-  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i] * passed;
+  for (auto& [name, value] : values) value *= passed;
   return values;
 }
 
@@ -116,7 +130,7 @@ inline std::map<std::string, double> press_flat(const std::string& deck, double&
   const auto is_top = [](const Vec3& x) { return x[2] > 1.0005; };
   while (scene.state.time < 0.05) scene.stepper.advance(scene.state);  // it has met the base
   const double since = scene.state.time;
-  scene.stepper.forces().take(scene.state);
+  take_values(scene);
   const Vec3 before = sum_momentum(scene, is_top);
   while (scene.state.time < 0.2) scene.stepper.advance(scene.state);
   const double duration = scene.state.time - since;

@@ -145,7 +145,7 @@ TEST(SurfaceForces, AreTheSameBitsOnAnyRanks) {
     Scene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
     together.run(60);
     alone.run(60);
-    EXPECT_EQ(together.stepper.forces().take(together.state), alone.stepper.forces().take(alone.state));
+    EXPECT_EQ(take_values(together), take_values(alone));
   }
 }
 
