@@ -18,16 +18,17 @@ std::unique_ptr<FrameWriter> resume(const FrameTarget& to, std::int64_t frames, 
 }
 
 template <class Writer>
-FrameFormat make_format(FieldsFormat format, const FrameLayout& layout, std::vector<const char*> index_ends) {
-  return {format, layout, std::move(index_ends), create<Writer>, resume<Writer>};
+FrameFormat make_format(FieldsFormat format, const FrameLayout& layout, std::vector<const char*> index_ends,
+                        bool wants_sets) {
+  return {format, layout, std::move(index_ends), wants_sets, create<Writer>, resume<Writer>};
 }
 
 }  // namespace
 
 const std::vector<FrameFormat>& frame_formats() {
   static const std::vector<FrameFormat> formats{
-      make_format<FieldsFile>(FieldsFormat::vtkhdf, vtkhdf_frames, {".xdmf", ".xdmf2"}),
-      make_format<ExodusResults>(FieldsFormat::exodus, exodus_frames, {}),
+      make_format<FieldsFile>(FieldsFormat::vtkhdf, vtkhdf_frames, {".xdmf", ".xdmf2"}, false),
+      make_format<ExodusResults>(FieldsFormat::exodus, exodus_frames, {}, true),
   };
   return formats;
 }

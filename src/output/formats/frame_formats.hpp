@@ -19,6 +19,7 @@ struct FrameFormat {
   FieldsFormat format;                  // in the deck
   const FrameLayout& layout;            // of the file that holds the frames
   std::vector<const char*> index_ends;  // endings of the names of files beside it, which hold none
+  bool wants_sets;                      // FieldsOptions::node_sets and side_sets; otherwise nobody gathers them
 
   /// Creates the files with the mesh: cells, ids, parts. Old ones are replaced. Throws SystemError.
   std::unique_ptr<FrameWriter> (*create)(const FrameTarget& target);

@@ -1,5 +1,6 @@
 #pragma once
-// The columns of history.csv that follow from the deck: each is one entry with its name, dimension, meaning and value.
+// The columns of history.csv that any scene may have: each is one entry with its name, dimension, meaning and value,
+// and the decks that have it.
 
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct HistorySources {
   bool is_approach_limiting = false;     // Stepper::find_limiting_approach()
 };
 
-/// The columns of a deck, without those of parts and followed points.
+/// The columns of a deck, without those of actions, parts and followed points.
 class HistoryTable {
  public:
   explicit HistoryTable(const Deck& deck);

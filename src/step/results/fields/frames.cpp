@@ -67,7 +67,9 @@ FieldsOptions make_options(const FrameScene& scene, const FieldsDeck& fields, co
     }
     (wall.moves() ? options.moving_walls : options.walls).push_back(make_wall_plane(wall));
   }
-  if (!fields.has_format(FieldsFormat::exodus)) return options;
+  const std::vector<const FrameFormat*> formats = list_formats(fields);
+  if (std::none_of(formats.begin(), formats.end(), [](const FrameFormat* format) { return format->wants_sets; }))
+    return options;
   NamedSets sets = find_named_sets(deck, scene.chunked.mesh);
   options.node_sets = std::move(sets.of_nodes);
   options.side_sets = std::move(sets.of_sides);
