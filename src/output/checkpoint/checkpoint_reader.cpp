@@ -32,6 +32,15 @@ constexpr const char* other_number_of_names = "the checkpoint has another number
   throw InputError(fmt::format("{}: error: {}", path, problem));
 }
 
+std::string describe_missing(const std::string& name) {
+  return fmt::format("the checkpoint has no {} (this scene needs one): continue with the deck that wrote it", name);
+}
+
+std::string describe_other_count(const std::string& name, std::size_t held, std::size_t expected) {
+  return fmt::format("{} has {} values in the checkpoint (this scene has {}): continue with the deck that wrote it",
+                     name, held, expected);
+}
+
 std::uint64_t find_file_bytes(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw make_io_error("read", path, errno);
@@ -168,18 +177,15 @@ void CheckpointReader::place_numbers(const std::vector<std::string>& names, cons
 
 void CheckpointReader::words(const std::string& name, std::span<std::int64_t> values) {
   const auto found = number_places_.find(name);
-  if (found == number_places_.end())
-    refuse(path_, fmt::format("the checkpoint has no {} (this scene needs one)", name));
+  if (found == number_places_.end()) refuse(path_, describe_missing(name));
   const Place& place = found->second;
-  if (place.count != values.size())
-    refuse(path_,
-           fmt::format("{} has {} values in the checkpoint (this scene has {})", name, place.count, values.size()));
+  if (place.count != values.size()) refuse(path_, describe_other_count(name, place.count, values.size()));
   std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, values.begin());
 }
 
 void CheckpointReader::sum(const std::string& name, ExactSum& value) {
   const auto found = sum_places_.find(name);
-  if (found == sum_places_.end()) refuse(path_, fmt::format("the checkpoint has no {} (this scene needs one)", name));
+  if (found == sum_places_.end()) refuse(path_, describe_missing(name));
   const std::int64_t* words = &sums_[found->second];
   std::copy_n(words, ExactSum::limb_count, value.limb);
   value.not_finite = words[ExactSum::limb_count];
@@ -206,7 +212,7 @@ void CheckpointReader::check_length(const std::string& name, std::int64_t rows, 
   const hdf5::Shape shape = hdf5::read_shape(group.get(), name);
   const hsize_t expected = static_cast<hsize_t>(rows) * static_cast<hsize_t>(components);
   if (shape.rows == expected && shape.components == 1) return;
-  refuse(path_, fmt::format("{} has {} values in the checkpoint (this scene has {})", name, shape.rows, expected));
+  refuse(path_, describe_other_count(name, shape.rows, expected));
 }
 
 /// The rows of this rank's chunks: a read for each run of chunks that follow each other.

@@ -78,7 +78,8 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   };
   other.list.pop_back();
   EXPECT_THAT(read_list,
-              testing::ThrowsMessage<InputError>(HasSubstr("list has 6 values in the checkpoint (this scene has 4)")));
+              testing::ThrowsMessage<InputError>(HasSubstr("list has 6 values in the checkpoint (this scene has 4): "
+                                                           "continue with the deck that wrote it")));
   for (std::int64_t& count : other.some.counts) count += 1;
   other.numbers.resize(other.numbers.size() + 2 * other.some.counts.size());
   EXPECT_THROW(reader.rows("chunks/some", other.some, 2, other.numbers), InputError);
