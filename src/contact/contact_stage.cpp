@@ -96,13 +96,13 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
 }
 
 /// Conditions that hold a tied node and its face in one direction must move both alike.
-void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
-  constexpr double torn = 1e-3;  // of a face: conditions that move both alike differ by round-off
-  if (!(report.torn > torn)) return;
+void ContactStage::Impl::refuse_ties_held_apart(const ContactReport& report) const {
+  constexpr double round_off = 1e-3;  // of a face: conditions that move both alike differ by round-off
+  if (!(report.held_apart > round_off)) return;
   throw RunError(
       fmt::format("conditions move tied node {} and its face apart (by {:.2g} of the face size): remove the condition "
                   "on one of them",
-                  find_user_id(report.torn_node), report.torn));
+                  find_user_id(report.held_apart_node), report.held_apart));
 }
 
 /// What damping takes in a relaxation, and what the first step after it changes of the stiffness of springs, which
@@ -238,7 +238,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   stage.enforcements += report.enforced ? 1 : 0;
   stage.judge_ties(motion.time + motion.dt, report);
   stage.last = report;
-  stage.refuse_torn_ties(report);
+  stage.refuse_ties_held_apart(report);
   return report;
 }
 

@@ -75,7 +75,7 @@ struct ContactStage::Impl {
   void tell_missed(const std::optional<MissedContact>& missed, double time);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
-  void refuse_torn_ties(const ContactReport& report) const;
+  void refuse_ties_held_apart(const ContactReport& report) const;
   const AreaNodes& find_areas(const Rows3<const double>& x);
   void forget_last_step();
   void forget_spring_energy();

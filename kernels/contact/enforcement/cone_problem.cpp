@@ -120,7 +120,7 @@ void fill_blocks(const ConeProblem& p, const Array<ConeBlock>& blocks, const Arr
       "contact::cone_blocks", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) {
         blocks(r) = find_block(p, r);
         const int f = p.first(r);
-        for (int i = f; i < p.first(r + 1); ++i) weight(i) = i == f ? blocks(r).push : blocks(r).rub;
+        for (int i = f; i < p.first(r + 1); ++i) weight(i) = i == f ? blocks(r).normal : blocks(r).tangential;
       });
 }
 
@@ -221,7 +221,7 @@ struct Sweeper {
     Kokkos::parallel_for(
         "contact::cone_project_pushes", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_push(p, r, z); });
     Kokkos::parallel_for(
-        "contact::cone_project_rubs", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_rub(p, r, z); });
+        "contact::cone_project_friction", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_friction(p, r, z); });
   }
 
   ConeProblem problem;

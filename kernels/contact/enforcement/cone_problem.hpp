@@ -1,7 +1,7 @@
 #pragma once
-// The complementarity problem of coupled contact rows: pushes that only push, rubs within Coulomb's cone.
+// The complementarity problem of coupled contact rows: pushes that only push, friction within Coulomb's cone.
 //
-// Find z with w = b + A z such that for each row, with its push p, its rub (t1, t2) and its friction mu,
+// Find z with w = b + A z such that for each row, with its push p, its tangential impulse (t1, t2) and its friction mu,
 //   p >= 0, w_p >= 0, p w_p = 0;   |t| <= mu p,  w_t = 0 if it sticks,  w_t = -s t, s >= 0, if it slides.
 // A = H M^-1 G^T; without friction this is the linear complementarity problem of the multipliers. Solved by projected
 // block Gauss-Seidel, forwards and backwards over a colouring of the rows, as the fixed-point map of Anderson's
@@ -27,11 +27,11 @@ struct ConeProblem {
   SparseMatrix a;                // [unknowns][unknowns] [1/mass]
   Array<const double> b;         // [unknowns] [velocity]
   int num_rows = 0;              // contact rows
-  Array<const int> first;        // [num_rows + 1] first unknown of each: its push, then its rubs (none or two)
+  Array<const int> first;        // [num_rows + 1] first unknown of each: its push, then its friction (none or two)
   Array<const double> friction;  // [num_rows]; no_friction_limit: a tie, whose three unknowns only want w = 0
   // [num_rows] Of two rows that push the same nodes almost the same way, as a corner on a corner seen from both sides,
-  // the leader rubs for both, up to the sum of their limits, and the follower's rub is zero. -1: none; found by the
-  // solver.
+  // the leader has the friction of both, up to the sum of their limits, and the follower's is zero. -1: none; found by
+  // the solver.
   Array<const int> leader, follower;
 };
 

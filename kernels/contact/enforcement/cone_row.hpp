@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// Whether a row rubs for itself: not without friction, and not if its twin rubs for both.
-KOKKOS_INLINE_FUNCTION bool has_rub(const ConeProblem& problem, int row) {
+/// Whether a row has friction of its own: not if its twin has that of both.
+KOKKOS_INLINE_FUNCTION bool has_friction(const ConeProblem& problem, int row) {
   return problem.first(row + 1) - problem.first(row) > 1 && problem.leader(row) < 0;
 }
 
@@ -18,7 +18,7 @@ KOKKOS_INLINE_FUNCTION bool is_tied(const ConeProblem& problem, int row) {
   return problem.friction(row) >= contact_limits::no_friction_limit;
 }
 
-/// Coulomb's limit of a row's rub, that of its follower added.
+/// Coulomb's limit of a row's friction, that of its follower added.
 KOKKOS_INLINE_FUNCTION double find_limit(const ConeProblem& problem, int row, const Array<double>& z) {
   const double own = problem.friction(row) * z(problem.first(row));
   const int other = problem.follower(row);
@@ -27,8 +27,8 @@ KOKKOS_INLINE_FUNCTION double find_limit(const ConeProblem& problem, int row, co
 
 /// Diagonal block of a row.
 struct ConeBlock {
-  double push = 0;                            // A of the push; 0: nothing moves the row
-  double rub = 0;                             // larger eigenvalue of the block of the rubs
+  double normal = 0;                          // A of the push; 0: nothing moves the row
+  double tangential = 0;                      // larger eigenvalue of the block of the tangents
   double t11 = 0, t12 = 0, t21 = 0, t22 = 0;  // that block
 };
 
@@ -48,14 +48,14 @@ KOKKOS_INLINE_FUNCTION double find_entry(const SparseMatrix& a, int row, int col
 KOKKOS_INLINE_FUNCTION ConeBlock find_block(const ConeProblem& problem, int row) {
   const int f = problem.first(row);
   ConeBlock block;
-  block.push = find_entry(problem.a, f, f);
+  block.normal = find_entry(problem.a, f, f);
   if (problem.first(row + 1) - f == 1) return block;
   block.t11 = find_entry(problem.a, f + 1, f + 1);
   block.t12 = find_entry(problem.a, f + 1, f + 2);
   block.t21 = find_entry(problem.a, f + 2, f + 1);
   block.t22 = find_entry(problem.a, f + 2, f + 2);
   const double half = 0.5 * (block.t11 - block.t22), off = 0.5 * (block.t12 + block.t21);
-  block.rub = 0.5 * (block.t11 + block.t22) + std::sqrt(half * half + off * off);
+  block.tangential = 0.5 * (block.t11 + block.t22) + std::sqrt(half * half + off * off);
   return block;
 }
 
@@ -75,27 +75,28 @@ KOKKOS_INLINE_FUNCTION void project_on_disc(double limit, double& t1, double& t2
   t2 *= limit / length;
 }
 
-/// Back into the cone: the push, and when all rows have theirs, the rub, whose limit reads the push of the follower
-/// too.
+/// Back into the cone: the push, and when all rows have theirs, the friction, whose limit reads the push of the
+/// follower too.
 KOKKOS_INLINE_FUNCTION void project_push(const ConeProblem& problem, int row, const Array<double>& z) {
   const int f = problem.first(row);
   if (!(z(f) > 0) && !is_tied(problem, row)) z(f) = 0;
 }
-KOKKOS_INLINE_FUNCTION void project_rub(const ConeProblem& problem, int row, const Array<double>& z) {
+KOKKOS_INLINE_FUNCTION void project_friction(const ConeProblem& problem, int row, const Array<double>& z) {
   const int f = problem.first(row);
-  if (has_rub(problem, row) && !is_tied(problem, row)) project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
+  if (has_friction(problem, row) && !is_tied(problem, row))
+    project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
 }
 
 /// What a row does in an iterate.
 enum RowStatus : int { is_apart, sticks, slides };
 
 KOKKOS_INLINE_FUNCTION int find_status(const ConeProblem& problem, int row, const Array<double>& z) {
-  constexpr double inside = 1 - 1e-9;  // share of Coulomb's limit below which a rub was not shortened
+  constexpr double inside = 1 - 1e-9;  // share of Coulomb's limit below which friction was not shortened
   if (is_tied(problem, row)) return sticks;
   const int f = problem.first(row);
   const bool pushes = z(f) > 0 || find_limit(problem, row, z) > 0;
   if (!pushes) return is_apart;
-  if (!has_rub(problem, row)) return sticks;
+  if (!has_friction(problem, row)) return sticks;
   const double limit = inside * find_limit(problem, row, z);
   return z(f + 1) * z(f + 1) + z(f + 2) * z(f + 2) < limit * limit ? sticks : slides;
 }
@@ -107,7 +108,7 @@ KOKKOS_INLINE_FUNCTION double find_open_way(const ConeProblem& problem, int row,
   const int status = find_status(problem, row, z), f = problem.first(row);
   if (status == is_apart) return 1;
   double way = to(f) < 0 && z(f) > 0 ? z(f) / (z(f) - to(f)) : 1;
-  if (status != sticks || !has_rub(problem, row)) return way;
+  if (status != sticks || !has_friction(problem, row)) return way;
   // |t + s dt|^2 = (p + s dp)^2, p the limit, for the least s > 0
   const double p = find_limit(problem, row, z), dp = find_limit(problem, row, to) - p;
   const double d1 = to(f + 1) - z(f + 1), d2 = to(f + 2) - z(f + 2);
@@ -119,19 +120,20 @@ KOKKOS_INLINE_FUNCTION double find_open_way(const ConeProblem& problem, int row,
   return reach > 0 && reach < way ? reach : way;
 }
 
-/// The rubs that stop sliding, if Coulomb's limit allows; else the projected step, whose fixed points slide against w.
-KOKKOS_INLINE_FUNCTION void correct_rubs(const ConeProblem& problem, const ConeBlock& block, int row,
-                                         const Array<double>& z) {
+/// The friction that stops sliding, if Coulomb's limit allows; else the projected step, whose fixed points slide
+/// against w.
+KOKKOS_INLINE_FUNCTION void correct_friction(const ConeProblem& problem, const ConeBlock& block, int row,
+                                             const Array<double>& z) {
   const int f = problem.first(row);
   const double limit = find_limit(problem, row, z);
-  if (!(limit > 0) || !(block.rub > 0)) {
+  if (!(limit > 0) || !(block.tangential > 0)) {
     z(f + 1) = z(f + 2) = 0;
     return;
   }
   const double w1 = find_velocity(problem, z, f + 1), w2 = find_velocity(problem, z, f + 2);
   const double determinant = block.t11 * block.t22 - block.t12 * block.t21;
   constexpr double singular = 1e-10;  // share of the square of the eigenvalue: one direction is held
-  if (determinant > singular * block.rub * block.rub) {
+  if (determinant > singular * block.tangential * block.tangential) {
     const double t1 = z(f + 1) - (block.t22 * w1 - block.t12 * w2) / determinant;
     const double t2 = z(f + 2) - (block.t11 * w2 - block.t21 * w1) / determinant;
     if (t1 * t1 + t2 * t2 <= limit * limit) {
@@ -140,8 +142,8 @@ KOKKOS_INLINE_FUNCTION void correct_rubs(const ConeProblem& problem, const ConeB
       return;
     }
   }
-  z(f + 1) -= w1 / block.rub;
-  z(f + 2) -= w2 / block.rub;
+  z(f + 1) -= w1 / block.tangential;
+  z(f + 2) -= w2 / block.tangential;
   project_on_disc(limit, z(f + 1), z(f + 2));
 }
 
@@ -149,7 +151,7 @@ KOKKOS_INLINE_FUNCTION void correct_rubs(const ConeProblem& problem, const ConeB
 KOKKOS_INLINE_FUNCTION void correct_push(const ConeProblem& problem, const ConeBlock& block, int row,
                                          const Array<double>& z) {
   const int f = problem.first(row);
-  const double push = z(f) - find_velocity(problem, z, f) / block.push;
+  const double push = z(f) - find_velocity(problem, z, f) / block.normal;
   z(f) = push > 0 ? push : 0;
 }
 
@@ -209,19 +211,19 @@ KOKKOS_INLINE_FUNCTION void correct_tie(const ConeProblem& problem, int row, con
   }
 }
 
-/// Meets the conditions of one row, or of two twins, with all others as they are: pushes before rubs.
+/// Meets the conditions of one row, or of two twins, with all others as they are: pushes before friction.
 KOKKOS_INLINE_FUNCTION void correct_twins(const ConeProblem& problem, const Array<const ConeBlock>& blocks,
                                           const RowTwins& twins, double slack, const Array<double>& z) {
   if (is_tied(problem, twins.row)) {
     correct_tie(problem, twins.row, z);
     return;
   }
-  if (!(blocks(twins.row).push > 0)) return;
+  if (!(blocks(twins.row).normal > 0)) return;
   if (twins.twin < 0)
     correct_push(problem, blocks(twins.row), twins.row, z);
   else
     correct_twin_pushes(problem, twins, slack, z);
-  if (has_rub(problem, twins.row)) correct_rubs(problem, blocks(twins.row), twins.row, z);
+  if (has_friction(problem, twins.row)) correct_friction(problem, blocks(twins.row), twins.row, z);
 }
 
 /// Deviation from the conditions: the natural map z - P(z - w / D), as a velocity. Not a number where z is none.
@@ -236,18 +238,18 @@ KOKKOS_INLINE_FUNCTION double find_deviation(const ConeProblem& problem, const C
     }
     return most;
   }
-  if (!(block.push > 0)) return 0;
+  if (!(block.normal > 0)) return 0;
   const int f = problem.first(row);
-  const double w = find_velocity(problem, z, f), force = block.push * z(f);
+  const double w = find_velocity(problem, z, f), force = block.normal * z(f);
   const double of_push = std::fabs(w > force ? force : w);
-  if (!(of_push >= 0) || !has_rub(problem, row) || !(block.rub > 0)) return of_push;
-  double t1 = z(f + 1) - find_velocity(problem, z, f + 1) / block.rub;
-  double t2 = z(f + 2) - find_velocity(problem, z, f + 2) / block.rub;
+  if (!(of_push >= 0) || !has_friction(problem, row) || !(block.tangential > 0)) return of_push;
+  double t1 = z(f + 1) - find_velocity(problem, z, f + 1) / block.tangential;
+  double t2 = z(f + 2) - find_velocity(problem, z, f + 2) / block.tangential;
   project_on_disc(find_limit(problem, row, z), t1, t2);
   t1 -= z(f + 1);
   t2 -= z(f + 2);
-  const double of_rub = block.rub * std::sqrt(t1 * t1 + t2 * t2);
-  return of_rub < of_push ? of_push : of_rub;
+  const double of_friction = block.tangential * std::sqrt(t1 * t1 + t2 * t2);
+  return of_friction < of_push ? of_push : of_friction;
 }
 
 }  // namespace percuss

@@ -254,7 +254,7 @@ double find_largest(const double* values, int n) {
 
 namespace {
 
-/// The unknowns of all rows: pushes, and behind each with friction its rubs; of ties three of a kind.
+/// The unknowns of all rows: pushes, and behind each with friction the tangential ones; of ties three of a kind.
 struct CoupledUnknowns {
   std::vector<int> first;  // [rows + 1] of each row
   std::vector<double> friction;
@@ -269,10 +269,10 @@ CoupledUnknowns list_unknowns(const std::vector<CoupledRow>& rows, double dt) {
     of.friction.push_back(r.row.friction);
     const double velocity = (r.row.gap - r.row.target) / dt;
     of.b.push_back(velocity);
-    of.guess.push_back(r.row.impulse.push);
+    of.guess.push_back(r.row.impulse.normal);
     for (int d = 1; d < count_directions(r.row); ++d) {
       of.b.push_back(r.row.slide[d - 1] / dt);
-      of.guess.push_back(r.row.impulse.rub[d - 1]);
+      of.guess.push_back(r.row.impulse.tangential[d - 1]);
     }
     of.closing = std::max(of.closing, is_tie(r.row) ? find_largest(of.b.data() + of.first.back(), 3) : -velocity);
   }
@@ -310,9 +310,9 @@ CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt,
   const auto solution = to_host(z);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::size_t f = at(unknowns.first[r]);
-    impulses[r].push = solution(f);
+    impulses[r].normal = solution(f);
     if (count_directions(rows[r].row) == 1) continue;
-    for (std::size_t d = 0; d < 2; ++d) impulses[r].rub[d] = solution(f + 1 + d);
+    for (std::size_t d = 0; d < 2; ++d) impulses[r].tangential[d] = solution(f + 1 + d);
   }
   report.sweeps = solved.sweeps;
   report.converged = solved.converged;

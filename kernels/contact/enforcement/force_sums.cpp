@@ -75,17 +75,17 @@ KOKKOS_INLINE_FUNCTION void add_row(const ContactRow& row, const RowSides& mark,
     add(-moment, sums.moment);
   }
   if (is_tie(row)) return;
-  sums.normal.add(row.impulse.push);
+  sums.normal.add(row.impulse.normal);
   if (!(row.friction > 0)) return;
-  const double* rub = row.impulse.rub;
-  sums.tangential.add(std::sqrt(rub[0] * rub[0] + rub[1] * rub[1]));
+  const double* t = row.impulse.tangential;
+  sums.tangential.add(std::sqrt(t[0] * t[0] + t[1] * t[1]));
 }
 
 /// Of a row on the node of a slot; ties have none.
 KOKKOS_INLINE_FUNCTION NormalPush find_push(const ContactRow& row, const RowSides& mark, int slot) {
   const std::uint32_t forces = slot < count_pushed_slots(row) ? mark.forward : mark.backward;
-  if (forces == 0 || is_tie(row) || row.impulse.push == 0) return {};
-  const Point3 push = row.impulse.push * row.normal;
+  if (forces == 0 || is_tie(row) || row.impulse.normal == 0) return {};
+  const Point3 push = row.impulse.normal * row.normal;
   return {spread_impulse(row, slot, push, find_couple(row, push)), forces};
 }
 

@@ -18,13 +18,13 @@ struct MeanVelocity {
   }
 };
 
-/// Work of the push and of the rub of a row.
+/// Work of the normal and of the tangential impulse of a row.
 struct RowWork {
   double normal = 0, friction = 0;
 };
 KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                          const Array<const TurningRow>& turning) {
-  if (row.impulse.push == 0 && row.impulse.rub[0] == 0 && row.impulse.rub[1] == 0) return {};
+  if (row.impulse.normal == 0 && row.impulse.tangential[0] == 0 && row.impulse.tangential[1] == 0) return {};
   const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
   RowWork work;
   if (is_tie(row)) {
@@ -32,15 +32,16 @@ KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& 
     work.normal = dot(row.force, mean + own);
     return work;
   }
-  if (row.impulse.push > 0) work.normal = row.impulse.push * dot(row.normal, mean);
+  if (row.impulse.normal > 0) work.normal = row.impulse.normal * dot(row.normal, mean);
   if (row.friction > 0)
-    work.friction = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
+    work.friction =
+        row.impulse.tangential[0] * dot(row.tangent[0], mean) + row.impulse.tangential[1] * dot(row.tangent[1], mean);
   return work;
 }
 
 /// Energy in the tangential springs of a penalty row at n+1.
-KOKKOS_INLINE_FUNCTION double find_rub_energy(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
-                                              double dt) {
+KOKKOS_INLINE_FUNCTION double find_friction_energy(const ContactRow& row, const RowNodes& at,
+                                                   const Rows3<const double>& dv, double dt) {
   if (!(row.friction > 0)) return 0;
   const Point3 predicted = dt * find_slip_velocity(row, TouchedVelocity{at.v, row});
   const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
@@ -59,7 +60,7 @@ KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, 
   const Point3 left{row.gap + moved.x, row.slide[0] + moved.y, row.slide[1] + moved.z};
   const double residual = max_component(left) / row.size;
   sums.residual = residual > sums.residual ? residual : sums.residual;
-  sums.add_torn(row.torn / row.size, row.key);
+  sums.add_held_apart(row.held_apart / row.size, row.key);
 }
 
 /// The gap at n+1.
@@ -75,15 +76,16 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
     add_tie_outcome(row, work.normal, dv, own, dt, sums);
     return;
   }
-  sums.pushes += row.impulse.push > 0 ? 1 : 0;
+  sums.pushes += row.impulse.normal > 0 ? 1 : 0;
   if (work.normal != 0) sums.normal_work.add(work.normal);
   sums.add_given(work.normal, row.key);
   if (row.friction > 0) sums.friction_work.add(work.friction);
   const double gap = find_gap(row, dv, dt);
   if (row.spring > 0) {
-    sums.stored.add(row.held + find_rub_energy(row, at, dv, dt));
+    sums.stored.add(row.held + find_friction_energy(row, at, dv, dt));
     const double rate =
-        row.spring * (row.friction > 0 && row.rub_stiffness > row.stiffness ? row.rub_stiffness : row.stiffness);
+        row.spring *
+        (row.friction > 0 && row.tangential_stiffness > row.stiffness ? row.tangential_stiffness : row.stiffness);
     sums.rate = rate > sums.rate ? rate : sums.rate;
   }
   const double residual = row.target > gap ? (row.target - gap) / row.size : 0;
@@ -93,10 +95,10 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
 
 /// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
 KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
-  constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which a rub was not shortened
-  const double* rub = row.impulse.rub;
-  const double limit = sticking * row.friction * row.impulse.push;
-  if (!(row.spring > 0) && !(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
+  constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which an impulse was not shortened
+  const double* t = row.impulse.tangential;
+  const double limit = sticking * row.friction * row.impulse.normal;
+  if (!(row.spring > 0) && !(t[0] * t[0] + t[1] * t[1] < limit * limit)) return {};
   const Point3 moved = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
@@ -132,7 +134,7 @@ KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3
   const int r = row.record;
   history.a(r) = find_key_edge(row.key);
   history.b(r) = row.face;
-  history.holds(r) = row.impulse.push > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
+  history.holds(r) = row.impulse.normal > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
   store_row(history.normal, r, row.normal);
   store_row(history.impulse, r, row.force);
   KeptValues(row, dv, dt).store(history, r);
@@ -150,7 +152,7 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
   }
   store_row(history.impulse, row.record, row.force);
   KeptValues(row, dv, dt).store(history, row.record);
-  if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
+  if (row.kind == RowKind::face && (row.impulse.normal > 0 || row.reference > 0 || row.is_caught))
     history.face(row.record) = row.face;
 }
 
@@ -264,11 +266,11 @@ WallPush sum_wall_push(const Space& space, int first_row, int wall, const Point3
                             [rows, first_row, wall, direction, is_along_normal] KOKKOS_FUNCTION(int i, WallPush& s) {
                               const ContactRow& row = rows(first_row + i);
                               if (row.kind != RowKind::wall || find_key_wall(row.key) != wall) return;
-                              if (row.impulse.push == 0) return;
-                              const double push =
-                                  is_along_normal ? row.impulse.push : row.impulse.push * dot(row.normal, direction);
+                              if (row.impulse.normal == 0) return;
+                              const double push = is_along_normal ? row.impulse.normal
+                                                                  : row.impulse.normal * dot(row.normal, direction);
                               s.push.add(push);
-                              if (!is_along_normal) s.rub.add(dot(row.force, direction) - push);
+                              if (!is_along_normal) s.friction.add(dot(row.force, direction) - push);
                             });
 }
 

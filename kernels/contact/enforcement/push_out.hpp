@@ -26,7 +26,7 @@ KOKKOS_INLINE_FUNCTION double find_release(const ContactRow& row, double gap, do
   const double fastest = contact_limits::recovery * row.size, calm = row.to_push / push_out_steps;
   const double way = calm < fastest ? calm : fastest, opened = gap - row.gap_start;
   if (opened < -way) return 0;
-  const double load = row.impulse.push * row.stiffness * dt;
+  const double load = row.impulse.normal * row.stiffness * dt;
   if (load > push_out_ways * way + push_out_stiffness * (row.to_push - row.reference)) return 0;
   const double wanted = opened > way ? 2 * way - opened : way;
   return wanted < 0 ? 0 : (wanted < row.reference ? wanted : row.reference);

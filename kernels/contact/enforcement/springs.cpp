@@ -103,15 +103,15 @@ KOKKOS_INLINE_FUNCTION RowImpulse push_row(ContactRow& row, const RowNodes& at, 
   const double dt = times.dt, dt_mean = times.dt_mean;
   RowImpulse impulse;
   const FreeMotion free{find_floor(row) - row.gap, motion.rate_before + motion.rate};
-  impulse.push = find_spring_push(row, motion, free, times);
+  impulse.normal = find_spring_push(row, motion, free, times);
   if (row.friction > 0) {
     double step[2];
     for (int d = 0; d < 2; ++d) {
       step[d] = find_predicted_slide(row, at, d, dt);
-      impulse.rub[d] = -row.spring * dt_mean * (row.slide[d] - step[d]);
+      impulse.tangential[d] = -row.spring * dt_mean * (row.slide[d] - step[d]);
     }
-    limit_rub(row, impulse);
-    for (int d = 0; d < 2; ++d) row.slide[d] = step[d] - impulse.rub[d] / (row.spring * dt_mean);
+    limit_friction(row, impulse);
+    for (int d = 0; d < 2; ++d) row.slide[d] = step[d] - impulse.tangential[d] / (row.spring * dt_mean);
   }
   // What goes in by the end of the step is pushed in the next one: the contact must not be forgotten.
   if (row.gap < find_floor(row)) row.is_caught = true;
@@ -144,15 +144,15 @@ KOKKOS_INLINE_FUNCTION double settle_row(ContactRow& row, const RowNodes& at, co
                                          const SpringTimes& times) {
   const SpringMotion motion = find_motion(row, at, times);
   const Point3 pushed = find_work_velocity(row, TouchedVelocity{dv, row});
-  const double gap = row.gap + times.dt * dot(row.gap_gradient, pushed), own = row.stiffness * row.impulse.push;
+  const double gap = row.gap + times.dt * dot(row.gap_gradient, pushed), own = row.stiffness * row.impulse.normal;
   const FreeMotion free{find_floor(row) - gap + times.dt * own,
                         motion.rate_before + motion.rate - dot(row.normal, pushed) + own};
   const double least = find_spring_push(row, motion, free, times);
   RowImpulse impulse = row.impulse;
-  impulse.push += find_excess(row, gap) / (times.dt * row.stiffness);
-  if (impulse.push < least) impulse.push = least;
-  const double moved = times.dt * row.stiffness * std::fabs(impulse.push - row.impulse.push);
-  limit_rub(row, impulse);
+  impulse.normal += find_excess(row, gap) / (times.dt * row.stiffness);
+  if (impulse.normal < least) impulse.normal = least;
+  const double moved = times.dt * row.stiffness * std::fabs(impulse.normal - row.impulse.normal);
+  limit_friction(row, impulse);
   set_push(row, impulse);
   return moved;
 }
@@ -168,8 +168,8 @@ KOKKOS_INLINE_FUNCTION void book_row(ContactRow& row, const RowNodes& at, const 
   const double gap = row.gap + times.dt * dot(row.gap_gradient, pushed);
   const double pair = find_pair_energy(row, motion.depth, find_floor(row) - gap);
   const double most = (1 + 1.001 * most_settled) * row.spring * motion.depth * times.dt_mean;
-  const double taken = 0.5 * row.impulse.push * (motion.rate_before + motion.rate - dot(row.normal, pushed));
-  const bool is_spring = pair > 0 && row.impulse.push <= most;
+  const double taken = 0.5 * row.impulse.normal * (motion.rate_before + motion.rate - dot(row.normal, pushed));
+  const bool is_spring = pair > 0 && row.impulse.normal <= most;
   const double held = is_spring ? row.held + taken : pair;
   row.held = held > least_held * pair ? held : least_held * pair;
 }

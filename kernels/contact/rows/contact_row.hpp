@@ -21,10 +21,10 @@ namespace percuss {
 /// or the contact node at a wall.
 inline constexpr int row_nodes = 5;
 
-/// Impulses of a row: push along the normal (>= 0), rub along the two tangents. [force x time]
+/// Impulses of a row along the normal (>= 0: a push) and the two tangents: friction. [force x time]
 struct RowImpulse {
-  double push = 0;
-  double rub[2] = {0, 0};
+  double normal = 0;
+  double tangential[2] = {0, 0};
 };
 
 enum class RowKind { face, edges, wall, tie };
@@ -47,24 +47,24 @@ struct ContactRow {
   Point3 arm{};                          // r
   double lever = 0;                      // of a row that ties a rotation: its couple is J^-1 (lever P) [length]
   Point3 normal{}, tangent[2]{};
-  Point3 gap_gradient{};         // of the gap by the place of the pushed point; gap_gradient . normal = 1
-  double friction = 0;           // contact_limits::no_friction_limit: a tie
-  int pair = 0;                  // of surfaces, as work is booked; walls are the last
-  bool is_held = false;          // nothing moves its nodes
-  bool is_rigid = false;         // between rigid bodies, or of one with a wall, where mark_rigid_rows() told them
-  double torn = 0;               // tie: way to its place in directions in which nothing moves its nodes [length]
-  double spring = 0;             // stiffness of a penalty row [force/length], 0: none
-  double held = 0;               // penalty: energy that the sides have given the spring; 0: not known
-  double size = 0;               // h of the face or the edges
-  double gap_start = 0;          // gap at n
-  double reference = 0;          // overlap accepted at the start, >= 0
-  double to_push = 0;            // overlap that is to be pushed out, of which the reference is left
-  double depth_tolerance = 0;    // RowInputs::depth_tolerance
-  double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
-  double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
-  double rub_stiffness = 0;      // D of both tangents
-  RowImpulse impulse, previous;  // iterates k and k-1
-  Point3 force{}, couple{};      // P and q of `impulse`
+  Point3 gap_gradient{};            // of the gap by the place of the pushed point; gap_gradient . normal = 1
+  double friction = 0;              // contact_limits::no_friction_limit: a tie
+  int pair = 0;                     // of surfaces, as work is booked; walls are the last
+  bool is_held = false;             // nothing moves its nodes
+  bool is_rigid = false;            // between rigid bodies, or of one with a wall, where mark_rigid_rows() told them
+  double held_apart = 0;            // tie: way to its place in directions in which nothing moves its nodes [length]
+  double spring = 0;                // stiffness of a penalty row [force/length], 0: none
+  double held = 0;                  // penalty: energy that the sides have given the spring; 0: not known
+  double size = 0;                  // h of the face or the edges
+  double gap_start = 0;             // gap at n
+  double reference = 0;             // overlap accepted at the start, >= 0
+  double to_push = 0;               // overlap that is to be pushed out, of which the reference is left
+  double depth_tolerance = 0;       // RowInputs::depth_tolerance
+  double slide[2] = {0, 0};         // predicted tangential displacement in the step plus what sticking still owes
+  double stiffness = 0;             // D of the normal: row sum of |G M^-1 G^T| [1/mass]
+  double tangential_stiffness = 0;  // D of both tangents
+  RowImpulse impulse, previous;     // iterates k and k-1
+  Point3 force{}, couple{};         // P and q of `impulse`
 };
 
 KOKKOS_INLINE_FUNCTION bool is_tie(const ContactRow& row) { return row.kind == RowKind::tie; }
@@ -116,8 +116,8 @@ KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, cons
   return relative;
 }
 
-/// Velocity of the pushed point relative to what it rubs on: with thickness between them, to what is rigidly joined to
-/// the other side there, so that turning as one is no sliding and a rub never gives energy.
+/// Velocity of the pushed point relative to what it slides on: with thickness between them, to what is rigidly joined
+/// to the other side there, so that turning as one is no sliding and friction never gives energy.
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_slip_velocity(const ContactRow& row, const Velocity& velocity) {
   return row.has_thickness ? find_work_velocity(row, velocity) : find_relative_velocity(row, velocity);
@@ -134,28 +134,28 @@ KOKKOS_INLINE_FUNCTION void set_tangents(ContactRow& row) {
 
 /// P of the impulses along the row's directions.
 KOKKOS_INLINE_FUNCTION Point3 sum_impulse(const ContactRow& row, const RowImpulse& p) {
-  const Point3 push = p.push * row.normal;
-  return row.friction > 0 ? push + (p.rub[0] * row.tangent[0] + p.rub[1] * row.tangent[1]) : push;
+  const Point3 push = p.normal * row.normal;
+  return row.friction > 0 ? push + (p.tangential[0] * row.tangent[0] + p.tangential[1] * row.tangent[1]) : push;
 }
 
-/// Shortens the rub to Coulomb's limit, friction times push; a tie has none.
-KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
+/// Shortens the tangential impulse to Coulomb's limit, friction times the normal one; a tie has none.
+KOKKOS_INLINE_FUNCTION void limit_friction(const ContactRow& row, RowImpulse& p) {
   if (is_tie(row)) return;
-  const double limit = row.friction * p.push;
-  if (!(limit > 0)) {  // even where the square of a tiny rub is zero
-    p.rub[0] = p.rub[1] = 0;
+  const double limit = row.friction * p.normal;
+  if (!(limit > 0)) {  // even where the square of a tiny one is zero
+    p.tangential[0] = p.tangential[1] = 0;
     return;
   }
-  const double length = std::sqrt(p.rub[0] * p.rub[0] + p.rub[1] * p.rub[1]);
+  const double length = std::sqrt(p.tangential[0] * p.tangential[0] + p.tangential[1] * p.tangential[1]);
   if (!(length > limit)) return;
   const double factor = limit / length;
-  p.rub[0] *= factor;
-  p.rub[1] *= factor;
+  p.tangential[0] *= factor;
+  p.tangential[1] *= factor;
 }
 
 /// Whether the iteration begins with the row, and not only once its nodes move.
 KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
-  return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
+  return row.impulse.normal > 0 || row.gap < row.target || is_tie(row);
 }
 
 }  // namespace percuss

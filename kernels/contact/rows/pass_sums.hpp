@@ -86,18 +86,18 @@ struct PassSums {
 
 /// What the impulses of a step did.
 struct EnforcementSums {
-  std::int64_t pushes = 0;        // rows with a push; ties
-  ExactSum normal_work;           // of the pushes
-  ExactSum friction_work;         // of the rubs
-  ExactSum stored;                // energy in the springs of penalty rows at n+1
-  double rate = 0;                // bound of the square of the frequency that these springs add [1/time^2]
-  double residual = 0;            // largest penetration, or way of a tied node to its place, left over / h
-  double deepest = 0;             // deepest penetration at n / h beyond what was accepted at the start
-  std::int64_t deepest_key = -1;  // of the row that has it, lowest of equals
-  double given = 0;               // largest work of the push of a row, where it gives energy
-  std::int64_t given_key = -1;    // of the row that has it, lowest of equals
-  double torn = 0;                // largest ContactRow::torn / h
-  std::int64_t torn_key = -1;     // of the row that has it, lowest of equals
+  std::int64_t pushes = 0;           // rows with a push; ties
+  ExactSum normal_work;              // of the normal impulses
+  ExactSum friction_work;            // of the tangential impulses
+  ExactSum stored;                   // energy in the springs of penalty rows at n+1
+  double rate = 0;                   // bound of the square of the frequency that these springs add [1/time^2]
+  double residual = 0;               // largest penetration, or way of a tied node to its place, left over / h
+  double deepest = 0;                // deepest penetration at n / h beyond what was accepted at the start
+  std::int64_t deepest_key = -1;     // of the row that has it, lowest of equals
+  double given = 0;                  // largest work of the push of a row, where it gives energy
+  std::int64_t given_key = -1;       // of the row that has it, lowest of equals
+  double held_apart = 0;             // largest ContactRow::held_apart / h
+  std::int64_t held_apart_key = -1;  // of the row that has it, lowest of equals
 
   KOKKOS_INLINE_FUNCTION void add_depth(double depth, std::int64_t key) {
     if (!(depth > deepest) && !(depth == deepest && depth > 0 && key < deepest_key)) return;
@@ -109,10 +109,10 @@ struct EnforcementSums {
     given = work;
     given_key = key;
   }
-  KOKKOS_INLINE_FUNCTION void add_torn(double way, std::int64_t key) {
-    if (!(way > torn) && !(way == torn && way > 0 && key < torn_key)) return;
-    torn = way;
-    torn_key = key;
+  KOKKOS_INLINE_FUNCTION void add_held_apart(double way, std::int64_t key) {
+    if (!(way > held_apart) && !(way == held_apart && way > 0 && key < held_apart_key)) return;
+    held_apart = way;
+    held_apart_key = key;
   }
   KOKKOS_INLINE_FUNCTION void merge(const EnforcementSums& other) {
     pushes += other.pushes;
@@ -123,7 +123,7 @@ struct EnforcementSums {
     residual = other.residual > residual ? other.residual : residual;
     add_depth(other.deepest, other.deepest_key);
     add_given(other.given, other.given_key);
-    add_torn(other.torn, other.torn_key);
+    add_held_apart(other.held_apart, other.held_apart_key);
   }
 };
 

@@ -20,7 +20,7 @@ struct alignas(64) TouchPack {
   int place[row_nodes][lanes];
   int row[lanes];
   int count = 0;
-  int rubs = 0;  // whether any has friction
+  int has_friction = 0;  // whether any does
 
   KOKKOS_INLINE_FUNCTION void add(const RowTouch& touch, int r, const int* places, const LastContact& record) {
     const int lane = count++;
@@ -39,7 +39,7 @@ struct alignas(64) TouchPack {
     to_push[lane] = record.to_push;
     for (int slot = 0; slot < row_nodes; ++slot) place[slot][lane] = places[slot];
     row[lane] = r;
-    if (touch.friction > 0) rubs = 1;
+    if (touch.friction > 0) has_friction = 1;
   }
 
   /// Lanes to spare repeat the first.
@@ -157,9 +157,10 @@ KOKKOS_FORCEINLINE_FUNCTION void set_tangents(FilledRows& row) {
   row.tangent[1] = cross(n, row.tangent[0]);
 }
 
-/// What friction adds: tangents, slide and rubs; of rows without it zeros. last: impulse of the record. In: push.
-KOKKOS_FORCEINLINE_FUNCTION void set_rubs(const TouchPack& touch, const SideVelocities& velocity,
-                                          const RowInputs& inputs, const PackedPoint& last, FilledRows& row) {
+/// What friction adds: tangents, slide and tangential impulses; of rows without it zeros. last: impulse of the record.
+/// In: push.
+KOKKOS_FORCEINLINE_FUNCTION void set_friction(const TouchPack& touch, const SideVelocities& velocity,
+                                              const RowInputs& inputs, const PackedPoint& last, FilledRows& row) {
   const Packed zero(0), friction = load_pack(touch.friction);
   const auto has_friction = friction > zero;
   const auto goes_on = load_pack(touch.continues) > zero;
@@ -172,7 +173,7 @@ KOKKOS_FORCEINLINE_FUNCTION void set_rubs(const TouchPack& touch, const SideVelo
     row.slide[d] = select(has_friction, select(goes_on, slide + dot(owed, row.tangent[d]), slide), zero);
     row.impulse[d + 1] = dot(last, row.tangent[d]);
   }
-  limit_rub(friction, row.impulse);
+  limit_friction(friction, row.impulse);
 }
 
 /// complete_row().
@@ -191,10 +192,10 @@ KOKKOS_FORCEINLINE_FUNCTION void complete_rows(const TouchPack& touch, const Sid
     row.tangent[d] = no_points();
     row.slide[d] = row.impulse[d + 1] = zero;
   }
-  if (touch.rubs != 0) {
-    set_rubs(touch, velocity, inputs, last, row);
-    const PackedPoint rub = row.impulse[1] * row.tangent[0] + row.impulse[2] * row.tangent[1];
-    row.force = select_point(load_pack(touch.friction) > zero, row.force + rub, row.force);
+  if (touch.has_friction != 0) {
+    set_friction(touch, velocity, inputs, last, row);
+    const PackedPoint tangential = row.impulse[1] * row.tangent[0] + row.impulse[2] * row.tangent[1];
+    row.force = select_point(load_pack(touch.friction) > zero, row.force + tangential, row.force);
   }
   const Packed depth_tolerance(inputs.depth_tolerance),
       floor = select(row.reference > depth_tolerance, -row.reference, -depth_tolerance);

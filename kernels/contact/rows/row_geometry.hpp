@@ -26,7 +26,7 @@ KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
 KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
   const auto choose = [](double d) { return d > 0 ? d : 1; };
   row.stiffness = choose(stiffness[0]);
-  row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
+  row.tangential_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
   if (!(stiffness[0] > contact_limits::least_freedom * free)) hold_row(row);
 }
 
@@ -113,7 +113,7 @@ KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row)
 KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
   const Point3 last = inputs.impulse_scale * record.impulse;
   const double push = dot(last, row.normal);
-  row.impulse.push = push > 0 ? push : 0;
+  row.impulse.normal = push > 0 ? push : 0;
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = record.reference < overlap ? record.reference : overlap;
   row.to_push = record.to_push;
@@ -121,10 +121,10 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   if (!(row.friction > 0)) return;
   const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
   for (int d = 0; d < 2; ++d) {
-    row.impulse.rub[d] = dot(last, row.tangent[d]);
+    row.impulse.tangential[d] = dot(last, row.tangent[d]);
     row.slide[d] += dot(owed, row.tangent[d]);
   }
-  limit_rub(row, row.impulse);
+  limit_friction(row, row.impulse);
 }
 
 /// The rest of a row once its place and gaps are known. old: what it continues, if anything.

@@ -24,14 +24,14 @@ struct alignas(64) RowPack {
   double slide[2][lanes];                        // as in ContactRow
   double friction[lanes];                        // likewise; 0 for a tie
   double tied[lanes];                            // 1: a tie, which has no sign and no limit
-  double stiffness[2][lanes];                    // D of the push and of the rubs
-  double impulse[3][lanes], previous[3][lanes];  // push and rubs of iterates k and k-1
+  double stiffness[2][lanes];                    // D of the normal and of both tangents
+  double impulse[3][lanes], previous[3][lanes];  // along normal and tangents, iterates k and k-1
   double lever[lanes];                           // as in ContactRow
   double own[3][lanes];                          // TurningRow::compliance; 0 for others
   int place[row_nodes][lanes];                   // of the nodes in RowPacks::dv
   int share[row_nodes][lanes];                   // of the impulses in RowSystem::shares, -1: nowhere
   int row[lanes];                                // -1: no row
-  int rubs;                                      // whether any row has friction, or is a tie
+  int has_friction;                              // whether any row has friction, or is a tie
   int ties;                                      // whether any row is a tie
   int tilted;                                    // whether any gap gradient is not the normal; without, none is set
   int turning;                                   // whether any row ties a rotation; without, lever and own are not set
@@ -45,7 +45,7 @@ struct RowPacks {
   Array<int> order = Array<int>("contact::pack_order", 0);       // [rows] the rows of the lanes
   Rows4<double> dv = Rows4<double>("contact::extrapolated", 0);  // [places + 1] of the extrapolated iterate; last: 0
   Array<int> moved = Array<int>("contact::moved_places", 0);     // [places + 1] whether dv is not zero
-  Array<int> stirred = Array<int>("contact::stirred_nodes", 0);  // [places + 1] whether an active row touches it
+  Array<int> active_nodes = Array<int>("contact::active_nodes", 0);  // [places + 1] whether an active row touches it
 };
 
 /// The rows of `rows` at the places of the lanes.
@@ -59,7 +59,7 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint load_places(const Rows4<const double>& r
 /// P of the impulses p along the directions of a pack's rows.
 KOKKOS_FORCEINLINE_FUNCTION PackedPoint sum_impulse(const RowPack& pack, const Packed (&p)[3]) {
   const PackedPoint push = p[0] * load_point(pack.normal);
-  if (pack.rubs == 0) return push;
+  if (pack.has_friction == 0) return push;
   return push + (p[1] * load_point(pack.tangent[0]) + p[2] * load_point(pack.tangent[1]));
 }
 
@@ -97,14 +97,14 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_work_velocity(const RowPack& pack, 
   return pack.turning == 0 ? u : u - load_pack(pack.lever) * turn;
 }
 
-/// Shortens rubs p[1], p[2] to Coulomb's limit.
-KOKKOS_FORCEINLINE_FUNCTION void limit_rub(const Packed& friction, Packed (&p)[3]) {
+/// Shortens the tangential p[1], p[2] to Coulomb's limit.
+KOKKOS_FORCEINLINE_FUNCTION void limit_friction(const Packed& friction, Packed (&p)[3]) {
   const Packed limit = friction * p[0];
   const Packed length = square_root(p[1] * p[1] + p[2] * p[2]);
   const auto is_long = length > limit;
   const Packed factor = select(is_long, limit / length, Packed(1));
-  // Without a push there is no rub, even where the square of a tiny one is zero: a row that rests must not depend on
-  // whether its pack is looked at.
+  // Without a push there is no friction, even where the square of a tiny one is zero: a row that rests must not depend
+  // on whether its pack is looked at.
   for (int d = 1; d < 3; ++d) p[d] = select(limit > Packed(0), p[d] * factor, Packed(0));
 }
 
@@ -139,7 +139,7 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   const Packed step(dt);
   PackedChange change;
   Packed y[3], p[3] = {Packed(0), Packed(0), Packed(0)};
-  const int directions = pack.rubs != 0 ? 3 : 1;
+  const int directions = pack.has_friction != 0 ? 3 : 1;
   for (int d = 0; d < directions; ++d) {
     const Packed now = load_pack(pack.impulse[d]);
     y[d] = now + Packed(beta) * (now - load_pack(pack.previous[d]));
@@ -154,15 +154,15 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
                  (step * stiffness);
   p[0] = choose_tied(pack, push, select(push > Packed(0), push, Packed(0)));
   change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
-  if (pack.rubs != 0) {
-    const Packed rub_stiffness = load_pack(pack.stiffness[1]);
+  if (pack.has_friction != 0) {
+    const Packed tangential_stiffness = load_pack(pack.stiffness[1]);
     for (int d = 1; d < 3; ++d)
-      p[d] = y[d] -
-             (load_pack(pack.slide[d - 1]) + step * dot(load_point(pack.tangent[d - 1]), u)) / (step * rub_stiffness);
+      p[d] = y[d] - (load_pack(pack.slide[d - 1]) + step * dot(load_point(pack.tangent[d - 1]), u)) /
+                        (step * tangential_stiffness);
     const Packed free[2] = {p[1], p[2]};
-    limit_rub(load_pack(pack.friction), p);
+    limit_friction(load_pack(pack.friction), p);
     for (int d = 1; d < 3; ++d) p[d] = choose_tied(pack, free[d - 1], p[d]);
-    for (int d = 1; d < 3; ++d) change.add(y[d], p[d], load_pack(pack.impulse[d]), rub_stiffness, dt);
+    for (int d = 1; d < 3; ++d) change.add(y[d], p[d], load_pack(pack.impulse[d]), tangential_stiffness, dt);
   }
   for (int d = 0; d < directions; ++d) {
     store_pack(pack.previous[d], load_pack(pack.impulse[d]));
@@ -232,10 +232,10 @@ KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow&
   pack.missing[lane] = row.gap - row.target;
   pack.friction[lane] = is_tie(row) ? 0 : row.friction;
   pack.stiffness[0][lane] = row.stiffness;
-  pack.stiffness[1][lane] = row.rub_stiffness;
+  pack.stiffness[1][lane] = row.tangential_stiffness;
   for (int d = 0; d < 2; ++d) pack.slide[d][lane] = row.slide[d];
-  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
-  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
+  set_lane(pack.impulse, lane, {row.impulse.normal, row.impulse.tangential[0], row.impulse.tangential[1]});
+  set_lane(pack.previous, lane, {row.previous.normal, row.previous.tangential[0], row.previous.tangential[1]});
 }
 
 }  // namespace percuss

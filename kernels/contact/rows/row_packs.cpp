@@ -42,7 +42,7 @@ KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactR
   pack.row[lane] = r;
   const Point3 tilt = row.gap_gradient - row.normal;
   if (tilt.x != 0 || tilt.y != 0 || tilt.z != 0) pack.tilted = 1;
-  if (row.friction > 0) pack.rubs = 1;
+  if (row.friction > 0) pack.has_friction = 1;
   if (is_tie(row)) pack.ties = 1;
   if (ties_rotation(row)) pack.turning = 1;
 }
@@ -59,13 +59,13 @@ KOKKOS_FUNCTION void set_turning(RowPack& pack, const Array<const ContactRow>& r
 }
 
 /// From now on the nodes of the pack are looked at. is_alone: no other thread does so at the same time.
-KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, bool is_alone, const Array<int>& stirred) {
+KOKKOS_INLINE_FUNCTION void activate_nodes(const RowPack& pack, bool is_alone, const Array<int>& active_nodes) {
   for (const auto& places : pack.place)
     for (const int place : places) {
       if (is_alone)
-        stirred(place) = 1;
+        active_nodes(place) = 1;
       else
-        Kokkos::atomic_fetch_or(&stirred(place), 1);
+        Kokkos::atomic_fetch_or(&active_nodes(place), 1);
     }
 }
 
@@ -137,7 +137,7 @@ void pack_geometry(const Space& space, RowSystem& system) {
   Kokkos::parallel_for(
       "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = pack.ties = pack.tilted = pack.turning = 0;
+        pack.has_friction = pack.ties = pack.tilted = pack.turning = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           const int place = i * RowPack::lanes + lane;
           const int r = place < num_rows ? p.order(place) : -1;
@@ -155,13 +155,13 @@ void pack_rows(const Space& space, RowSystem& system) {
   reserve(packs.active, packs.count);
   reserve(packs.dv, nowhere + 1);
   reserve(packs.moved, nowhere + 1);
-  reserve(packs.stirred, nowhere + 1);
+  reserve(packs.active_nodes, nowhere + 1);
   const RowPacks p = packs;
   const Rows3<double> correction = system.correction;
   Kokkos::parallel_for(
       "contact::clear_places", RangeOf<Space>(space, 0, nowhere + 1), KOKKOS_LAMBDA(int a) {
         set_dv(p, a, Point3{});
-        p.stirred(a) = 0;
+        p.active_nodes(a) = 0;
         if (a < nowhere) store_row(correction, a, Point3{});
       });
   const Array<const ContactRow> rows = system.rows;
@@ -180,12 +180,12 @@ void pack_rows(const Space& space, RowSystem& system) {
           if (wants(r) != 0 || is_frozen(rows(r))) p.active(i) = 1;
         }
         share_pack(pack, shares);
-        if (p.active(i) != 0) stir(pack, is_alone, p.stirred);
+        if (p.active(i) != 0) activate_nodes(pack, is_alone, p.active_nodes);
       });
   const Array<const int> remote_place = system.remote_place;
   Kokkos::parallel_for(
-      "contact::stir_remote", RangeOf<Space>(space, 0, system.num_remote),
-      KOKKOS_LAMBDA(int k) { Kokkos::atomic_fetch_or(&p.stirred(remote_place(k)), 1); });
+      "contact::activate_remote", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { Kokkos::atomic_fetch_or(&p.active_nodes(remote_place(k)), 1); });
 }
 
 template <class Space>
@@ -199,7 +199,7 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
   const Array<const int> body_of_place = system.bodies.of_place;
   Kokkos::parallel_for(
       "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
-        if (p.stirred(a) == 0 || (has_bodies && body_of_place(a) >= 0)) return;
+        if (p.active_nodes(a) == 0 || (has_bodies && body_of_place(a) >= 0)) return;
         const Point3 before = load_row(correction, a);
         const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
         store_row(correction, a, dv);
@@ -218,7 +218,7 @@ PassSums correct_rows(const Space& space, const PassQuery& query, const RowSyste
                               if (p.active(i) == 0) {
                                 if (!is_moved(pack, p.moved)) return;
                                 p.active(i) = 1;
-                                stir(pack, is_alone, p.stirred);
+                                activate_nodes(pack, is_alone, p.active_nodes);
                               }
                               advance_pack(pack, p.dv, shares, query, s);
                             });

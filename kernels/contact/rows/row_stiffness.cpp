@@ -16,7 +16,7 @@ KOKKOS_FORCEINLINE_FUNCTION Packed find_packed_max(const PackedPoint& a) {
   return larger(larger(b.z, b.y), b.x);
 }
 
-KOKKOS_FORCEINLINE_FUNCTION int count_directions(const RowPack& pack) { return pack.rubs != 0 ? 3 : 1; }
+KOKKOS_FORCEINLINE_FUNCTION int count_directions(const RowPack& pack) { return pack.has_friction != 0 ? 3 : 1; }
 /// A unit push along direction d of the rows; of rows without friction along their normal only.
 KOKKOS_FORCEINLINE_FUNCTION PackedForce make_unit_push(const RowPack& pack, int d) {
   return PackedForce(pack, d == 0 ? load_point(pack.normal) : load_point(pack.tangent[d - 1]));

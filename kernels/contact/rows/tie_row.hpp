@@ -77,12 +77,12 @@ KOKKOS_INLINE_FUNCTION void set_tie_stiffness(ContactRow& row, const double stif
     if (stiffness[d] > 0) continue;
     double& apart = d == 0 ? row.gap : row.slide[d - 1];
     const double way = apart < 0 ? -apart : apart;
-    row.torn = way > row.torn ? way : row.torn;
+    row.held_apart = way > row.held_apart ? way : row.held_apart;
     apart = 0;
-    (d == 0 ? row.impulse.push : row.impulse.rub[d - 1]) = 0;
+    (d == 0 ? row.impulse.normal : row.impulse.tangential[d - 1]) = 0;
   }
   row.is_held = !(largest > 0);
-  row.stiffness = row.rub_stiffness = row.is_held ? 1 : largest;
+  row.stiffness = row.tangential_stiffness = row.is_held ? 1 : largest;
   row.previous = row.impulse;
   row.force = sum_impulse(row, row.impulse);
   row.couple = find_couple(row, row.force);

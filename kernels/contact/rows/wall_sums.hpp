@@ -22,11 +22,11 @@ struct WallSums {
 
 /// Impulse of the rows of one wall in the direction in which it moves, of pushes and of friction.
 struct WallPush {
-  ExactSum push, rub;
+  ExactSum push, friction;
 
   KOKKOS_INLINE_FUNCTION void merge(const WallPush& other) {
     push.merge(other.push);
-    rub.merge(other.rub);
+    friction.merge(other.friction);
   }
 };
 

@@ -41,18 +41,18 @@ struct ContactReport {
   double residual = 0;          // largest penetration left over, or of a tied node from its place / face edge
   double complementarity = 0;   // lagrange: deviation from complementarity / largest closing velocity
   bool converged = true;
-  double normal_work = 0;          // of the pushes
-  double friction_work = 0;        // of the tangential impulses (negative: dissipated)
-  double stored = 0;               // penalty: energy in the springs at n+1
-  double rate = 0;                 // penalty: bound of the square of the frequency that the springs add [1/time^2]
-  double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
-  std::int64_t deepest_node = -1;  // number of the node that has it
-  std::int64_t giving_node = -1;   // number of the node whose push gave most energy; -1: none gave any
-  double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
-  std::int64_t torn_node = -1;     // number of that node
-  std::int64_t failed_ties = 0;    // tied nodes that have let go since the start, those of this step among them
-  WallSums walls;                  // what walls gave the nodes of this rank, and of no other
-  std::vector<Wrench> bodies;      // what each rigid body got, of all ranks; empty: nothing
+  double normal_work = 0;             // of the pushes
+  double friction_work = 0;           // of the tangential impulses (negative: dissipated)
+  double stored = 0;                  // penalty: energy in the springs at n+1
+  double rate = 0;                    // penalty: bound of the square of the frequency that the springs add [1/time^2]
+  double deepest = 0;                 // deepest penetration at n among checked pairs / face edge, 0 if none
+  std::int64_t deepest_node = -1;     // number of the node that has it
+  std::int64_t giving_node = -1;      // number of the node whose push gave most energy; -1: none gave any
+  double held_apart = 0;              // farthest that conditions hold a tied node from its place / face edge
+  std::int64_t held_apart_node = -1;  // number of that node
+  std::int64_t failed_ties = 0;       // tied nodes that have let go since the start, those of this step among them
+  WallSums walls;                     // what walls gave the nodes of this rank, and of no other
+  std::vector<Wrench> bodies;         // what each rigid body got, of all ranks; empty: nothing
 };
 
 /// Names of the walls that move: their own, or `walls.N`, which no own name can be.

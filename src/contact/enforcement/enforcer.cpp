@@ -236,12 +236,12 @@ void Enforcer::finish_walls(const Space& space, int first_row, const ContactMoti
   const WallWork work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
   moving_walls_.place(walls_);
   report.normal_work -= work.push;
-  report.friction_work -= work.rub;
+  report.friction_work -= work.friction;
   if (!is_first_rank_) return;
   report.walls.work.add(work.driven);
   if (pair_work_.empty()) return;
   pair_work_.back().normal.add(-work.push);
-  pair_work_.back().friction.add(-work.rub);
+  pair_work_.back().friction.add(-work.friction);
 }
 
 Traffic Enforcer::traffic() const {
@@ -319,8 +319,8 @@ void Enforcer::report_outcome(const Space& space, const ContactMotion& motion, i
   report.deepest = done.deepest;
   report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
   report.giving_node = done.given_key < 0 ? -1 : find_key_node(done.given_key);
-  report.torn = done.torn;
-  report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
+  report.held_apart = done.held_apart;
+  report.held_apart_node = done.held_apart_key < 0 ? -1 : find_key_node(done.held_apart_key);
 }
 
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,

@@ -137,15 +137,15 @@ WallWork MovingWalls::finish_step(const Space& space, int first_row, const Conta
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Vec3& way = wall(i).direction;
     const WallPush own = sum_wall_push(space, first_row, moving_[i], Point3{way[0], way[1], way[2]}, system, memory);
-    std::array<ExactSum, 2> push{own.push, own.rub};
+    std::array<ExactSum, 2> push{own.push, own.friction};
     sum_over_ranks(ranks_, push);
     const double impulse = push[0].round(), before = motions_[i].speed;
     const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
     if (wall(i).mass && !converged) refuse_throw(i, after, motion.v_before);
-    const double pushed = impulse * (0.5 * (before + after)), rubbed = push[1].round() * (0.5 * (before + after));
+    const double pushed = impulse * (0.5 * (before + after)), by_friction = push[1].round() * (0.5 * (before + after));
     work.push += pushed;
-    work.rub += rubbed;
-    if (!wall(i).mass) work.driven += pushed + rubbed;
+    work.friction += by_friction;
+    if (!wall(i).mass) work.driven += pushed + by_friction;
     motions_[i] = {motions_[i].displacement + motion.dt * after, after};
   }
   return work;

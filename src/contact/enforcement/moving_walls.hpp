@@ -23,8 +23,8 @@ struct WallMotion {
 
 /// Of walls on the bodies in a step.
 struct WallWork {
-  double push = 0, rub = 0;  // by normal forces and by friction
-  double driven = 0;         // of both, by walls with a prescribed speed, whose energy comes from outside
+  double push = 0, friction = 0;  // by normal forces and by friction
+  double driven = 0;              // of both, by walls with a prescribed speed, whose energy comes from outside
 };
 
 class MovingWalls {

@@ -201,14 +201,14 @@ TEST(CoupledRows, RubsAreWithinCoulombsConeAndAgainstTheSliding) {
   int sticking = 0, sliding = 0;
   for (int r = 0; r < scene.system.num_rows; ++r) {
     const ContactRow& row = scene.system.rows(r);
-    const double* t = row.impulse.rub;
+    const double* t = row.impulse.tangential;
     const double w[2] = {find_rate(scene, row, row.tangent[0]), find_rate(scene, row, row.tangent[1])};
-    const double rub = std::hypot(t[0], t[1]), slip = std::hypot(w[0], w[1]);
-    EXPECT_LE(rub, 0.5 * row.impulse.push * (1 + 1e-12));
+    const double friction = std::hypot(t[0], t[1]), slip = std::hypot(w[0], w[1]);
+    EXPECT_LE(friction, 0.5 * row.impulse.normal * (1 + 1e-12));
     if (slip > 1e-9) {
       ++sliding;
-      EXPECT_NEAR(rub, 0.5 * row.impulse.push, 1e-12);
-      EXPECT_NEAR(t[0] * w[0] + t[1] * w[1], -rub * slip, 1e-12);
+      EXPECT_NEAR(friction, 0.5 * row.impulse.normal, 1e-12);
+      EXPECT_NEAR(t[0] * w[0] + t[1] * w[1], -friction * slip, 1e-12);
     } else {
       ++sticking;
     }
@@ -243,8 +243,8 @@ TEST(CoupledRows, TheOrderInWhichRowsArriveChangesNoBit) {
   for (const std::size_t i : order) shuffled.push_back(rows[i]);
   solve_in_key_order(shuffled, 0.01, b);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    ASSERT_EQ(b[i].push, a[order[i]].push);
-    for (int d = 0; d < 2; ++d) ASSERT_EQ(b[i].rub[d], a[order[i]].rub[d]);
+    ASSERT_EQ(b[i].normal, a[order[i]].normal);
+    for (int d = 0; d < 2; ++d) ASSERT_EQ(b[i].tangential[d], a[order[i]].tangential[d]);
   }
 }
 

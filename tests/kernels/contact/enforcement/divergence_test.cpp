@@ -44,7 +44,7 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
   EXPECT_TRUE(solved.converged);
   // Symmetric: the pushes p of both close p + cos(120) p = p / 2 of either gap, which misses cos(110) / cos(50).
   for (int r = 0; r < 2; ++r)
-    EXPECT_NEAR(system.rows(r).impulse.push, -2 * std::cos(110 * turn) / std::cos(50 * turn), 2e-2);
+    EXPECT_NEAR(system.rows(r).impulse.normal, -2 * std::cos(110 * turn) / std::cos(50 * turn), 2e-2);
 }
 
 }  // namespace percuss::test

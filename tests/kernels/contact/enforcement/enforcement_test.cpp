@@ -213,7 +213,7 @@ TEST(WriteHistory, EmptiesWhatTheStepBeforeWrote) {
     pushed.record = record;
     pushed.face = face;
     walled.record = wall_record;
-    pushed.impulse.push = walled.impulse.push = 1;
+    pushed.impulse.normal = walled.impulse.normal = 1;
     pushed.force = walled.force = {1, 2, 3};
     pushed.reference = walled.reference = 0.5;
     system.num_rows = 2;

@@ -126,7 +126,7 @@ TEST(Springs, OfALinearPairAreBoundedByTheirVote) {
 }
 
 TEST(Springs, RubWithinCoulombsLimit) {
-  // One step of slip from nothing gives no rub yet: it is the displacement at n that stretches the spring.
+  // One step of slip from nothing gives no friction yet: it is the displacement at n that stretches the spring.
   const Scene first = push(make_sunk_block(0.01, {1, 0, 0}), 0.5);
   for (int n = 8; n < 12; ++n) {
     EXPECT_EQ(first.v(n).x, 1);

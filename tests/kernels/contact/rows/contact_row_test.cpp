@@ -125,13 +125,13 @@ TEST(ContactRow, RubIsShortenedToTheCoulombLimitAndKeepsItsDirection) {
   ContactRow row;
   row.friction = 0.5;
   RowImpulse p{2, {3, 4}};
-  limit_rub(row, p);
-  EXPECT_NEAR(p.rub[0], 0.6, 1e-15);
-  EXPECT_NEAR(p.rub[1], 0.8, 1e-15);
+  limit_friction(row, p);
+  EXPECT_NEAR(p.tangential[0], 0.6, 1e-15);
+  EXPECT_NEAR(p.tangential[1], 0.8, 1e-15);
   RowImpulse inside{10, {3, 4}};
-  limit_rub(row, inside);
-  EXPECT_EQ(inside.rub[0], 3);
-  EXPECT_EQ(inside.rub[1], 4);
+  limit_friction(row, inside);
+  EXPECT_EQ(inside.tangential[0], 3);
+  EXPECT_EQ(inside.tangential[1], 4);
 }
 
 TEST(ContactRow, ATargetNeverDemandsMoreThanTheSlowRecovery) {

@@ -103,8 +103,8 @@ void expect_same_bits(const Point3& a, const Point3& b) {
   expect_same_bits(a.z, b.z);
 }
 void expect_same_bits(const RowImpulse& a, const RowImpulse& b) {
-  expect_same_bits(a.push, b.push);
-  for (int d = 0; d < 2; ++d) expect_same_bits(a.rub[d], b.rub[d]);
+  expect_same_bits(a.normal, b.normal);
+  for (int d = 0; d < 2; ++d) expect_same_bits(a.tangential[d], b.tangential[d]);
 }
 
 void expect_same_bits(const ContactRow& a, const ContactRow& b) {
@@ -146,7 +146,7 @@ TEST(RowFilling, EachLaneHasTheBitsOfOneRow) {
     for (int lane = 0; lane < count; ++lane) {
       const ContactRow row = drawn.fill_one(lane);
       expect_same_bits(rows(lane), row);
-      pushing += row.impulse.push > 0 && row.friction > 0 ? 1 : 0;
+      pushing += row.impulse.normal > 0 && row.friction > 0 ? 1 : 0;
       deep += row.gap_start < 0 ? 1 : 0;
       ContactRow unlimited = row;
       set_target(unlimited);

@@ -66,7 +66,8 @@ void expect_bounds_of_one_row(const BrickScene& bricks, double friction, const W
     if (row.is_held) continue;
     EXPECT_EQ(row.stiffness, find_stiffness(system, sums, row, 0));
     if (!(row.friction > 0)) continue;
-    EXPECT_EQ(row.rub_stiffness, std::max(find_stiffness(system, sums, row, 1), find_stiffness(system, sums, row, 2)));
+    EXPECT_EQ(row.tangential_stiffness,
+              std::max(find_stiffness(system, sums, row, 1), find_stiffness(system, sums, row, 2)));
   }
 }
 
