@@ -69,7 +69,7 @@ def find_law(path: str, wanted: str | None) -> str:
 def find_headers() -> str:
     """The folder that holds kernels/material: of the checkout or the installation that this package belongs to."""
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-    if not os.path.exists(os.path.join(root, "kernels", "material", "export", "export_law.hpp")):
+    if not os.path.exists(os.path.join(root, "kernels", "material", "user", "export_law.hpp")):
         fail(f"there are no headers of laws in {root} (they belong to the checkout or installation of percuss): start the program there", 4)
     return root
 
@@ -89,7 +89,7 @@ def compile_law(source: str, name: str, out: str) -> None:
             file.write(MARKS)
         code = os.path.join(folder, "law.cpp")
         with open(code, "w", encoding="utf-8") as file:
-            file.write(f'#include "{os.path.basename(source)}"\n#include "kernels/material/export/export_law.hpp"\n'
+            file.write(f'#include "{os.path.basename(source)}"\n#include "kernels/material/user/export_law.hpp"\n'
                        f"using namespace percuss;\nPERCUSS_EXPORT_LAW({name})\n")
         made = os.path.join(folder, "law.so")
         compiler = shlex.split(os.environ.get("CXX", "c++"))

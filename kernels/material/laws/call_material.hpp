@@ -1,7 +1,7 @@
 #pragma once
 // How a called material is made, started and called: all that sees the list of materials.
 
-#include "kernels/material/laws/advance_point.hpp"
+#include "kernels/material/advance_point.hpp"
 #include "kernels/material/laws/called_material.hpp"
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"

@@ -8,9 +8,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernels/material/export/export_law.hpp"
 #include "kernels/material/laws/materials.hpp"
 #include "kernels/material/pressure/equations_of_state.hpp"
+#include "kernels/material/user/export_law.hpp"
 
 namespace percuss::test {
 

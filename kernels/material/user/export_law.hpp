@@ -1,12 +1,13 @@
 #pragma once
-// Makes a LawLibrary of a law that is written as those of this folder; for libraries that `percuss build-law` compiles.
+// Makes a LawLibrary of a law that is written as those of kernels/material/laws; for libraries that `percuss
+// build-law` compiles.
 
 #include <array>
 #include <iterator>
 #include <new>
 #include <type_traits>
 
-#include "kernels/material/laws/advance_point.hpp"
+#include "kernels/material/advance_point.hpp"
 #include "kernels/material/user/law_library.hpp"
 #include "kernels/material/user/library_law.hpp"
 
