@@ -15,7 +15,6 @@ namespace percuss {
 /// fibre, then what else each fibre remembers.
 struct BeamRecord {
   static constexpr int mass = 0, gyration_square = 1, e2 = 2, forces = 5, fibres = 11;
-  static constexpr int force_count = 6;  // normal, shear y, shear z, torque, moment y, moment z
   static constexpr int find_size(int fibre_count, int more_history) {
     return fibres + (2 + more_history) * fibre_count;
   }

@@ -140,12 +140,6 @@ PERCUSS_FORCE_INLINE Symmetric3<T> symmetric_part(const Matrix3<T>& a) {
           half * (a.row[1].z + a.row[2].y),
           half * (a.row[2].x + a.row[0].z)};
 }
-/// Axial vector w of the antisymmetric part A of a: A x = w cross x.
-template <class T>
-PERCUSS_FORCE_INLINE Vector3<T> axial_vector(const Matrix3<T>& a) {
-  const T half = T(0.5);
-  return {half * (a.row[2].y - a.row[1].z), half * (a.row[0].z - a.row[2].x), half * (a.row[1].x - a.row[0].y)};
-}
 /// The antisymmetric matrix with axial vector w.
 template <class T>
 PERCUSS_FORCE_INLINE Matrix3<T> antisymmetric(const Vector3<T>& w) {
