@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "comm/rendezvous.hpp"
-#include "src/app/commands/commands.hpp"
+#include "src/app/commands.hpp"
 #include "src/app/process/failure_report.hpp"
 #include "src/app/process/stop_signals.hpp"
 #include "src/app/process/tools.hpp"

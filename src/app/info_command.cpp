@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "src/app/commands/commands.hpp"
+#include "src/app/commands.hpp"
 #include "src/app/folder/folder_lock.hpp"
 #include "src/app/reports/mesh_report.hpp"
 #include "src/app/reports/summary_report.hpp"

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "src/app/commands/commands.hpp"
+#include "src/app/commands.hpp"
 #include "src/deck/reading/deck_schema.hpp"
 
 namespace percuss {

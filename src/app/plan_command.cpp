@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "src/app/commands/commands.hpp"
-#include "src/app/commands/read_together.hpp"
+#include "src/app/commands.hpp"
 #include "src/app/process/compute_session.hpp"
+#include "src/app/read_together.hpp"
 #include "src/app/reports/plan_report.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"

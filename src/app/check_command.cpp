@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <functional>
 
-#include "src/app/commands/commands.hpp"
-#include "src/app/commands/read_together.hpp"
+#include "src/app/commands.hpp"
 #include "src/app/process/compute_session.hpp"
+#include "src/app/read_together.hpp"
 #include "src/app/reports/scene_json.hpp"
 #include "src/app/reports/scene_report.hpp"
 #include "src/app/reports/stage_line.hpp"

@@ -1,4 +1,4 @@
-#include "src/app/commands/read_together.hpp"
+#include "src/app/read_together.hpp"
 
 #include <fmt/format.h>
 
