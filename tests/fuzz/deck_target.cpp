@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
-#include "src/deck/sections/deck_keys.hpp"
 #include "src/error.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/deck/wrong_decks.hpp"

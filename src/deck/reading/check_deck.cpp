@@ -1,16 +1,25 @@
-// What must hold between the sections of a deck.
+#include "src/deck/reading/check_deck.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "src/deck/connections/joint_keys.hpp"
+#include "src/deck/connections/turn_spring_keys.hpp"
+#include "src/deck/keys/values.hpp"
+#include "src/deck/loads/node_values.hpp"
+#include "src/deck/loads/sensor_keys.hpp"
+#include "src/deck/loads/start_keys.hpp"
 #include "src/deck/mesh_size.hpp"
-#include "src/deck/sections/deck_keys.hpp"
-#include "src/deck/sections/field_keys.hpp"
-#include "src/deck/sections/force_keys.hpp"
-#include "src/deck/sections/history_keys.hpp"
-#include "src/deck/sections/sensor_keys.hpp"
+#include "src/deck/output/field_keys.hpp"
+#include "src/deck/output/force_keys.hpp"
+#include "src/deck/output/history_keys.hpp"
+#include "src/deck/parts/element_keys.hpp"
+#include "src/deck/parts/placement_keys.hpp"
+#include "src/deck/parts/rigid_keys.hpp"
 
 namespace percuss {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "src/deck/keys/key_documentation.hpp"
 #include "src/deck/laws/law_traits.hpp"
-#include "src/deck/sections/deck_keys.hpp"
+#include "src/deck/reading/deck_keys.hpp"
 
 namespace percuss {
 namespace {

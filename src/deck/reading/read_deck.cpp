@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "src/deck/laws/laminates.hpp"
-#include "src/deck/sections/deck_keys.hpp"
+#include "src/deck/parts/part_image_keys.hpp"
+#include "src/deck/reading/check_deck.hpp"
+#include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/text/deck_text.hpp"
 #include "src/deck/yaml/deck_json.hpp"
 #include "src/deck/yaml/deck_values.hpp"

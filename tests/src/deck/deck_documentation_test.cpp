@@ -7,9 +7,9 @@
 #include <sstream>
 #include <string>
 
+#include "src/deck/output/field_keys.hpp"
+#include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
-#include "src/deck/sections/deck_keys.hpp"
-#include "src/deck/sections/field_keys.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -1,0 +1,119 @@
+#include "src/deck/loads/start_keys.hpp"
+
+#include "src/deck/keys/file_value.hpp"
+#include "src/deck/laws/law_traits.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<RelaxationDeck>& relaxation_keys() {
+  using Unsettled = RelaxationDeck::Unsettled;
+  static const Keys<RelaxationDeck> keys = {
+      may("tolerance", &RelaxationDeck::tolerance, NumberValue{{"above 0 and below 1", 0, 1, true, true}}),
+      may("max_steps", &RelaxationDeck::max_steps, IntegerValue{1, std::numeric_limits<long>::max()}),
+      may("unsettled", &RelaxationDeck::unsettled,
+          ChoiceValue<Unsettled>{{{"refuse", Unsettled::refuse}, {"warn", Unsettled::warn}}}),
+      may("ramp", &RelaxationDeck::ramp, IntegerValue{0, std::numeric_limits<int>::max()}),
+      may("damping", &RelaxationDeck::damping, NumberValue{positive}),
+      may("hold", &RelaxationDeck::hold, ListValue<SelectorValue>{{Chosen::nodes}}),
+  };
+  return keys;
+}
+
+const Keys<PreloadDeck>& preload_keys() {
+  static const Keys<PreloadDeck> keys = {
+      need("part", &PreloadDeck::part, PartNameValue{}),
+      may("point", &PreloadDeck::point, vector3()),
+      may("normal", &PreloadDeck::normal, DirectionValue{}),
+      need("force", &PreloadDeck::force, NumberValue{}),
+  };
+  return keys;
+}
+
+/// A plane has a point and a normal.
+bool check_plane(const Reader& reader, const Node& node, PreloadDeck&) {
+  const Node *point = node.find("point"), *normal = node.find("normal");
+  if ((point == nullptr) == (normal == nullptr)) return true;
+  reader.error(node.key,
+               fmt::format("{} is missing (a section has point and normal; without both, each beam of the part "
+                           "has the force)",
+                           reader.name_of(point == nullptr ? "point" : "normal")));
+  return false;
+}
+
+std::vector<std::pair<std::string, StartQuantity>> start_quantities() {
+  return {{"stress", StartQuantity::stress},
+          {"equivalent_plastic_strain", StartQuantity::plastic_strain},
+          {"temperature", StartQuantity::temperature},
+          {"velocity", StartQuantity::velocity}};
+}
+
+const Keys<StartFieldsDeck>& start_fields_keys() {
+  static const Keys<StartFieldsDeck> keys = {
+      need("file", &StartFieldsDeck::file, FileValue{}),
+      may("part", &StartFieldsDeck::part, PartNameValue{}),
+      may("time", &StartFieldsDeck::time, NumberValue{}),
+      may("take", &StartFieldsDeck::take, ListValue<ChoiceValue<StartQuantity>>{{start_quantities()}}),
+  };
+  return keys;
+}
+
+bool note_fields_place(const Reader&, const Node& node, StartFieldsDeck& fields) {
+  fields.place = node.spot.place;
+  return true;
+}
+
+const Keys<StartDeck>& start_keys() {
+  static const Keys<StartDeck> keys = {
+      may("relaxation", &StartDeck::relaxation, MapValue<RelaxationDeck>{relaxation_keys}),
+      may("fields", &StartDeck::fields, ListValue<MapValue<StartFieldsDeck>>{{start_fields_keys, note_fields_place}}),
+      may("preload", &StartDeck::preloads,
+          NamedMapValue<PreloadDeck, MapValue<PreloadDeck>>{"preload", {preload_keys, check_plane}}),
+  };
+  return keys;
+}
+
+/// A preload needs the damped steps, in which the rest of the scene comes into balance with it.
+bool check_preloads(const Reader& reader, const Node& node, StartDeck& start) {
+  if (start.preloads.empty() || start.relaxation) return true;
+  reader.error(node.find("preload")->key,
+               fmt::format("{} has no effect (it acts during a relaxation): give the key relaxation as well, for "
+                           "example relaxation: {{}}",
+                           reader.name_of("preload")));
+  return false;
+}
+
+}  // namespace
+
+MapValue<StartDeck> start_value() { return {start_keys, check_preloads}; }
+
+void check_start(const Deck& deck, const Node& root, Reading& reading) {
+  for (const PreloadDeck& preload : deck.start.preloads) {
+    const Node& given = *root.find("start")->find("preload")->find(preload.name);
+    if (given.find("part") == nullptr || given.find("force") == nullptr) continue;  // which is told already
+    const Spot spot = given.key;
+    const auto refuse = [&](const std::string& why) {
+      reading.errors.add(spot, fmt::format("preload '{}' {}", preload.name, why));
+    };
+    if (preload.force == 0) refuse("has force 0 (must pull or push): leave it out");
+    const auto part =
+        std::find_if(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& of) { return of.name == preload.part; });
+    if (part == deck.parts.end()) {
+      if (preload.part.empty()) refuse("is of part all (must be of one part): name the part");
+      continue;  // an unknown name is told already
+    }
+    if (part->rigid) refuse(fmt::format("is of part '{}' (which is rigid and has no stresses)", part->name));
+    if (!preload.point && !part->section)
+      refuse(fmt::format("has no plane and is of part '{}' (only beams have a force each): give it point and normal",
+                         part->name));
+    const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                       [&](const MaterialDeck& of) { return of.name == part->material; });
+    if (material == deck.materials.end() || grows_in_increments(*material)) continue;
+    refuse(
+        fmt::format("is of part '{}' of material '{}' (whose stress does not grow in increments): use elastic or a "
+                    "plastic law without an equation of state",
+                    part->name, material->name));
+  }
+}
+
+}  // namespace percuss

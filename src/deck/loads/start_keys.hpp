@@ -1,0 +1,14 @@
+#pragma once
+// Keys of `start`: relaxation, preloads and fields of files.
+
+#include "src/deck/deck.hpp"
+#include "src/deck/keys/keys.hpp"
+
+namespace percuss {
+
+MapValue<StartDeck> start_value();
+
+/// Preloads of parts that can have them.
+void check_start(const Deck& deck, const Node& root, Reading& reading);
+
+}  // namespace percuss
