@@ -12,22 +12,6 @@
 
 namespace percuss {
 
-/// Glue between tied surfaces: traction and separation.
-struct CohesiveDeck {
-  enum class Mix { benzeggagh_kenane, power_law };
-  enum class Onset { quadratic, maximum };
-  enum class Softening { linear, exponential };
-  double normal_stiffness = 0;            // traction / separation
-  std::optional<double> shear_stiffness;  // none: the same
-  double normal_strength = 0, shear_strength = 0;
-  double normal_energy = 0, shear_energy = 0;  // until failure, by area
-  double plateau = 0;                          // share of the energy at constant traction
-  Mix mix = Mix::benzeggagh_kenane;
-  double exponent = 1;
-  Onset onset = Onset::quadratic;  // of damage, by both tractions over their strengths
-  Softening softening = Softening::linear;
-};
-
 /// Where springs end: at one node, or at each node of a set.
 struct SpringEndDeck {
   std::optional<HistoryPoint> point;  // none: `where`
