@@ -39,7 +39,8 @@ std::string change(const Changes& changes) {
 
 std::vector<SuspiciousDeck> suspicious_decks() {
   std::vector<SuspiciousDeck> all;
-  for (const auto& decks : {suspicious_units(), suspicious_parts(), suspicious_conditions(), suspicious_output()})
+  for (const auto& decks :
+       {suspicious_units(), suspicious_parts(), suspicious_contact(), suspicious_conditions(), suspicious_output()})
     all.insert(all.end(), decks.begin(), decks.end());
   return all;
 }

@@ -34,11 +34,16 @@ inline const std::pair<std::string, std::string> no_sheet{
 inline const std::pair<std::string, std::string> no_sheet_condition{
     "  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n", ""};
 
+/// The plate of sound_deck, and another part after it.
+inline const std::string plate = "plate: {box: {size: [0.1, 0.1, 0.01], cells: [6, 6, 3]}, material: aluminium}";
+inline std::pair<std::string, std::string> add_part(const std::string& part) { return {plate, plate + "\n  " + part}; }
+
 /// sound_deck with changes. Throws std::logic_error if a text is not there.
 std::string change(const Changes& changes);
 
 std::vector<SuspiciousDeck> suspicious_units();       // units and materials
-std::vector<SuspiciousDeck> suspicious_parts();       // sizes, places, contact
+std::vector<SuspiciousDeck> suspicious_parts();       // sizes and places
+std::vector<SuspiciousDeck> suspicious_contact();     // contact, ties and walls
 std::vector<SuspiciousDeck> suspicious_conditions();  // velocities, conditions and loads
 std::vector<SuspiciousDeck> suspicious_output();      // time, output and settings
 

@@ -23,8 +23,9 @@ std::string append(const std::string& lines) { return right_deck + lines + "\n";
 const std::vector<WrongDeck>& wrong_decks() {
   static const std::vector<WrongDeck> all = [] {
     std::vector<WrongDeck> decks;
-    for (const auto& part : {wrong_yaml_decks(), wrong_value_decks(), wrong_material_decks(), wrong_section_decks(),
-                             wrong_sensor_decks(), wrong_field_decks()}) {
+    for (const auto& part :
+         {wrong_yaml_decks(), wrong_value_decks(), wrong_key_decks(), wrong_part_decks(), wrong_material_decks(),
+          wrong_connection_decks(), wrong_load_decks(), wrong_output_decks()}) {
       decks.insert(decks.end(), part.begin(), part.end());
     }
     return decks;

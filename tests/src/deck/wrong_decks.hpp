@@ -19,12 +19,14 @@ struct WrongDeck {
 const std::vector<WrongDeck>& wrong_decks();
 
 // The parts of the table, one file each.
-std::vector<WrongDeck> wrong_yaml_decks();      // not YAML, not text, too large
-std::vector<WrongDeck> wrong_value_decks();     // values of the wrong type or range
-std::vector<WrongDeck> wrong_material_decks();  // constants of materials
-std::vector<WrongDeck> wrong_sensor_decks();    // sensors and what they switch
-std::vector<WrongDeck> wrong_field_decks();     // outputs of fields
-std::vector<WrongDeck> wrong_section_decks();   // keys missing, unknown or at odds with each other
+std::vector<WrongDeck> wrong_yaml_decks();        // not YAML, not text, too large
+std::vector<WrongDeck> wrong_value_decks();       // values of the wrong type or range
+std::vector<WrongDeck> wrong_key_decks();         // keys missing, unknown or at odds with each other
+std::vector<WrongDeck> wrong_part_decks();        // parts that are made of parts, placed and joined
+std::vector<WrongDeck> wrong_material_decks();    // constants of materials
+std::vector<WrongDeck> wrong_connection_decks();  // welds, joints, springs of turns, rigid sets
+std::vector<WrongDeck> wrong_load_decks();        // sensors and what they switch, pressures, the start
+std::vector<WrongDeck> wrong_output_decks();      // fields and history
 
 /// A right deck of five lines; every wrong one differs from it in one thing.
 extern const std::string right_deck;

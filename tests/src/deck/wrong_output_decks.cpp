@@ -1,10 +1,10 @@
-// Decks with wrong field outputs.
+// Wrong decks: fields and history.
 
 #include "tests/src/deck/wrong_decks.hpp"
 
 namespace percuss {
 
-std::vector<WrongDeck> wrong_field_decks() {
+std::vector<WrongDeck> wrong_output_decks() {
   return {
       {"FieldOutputWithoutEvery", append("output: {field_outputs: {rim: {elements: rod}}}"), "6:26",
        "every is missing in field output 'rim' (required: a number, positive)"},
@@ -38,6 +38,8 @@ std::vector<WrongDeck> wrong_field_decks() {
        "6:26", "has 65 characters (at most 64: files are named by it)"},
       {"FieldOutputTwice", append("output: {field_outputs: {rim: {every: 1}, rim: {every: 2}}}"), "6:43", "rim"},
       {"FieldOutputsAsAList", append("output: {field_outputs: [{every: 1}]}"), "6:25", "output.field_outputs is"},
+      {"MotionOfAPartTwice", append("output: {history: {motion: [rod, rod]}}"), "6:34",
+       "output.history.motion.1 is 'rod' (must be a name from parts, each once)"},
   };
 }
 

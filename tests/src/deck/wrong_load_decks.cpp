@@ -1,4 +1,4 @@
-// Sensors that see nothing, what they cannot switch, pressures of blasts, and files of the start.
+// Wrong decks: sensors that see nothing, what they cannot switch, pressures of blasts, relaxations and preloads.
 
 #include "tests/src/deck/wrong_decks.hpp"
 
@@ -10,9 +10,7 @@ std::string sense(const std::string& sensor, const std::string& more = "") {
   return append("output: {history: {nodes: [{name: tip, near: [0, 0, 0]}]}}\nsensors: {go: {" + sensor + "}}\n" + more);
 }
 
-}  // namespace
-
-std::vector<WrongDeck> wrong_sensor_decks() {
+std::vector<WrongDeck> wrong_sensors() {
   return {
       {"PressureWithoutValue", append("loads: {pressure: [{faces: rod}]}"), "6:20",
        "'loads.pressure.0' has no pressure (must have exactly one of value, blast)"},
@@ -47,6 +45,38 @@ std::vector<WrongDeck> wrong_sensor_decks() {
            "sensors: {go: {time: 1}}\nconditions: [{nodes: rod, fixed: [x], until: go}]\n",
        "7:39", "cannot be used with time.step_estimate: global"},
   };
+}
+
+/// `start` with a preload of the part rod.
+std::string start(const std::string& more) {
+  return "start: {relaxation: {}, preload: {b: {point: [0.5, 0.5, 0.3], normal: z, " + more + "}}}\n";
+}
+
+std::vector<WrongDeck> wrong_starts() {
+  return {
+      {"PreloadWithoutRelaxation",
+       append("start: {preload: {b: {part: rod, point: [0, 0, 0.3], normal: z, force: 1}}}"), "6:9",
+       "start.preload has no effect (it acts during a relaxation): give the key relaxation as well"},
+      {"PreloadWithoutForce", append(start("part: rod, force: 0")), "6:35",
+       "preload 'b' has force 0 (must pull or push): leave it out"},
+      {"PreloadOfAllParts", append(start("part: all, force: 1")), "6:35",
+       "preload 'b' is of part all (must be of one part): name the part"},
+      {"PreloadOfARigidPart",
+       change("material: steel}", "material: steel, rigid: true}") + start("part: rod, force: 1"), "6:35",
+       "preload 'b' is of part 'rod' (which is rigid and has no stresses)"},
+      {"PreloadOfRubber", change("model: elastic", "model: neo_hookean") + start("part: rod, force: 1"), "6:35",
+       "preload 'b' is of part 'rod' of material 'steel' (whose stress does not grow in increments)"},
+      {"PreloadThatLacksItsForce", append(start("part: rod")), "6:35", "force is missing"},
+      {"RelaxationToNothing", append("start: {relaxation: {tolerance: 0}}"), "6:33", "must be above 0 and below 1"},
+  };
+}
+
+}  // namespace
+
+std::vector<WrongDeck> wrong_load_decks() {
+  std::vector<WrongDeck> all = wrong_sensors();
+  for (const WrongDeck& deck : wrong_starts()) all.push_back(deck);
+  return all;
 }
 
 }  // namespace percuss
