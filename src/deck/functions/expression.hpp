@@ -3,9 +3,7 @@
 
 #include <muParser.h>
 
-#include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace percuss {
 
@@ -13,11 +11,8 @@ namespace percuss {
 /// of the library. Variables are defined after them.
 void define_functions(mu::Parser& parser);
 
-/// An expression is a pure function: no assignment, no text, nothing that is not arithmetic. Throws
-/// std::invalid_argument with the reason.
-void check_expression(std::string_view text);
-
-/// The parser's own message, without ends of lines.
-std::invalid_argument make_parser_error(const mu::Parser::exception_type& error);
+/// Gives the parser its expression: a pure function of one value, without assignment, text or what else is not
+/// arithmetic. Throws std::invalid_argument with the reason.
+void set_expression(mu::Parser& parser, const std::string& text);
 
 }  // namespace percuss

@@ -13,14 +13,7 @@ class PlaceFunction::Function {
     parser_.DefineVar("x", &place_[0]);
     parser_.DefineVar("y", &place_[1]);
     parser_.DefineVar("z", &place_[2]);
-    try {
-      parser_.SetExpr(text);
-      parser_.Eval();
-      if (parser_.GetNumResults() != 1)
-        throw std::invalid_argument("an expression gives one value; it has several, separated by commas");
-    } catch (const mu::Parser::exception_type& error) {
-      throw make_parser_error(error);
-    }
+    set_expression(parser_, text);
   }
 
   double at(const std::array<double, 3>& place) const {
@@ -36,7 +29,6 @@ class PlaceFunction::Function {
 };
 
 PlaceFunction PlaceFunction::expression(const std::string& text) {
-  check_expression(text);
   PlaceFunction function;
   function.function_ = std::make_shared<const Function>(text);
   return function;

@@ -30,10 +30,13 @@ bool read_table(const Reader& reader, const std::string& name, const Node& node,
   return true;
 }
 
-bool read_expression(const Reader& reader, const std::string& name, const Node& node, Curve& out) {
-  if (!reader.expect(node, Node::Kind::scalar, name, "a text, an expression of t")) return false;
+/// F: Curve or PlaceFunction.
+template <class F>
+bool read_expression(const Reader& reader, const std::string& name, const Node& node, const std::string& takes,
+                     F& out) {
+  if (!reader.expect(node, Node::Kind::scalar, name, takes)) return false;
   try {
-    out = Curve::expression(node.text);
+    out = F::expression(node.text);
     return true;
   } catch (const std::invalid_argument& reason) {
     reader.error(node.spot, fmt::format("{} is {}{} ({})", name, quote(node.text), reader.in(), reason.what()));
@@ -48,7 +51,7 @@ bool read_curve_map(const Reader& reader, const std::string& name, const Node& n
     if (entry.name == "table")
       good = read_table(inner, inner.name_of(entry.name), entry.value, out) && good;
     else if (entry.name == "expression")
-      good = read_expression(inner, inner.name_of(entry.name), entry.value, out) && good;
+      good = read_expression(inner, inner.name_of(entry.name), entry.value, "a text, an expression of t", out) && good;
     else {
       refuse_key(inner, entry, {"table", "expression"}, {});
       good = false;
@@ -77,14 +80,7 @@ Form CurveValue::form() const {
 
 bool PlaceFunctionValue::read(const Reader& reader, const std::string& name, const Node& node,
                               PlaceFunction& out) const {
-  if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
-  try {
-    out = PlaceFunction::expression(node.text);
-    return true;
-  } catch (const std::invalid_argument& reason) {
-    reader.error(node.spot, fmt::format("{} is {}{} ({})", name, quote(node.text), reader.in(), reason.what()));
-    return false;
-  }
+  return read_expression(reader, name, node, takes(), out);
 }
 
 bool CurveValue::read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const {

@@ -1,24 +1,22 @@
 #include "src/deck/output/history_keys.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/asked_for.hpp"
+#include "src/deck/keys/point_keys.hpp"
 #include "src/deck/output/force_keys.hpp"
 
 namespace percuss {
 namespace {
 
 Keys<HistoryPoint> make_point_keys() {
-  return {
-      need("name", &HistoryPoint::name, NameValue{}),
-      may("near", &HistoryPoint::near, vector3()),
-      may("id", &HistoryPoint::id, IntegerValue{1, std::numeric_limits<long>::max()}),
-      may("part", &HistoryPoint::part, PartNameValue{}),
-  };
+  Keys<HistoryPoint> keys = {need("name", &HistoryPoint::name, NameValue{})};
+  for (Key<HistoryPoint>& key : point_keys()) keys.push_back(std::move(key));
+  return keys;
 }
 
 const Keys<HistoryPoint>& node_keys() {
@@ -47,14 +45,6 @@ const Keys<HistoryPoint>& material_point_keys() {
 bool check_material_point(const Reader&, const Node& node, HistoryPoint& point) {
   point.place = node.spot.place;
   return true;
-}
-
-bool check_point(const Reader& reader, const Node& node, HistoryPoint& point) {
-  point.place = node.spot.place;
-  if (point.near.has_value() != point.id.has_value()) return true;
-  reader.error(node.spot, fmt::format("{} has {} (must have one of near and id)", reader.self(),
-                                      point.near ? "both near and id" : "neither near nor id"));
-  return false;
 }
 
 /// history.nodes, history.elements or history.points.

@@ -72,13 +72,8 @@ void TextLookup::fill_blocks() {
     const std::size_t corners = block.ids.empty() ? 0 : block.nodes.size() / block.ids.size();
     for (std::size_t e = 0; e < block.ids.size(); ++e)
       find_nodes(std::span(block.nodes).subspan(e * corners, corners), block.places[e]);
-    block.head.elements = static_cast<std::int64_t>(block.ids.size());
-    block.head.first_element = static_cast<std::int64_t>(to_.element_ids.size()) + 1;
-    to_.element_ids.insert(to_.element_ids.end(), block.ids.begin(), block.ids.end());
-    to_.blocks.push_back(block.head);
-    to_.corners.push_back(std::move(block.nodes));
-    to_.thicknesses.push_back(block.thicknesses);
-    if (!block.thicknesses.empty()) to_.thicknesses.back().resize(block.ids.size(), 0);
+    if (!block.thicknesses.empty()) block.thicknesses.resize(block.ids.size(), 0);
+    to_.add_block(block.head, block.ids, std::move(block.nodes), block.thicknesses);
   }
 }
 

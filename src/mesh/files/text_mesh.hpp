@@ -1,6 +1,8 @@
 #pragma once
 // The mesh of a text file in memory, all ids looked up (src/mesh/files/text_builder.hpp makes it).
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -22,6 +24,25 @@ struct TextContents {
   std::map<std::string, std::vector<std::int64_t>> nodes_of_sets, elements_of_sets;
   std::map<std::string, std::vector<FileSide>> sides_of_sets;  // sides are faces of the topology, from 1
   std::vector<std::string> notes;
+
+  /// Behind the others, with its elements by their ids.
+  void add_block(FileBlock block, const std::vector<std::int64_t>& ids, std::vector<std::int64_t> own_corners,
+                 std::vector<double> own_thicknesses) {
+    block.elements = static_cast<std::int64_t>(ids.size());
+    block.first_element = static_cast<std::int64_t>(element_ids.size()) + 1;
+    element_ids.insert(element_ids.end(), ids.begin(), ids.end());
+    blocks.push_back(std::move(block));
+    corners.push_back(std::move(own_corners));
+    thicknesses.push_back(std::move(own_thicknesses));
+  }
+
+  /// Its place among the blocks; their number: none is like it.
+  std::size_t find_block(const FileBlock& block) const {
+    const auto is_same = [&](const FileBlock& other) {
+      return other.first_element == block.first_element && other.elements == block.elements;
+    };
+    return static_cast<std::size_t>(std::find_if(blocks.begin(), blocks.end(), is_same) - blocks.begin());
+  }
 };
 
 class TextMesh : public MeshFile {
@@ -37,18 +58,12 @@ class TextMesh : public MeshFile {
   const std::vector<FileSet>& element_sets() const override { return of_.element_sets; }
   std::vector<Vec3> read_coordinates() const override { return of_.nodes; }
   std::vector<std::int64_t> read_connectivity(const FileBlock& block) const override {
-    for (std::size_t b = 0; b < of_.blocks.size(); ++b) {
-      if (of_.blocks[b].first_element == block.first_element && of_.blocks[b].elements == block.elements)
-        return of_.corners[b];
-    }
-    return {};
+    const std::size_t b = of_.find_block(block);
+    return b < of_.blocks.size() ? of_.corners[b] : std::vector<std::int64_t>{};
   }
   std::vector<double> read_thicknesses(const FileBlock& block) const override {
-    for (std::size_t b = 0; b < of_.blocks.size(); ++b) {
-      if (of_.blocks[b].first_element == block.first_element && of_.blocks[b].elements == block.elements)
-        return of_.thicknesses[b];
-    }
-    return {};
+    const std::size_t b = of_.find_block(block);
+    return b < of_.blocks.size() ? of_.thicknesses[b] : std::vector<double>{};
   }
   std::vector<std::int64_t> read_node_ids() const override { return of_.node_ids; }
   std::vector<std::int64_t> read_element_ids() const override { return of_.element_ids; }

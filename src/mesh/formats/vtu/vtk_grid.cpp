@@ -211,14 +211,8 @@ void VtkGridMesh::read() {
 }
 
 void VtkGridMesh::finish_blocks() {
-  for (Block& block : blocks_) {
-    block.head.elements = static_cast<std::int64_t>(block.ids.size());
-    block.head.first_element = static_cast<std::int64_t>(to_.element_ids.size()) + 1;
-    to_.element_ids.insert(to_.element_ids.end(), block.ids.begin(), block.ids.end());
-    to_.blocks.push_back(block.head);
-    to_.corners.push_back(std::move(block.nodes));
-    to_.thicknesses.push_back(std::move(block.thicknesses));
-  }
+  for (Block& block : blocks_)
+    to_.add_block(block.head, block.ids, std::move(block.nodes), std::move(block.thicknesses));
 }
 
 void VtkGridMesh::note_arrays(std::size_t skipped) {
