@@ -47,7 +47,7 @@ std::vector<double> ContactStage::find_pressures(Rows3<const double> x, double d
   if (!(dt > 0)) return pressures;
   const auto pushes = to_host(stage.enforcer.find_pushes());
   const AreaNodes& nodes = stage.find_areas(x);
-  const NodeFaces around{to_host(nodes.around.first), to_host(nodes.around.faces), to_host(nodes.around.areas)};
+  const HostNodeFaces around{to_host(nodes.around.first), to_host(nodes.around.faces), to_host(nodes.around.areas)};
   for (int i = 0; i < stage.share.nodes.count(); ++i) {
     const auto n = static_cast<std::size_t>(stage.share.nodes.mesh_nodes[static_cast<std::size_t>(i)]);
     double area = 0;

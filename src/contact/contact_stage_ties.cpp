@@ -42,7 +42,7 @@ Rows3<const double> ContactStage::Impl::place_at_start() const {
 void ContactStage::Impl::measure_late_areas(const Rows3<const double>& x) {
   if (!deck.contact.has_failing_ties()) return;
   const AreaNodes& of = find_areas(x);
-  const NodeFaces around{to_host(of.around.first), to_host(of.around.faces), to_host(of.around.areas)};
+  const HostNodeFaces around{to_host(of.around.first), to_host(of.around.faces), to_host(of.around.areas)};
   std::erase_if(ties_of_start.nodes, [&](TiedNode& tied) {
     const TieDeck& tie = deck.contact.ties[at(tied.tie)];
     if (!tie.can_fail() || !tie.is_late() || tied.area > 0) return false;

@@ -14,11 +14,12 @@ KOKKOS_INLINE_FUNCTION Point3 find_corner_area(const Point3 (&corner)[4], bool i
   return (0.5 * share) * cross(corner[2] - corner[0], corner[3] - corner[1]);
 }
 
-/// Faces around contact nodes, with the share of a corner in the area vector of each.
-struct NodeFaces {
-  Array<const int> first;     // [nodes + 1] into faces
-  Array<const int> faces;     // around each node
-  Rows3<const double> areas;  // [faces] find_corner_area() [area]
+/// Faces around contact nodes, with the share of a corner in the area vector of each, in a memory.
+template <class Memory>
+struct NodeFacesIn {
+  Kokkos::View<const int*, Kokkos::LayoutRight, Memory> first;         // [nodes + 1] into faces
+  Kokkos::View<const int*, Kokkos::LayoutRight, Memory> faces;         // around each node
+  Kokkos::View<const double* [3], Kokkos::LayoutRight, Memory> areas;  // [faces] find_corner_area() [area]
 
   /// Area of node i that faces against a direction: the sum of what the faces around it show to one who looks along it.
   /// Faces that are turned away by more than 60 degrees, such as the sides at the foot of a block, are left out.
@@ -33,9 +34,13 @@ struct NodeFaces {
     return area;
   }
 };
+using NodeFaces = NodeFacesIn<MemSpace>;
+using HostNodeFaces = NodeFacesIn<HostMirror<Array<int>>::memory_space>;
 
 /// Impulse of a node over the area that it acts on [stress x time]; 0 where there is no such area.
-KOKKOS_INLINE_FUNCTION double find_press(const NodeFaces& around, int i, const Point3& impulse, double& area) {
+template <class Memory>
+KOKKOS_INLINE_FUNCTION double find_press(const NodeFacesIn<Memory>& around, int i, const Point3& impulse,
+                                         double& area) {
   const double size = std::sqrt(dot(impulse, impulse));
   area = size > 0 ? around.find_area(i, (1 / size) * impulse) : 0;
   return area > 0 ? size / area : 0;

@@ -16,8 +16,8 @@ void add(SideBits& side, std::uint32_t bit, bool is_first) { (is_first ? side.on
 
 /// Number in the whole mesh of the node at a place of the rows.
 struct PlaceNumbers {
-  Array<const int> nodes;
-  Array<const std::int64_t> foreign, numbers;
+  decltype(to_host(Array<const int>())) nodes;
+  decltype(to_host(Array<const std::int64_t>())) foreign, numbers;
   int num_nodes;
 
   std::int64_t operator()(int place) const {
@@ -26,7 +26,8 @@ struct PlaceNumbers {
 };
 
 /// The direction in which a face pushes, from its corners: that of a tie's row has none of its own.
-Point3 find_push_of_face(const ContactRow& row, const Rows3<const double>& x) {
+template <class Places>
+Point3 find_push_of_face(const ContactRow& row, const Places& x) {
   const auto corner = [&](int i) { return load_row(x, row.place[i + 1]); };
   return cross(corner(2) - corner(0), corner(3) - corner(1));
 }

@@ -53,10 +53,25 @@ double find_largest(const double* s) {
   return largest;
 }
 
+Array<RecordLayout> find_layouts(const ElementChunks& chunks) {
+  const Array<RecordLayout> layouts("percuss::record_layouts", at(chunks.count));
+  Kokkos::parallel_for(
+      "percuss::find_record_layouts", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        layouts(c) = {chunks.points(c), is_shell(chunks, c) ? find_layer_size(chunks, c) : 0,
+                      chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain),
+                      chunks.find_scalar(c, HistoryScalar::temperature)};
+      });
+  ExecSpace().fence();
+  return layouts;
+}
+
 }  // namespace
 
 StartRecords::StartRecords(const Mesh& mesh, const Model& model, const State& state)
-    : mesh_(mesh), model_(model), chunks_(model.chunks), records_(to_host(state.elements)) {}
+    : mesh_(mesh),
+      chunks_(model.chunks),
+      layouts_(to_host(find_layouts(model.chunks))),
+      records_(to_host(state.elements)) {}
 
 StartRecords::Lanes StartRecords::find_lanes(const StartElement& of) const {
   const int i = of.element - chunks_.first_element(of.chunk);
@@ -75,7 +90,7 @@ double StartRecords::get(const StartElement& of, int place) const {
 
 std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& row) const {
   const std::int64_t layer = row.layer;
-  const int dimension = mesh_.topology_of(at(of.element)).dimension, points = model_.chunks.points(of.chunk);
+  const int dimension = mesh_.topology_of(at(of.element)).dimension, points = layout(of).points;
   if (dimension == 1)
     return fmt::format("is a beam (beams take no {} from files)", row.stress != nullptr           ? "stress"
                                                                   : row.plastic_strain != nullptr ? "plastic strain"
@@ -86,27 +101,26 @@ std::string StartRecords::find_obstacle(const StartElement& of, const StartRow& 
 }
 
 std::string StartRecords::set_history(const StartElement& of, HistoryScalar name, std::int64_t layer, double value) {
-  const ElementChunks& chunks = model_.chunks;
-  const int place = chunks.find_scalar(of.chunk, name), points = chunks.points(of.chunk);
+  const auto [points, layer_size, plastic_strain, temperature] = layout(of);
+  const int place = name == HistoryScalar::temperature ? temperature : plastic_strain;
   if (place < 0 && name == HistoryScalar::equivalent_plastic_strain && value == 0) return "";
   if (place < 0)
     return fmt::format("has a {} (its material has none)",
                        name == HistoryScalar::temperature ? "temperature" : "plastic strain");
-  const int apart = is_shell(chunks, of.chunk) ? find_layer_size(chunks, of.chunk) : 1;
+  const int apart = std::max(1, layer_size);
   for (int p = 0; p < points; ++p)
     if (layer == 0 || layer == p + 1) set(of, place + p * apart, value);
   return "";
 }
 
 double StartRecords::set_solid_stress(const StartElement& of, const double* stress) {
-  for (int p = 0; p < model_.chunks.points(of.chunk); ++p)
+  for (int p = 0; p < layout(of).points; ++p)
     for (int k = 0; k < 6; ++k) set(of, HexRecord::stress + 6 * p + k, stress[k]);
   return find_element_volume(mesh_, at(of.element)) * find_energy(of.moduli, stress);
 }
 
 /// In the frame of the shell: each layer has its stress in the plane, the shear across is the mean of all layers.
 std::string StartRecords::set_shell_stress(const StartElement& of, const StartRow& row, double& energy) {
-  const ElementChunks& chunks = model_.chunks;
   const double thickness = get(of, ShellRecord::thickness);
   const ShellPlace place = find_place(mesh_, at(of.element), thickness, of.moduli.mu);
   const double* const g = row.stress;
@@ -116,8 +130,8 @@ std::string StartRecords::set_shell_stress(const StartElement& of, const StartRo
         "has the stress {:.4g} across its surface (shells have none): is the file of a shape that has "
         "turned since time 0?",
         s.zz);
-  const ThicknessPoints rule = find_thickness_points(chunks.points(of.chunk));
-  const int size = find_layer_size(chunks, of.chunk);
+  const ThicknessPoints rule = find_thickness_points(layout(of).points);
+  const int size = layout(of).layer_size;
   const double volume = place.area * thickness, in_plane[6] = {s.xx, s.yy, 0, s.xy, 0, 0};
   double weight = 0;
   for (int p = 0; p < rule.count; ++p) {
@@ -146,7 +160,7 @@ std::string StartRecords::write(const StartElement& of, const StartRow& row, dou
   if (why.empty() && row.temperature != nullptr)
     why = set_history(of, HistoryScalar::temperature, row.layer, *row.temperature);
   if (!why.empty() || row.stress == nullptr) return why;
-  if (is_shell(model_.chunks, of.chunk)) return set_shell_stress(of, row, energy);
+  if (layout(of).layer_size > 0) return set_shell_stress(of, row, energy);
   energy = set_solid_stress(of, row.stress);
   return "";
 }

@@ -8,6 +8,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/material/elastic.hpp"
+#include "src/index.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/step/model/state.hpp"
 
@@ -26,6 +27,13 @@ struct StartElement {
   int chunk;
   int element;
   LameConstants moduli;
+};
+
+/// Where the elements of a chunk keep what files give them.
+struct RecordLayout {
+  int points;
+  int layer_size;                   // of shells; 0: these are none
+  int plastic_strain, temperature;  // places of the first point's, -1: the material has none
 };
 
 class StartRecords {
@@ -51,10 +59,11 @@ class StartRecords {
   std::string find_obstacle(const StartElement& of, const StartRow& row) const;
   void set(const StartElement& of, int place, double value);
   double get(const StartElement& of, int place) const;
+  const RecordLayout& layout(const StartElement& of) const { return layouts_(at(of.chunk)); }
 
   const Mesh& mesh_;
-  const Model& model_;
   HostChunks chunks_;
+  HostMirror<Array<RecordLayout>> layouts_;
   decltype(to_host(std::declval<const Array<Real>&>())) records_;
 };
 
