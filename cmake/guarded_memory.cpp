@@ -77,19 +77,23 @@ void note_touch(Guard& of) {
   ++known->times;
 }
 
+/// In one piece: other ranks write there too.
 void write_touch(const Touch& touch) {
+  constexpr int bytes_of_frame = 20, bytes_before = 80;
+  std::array<char, bytes_before + bytes_of_frame * Touch::depth> line{};
+  int used = std::snprintf(line.data(), line.size(), "host reads memory of kernels: %ld times at", touch.times);
   Dl_info program;
   ::dladdr(reinterpret_cast<void*>(&open_guard), &program);
-  std::fprintf(stderr, "host reads memory of kernels: %ld times at", touch.times);
   for (int i = 0; i < touch.count; ++i) {
+    void* const frame = touch.frames[static_cast<std::size_t>(i)];
     Dl_info info;
-    if (::dladdr(touch.frames[static_cast<std::size_t>(i)], &info) == 0 || info.dli_fbase != program.dli_fbase)
-      continue;
-    const auto offset =
-        static_cast<char*>(touch.frames[static_cast<std::size_t>(i)]) - static_cast<char*>(info.dli_fbase);
-    std::fprintf(stderr, " %#zx", static_cast<std::size_t>(offset) - (i > 0 ? 1 : 0));
+    if (::dladdr(frame, &info) == 0 || info.dli_fbase != program.dli_fbase) continue;
+    const auto offset = static_cast<std::size_t>(static_cast<char*>(frame) - static_cast<char*>(info.dli_fbase));
+    used += std::snprintf(line.data() + used, line.size() - static_cast<std::size_t>(used), " %#zx",
+                          offset - (i > 0 ? 1 : 0));
   }
-  std::fputc('\n', stderr);
+  line[static_cast<std::size_t>(used)] = '\n';
+  std::fputs(line.data(), stderr);
 }
 
 /// A touch from outside: noted, then let pass for one instruction.
@@ -198,6 +202,7 @@ MemoryGuard::~MemoryGuard() {
   it.protect(PROT_READ | PROT_WRITE);
   it.works = false;
   for (int i = 0; i < it.num_touches; ++i) write_touch(it.touches[static_cast<std::size_t>(i)]);
+  if (it.open == 0) std::fprintf(stderr, "host reads memory of kernels: %d calls\n", it.num_touches);
 }
 
 long MemoryGuard::count_touches() {

@@ -48,6 +48,7 @@ class OpenGuard {
 
 /// The guard acts while one of these lives, after Kokkos has been initialized. The end writes the places at which the
 /// host touched the memory, with how often, to standard error: addresses of the program from the inside to the outside.
+/// Last comes how many of these there are, unless a kernel has not ended (scripts/list_host_reads reads it all).
 class MemoryGuard {
  public:
   MemoryGuard();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "comm/communicator.hpp"
+#include "kernels/core/guarded_memory.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {
@@ -30,6 +31,9 @@ class ComputeSession {
  private:
   std::string note_;
   Kokkos::ScopeGuard kokkos_;
+#if defined(PERCUSS_MEMORY_APART)
+  MemoryGuard guard_;
+#endif
 };
 
 }  // namespace percuss
