@@ -64,7 +64,8 @@ bool do_beams_touch(const CheckedScene& scene, std::size_t part) {
 Flight::Flight(const CheckedScene& scene, std::size_t part) {
   const PartMeasures& measures = scene.measures->parts[part];
   const Deck& deck = scene.deck;
-  double half = 0.5 * measures.shell_thickness;
+  double& half = half_thickness_;
+  half = 0.5 * measures.shell_thickness;
   const PartDeck& own = deck.parts[part];
   if (own.section && do_beams_touch(scene, part))
     half = std::max(half, own.contact_radius.value_or(find_contact_radius(*own.section)));
@@ -136,6 +137,16 @@ Flight::Box Flight::find_box(double time) const {
     const double fall = 0.5 * gravity_[k] * time * time;
     box.low[k] += velocity_low_[k] * time + fall + driven_.low[k];
     box.high[k] += velocity_high_[k] * time + fall + driven_.high[k];
+  }
+  return box;
+}
+
+Flight::Box Flight::find_box(double time, const WallDeck& wall) const {
+  Box box = find_box(time);
+  const double left_out = wall.includes_thickness ? 0 : half_thickness_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] += left_out;
+    box.high[k] -= left_out;
   }
   return box;
 }
@@ -216,12 +227,12 @@ double find_height_over_round(const Flight::Box& box, const WallDeck& wall) {
 }  // namespace
 
 double find_meeting(const Flight& part, const WallDeck& wall, double end, double share) {
-  const double gap = share * find_size(part.find_box(0));
+  const double gap = share * find_size(part.find_box(0, wall));
   if (wall.is_round()) {
     const double bend_rate = std::sqrt(dot(part.gravity(), part.gravity())) / 8;
     return find_first(end, [&](double from, double to) {
       // Between two times a flight comes nearer than at either by at most half of its way.
-      const Flight::Box box = part.find_box(from), next = part.find_box(to);
+      const Flight::Box box = part.find_box(from, wall), next = part.find_box(to, wall);
       double way = 0;
       for (std::size_t k = 0; k < 3; ++k) way += std::abs(next.low[k] - box.low[k]);
       const double nearest = std::min(find_height_over_round(box, wall), find_height_over_round(next, wall));
@@ -230,12 +241,13 @@ double find_meeting(const Flight& part, const WallDeck& wall, double end, double
   }
   return find_first(end, [&](double from, double to) {
     const double bend = std::abs(dot(part.gravity(), wall.normal)) * (to - from) * (to - from) / 8;
-    return std::min(find_height(part.find_box(from), wall), find_height(part.find_box(to), wall)) <= gap + bend;
+    return std::min(find_height(part.find_box(from, wall), wall), find_height(part.find_box(to, wall), wall)) <=
+           gap + bend;
   });
 }
 
 double find_gap(const Flight& part, const WallDeck& wall, double time) {
-  const Flight::Box box = part.find_box(time);
+  const Flight::Box box = part.find_box(time, wall);
   return wall.is_round() ? find_height_over_round(box, wall) : find_height(box, wall);
 }
 
@@ -251,7 +263,7 @@ Vec3 find_wall_direction(const WallDeck& wall) { return wall.is_round() ? wall.d
 // Between two times a wall and a part come nearer than at either by at most half of their ways.
 bool does_wall_reach(const WallDeck& wall, const Flight& part, double end) {
   const Vec3 direction = find_wall_direction(wall);
-  const double margin = touching_share * find_size(part.find_box(0));
+  const double margin = touching_share * find_size(part.find_box(0, wall));
   WallDeck moved = wall;
   double way = 0, last = 0, last_gap = 0;
   for (int i = 0; i <= pieces; ++i) {
@@ -262,7 +274,8 @@ bool does_wall_reach(const WallDeck& wall, const Flight& part, double end) {
     for (std::size_t k = 0; k < 3; ++k) moved.point[k] = wall.point[k] + way * direction[k];
     const double gap = find_gap(part, moved, time);
     double travel = std::abs(way - last);
-    const Flight::Box box = part.find_box(time), before = part.find_box(i == 0 ? 0 : end * (i - 1) / pieces);
+    const Flight::Box box = part.find_box(time, wall),
+                      before = part.find_box(i == 0 ? 0 : end * (i - 1) / pieces, wall);
     for (std::size_t k = 0; k < 3; ++k) travel += std::abs(box.low[k] - before.low[k]);
     if (std::min(gap, i == 0 ? gap : last_gap) - 0.5 * travel <= margin) return true;
     last = way;
@@ -283,8 +296,8 @@ bool do_separate(const Flight& a, const Flight& b, double end) {
 
 bool do_separate(const Flight& part, const WallDeck& wall, double end) {
   if (wall.is_round()) return false;
-  return is_growing(end, find_size(part.find_box(0)),
-                    [&](double time) { return find_height(part.find_box(time), wall); });
+  return is_growing(end, find_size(part.find_box(0, wall)),
+                    [&](double time) { return find_height(part.find_box(time, wall), wall); });
 }
 
 }  // namespace percuss

@@ -23,6 +23,9 @@ class Flight {
   /// Where the part is, half its thickness included.
   Box find_box(double time) const;
 
+  /// The same as a wall meets it: its nodes, with half its thickness only where the wall includes that.
+  Box find_box(double time, const WallDeck& wall) const;
+
   const Vec3& gravity() const { return gravity_; }
 
   /// Whether no condition holds the part and all its nodes have one velocity.
@@ -42,6 +45,7 @@ class Flight {
 
  private:
   Box start_{};
+  double half_thickness_ = 0;
   Vec3 velocity_low_{}, velocity_high_{}, gravity_{};  // gravity: 0 where it changes in time
   Box driven_{};                                       // range of the displacement that conditions prescribe
   double speed_ = 0;                                   // of its fastest node

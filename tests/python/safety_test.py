@@ -167,6 +167,13 @@ class AtTheEnd(OfAFolder):
         self.assertEqual(self.find_hash("a"), self.find_hash("whole"))
         self.assertEqual(self.read("a", "history.csv"), self.read("whole", "history.csv"))
 
+    def test_a_run_of_which_nothing_is_left_is_told(self):
+        self.run_scene("scene.yaml", "a")
+        told = self.call("run", "scene.yaml", "--restart", "a/checkpoint.h5", "--out", "b")
+        self.assertRegex(told, r"nothing is left to compute \(the checkpoint is of t = 1e-05 and step [0-9]+, the end of this run\): raise time.end")
+        told = self.call("run", "scene.yaml", "--restart", "a/checkpoint.h5", "--out", "c", "--set", "time.end=2e-5")
+        self.assertNotIn("nothing is left", told)
+
     def test_it_is_told_with_its_size_and_can_be_left_out(self):
         told = self.call("run", "scene.yaml", "--out", "a")
         self.assertRegex(told, r"checkpoint: a/checkpoint.h5, [0-9.]+ MB, of the end: a later time.end and --restart continue the run")

@@ -40,9 +40,9 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
   if (!is_short && steps <= most) return {};
   double elements = 0;
   for (const PartMeasures& part : scene.measures->parts) elements += static_cast<double>(part.elements());
-  const std::string why = is_short
-                              ? std::string("waves cross fewer than five elements")
-                              : fmt::format("they take {} on one core", describe_wait(steps * elements * element_time));
+  const std::string why = is_short ? std::string("waves cross fewer than five elements")
+                                   : fmt::format("their elements alone take {} on one core; percuss plan estimates all",
+                                                 describe_wait(steps * elements * element_time));
   return {
       warn_at(scene.deck, "end_time", "time.end",
               fmt::format("time.end = {:g} takes about {:.2g} step{} of {:.2g} ({}): check its unit and those of the "

@@ -203,6 +203,11 @@ void Run::loop() {
     observe();
   } else {
     keep_frame();  // as the run did that wrote the checkpoint; what it kept before is not in there
+    if (is_finished())
+      say(
+          {fmt::format("note: nothing is left to compute (the checkpoint is of t = {:g} and step {}, the end of this "
+                       "run): raise time.end or time.max_steps to continue",
+                       state_.time, state_.step)});
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.

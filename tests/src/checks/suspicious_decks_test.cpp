@@ -95,6 +95,26 @@ TEST(CheckRules, NameNoPenaltyScaleThatAddsEnergy) {
   EXPECT_EQ(text.find("a penalty_scale of "), std::string::npos) << text;
 }
 
+/// A tube of sheets 1.5 thick, whose nodes end at z = 150, and a wall at 151 that comes for 5 ms.
+std::string tell_wall(const std::string& of_wall) {
+  return list(
+      check("units: mm, t, s\ntime: {end: 5.0e-3}\n"
+            "parts:\n  tube: {shell_box_tube: {size: [50, 50], length: 150, cells: [4, 4, 8]}, thickness: 1.5, "
+            "material: steel}\n"
+            "materials:\n  steel: {model: elastic, density: 7.85e-9, youngs_modulus: 210e3, poissons_ratio: 0.3}\n"
+            "conditions: [{nodes: tube/start, fixed: [x, y, z, rx, ry, rz]}]\n"
+            "walls: [{point: [0, 0, 151], normal: -z, mass: 0.1, " +
+            of_wall + "}]\ncontact: {surfaces: all}\n"));
+}
+
+TEST(CheckRules, SayHowFarAWallIsFromSheets) {
+  EXPECT_THAT(tell_wall("start_speed: 100"), testing::HasSubstr("it moves 0.5 and starts 1 away"));
+  EXPECT_THAT(tell_wall("start_speed: 10, thickness: included"),
+              testing::HasSubstr("it moves 0.05 and starts 0.25 away"));
+  EXPECT_THAT(tell_wall("start_speed: 100, thickness: included"), testing::Not(testing::HasSubstr("wall_motion")));
+  EXPECT_THAT(tell_wall("start_speed: 300"), testing::Not(testing::HasSubstr("wall_motion")));
+}
+
 TEST(CheckRules, FindNothingInASoundDeck) { EXPECT_EQ(list(check(sound_deck)), ""); }
 
 TEST(CheckRules, AreAllTriedByADeck) {
