@@ -262,11 +262,17 @@ void Stepper::resolve_contact(State& state, double dt) {
   report_ = contact_.apply(motion);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
+}
+
+PhaseClocks Stepper::read_clocks() const {
+  PhaseClocks all = clocks_;
+  if (!contact_.is_active()) return all;
   const ContactClocks spent = contact_.clocks();
-  clocks_.contact_rcb = spent.decomposition;
-  clocks_.contact_search = spent.search;
-  clocks_.contact_check = spent.check;
-  clocks_.contact_enforce = spent.enforce;
+  all.contact_rcb = spent.decomposition;
+  all.contact_search = spent.search;
+  all.contact_check = spent.check;
+  all.contact_enforce = spent.enforce;
+  return all;
 }
 
 /// Rigid bodies get the impulses of contact; welded nodes move as one, and constrained ones equally, whatever else acts

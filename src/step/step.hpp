@@ -115,8 +115,10 @@ class Stepper {
   /// Whether the step comes from the largest eigenvalue of the mesh; how often that was estimated and what it brought.
   bool estimates_steps() const { return global_ != nullptr; }
   StepEstimateReport step_estimates() const { return global_ ? global_->report() : StepEstimateReport{}; }
+  /// Of the phases but those of contact, which has its own.
   PhaseClocks& clocks() { return clocks_; }
-  const PhaseClocks& clocks() const { return clocks_; }
+  /// Of all phases so far, also of what contact looks at between steps.
+  PhaseClocks read_clocks() const;
 
  private:
   bool are_nodes_free() const;

@@ -79,7 +79,7 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   summary.mass.energy = run.state.books.added_energy;
   summary.mass.added += summary.mass.in_run;
   summary.mass.share = summary.mass.added / before;
-  summary.phases_s = run.stepper.clocks().wall();
+  summary.phases_s = run.stepper.read_clocks().wall();
   summary.peak_bytes = find_peak_bytes();
   take_largest(ranks, summary);
   const double work = static_cast<double>(summary.elements) * static_cast<double>(run.steps);
@@ -102,7 +102,7 @@ RankRow make_rank_row(const SummedRun& run) {
   const SearchLoad load = run.contact.load();
   row.contact_nodes = load.nodes;
   row.contact_faces = load.faces;
-  row.compute = run.stepper.clocks().compute();
+  row.compute = run.stepper.read_clocks().compute();
   row.compute_loop = run.compute_s;
   if (run.steps == 0) return row;
   const auto steps = static_cast<double>(run.steps);
