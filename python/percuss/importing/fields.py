@@ -116,6 +116,13 @@ class Row:
             self.fail(name, "must be positive")
         return value
 
+    def not_negative(self, name: str) -> float:
+        """A number that must be 0 or more."""
+        value = self.number(name)
+        if value < 0:
+            self.fail(name, "must not be negative")
+        return value
+
     def or_default(self, name: str, default: float) -> float:
         """The field as a number, where 0 means a default too."""
         return self.number(name) or default

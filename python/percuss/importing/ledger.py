@@ -1,11 +1,14 @@
 """What became of every card: translated, approximated, ignored or refused."""
 
 import fnmatch
+import re
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple
 
 NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
+SILENT = "nothing comes of it: no card that is translated refers to it, or what it refers to is left out"
+ELSEWHERE = "what becomes of it stands in a row of the card that uses it"
 NO_COUNTERPART = "percuss has no counterpart"
 
 
@@ -71,9 +74,34 @@ class Ledger:
     used_patterns: set[str] = field(default_factory=set)
     files: set[str] = field(default_factory=set)  # that the model is read from
     lost_parts: bool = False  # elements of the model are not in the deck
+    cards: list[tuple[str, Place, int]] = field(default_factory=list)  # all that are read, with their last lines
+    told: dict[str, bytearray] = field(default_factory=dict)  # by file: lines that an entry is about
+
+    def expect(self, card: str, place: Place, last: int) -> None:
+        """A card of the deck, which the report must name. last: its last line."""
+        self.cards.append((card, place, last))
+
+    def tells_of(self, first: Place, last: int) -> bool:
+        """Whether an entry is about one of these lines."""
+        return 1 in self.told.get(first.file, b"")[first.line : last + 1]
+
+    def note_silent(self) -> None:
+        """Cards of which no entry was made at their own lines."""
+        order = list(Status)
+        found: dict[str, Status] = {}  # the worst outcome of a keyword
+        for entry in self.entries.values():
+            name = re.split("[.,]", entry.card)[0]
+            found[name] = min(found.get(name, entry.status), entry.status, key=order.index)
+        for card, place, last in self.cards:
+            if self.tells_of(place, last) or found.get(card) is Status.REFUSED:
+                continue
+            self.note(card, found.get(card, Status.IGNORED), place, ELSEWHERE if card in found else SILENT)
 
     def note(self, card: str, status: Status, place: Place, text: str) -> None:
         """Adds one card to its row."""
+        lines = self.told.setdefault(place.file, bytearray())
+        lines.extend(bytes(max(place.line + 1 - len(lines), 0)))
+        lines[place.line] = 1
         key = (card, status, text)
         if key in self.entries:
             self.entries[key].count += 1

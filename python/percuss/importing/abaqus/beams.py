@@ -1,5 +1,7 @@
 """*BEAM SECTION, *BEAM GENERAL SECTION, and the areas of trusses: cross sections of beams."""
 
+from collections.abc import Iterable
+
 from .. import laws
 from ..ledger import BadInput
 from ..model import Block as Part
@@ -21,11 +23,20 @@ def read_beam_section(section: Section, block: Block) -> None:
         section.toward = [block.number(block.lines[1], i) for i in range(3)]
 
 
+def check_sizes(section: Section, which: Iterable[int]) -> None:
+    """Numbers of the first line, from 0, that must be positive."""
+    if not section.sizes:
+        raise BadInput(section.place, "this beam section has no dimensions: add a line with them")
+    for i in which:
+        if section.sizes[i] <= 0:
+            raise BadInput(section.place, f"number {i + 1} of the dimensions of this beam section is {section.sizes[i]:g} (it must be positive): correct it")
+
+
 def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
     """The section of a part; None where it is refused."""
     if section.kind == "SOLID":  # of trusses
         if section.area <= 0:
-            raise BadInput(section.place, "the area of this truss is not positive: correct it")
+            raise BadInput(section.place, f"the area of this truss is {section.area:g} (it must be positive): correct it")
         return {"truss": {"area": section.area}}
     sizes = section.sizes
     if section.general and section.shape == "GENERAL":
@@ -33,8 +44,7 @@ def make_section(deck: AbaqusDeck, section: Section) -> Deck | None:
     if section.shape not in DIMENSIONS:
         deck.ledger.refuse("BEAM SECTION.SECTION", section.place, f"a section of type {section.shape or '(none)'}", "it is left out")
         return None
-    if not sizes or min(sizes) <= 0:
-        raise BadInput(section.place, "a dimension of this beam section is not positive: correct it")
+    check_sizes(section, range(len(sizes)))
     if section.shape == "CIRC":
         return {"round": {"radius": sizes[0]}}
     if section.shape == "PIPE":
@@ -78,7 +88,7 @@ def add_beam_keys(deck: AbaqusDeck, section: Section, part: Part, law: Deck) -> 
     if section.added and "general" not in found:
         deck.ledger.refuse("BEAM ADDED INERTIA", section.added[0].place, "added inertia of sections other than GENERAL", "it is left out")
     deck.ledger.approximated(
-        f"{section.kind} SECTION", section.place, "percuss has one beam: normal stress in fibres, elastic shear and torque"
+        section.keyword, section.place, "percuss has one beam: normal stress in fibres, elastic shear and torque"
     )
     return True
 
@@ -121,8 +131,7 @@ def read_general_law(section: Section) -> Deck:
 def make_general(deck: AbaqusDeck, section: Section) -> Deck | None:
     """A I11 I12 I22 J: n1 is y of percuss, and I11 the moment about it."""
     area, about_y, mixed, about_z, torsion = section.sizes
-    if min(area, about_y, about_z, torsion) <= 0:
-        raise BadInput(section.place, "an area or a moment of this beam section is not positive: correct it")
+    check_sizes(section, (0, 1, 3, 4))
     if mixed:
         deck.ledger.refuse("BEAM GENERAL SECTION.I12", section.place, "axes of a section that are not its principal ones", "I12 is left out")
     young, shear, density = read_moduli(section)

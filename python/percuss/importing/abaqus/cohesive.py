@@ -66,6 +66,7 @@ def find_bonds(deck: AbaqusDeck, section: Section, block: Block) -> Bonds | None
     found = deck.materials.get(section.material.upper())
     if found is None:
         raise BadInput(section.place, missing(f"material '{clip(section.material)}'"))
+    deck.used_materials.add(section.material.upper())
     lines = [line for line in block.lines if any(line[1])]
     thickness = (block.number(lines[0], 0) if lines else 0.0) or 1.0
     if thickness < 0:

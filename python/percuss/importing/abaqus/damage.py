@@ -32,8 +32,8 @@ def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) ->
     for block in found["TENSILE FAILURE"]:
         failure["pressure"] = abs(block.number(need_line(block), 0))
         deck.ledger.translated("TENSILE FAILURE", block.place, "failure at a mean tension")
-    if any(block.option("ELEMENT DELETION") == "NO" for block in blocks):
-        deck.ledger.refuse("SHEAR FAILURE.ELEMENT DELETION", blocks[0].place, "failed elements that stay", "they are removed")
+    if staying := next((block for block in blocks if block.option("ELEMENT DELETION") == "NO"), None):
+        deck.ledger.refuse(f"{staying.keyword}.ELEMENT DELETION", staying.place, "failed elements that stay", "they are removed")
     if {"plastic_strain", "johnson_cook", "triaxiality", "shear"} & failure.keys() and not laws.has(law, "has_plastic_strain"):
         place = (found["DAMAGE INITIATION"] or found["SHEAR FAILURE"])[0].place
         raise BadInput(place, "failure at a plastic strain of a material that does not yield: add *PLASTIC or remove the failure")

@@ -107,6 +107,9 @@ class AbaqusDeck:
         self.load_writers: dict[tuple, Callable] = {}
         self.transformed: set[int] = set()  # nodes of *TRANSFORM
         self.frictions: dict[str, float] = {}  # of *SURFACE INTERACTION
+        self.interactions: dict[str, list[Block]] = {}  # *SURFACE INTERACTION with its friction and bonds
+        self.used_interactions: set[str] = set()  # that contact names
+        self.used_materials: set[str] = set()  # that sections name
         self.glues: dict[str, list[Block]] = {}  # likewise, of bonds
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
         self.body_velocities: dict[int, list[float]] = {}  # of reference nodes: of translation, and of rotation
@@ -250,6 +253,7 @@ class AbaqusDeck:
         """Of *SURFACE INTERACTION."""
         if name.upper() not in self.frictions:
             raise BadInput(place, missing(f"*SURFACE INTERACTION '{clip(name)}'"))
+        self.used_interactions.add(name.upper())
         return self.frictions[name.upper()]
 
     # --- names in the deck of percuss

@@ -37,6 +37,7 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     material = deck.materials.get(name.upper())
     if material is None:
         raise BadInput(place, missing(f"material '{clip(name)}'"))
+    deck.used_materials.add(name.upper())
     material = settle_temperature(deck, name, material)
     density = find(material, "DENSITY")
     if density is None:

@@ -85,6 +85,10 @@ class Section:
     general: Block | None = None  # *BEAM GENERAL SECTION, which has a material of its own
     added: list[Block] = field(default_factory=list)  # *BEAM ADDED INERTIA behind it
 
+    @property
+    def keyword(self) -> str:
+        return f"{self.kind}{' GENERAL' if self.general else ''} SECTION"
+
 
 @dataclass
 class SpringSet:

@@ -115,6 +115,6 @@ def read_angles(deck: AbaqusDeck, section: Section) -> list[Layer]:
             main, own = (find_axis_of_shells(deck, name, section, normals) for name in (section.orientation, layer.orientation))
             angle = find_angle(normals, main, own)
         if angle is None:
-            deck.ledger.refuse(f"{section.kind} SECTION.COMPOSITE", section.place, f"the orientation {clip(layer.orientation)} of a layer, at angles that differ between its shells", "its angle is 0")
+            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place, f"the orientation {clip(layer.orientation)} of a layer, at angles that differ between its shells", "its angle is 0")
         layers.append(Layer(layer.material, layer.thickness / total, angle or 0.0))
     return layers

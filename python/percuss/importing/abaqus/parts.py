@@ -35,7 +35,7 @@ def build_parts(deck: AbaqusDeck) -> None:
             if section.kind == "SHELL":
                 build_part(deck, section, number, "", found[section.layers[0].material][1], found)
                 continue
-            deck.ledger.refuse(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of several materials or angles", "its elements are left out")
+            deck.ledger.refuse(f"{section.keyword}.COMPOSITE", section.place, "layers of several materials or angles", "its elements are left out")
             main = None
         if main:
             build_part(deck, section, number, *main, {})
@@ -105,7 +105,7 @@ def one_layer(deck: AbaqusDeck, section: Section, found: "dict[str, tuple[str, D
     if has_axes(law) and any(layer.angle or layer.orientation for layer in section.layers):
         return False
     section.layers = []
-    deck.ledger.translated(f"{section.kind} SECTION.COMPOSITE", section.place, "layers of one material are one layer")
+    deck.ledger.translated(f"{section.keyword}.COMPOSITE", section.place, "layers of one material are one layer")
     return True
 
 
@@ -139,7 +139,7 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
         add_damping(deck, section, part, law)
         deck.model.blocks.append(part)
         add_controls(deck, section, part)
-        deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
+        deck.ledger.translated(section.keyword, section.place, "a part")
 
 
 def add_controls(deck: AbaqusDeck, section: Section, part: Part) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from ..fields import clip
-from ..ledger import BadInput, Ledger, Place
+from ..ledger import BadInput, Ledger, Place, Status
 from ..model import Model
 from ..text_files import suggest, suggest_place
 from . import bodies, cohesive, conditions, contact, damage, embedded, equations, general_contact, generators, heat, initial, loads, outputs, surfaces
@@ -25,6 +25,7 @@ from .section_cards import read_distribution, read_section, read_transverse_shea
 from .springs import add_springs, read_spring
 from .tables import TABLES, finish_tables
 from .timeline import StepTime
+from .unused import last_line, note_definitions
 from .user_code import apply_states, note_fields
 
 T = TypeVar("T")
@@ -42,6 +43,13 @@ IGNORED = {
     "CONTACT INITIALIZATION DATA": "overlaps at the start stay without force",
     "DISTRIBUTION TABLE": "units of distributions", "CONSTRAINT": "a name",
     "PHYSICAL CONSTANTS": "constants of radiation and of gases: the laws that are read have none",
+}  # fmt: skip
+
+
+# Where what follows belongs.
+FRAMES = {
+    "PART": "its mesh and sets, where an instance has it", "ASSEMBLY": "the instances with their sets", "END PART": "the end of the part",
+    "END ASSEMBLY": "the end of the assembly", "END INSTANCE": "the end of the instance", "STEP": "when what it holds acts",
 }  # fmt: skip
 
 
@@ -64,6 +72,9 @@ class Reader:
     def take(self, block: Block) -> None:
         complete_keyword(block, KEYWORDS)
         keyword, block.step = block.keyword, len(self.steps)
+        self.deck.ledger.expect(clip(keyword), block.place, last_line(block))
+        if keyword in FRAMES:
+            self.deck.ledger.note(keyword, Status.IGNORED if keyword.startswith("END") else Status.TRANSLATED, block.place, FRAMES[keyword])
         check_options(block, self.deck.ledger)
         if keyword in OF_MATERIALS and self.material:
             self.material.parts.append(block)
@@ -198,6 +209,7 @@ class Reader:
     def kinematic(self, block: Block) -> None:
         bodies.read_kinematic(self.scope, self.coupling, block, self.deck.ledger)
         self.coupling = None
+        self.deck.ledger.translated("KINEMATIC", block.place, "directions of the coupling before it")
 
     def constraints(self, block: Block) -> None:
         bodies.read_constraints(self.scope, block, self.deck.ledger)
@@ -216,6 +228,7 @@ class Reader:
     def begin_interaction(self, block: Block) -> None:
         self.interaction = block.option("NAME")
         self.deck.frictions[self.interaction] = 0.0
+        self.deck.interactions[self.interaction] = [block]
 
     def friction(self, block: Block) -> None:
         lines = [line for line in block.lines if any(line[1])]
@@ -232,12 +245,13 @@ class Reader:
             self.deck.ledger.refuse("FRICTION.EXPONENTIAL DECAY", block.place, "friction that falls with the speed", "the static coefficient is used")
         elif len(lines) > 1 or lines and any(lines[0][1][1:]):
             self.deck.ledger.refuse("FRICTION.table", block.place, "friction that depends on speed, pressure or temperature", "the first coefficient is used")
-        self.deck.ledger.translated("FRICTION", block.place, "friction of contact")
+        self.deck.interactions[self.interaction].append(block)
 
     def glue(self, block: Block) -> None:
         """Of the surface interaction before it."""
         if self.interaction:
             self.deck.glues.setdefault(self.interaction.upper(), []).append(block)
+            self.deck.interactions[self.interaction].append(block)
         else:
             self.refuse(block)
 
@@ -258,7 +272,7 @@ class Reader:
             self.deck.step_scale = block.number((block.place.line, [block.options["SCALE FACTOR"]]), 0, 1.0)
         heat.read_procedure(self.deck, block)
         self.add_time(block, max((block.number(line, 1) for line in block.lines[:1]), default=0.0))
-        self.deck.ledger.translated("DYNAMIC", block.place, "time.end")
+        self.deck.ledger.translated(block.keyword, block.place, "time.end")
 
     def restart(self, block: Block) -> None:
         if "READ" in block.options:
@@ -357,12 +371,14 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     damage.finish_failure(deck)
     bodies.build_bodies(deck)
     equations.add_equations(deck)
-    kinds = {section.place: f"{section.kind} SECTION" for section in deck.mesh.sections}
+    kinds = {section.place: section.keyword for section in deck.mesh.sections}
     for part in deck.model.blocks:
         deck.model.origins.cards["parts", part.name] = deck.model.origins.cards["materials", part.keys["material"]] = (kinds.get(part.place, "ELEMENT"), part.place)
     deck.model.origins.note(deck.model, "RIGID BODY", None)
     apply(reader)
     finish(reader)
+    note_definitions(deck)
+    ledger.note_silent()
     return deck.model
 
 

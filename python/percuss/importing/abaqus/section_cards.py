@@ -18,7 +18,7 @@ def read_layers(section: Section, block: Block) -> None:
         layer = SectionLayer(block.number(line, 0), block.integer(line, 1, 3), block.text(line, 2).strip('"').upper())
         layer = replace(layer, angle=block.number(line, 3)) if is_angle else replace(layer, orientation=turn.strip('"').upper())
         if layer.thickness <= 0:
-            raise BadInput(block.at(line[0]), "the thickness of a layer is not positive: correct it")
+            raise BadInput(block.at(line[0]), f"the thickness of a layer is {layer.thickness:g} (it must be positive): correct it")
         section.layers.append(layer)
     if not section.layers:
         raise BadInput(block.place, f"*{block.keyword}, COMPOSITE has no layers: add them")

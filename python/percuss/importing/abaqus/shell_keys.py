@@ -50,7 +50,7 @@ def distribute_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> No
     for id, _ in part.shells:
         value = values.get(id, values.get(0, 0.0))
         if value <= 0:
-            raise BadInput(section.place, f"shell {id} has no positive thickness in *DISTRIBUTION {clip(section.distribution)}")
+            raise BadInput(section.place, f"the thickness of shell {id} in *DISTRIBUTION {clip(section.distribution)} is {value:g} (it must be positive): correct it")
         part.thicknesses[id] = value
     deck.ledger.translated("SHELL SECTION.SHELL THICKNESS", section.place, "thickness of each shell in the mesh")
     unite_thicknesses(deck, section, part)
@@ -68,7 +68,7 @@ def unite_thicknesses(deck: AbaqusDeck, section: Section, part: Part) -> None:
 
 def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
     if section.thickness <= 0 and not section.is_nodal and not section.distribution:
-        raise BadInput(section.place, "the thickness of this shell section is not positive: correct it")
+        raise BadInput(section.place, f"the thickness of this shell section is {section.thickness:g} (it must be positive): correct it")
     part.thickness = section.thickness
     if section.is_nodal:
         average_thicknesses(deck, section, part)
@@ -76,12 +76,12 @@ def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
         distribute_thicknesses(deck, section, part)
     if "integration" in part.keys:  # a membrane
         text = "one membrane of percuss, whose thickness follows the strain by the material, not by POISSON of the section"
-        deck.ledger.approximated("MEMBRANE SECTION", section.place, text)
+        deck.ledger.approximated(section.keyword, section.place, text)
         return
     part.keys["points"] = min(max(section.points, 1), 16)
     if section.offset:
         part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * part.thickness)
-    deck.ledger.approximated("SHELL SECTION", section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
+    deck.ledger.approximated(section.keyword, section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
 
 
 def lay_up(deck: AbaqusDeck, section: Section, part: Part, found: "dict[str, tuple[str, Deck]]") -> None:

@@ -63,10 +63,10 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
         return make_general(deck, reader)
     if form == 3:
         more = reader.row("A RAMPT STRESS")
-        area = more.number("A")
+        area = more.positive("A")
         more.finish(deck.ledger, "it begins without a stress")
         deck.ledger.translated(card.keyword, row.place, "trusses")
-        return {"truss": {"area": area}} if area > 0 else more.fail("A", "must be positive")
+        return {"truss": {"area": area}}
     deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2, 3 and 9 are read)", LEFT_OUT)
     return None
 
@@ -109,8 +109,10 @@ def make_ruled(deck: KeywordDeck, card: Card, section: Row) -> Deck | None:
         return make_walls(deck, row, sizes, name)
     sizes.skip("D3", "D4")
     deck.ledger.translated("INTEGRATION_BEAM", row.place, f"section: {name}")
-    if first <= 0 or (name == "rectangle" and second <= 0) or (name == "tube" and not 0 < second < first):
-        sizes.fail("D1", "positive sizes, or an outer radius above the inner one, are expected")
+    for field in ("D1",) if name == "circle" else ("D1", "D2"):
+        sizes.positive(field)
+    if name == "tube" and second >= first:
+        sizes.fail("D2", f"it must be below D1, the outer radius, which is {first:g}")
     if name == "rectangle":
         return {"rectangle": {"size": [first, second]}}
     return {"round": {"radius": first}} if name == "circle" else {"tube": {"outer_radius": first, "inner_radius": second}}
@@ -120,7 +122,9 @@ def make_walls(deck: KeywordDeck, row: Row, sizes: Row, name: str) -> Deck:
     """An I or a box: width along s, thickness of its flanges, depth along t, thickness of its web or webs."""
     width, flange, depth, web = sizes.numbers("D1", "D2", "D3", "D4")
     webs = 1 if name == "I" else 2
-    if min(width, flange, depth, web) <= 0 or 2 * flange >= depth or webs * web >= width:
+    for field in ("D1", "D2", "D3", "D4"):
+        sizes.positive(field)
+    if 2 * flange >= depth or webs * web >= width:
         sizes.fail("D1", "a width, the thickness of flanges, a depth above two of them and the thickness of webs are expected")
     if name == "box" and flange == web:
         deck.ledger.translated("INTEGRATION_BEAM", row.place, "section: box")
@@ -160,8 +164,11 @@ def make_widths(deck: KeywordDeck, more: Row, kind: int) -> Deck | None:
     more.finish(deck.ledger, "the nodes are in the middle of the section")
     if (s2 and s2 != s) or (t2 and t2 != t):
         deck.ledger.refuse("SECTION_BEAM.TS2", more.place, "sections that differ between the ends", "those of the first node are used")
-    if s <= 0 or (kind == 0 and t <= 0) or (kind == 1 and not 0 <= t < s):
-        more.fail("TS1", "positive widths, or an outer diameter above the inner one, are expected")
+    more.positive("TS1")
+    if kind == 0:
+        more.positive("TT1")
+    elif kind == 1 and more.not_negative("TT1") >= s:
+        more.fail("TT1", f"it must be below TS1, the outer diameter, which is {s:g}")
     deck.ledger.approximated(
         "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear (factor 5/6 or 9/10) and torque"
     )
@@ -178,8 +185,10 @@ def make_general(deck: KeywordDeck, reader: Lines) -> Deck:
     more = reader.row("A ISS ITT J SA IST ITORM SAT")
     area, iss, itt, j, shear, across = more.numbers("A", "ISS", "ITT", "J", "SA", "SAT")
     more.finish(deck.ledger, "it is left out")
-    if min(area, iss, itt) <= 0:
-        more.fail("A", "a positive area and positive moments of inertia are expected")
+    for field in ("A", "ISS", "ITT"):
+        more.positive(field)
+    for field in ("J", "SA", "SAT"):
+        more.not_negative(field)
     shear = shear if shear > 0 else area * 5 / 6
     across = across if across > 0 else shear
     deck.ledger.approximated("SECTION_BEAM", more.place, "shear areas of SA and SAT, or 5/6 of A; J of 0 is ISS + ITT")
@@ -216,7 +225,7 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
     area = section_area(section)
     if area <= 0:
         raise BadInput(part.place, f"the section of part {part.id} is too small for a number of its area: correct it")
-    per_length = deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD").number("NSM")
+    per_length = deck.sections[part.section].reader().row("SECID ELFORM=1 SHRF QR CST SCOOR NSM NAUPD").not_negative("NSM")
     if per_length > 0:
         deck.ledger.translated("SECTION_BEAM.NSM", part.place, "a higher density in a material of its own, rotary inertia too")
     groups: dict[tuple[tuple[float, ...], int], list[tuple[int, tuple[int, ...]]]] = {}
@@ -231,7 +240,7 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
         own_name = name if index == 0 else deck.model.names.take(f"{name}_d{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
         block = Block(id, part.id, own_name, part.place, beams=members, keys=keys)
-        block.more_density = max(per_length, 0.0) / area
+        block.more_density = per_length / area
         blocks.append(block)
         if bolt >= 0:
             deck.bolt_of_block[id] = bolt

@@ -175,6 +175,8 @@ class CardReader:
                 return
             if self._cases.pass_bound(name, card.place):
                 continue
+            if not name.startswith("KEYWORD"):
+                self._ledger.expect(OPTIONS.sub("", name), card.place, card.lines[-1][0] if card.lines else card.place.line)
             if not self._cases.acts(card.owner):
                 self._ledger.ignored(f"CASE.{name}", card.place, "of a case that does not act")
             elif name == "KEYWORD" or name.startswith("KEYWORD_"):
@@ -221,6 +223,7 @@ class CardReader:
         names = join_names(card)
         if card.keyword in ("INCLUDE_PATH", "INCLUDE_PATH_RELATIVE"):
             self._folders += [os.path.join(self._folder, name) for name in names]
+            self._ledger.translated(card.keyword, card.place, "a folder in which files are sought")
             return
         if card.keyword != "INCLUDE":
             self._ledger.refuse(card.keyword, card.place, "the file is not read", "the file is left out")

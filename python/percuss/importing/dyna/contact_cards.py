@@ -276,7 +276,7 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool, options: lis
         deck.ledger.ignored(contact.keyword, contact.place, "one of its sides has no element")
         return
     for one, other in pairs:
-        deck.contacts.append({"a": one, "b": other, "friction": friction, "title": contact.title, "by_part": by_part, "times": times})
+        deck.contacts.append({"a": one, "b": other, "friction": friction, "title": contact.title, "by_part": by_part, "times": times, "place": contact.place})
     text = "contact.surfaces: a surface with itself" if is_single else "contact.surfaces: a pair, both ways"
     if "INTERIOR" in options:
         deck.ledger.approximated(f"{contact.keyword}.INTERIOR", contact.place, "edges inside shells touch other edges where they fold by 10 degrees")
@@ -324,7 +324,7 @@ def read_defaults(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.approximated("CONTROL_CONTACT.SPOTHIN", fourth.place, text)
     if first.integer("ENMASS") == 1:
         deck.ledger.approximated("CONTROL_CONTACT.ENMASS", first.place, "nodes of eroded shells stay in contact, too")
-    deck.keeps_eroded_nodes = first.integer("ENMASS") > 0
+    deck.keeps_eroded_nodes, deck.contact_control = first.integer("ENMASS") > 0, first.place
     for row in (first, second, third, fourth, fifth, sixth):
         row.finish(deck.ledger, "it is left out")
     if deck.usual_friction:
@@ -364,8 +364,7 @@ def finish_contacts(deck: KeywordDeck) -> None:
         add_frictions(deck, section)
     remove_eroded_nodes(deck)
     if len({c["friction"] for c in general}) > 1:
-        place = next(iter(deck.parts.values())).place
-        deck.ledger.approximated("CONTACT", place, "several contacts of everything: the friction of the first")
+        deck.ledger.approximated("CONTACT", general[1]["place"], "several contacts of everything: the friction of the first")
 
 
 def remove_eroded_nodes(deck: KeywordDeck) -> None:
@@ -373,8 +372,10 @@ def remove_eroded_nodes(deck: KeywordDeck) -> None:
     fails = any("failure" in law for law in deck.model.materials.values())
     if fails and deck.contacts and not deck.keeps_eroded_nodes:
         deck.model.deck["erosion"] = {"free_nodes": "remove"}
-        place = next(iter(deck.parts.values())).place
-        deck.ledger.translated("CONTROL_CONTACT.ENMASS", place, "erosion.free_nodes: remove, as ENMASS 0 has it")
+        if deck.contact_control:
+            deck.ledger.translated("CONTROL_CONTACT.ENMASS", deck.contact_control, "erosion.free_nodes: remove, as ENMASS 0 has it")
+        else:
+            deck.ledger.translated("CONTROL_CONTACT (none)", deck.contacts[0]["place"], "erosion.free_nodes: remove, as ENMASS 0 has it, the default")
 
 
 def add_frictions(deck: KeywordDeck, section: Deck) -> None:

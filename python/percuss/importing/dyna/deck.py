@@ -240,6 +240,7 @@ class KeywordDeck:
         self.most_added_mass = 0.0  # ENDMAS: as a share; 0: no limit
         self.shell_form = 2  # THEORY: where a section says nothing
         self.keeps_eroded_nodes = False  # ENMASS
+        self.contact_control: Place | None = None  # *CONTROL_CONTACT; None: the deck has none
         self.contact_at_offset = False  # CNTCO: contact of shells whose mesh is not their middle
         self.solid_axes: dict[int, tuple[Vector, Vector]] = {}  # of *ELEMENT_SOLID_ORTHO: a, and d in the plane of a and b
         self.erodes_folded_shells = False  # NFAIL1, NFAIL4

@@ -125,7 +125,7 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
         counts[key] += count
         chosen_by.append((block, key))
         text = key[0] + (f" with {key[1]}" if key[0] != "assumed_strain" else "")
-        card = "HOURGLASS" if general or deck.hourglass else "HOURGLASS (none)"
+        card = row.card if row else "HOURGLASS (none)"
         deck.ledger.approximated(card, row.place if row else block.place, f"the hourglass control becomes {text}")
     chosen = counts.most_common(1)[0][0] if counts and not all_full else ("assumed_strain", 0.0)
     if chosen[0] != "assumed_strain":

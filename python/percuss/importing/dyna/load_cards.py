@@ -287,6 +287,7 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
         return
     deck.blasts[id] = entry
     deck.model.units = BLAST_UNITS[units]
+    deck.ledger.translated(card.keyword, card.place, "loads.pressure with blast, where segments name it")
 
 
 def find_blast(deck: KeywordDeck, card: Card, id: int) -> Deck:

@@ -200,7 +200,7 @@ def read_shell_options(deck: KeywordDeck, card: Card, reader: Lines, options: se
     thickness, turn = None, 0.0
     if options & {"THICKNESS", "BETA", "MCID"}:
         row = reader.row("T1 T2 T3 T4 BETA", SIXTEENS)
-        values = [value for value in row.numbers("T1", "T2", "T3", "T4") if value]
+        values = [value for value in (row.not_negative(f"T{i}") for i in range(1, 5)) if value]
         turn = row.number("BETA")
         if values:
             thickness = sum(values) / len(values) if len(set(values)) > 1 else values[0]

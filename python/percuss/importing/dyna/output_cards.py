@@ -21,6 +21,8 @@ ASCII = {
     "SECFORC": "forces of sections", "SLEOUT": "work of contact by pairs", "DEFORC": "spring_force of each spring",
     "JNTFORC": "joint_fx of each joint", "SWFORC": "weld_normal and weld_shear of each weld", "RBDOUT": "body_x of each rigid body",
 }  # fmt: skip
+# Files of what the deck may not have: sections of the deck of percuss, and what they hold.
+OF_SECTIONS = {"RWFORC": (("walls",), "rigid wall"), "DEFORC": (("springs", "turn_springs"), "spring"), "JNTFORC": (("joints",), "joint"), "SWFORC": (("welds",), "weld")}
 
 
 def read_database(deck: KeywordDeck, card: Card) -> None:
@@ -32,12 +34,11 @@ def read_database(deck: KeywordDeck, card: Card) -> None:
     elif name in ASCII:
         row = card.reader().row("DT BINARY~output LCUR~output IOOPT~output=1")
         step = row.number("DT")
-        deck.output.asked.add(name)
+        deck.output.asked[name] = card.place
         if step > 0:
             deck.output.rows = min(deck.output.rows or step, step)
         elif row.integer("LCUR"):
             deck.ledger.approximated(f"{card.keyword}.LCUR", card.place, "an interval that varies in time: the shortest of the others, or a thousandth of the run")
-        deck.ledger.translated(card.keyword, card.place, f"output.history, all at the shortest interval: {ASCII[name]}")
     elif name == "CROSS_SECTION_SET":
         read_section(deck, card)
     elif name.startswith("HISTORY_"):
@@ -138,7 +139,7 @@ def is_cut(deck: KeywordDeck, block: Block, plane: Plane) -> bool:
 
 def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
     """Nodes and elements to follow, by ids or by sets."""
-    kind = name.split("_")[0]
+    kind, deck.output.history_place = name.split("_")[0], card.place
     if kind == "DISCRETE":
         deck.ledger.ignored(card.keyword, card.place, "the history has the force of each spring")
         return
@@ -216,25 +217,47 @@ def finish_output(deck: KeywordDeck) -> None:
     add_accelerometers(deck, history)
     if "MATSUM" in found.asked:
         history["parts"] = "all"
+    pairs = pair_forces(deck) if "RCFORC" in found.asked else []
+    note_files(deck, bool(pairs or deck.forces))
     limited = list(deck.forces)
     if "RWFORC" in found.asked:
         limited += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
-    if "RCFORC" in found.asked:
-        limited += pair_forces(deck)
+    limited += pairs
     if len(limited) > MOST_FORCES:
-        deck.ledger.approximated("DATABASE_RCFORC.most", found.place, f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
+        card = next((f"DATABASE_{name}" for name in ("RCFORC", "RWFORC") if name in found.asked), "CONTACT_FORCE_TRANSDUCER")
+        deck.ledger.approximated(f"{card}.most", found.asked.get(card.removeprefix("DATABASE_"), found.place), f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
     forces = limited[:MOST_FORCES]
-    if found.asked & {"SPCFORC", "BNDOUT"}:
+    supports = [name for name in ("SPCFORC", "BNDOUT") if name in found.asked]
+    if supports:
         if holds_nodes(deck):
             forces.append({"name": "supports", "support": "all"})
         else:
-            deck.ledger.ignored("DATABASE_SPCFORC.supports", found.place, "no node is held but those of rigid bodies, whose supports have no force in the history")
+            deck.ledger.ignored(f"DATABASE_{supports[0]}.supports", found.asked[supports[0]], "no node is held but those of rigid bodies, whose supports have no force in the history")
     add_planes(deck)
     forces += deck.sections_by_sets
     if forces:
         history["forces"] = forces
     output["history"] = history
     deck.model.deck["output"] = output
+
+
+def note_files(deck: KeywordDeck, has_pairs: bool) -> None:
+    """What becomes of each file with columns of the history. has_pairs: forces of contact are written."""
+    for name, place in deck.output.asked.items():
+        sections, what = OF_SECTIONS.get(name, ((), ""))
+        if sections and not any(deck.model.deck.get(section) for section in sections):
+            deck.ledger.ignored(f"DATABASE_{name}", place, f"the model has no {what}, so no force is written")
+        elif name == "RCFORC" and not has_pairs:
+            deck.ledger.ignored(f"DATABASE_{name}", place, describe_no_pair(deck))
+        else:
+            deck.ledger.translated(f"DATABASE_{name}", place, f"output.history, all at the shortest interval: {ASCII[name]}")
+
+
+def describe_no_pair(deck: KeywordDeck) -> str:
+    """Why no force of contact is written."""
+    if not deck.contacts:
+        return "the model has no contact but ties, so no force of contact is written" if "contact" in deck.model.deck else "the model has no contact, so no force is written"
+    return "no force of contact is written: a surface with itself, or with everything, has no two sides (*CONTACT_FORCE_TRANSDUCER, or contact of two parts, gives a force)"
 
 
 def holds_nodes(deck: KeywordDeck) -> bool:
@@ -276,9 +299,9 @@ def add_points(deck: KeywordDeck, history: Deck) -> None:
         wanted = list(dict.fromkeys(ids))
         kept = [id for id in wanted if id in known]
         if len(kept) < len(wanted):
-            deck.ledger.ignored(f"DATABASE_HISTORY.{key}", deck.output.place, f"{len(wanted) - len(kept)} {key} to follow that no element of the model has")
+            deck.ledger.ignored(f"DATABASE_HISTORY.{key}", deck.output.history_place, f"{len(wanted) - len(kept)} {key} to follow that no element of the model has")
         if len(kept) > MOST_POINTS:
-            deck.ledger.approximated(f"DATABASE_HISTORY.{key}", deck.output.place, f"the first {MOST_POINTS} of {len(kept)} {key} to follow")
+            deck.ledger.approximated(f"DATABASE_HISTORY.{key}", deck.output.history_place, f"the first {MOST_POINTS} of {len(kept)} {key} to follow")
             kept = kept[:MOST_POINTS]
         if kept:
             history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]

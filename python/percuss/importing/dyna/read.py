@@ -70,6 +70,7 @@ from .starting import balance_bodies
 from .stress_cards import read_stresses
 from .termination_cards import read_body_limit, read_node_limit, read_other_end, read_sensor_end
 from .turn_spring_cards import add_turn_springs, read_turn_springs
+from .unused import note_definitions
 from .wall_cards import read_wall
 from .weld_cards import add_welds, read_welds
 
@@ -91,6 +92,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
             continue
         row.finish(deck.ledger, "it detonates at time 0")
         deck.detonations.append((part, point, row.place))  # type: ignore[arg-type]
+        deck.ledger.translated(card.keyword, row.place, "a point of detonation, where the law of a part has one")
 
 
 # Read at once. forms.py has what may follow a name.
@@ -207,6 +209,8 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
         apply(deck, card, handler)
     finish(deck)
+    note_definitions(deck)
+    ledger.note_silent()
     return deck.model
 
 

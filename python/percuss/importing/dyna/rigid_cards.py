@@ -124,11 +124,13 @@ def mark_rigid_parts(deck: KeywordDeck) -> None:
     leaders: dict[int, list[int]] = {}
     for id in deck.rigid:
         leaders.setdefault(find_lead(deck, id), []).append(id)
+    switched = {place for *_, place in deck.switched}
     for id, (lead, place) in deck.merged.items():
+        card = "DEFORMABLE_TO_RIGID.LRB" if place in switched else "CONSTRAINED_RIGID_BODIES"
         if id in deck.rigid and lead in deck.rigid:
-            deck.ledger.translated("CONSTRAINED_RIGID_BODIES", place, "rigid.body: parts of one body")
+            deck.ledger.translated(card, place, "rigid.body: parts of one body")
         else:
-            deck.ledger.refuse("CONSTRAINED_RIGID_BODIES", place, "a body with a part that is not rigid", "it is left out")
+            deck.ledger.refuse(card, place, "a body with a part that is not rigid", "it is left out")
     for lead, members in leaders.items():
         if lead in deck.rigid:
             mark_body(deck, lead, members)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from ..fields import Row
 from ..laminates import MOST_POINTS as MOST_POINTS_OF_PLIES
 from ..laminates import gauss_shares, reduce_points
-from ..ledger import BadInput
+from ..ledger import BadInput, Place
 from ..model import Block, Deck, Layer
 from .cards import Card, Lines
 from .deck import Element, KeywordDeck, Layup, PartCard
@@ -29,6 +29,7 @@ class ShellSection:
     per_area: float = 0.0  # mass beside that of the material
     layers: list[Layer] = field(default_factory=list)
     is_membrane: bool = False
+    place: Place | None = None  # of the line with the thicknesses
 
     def make_keys(self) -> Deck:
         """Of the part, but for its offset."""
@@ -113,8 +114,7 @@ def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> Sh
     layers = read_angles(deck, part, row, reader)
     if not takes_form(deck, row, "SECTION_SHELL"):
         return None
-    first = more.number("T1")
-    corners = [value if value > 0 else first for value in more.numbers("T1", "T2", "T3", "T4")]
+    corners = read_thicknesses(more)
     if len(set(corners)) > 1:
         deck.ledger.approximated("SECTION_SHELL.T2", more.place, "thickness that differs between the corners: each shell has the mean of its corners")
     points = abs(row.integer("NIP")) or 2
@@ -128,7 +128,7 @@ def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> Sh
     row.finish(deck.ledger)
     reference = more.number("NLOC")
     refuse_offset_contact(deck, reference, row)
-    per_area = max(more.number("MAREA"), 0.0)
+    per_area = more.not_negative("MAREA")
     if per_area:
         deck.ledger.translated("SECTION_SHELL.MAREA", more.place, "a higher density in a material of its own")
     more.finish(deck.ledger)
@@ -138,8 +138,17 @@ def translate_shell_section(deck: KeywordDeck, part: PartCard, card: Card) -> Sh
         "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
         "shear factor 5/6, Gauss points, thickness that follows the strain",
     )
-    section = ShellSection(corners, min(points, MOST_POINTS), reference, per_area, layers)
+    section = ShellSection(corners, min(points, MOST_POINTS), reference, per_area, layers, place=more.place)
     return make_membrane(deck, section, row, "SECTION_SHELL")
+
+
+def read_thicknesses(row: Row) -> list[float]:
+    """T1 to T4: a corner without one has that of the first."""
+    first, *others = row.numbers("T1", "T2", "T3", "T4")
+    for name in ("T1", "T2", "T3", "T4"):
+        if row.number(name) < 0:
+            row.fail(name, "must be positive")
+    return [first, *(value or first for value in others)]
 
 
 def divide_shells(
@@ -150,11 +159,12 @@ def divide_shells(
     for shell in shells:
         groups.setdefault(section.thickness_of(shell), []).append((shell.id, shell.corners))
     if min(groups) <= 0:
-        raise BadInput(part.place, f"part {part.id} has shells without thickness: give T1 in its *SECTION_SHELL")
+        raise BadInput(section.place or part.place, f"T1 is 0 or blank in the section of part {part.id} (shells need a thickness): give T1 in its *SECTION_SHELL")
     if len(groups) > 1 and not section.reference and not section.per_area and not section.layers:
-        return [mark_axes(make_block_of_thicknesses(deck, part, groups, section, name), shells)]
+        deck.ledger.translated(name_thickness(shells), part.place, "thickness of each shell, from the mesh file")
+        return [mark_axes(make_block_of_thicknesses(part, groups, section, name), shells)]
     if len(groups) > MOST_THICKNESSES:
-        groups = round_thicknesses(deck, part, groups)
+        groups = round_thicknesses(deck, part, groups, name_thickness(shells))
     blocks = []
     for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
         keys = section.make_keys()
@@ -168,7 +178,7 @@ def divide_shells(
         block.layers = list(section.layers)
         blocks.append(mark_axes(block, shells))
     if len(blocks) > 1:
-        deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place, "a part for each thickness")
+        deck.ledger.approximated(name_thickness(shells), part.place, "a part for each thickness")
     return blocks
 
 
@@ -178,19 +188,21 @@ def mark_axes(block: Block, shells: list[Element]) -> Block:
     return block
 
 
-def make_block_of_thicknesses(
-    deck: KeywordDeck, part: PartCard, groups: dict[float, list], section: ShellSection, name: str
-) -> Block:
+def name_thickness(shells: list[Element]) -> str:
+    """The card that gives shells of a part different thicknesses."""
+    return "ELEMENT_SHELL_THICKNESS" if any(shell.thickness for shell in shells) else "SECTION_SHELL.T2"
+
+
+def make_block_of_thicknesses(part: PartCard, groups: dict[float, list], section: ShellSection, name: str) -> Block:
     """All shells of a part, each with its thickness in the mesh file."""
     members = sorted(member for group in groups.values() for member in group)
     thicknesses = {id: thickness for thickness, group in groups.items() for id, _ in group}
-    deck.ledger.translated("ELEMENT_SHELL_THICKNESS", part.place, "thickness of each shell, from the mesh file")
     block = Block(part.id, part.id, name, part.place, shells=members, thickness=max(groups), keys=section.make_keys())
     block.thicknesses = thicknesses
     return block
 
 
-def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
+def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict, card: str) -> dict:
     """As many different thicknesses as parts can be made of."""
     low, high = min(groups), max(groups)
     step = (high - low) / (MOST_THICKNESSES - 1)
@@ -198,6 +210,6 @@ def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
     for thickness, members in groups.items():
         rounded.setdefault(low + step * round((thickness - low) / step), []).extend(members)
     deck.ledger.approximated(
-        "ELEMENT_SHELL_THICKNESS", part.place, f"{len(groups)} thicknesses are rounded to {len(rounded)}, by at most {step / 2:.3g}"
+        card, part.place, f"{len(groups)} thicknesses are rounded to {len(rounded)}, by at most {step / 2:.3g}"
     )
     return rounded

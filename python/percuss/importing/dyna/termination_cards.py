@@ -8,6 +8,7 @@ from .deck import KeywordDeck
 
 AXES = {1: "x", 2: "y", 3: "z"}
 NO_LIMIT = 1e21
+OF_SENSOR = "part of the sensor that ends the run"
 GOES_ON = "; the run goes on to ENDTIM, and is the same until then"
 LEVELS = {"GT": "rises_above", "LT": "falls_below"}
 
@@ -88,6 +89,7 @@ def read_sensor_end(deck: KeywordDeck, card: Card) -> None:
         switch = found.reader().row("SWITID~label TYPE SENSID LOGIC VALUE FILTRID TIMWIN")
         switch.skip("SWITID")
         deck.sensors.remove(found)
+        deck.ledger.translated(found.keyword, found.place, OF_SENSOR)
         sensor = make_sensor(deck, switch)
         switch.finish(deck.ledger, "the value itself counts")
         if sensor:
@@ -116,6 +118,7 @@ def make_sensor(deck: KeywordDeck, switch: Row) -> Deck | None:
     if found is None:
         raise BadInput(switch.place, missing(f"sensor {id}"))
     deck.sensors.remove(found)
+    deck.ledger.translated(found.keyword, found.place, OF_SENSOR)
     level = {LEVELS[logic]: switch.number("VALUE")} if logic in LEVELS else None
     if found.keyword != "SENSOR_DEFINE_NODE" or level is None:
         return None
