@@ -72,7 +72,7 @@ struct ContactStage::Impl {
   void judge_ties(double time, ContactReport& report);
   std::optional<KnownContact> find_known() const;
   PiercingEdges find_piercings(const Rows3<const double>& x);
-  void tell_missed(const std::optional<MissedContact>& missed, double time);
+  void tell_missed(const std::optional<MissedContact>& found, double time);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_ties_held_apart(const ContactReport& report) const;

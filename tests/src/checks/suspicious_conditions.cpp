@@ -184,7 +184,7 @@ std::vector<SuspiciousDeck> velocity_decks() {
        "gravity: [4.9",
        {still,
         no_sheet_condition,
-        {"[0, 0, -0.01], normal", "[0, 0, -0.005], normal"},
+        {"[0, 0, -0.01], normal", "[0, 0, -0.005], thickness: included, normal"},
         {"[0, 0, -9.81]", "[4.9, 0, -8.5]"}},
        {still, no_sheet_condition, {"[0, 0, -9.81]", "[4.9, 0, -8.5]"}}},
       {"WallThatGoesAway",
