@@ -34,7 +34,8 @@ inline RateCurves make_curves(const LawDeck& law, const std::string& key) {
   RateCurves made;
   for (int k = 0; law.tables.count(name_curve(key, k)) == 1; ++k) {
     const auto& rows = law.tables.at(name_curve(key, k));
-    if (made.rates == RateCurves::most_rates || made.first[made.rates] + rows.size() > RateCurves::most_rows)
+    if (made.rates == RateCurves::most_rates ||
+        static_cast<std::size_t>(made.first[made.rates]) + rows.size() > RateCurves::most_rows)
       throw std::logic_error("curves of a material are too long");
     made.add_curve(law.numbers.at(name_curve(key, k)), rows);
   }
