@@ -20,13 +20,18 @@ if(PERCUSS_NATIVE)
   target_compile_options(percuss_options INTERFACE -march=native)
   # Clang compiles the packs of AVX-512 of libstdc++ 12, but not of 14. Those of AVX2 it does.
   include(CheckCXXSourceCompiles)
-  set(CMAKE_REQUIRED_FLAGS -march=native)
-  check_cxx_source_compiles("
+  set(packs "
     #include <experimental/simd>
     using Pack = std::experimental::native_simd<double>;
-    int main(int count, char**) { return any_of(Pack(count) < Pack(2)) ? 0 : 1; }" PERCUSS_NATIVE_PACKS_COMPILE)
-  unset(CMAKE_REQUIRED_FLAGS)
+    int main(int count, char**) { return any_of(Pack(count) < Pack(2)) ? 0 : 1; }")
+  set(CMAKE_REQUIRED_FLAGS -march=native)
+  check_cxx_source_compiles("${packs}" PERCUSS_NATIVE_PACKS_COMPILE)
   if(NOT PERCUSS_NATIVE_PACKS_COMPILE)
+    set(CMAKE_REQUIRED_FLAGS "-march=native -mno-avx512f")
+    check_cxx_source_compiles("${packs}" PERCUSS_AVX2_PACKS_COMPILE)
+  endif()
+  unset(CMAKE_REQUIRED_FLAGS)
+  if(NOT PERCUSS_NATIVE_PACKS_COMPILE AND PERCUSS_AVX2_PACKS_COMPILE)
     message(STATUS "Packs of AVX-512 do not compile with this compiler and its library: AVX2 is used")
     target_compile_options(percuss_options INTERFACE -mno-avx512f)
   endif()

@@ -64,15 +64,14 @@ bool do_beams_touch(const CheckedScene& scene, std::size_t part) {
 Flight::Flight(const CheckedScene& scene, std::size_t part) {
   const PartMeasures& measures = scene.measures->parts[part];
   const Deck& deck = scene.deck;
-  double& half = half_thickness_;
-  half = 0.5 * measures.shell_thickness;
+  half_thickness_ = 0.5 * measures.shell_thickness;
   const PartDeck& own = deck.parts[part];
   if (own.section && do_beams_touch(scene, part))
-    half = std::max(half, own.contact_radius.value_or(find_contact_radius(*own.section)));
+    half_thickness_ = std::max(half_thickness_, own.contact_radius.value_or(find_contact_radius(*own.section)));
   start_ = {measures.low, measures.high};
   for (std::size_t k = 0; k < 3; ++k) {
-    start_.low[k] -= half;
-    start_.high[k] += half;
+    start_.low[k] -= half_thickness_;
+    start_.high[k] += half_thickness_;
   }
   velocity_low_ = measures.velocity_low;
   velocity_high_ = measures.velocity_high;

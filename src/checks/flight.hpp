@@ -45,7 +45,7 @@ class Flight {
 
  private:
   Box start_{};
-  double half_thickness_ = 0;
+  double half_thickness_ = 0;                          // of shells; the radius of beams that touch
   Vec3 velocity_low_{}, velocity_high_{}, gravity_{};  // gravity: 0 where it changes in time
   Box driven_{};                                       // range of the displacement that conditions prescribe
   double speed_ = 0;                                   // of its fastest node

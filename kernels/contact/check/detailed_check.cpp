@@ -333,10 +333,10 @@ struct StillTouches {
   }
 };
 
-/// The kernel of the detailed check: some nodes a turn, those that have a candidate near in groups.
+/// The kernel of the detailed check: a block of nodes, those that have a candidate near in groups.
 template <Thickness thickness>
 struct CheckNodes {
-  static constexpr int nodes_a_turn = Group::most > 1 ? 4 * Group::most : 1;
+  static constexpr int block_nodes = Group::most > 1 ? 4 * Group::most : 1;
   CheckInputs inputs;
   Array<const int> nodes, offset, face, with_history;  // CandidateList
   Array<const int> checked, is_still, near_moved;      // TouchTable
@@ -346,10 +346,10 @@ struct CheckNodes {
   bool skips = false;      // candidates that cannot change what holds a node
 
   /// found: touches that may not be those of the check before.
-  KOKKOS_FUNCTION void operator()(int turn, int& found, std::int64_t& skipped) const {
-    const int last = nodes_a_turn * (turn + 1), end = last < num_checked ? last : num_checked;
+  KOKKOS_FUNCTION void operator()(int block, int& found, std::int64_t& skipped) const {
+    const int last = block_nodes * (block + 1), end = last < num_checked ? last : num_checked;
     Group group;
-    for (int k = nodes_a_turn * turn; k < end; ++k) {
+    for (int k = block_nodes * block; k < end; ++k) {
       const int node = nodes(is_listed ? checked(k) : k);
       const NodeCandidates near = list_near(node);
       if (near.first == near.last)
@@ -392,10 +392,10 @@ void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateL
   // Where nothing may be left out, nothing is watched. Nodes of shells seldom have anything to skip.
   const bool skips = thickness == Thickness::none && table.checked_at.extent(0) > 0;
   using Kernel = CheckNodes<thickness>;
-  const int turns = (num_checked + Kernel::nodes_a_turn - 1) / Kernel::nodes_a_turn;
+  const int blocks = (num_checked + Kernel::block_nodes - 1) / Kernel::block_nodes;
   std::int64_t num_skipped = 0;
   Kokkos::parallel_reduce(
-      "contact::detailed_check", RangeOf<Space>(space, 0, turns),
+      "contact::detailed_check", RangeOf<Space>(space, 0, blocks),
       Kernel{inputs, candidates.nodes, candidates.offset, candidates.face, candidates.with_history, table.checked,
              table.is_still, table.near_moved, table.by_node, num_checked, is_listed, skips},
       table.num_new, num_skipped);
