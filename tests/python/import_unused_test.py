@@ -6,7 +6,7 @@ from collections import Counter
 
 import import_decks as decks
 import import_test
-from percuss.importing.ledger import Status
+from percuss.importing.ledger import ELSEWHERE, Status
 
 # One of each kind that nothing refers to; ids that no card of the deck has.
 UNUSED = """\
@@ -211,10 +211,12 @@ class Report(import_test.InFolder):
             text = getattr(decks, name)
             _, ledger = self.read(text, "all")
             self.assertEqual((list_silent(text, ledger), list_invented(text, ledger)), ([], []), name)
+            self.assertNotIn(ELSEWHERE, [entry.text for entry in ledger.list_rows()], name)
         for name in ("ABAQUS", "ABAQUS_STRESSED", "ABAQUS_BODIES", "ABAQUS_ROLLER", "ABAQUS_BEAMS", "ABAQUS_RIGID", "ABAQUS_RATES"):
             text = getattr(decks, name)
             _, ledger = self.read_abaqus(text, "all")
             self.assertEqual((list_silent(text, ledger, True), list_invented(text, ledger, True)), ([], []), name)
+            self.assertNotIn(ELSEWHERE, [entry.text for entry in ledger.list_rows()], name)
 
     def test_defaults_of_absent_cards_are_named_as_such(self):
         _, ledger = self.read(decks.FULL)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
 SILENT = "nothing comes of it: no card that is translated refers to it, or what it refers to is left out"
-ELSEWHERE = "what becomes of it stands in a row of the card that uses it"
+ELSEWHERE = "no row of its own: nothing that is translated refers to it, or its effect is in another row of this keyword"
 NO_COUNTERPART = "percuss has no counterpart"
 
 

@@ -37,6 +37,8 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
     if block.option("OP") == "NEW" and ("BOUNDARY", block.step) not in deck.renewed:
         deck.motions.stop(list(deck.motions.windows), deck.step_of(block).start)
         deck.renewed.add(("BOUNDARY", block.step))
+    if block.option("OP") == "NEW" and not block.lines:
+        deck.ledger.translated("BOUNDARY", block.place, "OP=NEW ends what acted before")
     for line in block.lines:
         word = block.text(line, 1).upper()
         if word in NAMED:
@@ -66,6 +68,7 @@ def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value
     action = make_action(deck, block, place, nodes, directions, value)
     if action is None:
         return
+    deck.keywords_of_lines[place] = block.keyword
     for group, ways in split_turned(deck, nodes, directions):
         for node in group:
             for direction in ways:

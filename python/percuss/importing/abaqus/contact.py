@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..fields import clip
+from ..fields import clip, parse_real
 from ..ledger import BadInput, Place
 from ..model import Deck
 from .cohesive import tie_layer
@@ -161,6 +161,10 @@ def read_surface_property(deck: AbaqusDeck, block: Block) -> None:
     plain = {"THICKNESS": ("", "ORIGINAL", "THINNING"), "OFFSET FRACTION": ("", "ORIGINAL")}.get(kind, ())
     for line in block.lines:
         factor = block.number(line, 2, 1.0) if kind == "THICKNESS" else 1.0
+        if kind == "OFFSET FRACTION" and not block.text(line, 0):
+            deck.contact_ignores_offsets = parse_real(block.text(line, 1)) == 0
+            if deck.contact_ignores_offsets:
+                continue
         if block.text(line, 1).upper() not in plain or factor != 1:
             text = f"{clip(kind) or 'a property'} {clip(block.text(line, 1))} of a surface in contact"
             deck.ledger.refuse(block.keyword, block.at(line[0]), text, "shells touch at half their thickness")

@@ -10,6 +10,7 @@ from ..curves import Points
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Deck, Model
+from ..unique import Unique
 from .amplitudes import Amplitude
 from .lines import Block
 from .mesh import PLANES, RINGS, SHELLS, SIDES, SOLIDS, STRAINED, BodyCard, Instance, Scope
@@ -73,7 +74,7 @@ class ParameterTables:
 
     kinds: dict[str, list[str]] = field(default_factory=dict)  # of columns, by *PARAMETER TABLE TYPE
     lines: list[str] = field(default_factory=list)  # of the file
-    place: Place | None = None
+    places: list[Place] = field(default_factory=list)  # of the collections
     is_open: bool = False  # whether the keyword before belongs to a collection
 
 
@@ -81,7 +82,7 @@ class AbaqusDeck:
     """All definitions, and the model that they become."""
 
     def __init__(self, ledger: Ledger):
-        self.ledger, self.model = ledger, Model()
+        self.ledger, self.model, self.names = ledger, Model(), Unique()
         self.mesh = Scope()
         self.parts: dict[str, Scope] = {}
         self.assembly = Scope()
@@ -101,6 +102,7 @@ class AbaqusDeck:
         self.steps: list[StepTime] = []
         self.motions, self.loads = Timeline(0.0), Timeline(0.0)
         self.scaled: set[tuple] = set()  # keywords of mass scaling with their options
+        self.keywords_of_lines: dict[Place, str] = {}  # of what acts in a step
         self.renewed: set[tuple[str, int]] = set()  # keyword and step of OP=NEW
         self.gravities: dict[str, tuple[int, list[float]]] = {}  # by the element set: step and direction
         self.condition_lines: list = []
@@ -120,6 +122,7 @@ class AbaqusDeck:
         self.generals: list[General] = []  # everything touches everything, one after the other
         self.whole_friction = 0.0  # of general contact, at the last step that is read
         self.excluded: list[frozenset[str]] = []  # pairs of parts
+        self.contact_ignores_offsets = False  # OFFSET FRACTION 0: general contact of all shells is about their mesh
         self.contact_names: dict[tuple[str, str], tuple[str, str]] = {}  # surfaces of pairs, as this deck and as percuss call them
         self.step_scale = 0.0  # 0: percuss' own
         self.states: dict[int, tuple[float, ...]] = {}  # of user code at the start, by element

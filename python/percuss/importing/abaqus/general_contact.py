@@ -8,6 +8,7 @@ from . import glue
 from .contact import add_pair, end_pair, name_side
 from .deck import AbaqusDeck, General
 from .lines import Block
+from .shell_offsets import report_offsets
 from .surfaces import is_profile
 
 MOST_PAIRS = 500
@@ -195,6 +196,7 @@ def finish_contact(deck: AbaqusDeck) -> None:
     if deck.pair_frictions and deck.model.deck.get("contact") and section["surfaces"] != "none":
         section["friction"] = {"default": section.get("friction", 0.0), "pairs": deck.pair_frictions}
     refuse_ring_friction(deck, section)
+    report_offsets(deck)
 
 
 def refuse_ring_friction(deck: AbaqusDeck, section: Deck) -> None:

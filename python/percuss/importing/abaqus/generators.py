@@ -9,7 +9,7 @@ from ..ledger import BadInput, Place, missing
 from ..model import Vector
 from ..shapes import cross, normalise, subtract
 from .lines import Block
-from .mesh import MOST_MEMBERS, Scope, rotate
+from .mesh import MOST_MEMBERS, Scope, keep_once, rotate
 
 Axes = tuple[Vector, Vector, Vector]
 
@@ -63,7 +63,8 @@ def read_nodes(scope: Scope, block: Block) -> None:
         raise BadInput(block.place, f"*NODE, SYSTEM={clip(kind)} (R, C or S is expected): correct it")
     for line in block.lines:
         id = block.id(line, 0)
-        scope.nodes[id] = place_node(scope, kind, (block.number(line, 1), block.number(line, 2), block.number(line, 3)))
+        x = place_node(scope, kind, (block.number(line, 1), block.number(line, 2), block.number(line, 3)))
+        keep_once(scope.nodes, scope.node_lines, "node", id, x, block.at(line[0]))
         add_set(scope.node_sets, block.option("NSET"), [id])
 
 

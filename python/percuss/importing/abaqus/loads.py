@@ -13,7 +13,7 @@ from .lines import Block
 from .planes import list_edges, write_traction
 from .timeline import LOAD, Action, join_loads, values_of
 
-LEFT_OUT = "it is left out"
+LEFT_OUT, ENDS = "it is left out", "OP=NEW ends what acted before"
 BODY_FORCES = {"BX": 0, "BY": 1, "BZ": 2}
 
 Line = tuple[int, list[str]]
@@ -24,6 +24,8 @@ def renew(deck: AbaqusDeck, block: Block) -> None:
     if block.option("OP") == "NEW" and (block.keyword, block.step) not in deck.renewed:
         deck.loads.stop([target for target in deck.loads.windows if target[0] == block.keyword], deck.step_of(block).start)
         deck.renewed.add((block.keyword, block.step))
+    if block.option("OP") == "NEW" and not block.lines:
+        deck.ledger.translated(block.keyword, block.place, ENDS)
 
 
 def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple, value: float, emit: Callable) -> None:
@@ -37,6 +39,7 @@ def act(deck: AbaqusDeck, block: Block, line: Line, key: tuple, value: float, em
     while any(window.start == start for window in deck.loads.windows.get((block.keyword, *key, number), [])):
         number += 1
     target = (block.keyword, *key, number)
+    deck.keywords_of_lines[place] = block.keyword
     deck.loads.act(target, Action(LOAD, start, tuple(points), place))
     deck.load_writers.setdefault(target, emit)
 

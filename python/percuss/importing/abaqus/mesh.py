@@ -4,10 +4,12 @@ import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
+from ..unique import Lines
 from .lines import Block
 
 # Type: corners, kind; what percuss does not have has no kind.
@@ -35,6 +37,7 @@ SIDES = {
 }
 SIDES[10] = SIDES[4]  # percuss takes the four triangles of a face by its corners
 MOST_MEMBERS = 20_000_000
+T = TypeVar("T")
 Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
 
@@ -163,6 +166,8 @@ class Scope:
     origin: Vector = (0.0, 0.0, 0.0)  # of *SYSTEM
     axes: tuple[Vector, Vector, Vector] | None = None  # likewise; none: those of space
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
+    node_lines: Lines = field(default_factory=Lines)  # of *NODE
+    element_lines: Lines = field(default_factory=Lines)  # of *ELEMENT
 
     def sort(self, keyword: str) -> list[int]:
         """Ascending ids of what a set of *NSET or *ELSET may hold."""
@@ -203,6 +208,14 @@ def rotate(p: Vector, a: Vector, b: Vector, degrees: float) -> Vector:
     return tuple(a[d] + v[d] * cosine + across[d] * sine + u[d] * along for d in range(3))  # type: ignore[return-value]
 
 
+def keep_once(known: dict[int, T], lines: Lines, what: str, id: int, found: T, place: Place) -> None:
+    """A node or an element; another one of its id that a line gives is an error. One that is made by rule may be given again."""
+    if known.get(id, found) != found and (first := lines.find(id)):
+        raise BadInput(place, f"{what} {id} is defined twice, and differs (the first is at {first}): renumber or remove one")
+    known[id] = found
+    lines.note(place, id)
+
+
 def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] | None = None) -> None:
     """An element may go over several lines. find: of a node that another instance has."""
     kind = WITH_TEMPERATURE.get(block.option("TYPE"), block.option("TYPE"))
@@ -223,7 +236,7 @@ def read_elements(scope: Scope, block: Block, find: Callable[[str, Place], int] 
             continue
         if kind in {**SOLIDS, **SHELLS, **COHESIVE} and len(values) - 1 > count:
             raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes ({count} are expected): correct its lines")
-        scope.elements[values[0]] = (kind, tuple(values[1:]))
+        keep_once(scope.elements, scope.element_lines, "element", values[0], (kind, tuple(values[1:])), block.at(line[0]))
         if "ELSET" in block.options:
             scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])
 

@@ -2,6 +2,7 @@
 
 from ..fields import clip
 from ..ledger import Ledger
+from ..text_files import find_similar
 from .lines import Block
 
 OF_STEP = "AMPLITUDE OP"
@@ -93,6 +94,14 @@ KNOWN = {
     "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE PENALTY",
     "CONTACT INITIALIZATION DATA": "NAME SEARCH_ABOVE SEARCH_BELOW",
 }
+# Options of output: they say what is written, and where, but change no physics.
+OF_OUTPUT = {
+    "OUTPUT": "FIELD HISTORY DIAGNOSTICS FREQUENCY MODE_LIST NAME NUMBER_INTERVAL OP TIME_INTERVAL TIME_MARKS TIME_POINTS VARIABLE FILTER SENSOR",
+    "NODE OUTPUT": "NSET VARIABLE EXTERIOR TRACER_SET SENSOR ELSET",
+    "ELEMENT OUTPUT": "ELSET VARIABLE DIRECTIONS POSITION EXTERIOR ALLSECTIONPTS REBAR TRACER_SET SENSOR NSET",
+    "CONTACT OUTPUT": "NSET VARIABLE SURFACE SECOND_SURFACE MASTER SLAVE CPSET GENERAL_CONTACT",
+    "ENERGY OUTPUT": "ELSET VARIABLE PER_ELEMENT_SET PER_SECTION",
+}
 # Values that mean the default, or change nothing that percuss has.
 DEFAULTS = {
     ("HYPERELASTIC", "N"): {"", "1", "2", "3", "4", "5", "6"},
@@ -170,7 +179,7 @@ def complete_keyword(block: Block, known: dict[str, str]) -> None:
 
 def check_options(block: Block, ledger: Ledger) -> None:
     """Refuses what is not known of a keyword."""
-    known = KNOWN.get(block.keyword)
+    known = KNOWN.get(block.keyword, OF_OUTPUT.get(block.keyword))
     if known is None:
         return
     words = {word.replace("_", " ") for word in known.split()}
@@ -184,9 +193,15 @@ def check_options(block: Block, ledger: Ledger) -> None:
             ledger.refuse(
                 f"{block.keyword}.{clip(name)}",
                 block.place,
-                f"the option {clip(name)}={clip(block.options[name])}",
+                f"the option {clip(name)}={clip(block.options[name])}{suggest_option(name, words) if name not in words else ''}",
                 "it is left out",
             )
+
+
+def suggest_option(name: str, words: set[str]) -> str:
+    """The reason in a message that an option is not known: the one that it is written almost like."""
+    found = find_similar(name, sorted(words))
+    return f" (did you mean {found}?)" if found else ""
 
 
 def complete_names(block: Block, words: set[str]) -> None:

@@ -107,7 +107,12 @@ class Reader:
         self.deck.model.title = ", ".join(block.lines[0][1]) if block.lines else ""
         self.deck.ledger.translated("HEADING", block.place, "title")
 
+    def claim(self, what: str, block: Block, of_scope: bool = False) -> None:
+        """The name of a block, which no other one of its kind has; of_scope: in its part."""
+        self.deck.names.claim(what, block.option("NAME"), block.place, id(self.scope) if of_scope else 0)
+
     def begin_part(self, block: Block) -> None:
+        self.claim("parts", block)
         self.scope = self.deck.parts.setdefault(block.option("NAME"), Scope(place=block.place))
 
     def begin_assembly(self, block: Block) -> None:
@@ -115,6 +120,7 @@ class Reader:
         self.assembly.place, self.deck.assembly_name = block.place, block.option("NAME")
 
     def begin_instance(self, block: Block) -> None:
+        self.claim("instances", block)
         self.deck.instances.append(read_instance(block))
         self.scope = self.deck.instances[-1].own
 
@@ -155,6 +161,7 @@ class Reader:
         self.deck.ledger.ignored("TRANSFORM", block.place, "its axes are those of space")
 
     def surface(self, block: Block) -> None:
+        self.claim("surfaces", block, of_scope=True)
         if block.option("TYPE") in surfaces.KINDS:
             surfaces.read_profile(self.scope, block)
             self.deck.ledger.translated(f"SURFACE.{block.option('TYPE')}", block.place, "a wall or a rigid part, where a rigid body has it")
@@ -172,12 +179,15 @@ class Reader:
         self.scope.sections[-1].added.append(block)
 
     def controls(self, block: Block) -> None:
+        self.claim("*SECTION CONTROLS", block)
         self.deck.controls[block.option("NAME")] = block
 
     def distribution(self, block: Block) -> None:
+        self.claim("distributions", block, of_scope=True)
         read_distribution(self.scope, block, self.deck.ledger)
 
     def orientation(self, block: Block) -> None:
+        self.claim("orientations", block, of_scope=True)
         read_orientation(self.scope, block)
         self.deck.ledger.translated("ORIENTATION", block.place, "axes of orthotropic materials and of user code; isotropic ones have none")
 
@@ -220,12 +230,12 @@ class Reader:
     def begin_material(self, block: Block) -> None:
         if not block.option("NAME"):
             raise BadInput(block.place, "*MATERIAL has no name: add NAME=")
-        if block.option("NAME") in self.deck.materials:
-            raise BadInput(block.place, f"there are two materials {clip(block.option('NAME'))}: rename or remove one")
+        self.claim("materials", block)
         self.material = MaterialBlocks(block.place)
         self.deck.materials[block.option("NAME")] = self.material
 
     def begin_interaction(self, block: Block) -> None:
+        self.claim("surface interactions", block)
         self.interaction = block.option("NAME")
         self.deck.frictions[self.interaction] = 0.0
         self.deck.interactions[self.interaction] = [block]
@@ -234,6 +244,7 @@ class Reader:
         lines = [line for line in block.lines if any(line[1])]
         if not self.interaction:
             raise BadInput(block.place, "*FRICTION stands behind no *SURFACE INTERACTION: correct the order")
+        self.deck.names.claim("*FRICTION of surface interaction", self.interaction, block.place)
         if lines:
             self.deck.frictions[self.interaction] = block.number(lines[0], 0)
         if "ROUGH" in block.options:
@@ -258,6 +269,7 @@ class Reader:
     def amplitude(self, block: Block) -> None:
         if not block.option("NAME"):
             raise BadInput(block.place, "*AMPLITUDE has no name: add NAME=")
+        self.claim("amplitudes", block)
         self.amplitudes.append(block)
 
     def begin_step(self, block: Block) -> None:
@@ -388,8 +400,6 @@ def apply(reader: Reader) -> None:
     deck.motions.end = deck.loads.end = deck.end_time
     for block in reader.amplitudes:
         name = block.option("NAME")
-        if name in deck.amplitudes:
-            raise BadInput(block.place, f"there are two amplitudes {clip(name)}: rename or remove one")
         deck.amplitudes[name] = guard(block, lambda block: read_amplitude(block, deck.end_time))
         deck.ledger.translated("AMPLITUDE", block.place, "a table where something uses it")
     acting = [block for block in reader.waiting if block.keyword in ACTIONS]

@@ -23,14 +23,17 @@ def read_type(deck: AbaqusDeck, block: Block) -> None:
     wanted = parse_integer(block.option("PARAMETERS") or str(len(kinds)))
     if not kinds or wanted != len(kinds):
         raise BadInput(block.place, f"*{block.keyword} has {len(kinds)} kinds of columns (PARAMETERS={clip(block.option('PARAMETERS'))}): correct one of them")
+    deck.names.claim("*PARAMETER TABLE TYPE", block.option("NAME"), block.place)
     deck.parameter_tables.kinds[block.option("NAME")] = kinds
     deck.ledger.translated(block.keyword, block.place, "columns of parameter_tables")
 
 
 def begin_collection(deck: AbaqusDeck, block: Block) -> None:
+    deck.names.claim("*TABLE COLLECTION", block.option("NAME"), block.place)
     tables = deck.parameter_tables
     tables.lines.append(f"collection,{block.option('NAME')}")
-    tables.place, tables.is_open = block.place, True
+    tables.is_open = True
+    tables.places.append(block.place)
 
 
 def read_table(deck: AbaqusDeck, block: Block) -> None:
@@ -72,16 +75,18 @@ def read_value(place: Place, word: str, kind: str) -> str:
 def finish_tables(deck: AbaqusDeck) -> None:
     """The file belongs to each material of user code; without one nobody reads it."""
     tables = deck.parameter_tables
-    if tables.place is None:
+    if not tables.places:
         return
     laws = [law for law in deck.model.materials.values() if law["model"] == "user"]
     if not laws:
-        deck.ledger.ignored("TABLE COLLECTION", tables.place, "tables that user code reads, of which there is none")
+        for place in tables.places:
+            deck.ledger.ignored("TABLE COLLECTION", place, "tables that user code reads, of which there is none")
         return
     deck.model.files[FILE] = tables.lines
     for law in laws:
         law["parameter_tables"] = FILE
-    deck.ledger.translated("TABLE COLLECTION", tables.place, "parameter_tables")
+    for place in tables.places:
+        deck.ledger.translated("TABLE COLLECTION", place, "parameter_tables")
 
 
 TABLES = {"PARAMETER TABLE TYPE": read_type, "TABLE COLLECTION": begin_collection, "PARAMETER TABLE": read_table}

@@ -45,9 +45,11 @@ class Timeline:
 
     end: float
     windows: dict[tuple, list[Window]] = field(default_factory=dict)
+    lines: dict[Place, None] = field(default_factory=dict)  # of all actions, those included that another has replaced
 
     def act(self, target: tuple, action: Action) -> None:
         """From its start on in place of what acted there."""
+        self.lines[action.place] = None
         rows = self.windows.setdefault(target, [])
         if rows and rows[-1].end > action.start:
             rows[-1].end = action.start

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from .deck import AbaqusDeck
+from .followers import list_leaders
 from .lines import Block
 
 
@@ -13,6 +14,7 @@ def last_line(block: Block) -> int:
 def note_definitions(deck: AbaqusDeck) -> None:
     """An entry for each keyword of them without one."""
     note_sections(deck)
+    note_replaced(deck)
     for block, fate in [*list_materials(deck), *list_interactions(deck), *list_controls(deck)]:
         if deck.ledger.tells_of(block.place, last_line(block)):
             continue
@@ -46,6 +48,27 @@ def list_controls(deck: AbaqusDeck) -> Iterator[tuple[Block, str]]:
     named = {section.controls for section in deck.mesh.sections}
     for name, block in deck.controls.items():
         yield block, "" if name in named else "no section names it"
+
+
+def note_replaced(deck: AbaqusDeck) -> None:
+    """Lines of conditions and loads that act in a table with others, and those that others replace before they act."""
+    turning = deck.model.turning_nodes() | deck.group_of_ref.keys() | list_leaders(deck).keys() | deck.leaders
+    for timeline in (deck.motions, deck.loads):
+        acting = {window.action.place: "" for windows in timeline.windows.values() for window in windows}
+        acting |= {window.action.place: "acts" for target, windows in timeline.windows.items() for window in windows if not is_idle(target, turning)}
+        for place in timeline.lines:
+            keyword = deck.keywords_of_lines[place]
+            if deck.ledger.tells_of(place, place.line):
+                continue
+            if acting.get(place):
+                deck.ledger.translated(keyword, place, "acts with those of other steps or lines, whose rows say as what")
+            else:
+                deck.ledger.ignored(keyword, place, "its nodes have no rotations" if place in acting else "another one takes its place before it acts")
+
+
+def is_idle(target: tuple, turning: set[int]) -> bool:
+    """Whether a target of a timeline is a rotation of a node that has none."""
+    return isinstance(target[0], int) and str(target[1]).startswith("r") and target[0] not in turning
 
 
 def note_sections(deck: AbaqusDeck) -> None:

@@ -32,6 +32,7 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
         if "PID" in options:
             reader.take()
             deck.ledger.approximated(card.keyword, card.place, "spot welds hold the nearest of the parts that their contact names, and not PID1 and PID2")
+        deck.element_lines["beams"].note(card.at(line[0]), id)
         toward = read_toward(reader) if "ORIENTATION" in options else None
         elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, toward))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
@@ -83,6 +84,7 @@ def read_rules(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("IRID NIP RA ICST K~unused")
         shape, points = row.integer("ICST"), row.integer("NIP")
         row.skip("RA", "K")
+        deck.ids.claim("*INTEGRATION_BEAM", row.integer("IRID"), row.place)
         deck.rules[row.integer("IRID")] = row, reader.row("D1 D2 D3 D4 SREF TREF D5~unused D6~unused") if shape else None
         for _ in range(points if reader else 0):
             reader.take()

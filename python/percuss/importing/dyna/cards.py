@@ -9,6 +9,7 @@ from ..fields import Row, clip, describe_columns, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..text_files import read_lines
+from ..unique import Unique
 from .cases import Cases, find_owner
 from .parameters import Parameters
 from .transforms import UNCHANGED, FileChange, Transformation, read_include
@@ -147,6 +148,7 @@ class CardReader:
         self._included: set[str] = set()
         self._bytes = 0
         self.transformations: dict[int, Transformation] = {}
+        self._ids = Unique()
         self._cases = Cases(ledger)
 
     def read(self) -> Iterator[Card]:
@@ -188,6 +190,7 @@ class CardReader:
                 if card.change is not UNCHANGED:
                     card.change.check(card, self._ledger)
                 found = Transformation(card)
+                self._ids.claim("*DEFINE_TRANSFORMATION", found.id, found.place)
                 self.transformations[found.id] = found
                 self._ledger.translated(card.keyword, card.place, "moves the files and nodes that name it")
             elif name.startswith("PARAMETER"):

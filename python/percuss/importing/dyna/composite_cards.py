@@ -18,8 +18,7 @@ def read_composite(deck: KeywordDeck, card: Card) -> None:
     id = row.integer("PID")
     if id < 1:
         row.fail("PID", "an id is expected")
-    if id in deck.parts:
-        raise BadInput(row.place, f"there are two parts {id} (ids must be unique): renumber one")
+    deck.ids.claim("parts", id, row.place)
     part = PartCard(id, title, row.place, 0, 0, 0, row.integer("HGID"))
     if "_CONTACT" in card.keyword:
         read_contact(deck, reader, part)

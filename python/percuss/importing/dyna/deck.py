@@ -13,6 +13,7 @@ from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Layer, Model, Vector
 from ..shapes import FaceOwners, dot, subtract
 from ..solids import FACES
+from ..unique import Lines, Unique
 from .cards import Card
 from .dimensions import SAME, Factors, scale
 from .output import Output
@@ -208,6 +209,8 @@ class KeywordDeck:
     def __init__(self, ledger: Ledger):
         self.ledger, self.model = ledger, Model()
         self.nodes: dict[int, Vector] = self.model.nodes
+        self.ids, self.node_lines = Unique(), Lines()
+        self.element_lines = {"solids": Lines(), "thick shells": Lines(), "shells": Lines(), "beams": Lines()}
         self.fixed_nodes: dict[tuple[int, int], list[int]] = {}
         self.fixed_place: Place | None = None
         self.elements: dict[int, Elements] = {}
@@ -258,7 +261,7 @@ class KeywordDeck:
         self.bolts: list[Row] = []  # of *INITIAL_AXIAL_FORCE_BEAM
         self.bolt_of_beam: dict[int, int] = {}  # place in `bolts` of beams that have a preload
         self.bolt_of_block: dict[int, int] = {}
-        self.planes: dict[int, Any] = {}  # of *DATABASE_CROSS_SECTION_PLANE
+        self.planes: dict[int, Any] = {}  # of *DATABASE_CROSS_SECTION_PLANE; of those without an id minus their number
         self.rigid_ends: set[int] = set()  # nodes that no weld can have
         self.shell_shift = 0  # what is added to the ids of shells
         self.beam_shift = 0  # likewise

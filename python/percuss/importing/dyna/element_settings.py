@@ -24,6 +24,7 @@ def read_hourglass(deck: KeywordDeck, card: Card) -> None:
         if card.has_title:
             reader.take()
         row = reader.row("HGID IHQ=1 QM=0.1 IBQ~unused Q1=1.5 Q2=0.06 QB~shells QW~shells")
+        deck.ids.claim("*HOURGLASS", row.integer("HGID"), row.place)
         deck.hourglass[row.integer("HGID")] = row
 
 

@@ -46,6 +46,7 @@ def read_nodal_body(deck: KeywordDeck, card: Card) -> None:
         if "INERTIA" in options:
             given = read_inertia_lines(deck, reader, card.keyword)
             body.inertia, body.motion = given.keys, given.motion
+        deck.ids.claim("*CONSTRAINED_NODAL_RIGID_BODY", id, row.place)
         deck.nodal_bodies[id] = body
         if center:
             deck.center_nodes.add(center)

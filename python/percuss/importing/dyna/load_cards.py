@@ -271,6 +271,7 @@ def read_blast(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.refuse(f"{card.keyword}.DEATH", more.place, "a blast that ends before the run", "it acts on")
         else:
             more.skip("DEATH")
+    deck.ids.claim("*LOAD_BLAST" if is_old else "*LOAD_BLAST_ENHANCED", id, row.place)
     entry: Deck = {"charge": charge, "center": row.numbers("XBO", "YBO", "ZBO")}
     if not is_old and not more.integer("NEGPHS"):
         entry["negative_phase"] = True

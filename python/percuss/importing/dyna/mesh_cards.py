@@ -44,8 +44,9 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
         if change is not UNCHANGED:
             x = change.move(x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
-            raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places: renumber or remove one")
+            raise BadInput(card.at(line[0]), f"node {id} is defined twice, at different places (the first is at {deck.node_lines.find(id)}): renumber or remove one")
         deck.nodes[id] = x  # type: ignore[assignment]
+        deck.node_lines.note(card.at(line[0]), id)
         code = int(to_real(card, line[0], texts[4], "TC")), int(to_real(card, line[0], texts[5], "RC"))
         if code != (0, 0):
             if not all(0 <= c <= 7 for c in code):
@@ -103,6 +104,7 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
         corners = [c for c in corners if c]
         if card.keyword == "ELEMENT_SOLID_ORTHO":
             deck.solid_axes[id] = read_direction(card, reader, "A"), read_direction(card, reader, "D")
+        deck.element_lines["solids"].note(card.at(line[0]), id)
         add_solid(deck, card, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
     deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
 
@@ -116,6 +118,7 @@ def read_thick_shells(deck: KeywordDeck, card: Card) -> None:
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         corners = [to_id(card, line[0], text, "node") for text in texts[2:10]]
         place = card.at(line[0])
+        deck.element_lines["thick shells"].note(place, id)
         found = elements_of(deck, part, place)
         if len(set(corners)) == 8:
             found.solids.append((id, tuple(turn_over(corners) if card.change.mirrors() else corners)))
@@ -182,6 +185,7 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         line = reader.take()
         texts = card.split(line, EIGHTS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
+        deck.element_lines["shells"].note(card.at(line[0]), id)
         nodes = [to_id(card, line[0], text, "node", True) for text in texts[2:10]]
         thickness, turn = read_shell_options(deck, card, reader, options, any(nodes[4:]))
         if any(nodes[4:]):

@@ -28,8 +28,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
         id = row.integer("PID")
         if id < 1:
             row.fail("PID", "an id is expected")
-        if id in deck.parts:
-            raise BadInput(row.place, f"there are two parts {id} (ids must be unique): renumber one")
+        deck.ids.claim("parts", id, row.place)
         part = PartCard(id, title, row.place, row.integer("SECID"), row.integer("MID"), row.integer("EOSID"), row.integer("HGID"))
         row.finish(deck.ledger)
         part.is_adaptive = row.number("ADPOPT") != 0
@@ -86,6 +85,7 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
             count = int(layers.number("NIP"))
             if layers.integer("ICOMP"):
                 lines += [reader.take() for _ in range(min(-(-count // 8), 100))]
+        deck.ids.claim("sections", row.integer("SECID"), row.place)
         deck.sections[row.integer("SECID")] = Card(card.keyword, row.place, card.least_width, card.parameters, lines=lines)
 
 

@@ -95,8 +95,8 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
     """*DATABASE_CROSS_SECTION_PLANE: a section of the output, to which a preload may refer."""
     reader = card.reader()
     head_row = reader.row("CSID TITLE~label", (10, 70)) if card.has_id else None
-    id = head_row.integer("CSID") if head_row else len(deck.planes) + 1
-    title = (head_row.text("TITLE") if head_row else "") or f"section_{id}"
+    id = head_row.integer("CSID") if head_row else -len(deck.planes) - 1
+    title = (head_row.text("TITLE") if head_row else "") or f"section_{abs(id)}"
     row, more = reader.row("PSID XCT YCT ZCT XCH YCH ZCH RADIUS"), reader.row("XHEV YHEV ZHEV LENL LENM ID ITYPE")
     tail, head = tuple(row.numbers("XCT", "YCT", "ZCT")), tuple(row.numbers("XCH", "YCH", "ZCH"))
     line = subtract(head, tail)  # type: ignore[arg-type]
@@ -105,6 +105,7 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
     edges = bool(more.number("LENL") or more.number("LENM"))
     plane = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
     plane.card, plane.title, plane.is_local = card.keyword, title, bool(more.integer("ID"))
+    deck.ids.claim("*DATABASE_CROSS_SECTION", id, plane.place)
     deck.planes[id] = plane
 
 
@@ -114,7 +115,7 @@ def read_section_stress(deck: KeywordDeck, card: Card) -> None:
     while reader.skip_blank():
         row = reader.row("ISSID CSID LCID PSID VID IZSHEAR ISTIFF")
         row.skip("ISSID")
-        plane = deck.planes.get(row.integer("CSID"))
+        plane = deck.planes.get(row.integer("CSID"), deck.planes.get(-row.integer("CSID")))
         if row.integer("IZSHEAR") or row.integer("ISTIFF"):
             deck.ledger.refuse("INITIAL_STRESS_SECTION.IZSHEAR", row.place, "IZSHEAR or ISTIFF", "shear stresses stay free")
         if plane is None:

@@ -1,6 +1,7 @@
 """A keyword deck becomes a model: which card is read by what, and in which order."""
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from ..fields import clip
 from ..ledger import BadInput, Ledger, Place, missing
@@ -32,6 +33,7 @@ from .control_cards import (  # fmt: skip
 )
 from .curve_cards import check_relaxation, read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
+from .database_names import KEYWORDS as DATABASES
 from .deck import KeywordDeck
 from .element_settings import read_hourglass, translate_hourglass, translate_integration, translate_shell_hourglass
 from .embedded_cards import read_bars_in_solids, read_beams_in_solids
@@ -61,7 +63,7 @@ from .mesh_cards import (
     read_solids,
     read_thick_shells,
 )
-from .output_cards import finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
+from .output_cards import ASCII, finish_output, finish_sensors, read_accelerometers, read_database, read_sensor
 from .part_cards import build_blocks, read_parts, read_section
 from .preload_cards import add_preloads, read_axial_force, read_plane, read_section_stress
 from .set_cards import read_box, read_set, read_system, read_vector, resolve_segments
@@ -107,7 +109,7 @@ DEFINITIONS: dict[str, Handler] = {
     "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED": read_turn_springs,
     "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
-    "SENSOR_": read_sensor, "LOAD_BLAST": read_blast, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
+    "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -117,11 +119,17 @@ ACTIONS: dict[str, Handler] = {
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "BOUNDARY_PRESCRIBED_MOTION": motions.read_motion,
-    "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "INITIAL_STRESS_": read_stresses, "INITIAL_STRESS_SECTION": read_section_stress, "INITIAL_TEMPERATURE_": start.read_temperature, "LOAD_BLAST": read_blast, "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
     "LOAD_GRAVITY_PART": read_part_gravity, "LOAD_BLAST_SEGMENT": read_blast_segments, "LOAD_RIGID_BODY": read_body_force,
     "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
     "TERMINATION_NODE": read_node_limit, "TERMINATION_BODY": read_body_limit, "TERMINATION_SENSOR": read_sensor_end, "TERMINATION_": read_other_end,
 }  # fmt: skip
+# Of several of these the last one counts, as in LS-DYNA. They wait for it: DEFINITIONS of them are read behind all others.
+OF_LAST = (
+    "CONTROL_TERMINATION", "CONTROL_CONTACT", "CONTROL_SHELL", "CONTROL_SOLID", "CONTROL_RIGID", "CONTROL_SOLUTION", "CONTROL_HOURGLASS", "CONTROL_TIMESTEP", "CONTROL_BULK_VISCOSITY",
+    "CONTROL_DYNAMIC_RELAXATION", "CONTROL_DAMPING", "DATABASE_BINARY_D3PLOT", *(f"DATABASE_{name}" for name in ASCII),
+)  # fmt: skip
+SAME_CARD = {"CONTROL_DAMPING": "CONTROL_DYNAMIC_RELAXATION", "CONTROL_HOURGLASS_936": "CONTROL_HOURGLASS"}  # names of one card
 OTHER_ELEMENTS = tuple(f"ELEMENT_{kind}" for kind in OTHERS)
 # Harmless whatever they say.
 LISTENED = "what refers to it is refused by its own name"
@@ -147,7 +155,40 @@ def find_handler(table: dict[str, Handler], keyword: str) -> str | None:
     return find_form(table, keyword)[0]
 
 
-def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Handler]]) -> None:
+@dataclass
+class Waiting:
+    """Cards that are read when all definitions are known."""
+
+    actions: list[tuple[int, Card, Handler]] = field(default_factory=list)
+    last: dict[str, Card] = field(default_factory=dict)  # of OF_LAST, by the keyword
+
+    def keep_last(self, deck: KeywordDeck, card: Card) -> None:
+        keyword = SAME_CARD.get(card.keyword, card.keyword)
+        if keyword in self.last:
+            first = self.last.pop(keyword)
+            deck.ledger.ignored(first.keyword, first.place, f"of several of these cards the last one counts, which is at {card.place}")
+        self.last[keyword] = card
+
+    def take_last(self, deck: KeywordDeck) -> None:
+        """Reads the definitions among them; actions wait on."""
+        for card in self.last.values():
+            name = find_handler(DEFINITIONS | ACTIONS, card.keyword) or ""
+            if name in DEFINITIONS:
+                apply(deck, card, DEFINITIONS[name])
+            else:
+                self.add(name, card)
+
+    def add(self, name: str, card: Card) -> None:
+        self.actions.append((list(ACTIONS).index(name), card, ACTIONS[name]))
+
+
+def is_unknown(name: str | None, keyword: str) -> bool:
+    """Whether a keyword begins as known ones do, and is none of them."""
+    known = {"CONTROL_": is_known_control, "ELEMENT_": lambda word: word.startswith(OTHER_ELEMENTS), "DATABASE_": DATABASES.__contains__}
+    return name in known and not known[name](keyword)
+
+
+def sort_card(deck: KeywordDeck, card: Card, waiting: Waiting) -> None:
     """Reads a definition, keeps an action for later, refuses what is not known."""
     keyword = card.keyword
     name, option = find_form([*DEFINITIONS, *ACTIONS], keyword)
@@ -157,12 +198,14 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
         raise BadInput(card.place, "an encrypted block cannot be read: ask its author for the plain text")
     elif keyword.startswith(MODIFIERS) and keyword not in MODIFIERS_READ:
         deck.ledger.refuse(keyword, card.place, "what it adds to a material", "the material is as it is without it")
-    elif (name == "CONTROL_" and not is_known_control(keyword)) or (name == "ELEMENT_" and not keyword.startswith(OTHER_ELEMENTS)):
+    elif is_unknown(name, keyword):
         refuse_unknown(deck, card)
+    elif SAME_CARD.get(keyword, keyword) in OF_LAST:
+        waiting.keep_last(deck, card)
     elif name in DEFINITIONS:
         apply(deck, card, DEFINITIONS[name])
     elif name:
-        waiting.append((list(ACTIONS).index(name), card, ACTIONS[name]))
+        waiting.add(name, card)
     elif option:
         deck.unknown.append((keyword, card.place))
         text = f"the option {clip(option)}, with which the card means something else{suggest(keyword, list_keywords())}"
@@ -174,7 +217,7 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
 def refuse_unknown(deck: KeywordDeck, card: Card) -> None:
     """A card that is not known, or misspelt."""
     deck.unknown.append((card.keyword, card.place))
-    deck.ledger.refuse(card.keyword or "(blank)", card.place, f"an unknown card{suggest(card.keyword, list_keywords())}", "it is left out")
+    deck.ledger.refuse(card.keyword or "(blank)", card.place, f"an unknown card{suggest(card.keyword, [*list_keywords(), *sorted(DATABASES)])}", "it is left out")
 
 
 def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
@@ -192,11 +235,12 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
 def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     """Reads a deck and what it includes. The ledger gets what became of it."""
     deck = KeywordDeck(ledger)
-    waiting: list[tuple[int, Card, Handler]] = []
+    waiting = Waiting()
     reader = CardReader(path, ledger, deck.nodes)
     deck.transformations = reader.transformations
     for card in reader.read():
         sort_card(deck, card, waiting)
+    waiting.take_last(deck)
     if not deck.elements:
         raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}", follows=True)
     if deck.end_time <= 0:
@@ -206,7 +250,7 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     except ArithmeticError as error:
         raise BadInput(path, f"the numbers of a part, its section or its material are out of range ({error})") from None
     ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams or found.others} <= {b.part for b in deck.model.blocks}
-    for _, card, handler in sorted(waiting, key=lambda item: item[0]):
+    for _, card, handler in sorted(waiting.actions, key=lambda item: item[0]):
         apply(deck, card, handler)
     finish(deck)
     note_definitions(deck)
@@ -249,7 +293,9 @@ def material_card(deck: KeywordDeck, block: Block) -> tuple[str, Place]:
 
 
 def check_corners(deck: KeywordDeck) -> None:
-    """Every corner is a node."""
+    """Every corner is a node, and every element has an id of its own."""
+    for what, lines in deck.element_lines.items():
+        lines.refuse_repeated(what)
     for elements in deck.elements.values():
         shells = ((shell.id, shell.corners) for shell in elements.shells)
         for id, corners in [*elements.solids, *shells, *((beam.id, beam.ends) for beam in elements.beams)]:

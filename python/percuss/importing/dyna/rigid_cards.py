@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..fields import Row
-from ..ledger import Place
+from ..ledger import BadInput, Place
 from ..model import Deck, Vector
 from ..shapes import cross, normalise
 from .bodies import find_bodies, find_body_name, find_lead, is_driven
@@ -83,12 +83,19 @@ def read_inertia(deck: KeywordDeck, reader: Lines, part: PartCard) -> None:
     part.inertia, part.motion = found.keys, found.motion
 
 
+def merge_part(deck: KeywordDeck, part: int, lead: int, place: Place) -> None:
+    """A part becomes one body with another."""
+    other, first = deck.merged.setdefault(part, (lead, place))
+    if other != lead:
+        raise BadInput(place, f"part {part} is merged with part {lead} and with part {other} (at {first}; it can follow one): remove one, or merge these parts")
+
+
 def read_merged(deck: KeywordDeck, card: Card) -> None:
     """*CONSTRAINED_RIGID_BODIES: parts that are one body with another."""
     for line in card.lines:
         if line[1].strip():
             row = card.row(line, "PIDL PIDC IFLAG")
-            deck.merged[row.integer("PIDC")] = (row.integer("PIDL"), row.place)
+            merge_part(deck, row.integer("PIDC"), row.integer("PIDL"), row.place)
             if row.integer("IFLAG"):
                 deck.updated_bodies[row.integer("PIDL")] = row.place
 
@@ -113,7 +120,7 @@ def switch_parts(deck: KeywordDeck) -> None:
             if deck.names_of_parts.get(part) and part not in deck.rigid:
                 deck.rigid[part] = RigidPart([])
             if lead and lead != part:
-                deck.merged[part] = (lead, place)
+                merge_part(deck, part, lead, place)
         deck.ledger.translated("DEFORMABLE_TO_RIGID", place, "parts.NAME.rigid")
 
 

@@ -26,8 +26,8 @@ def read_set(deck: KeywordDeck, card: Card) -> None:
     found = SetCard(kind, row.integer("SID"), title, row.place)
     if ("COLLECT" in options) and (kind, found.id) in deck.sets:
         found = deck.sets[kind, found.id]
-    elif (kind, found.id) in deck.sets:
-        raise BadInput(row.place, f"there are two *SET_{kind} {found.id} (ids must be unique): renumber one")
+    else:
+        deck.ids.claim(f"*SET_{kind}", found.id, row.place)
     deck.sets[kind, found.id] = found
     read_members(deck, card, reader, found, form)
     deck.ledger.translated(card.keyword, card.place, "a set of the mesh, where something uses it")
@@ -129,6 +129,7 @@ def read_box(deck: KeywordDeck, card: Card) -> None:
             local, center = reader.row("XX YX ZX XV YV ZV"), reader.row("CX CY CZ")
             axes = make_axes(local, tuple(local.numbers("XX", "YX", "ZX")), tuple(local.numbers("XV", "YV", "ZV")))  # type: ignore[arg-type]
             origin = tuple(center.numbers("CX", "CY", "CZ"))  # type: ignore[assignment]
+        deck.ids.claim("*DEFINE_BOX", row.integer("BOXID"), row.place)
         deck.boxes[row.integer("BOXID")] = Box(limits, axes, origin)
         deck.ledger.translated(card.keyword, card.place, "limits what uses it")
 
@@ -146,7 +147,7 @@ def read_axes(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     """One of them."""
     form = card.keyword.removeprefix("DEFINE_COORDINATE_")
     if form == "SYSTEM":
-        row, more = reader.row("CID XO YO ZO XL YL ZL CIDL"), reader.row("XP YP ZP")
+        row, more = read_system_id(deck, reader, "CID XO YO ZO XL YL ZL CIDL"), reader.row("XP YP ZP")
         origin = tuple(row.numbers("XO", "YO", "ZO"))
         if row.integer("CIDL"):
             deck.ledger.ignored(card.keyword, card.place, "in another system; a card that uses it is refused")
@@ -154,13 +155,13 @@ def read_axes(deck: KeywordDeck, card: Card, reader: Lines) -> None:
         x = subtract(tuple(row.numbers("XL", "YL", "ZL")), origin)  # type: ignore[arg-type]
         xy = subtract(tuple(more.numbers("XP", "YP", "ZP")), origin)  # type: ignore[arg-type]
     elif form == "VECTOR":
-        row = reader.row("CID XX YX ZX XV YV ZV NID")
+        row = read_system_id(deck, reader, "CID XX YX ZX XV YV ZV NID")
         if row.integer("NID"):
             deck.ledger.ignored(card.keyword, card.place, "its axes move with a node; a card that uses it is refused")
             return
         x, xy = tuple(row.numbers("XX", "YX", "ZX")), tuple(row.numbers("XV", "YV", "ZV"))  # type: ignore[assignment]
     elif form == "NODES":
-        row = reader.row("CID N1 N2 N3 FLAG DIR")
+        row = read_system_id(deck, reader, "CID N1 N2 N3 FLAG DIR")
         points = [deck.nodes.get(row.integer(name)) for name in ("N1", "N2", "N3")]
         is_read = None not in points and row.text("DIR").upper() in ("", "X")
         if is_read and row.integer("FLAG"):
@@ -179,6 +180,13 @@ def read_axes(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     deck.ledger.translated(card.keyword, card.place, "axes of what uses it")
 
 
+def read_system_id(deck: KeywordDeck, reader: Lines, layout: str) -> Row:
+    """The first line of a system, whose id no other system has."""
+    row = reader.row(layout)
+    deck.ids.claim("*DEFINE_COORDINATE", row.integer("CID"), row.place)
+    return row
+
+
 def make_axes(row: Row, x: Vector, xy: Vector) -> tuple[Vector, Vector, Vector]:
     """Axes by x and a vector in the plane of x and y."""
     z = normalise(cross(x, xy))
@@ -193,6 +201,7 @@ def read_vector(deck: KeywordDeck, card: Card) -> None:
         if card.has_title:
             reader.take()
         row = reader.row("VID XT YT ZT XH YH ZH CID")
+        deck.ids.claim("*DEFINE_VECTOR", row.integer("VID"), row.place)
         tail, head = tuple(row.numbers("XT", "YT", "ZT")), tuple(row.numbers("XH", "YH", "ZH"))
         if row.integer("CID"):
             deck.ledger.ignored(card.keyword, card.place, "in a system; a card that uses it is refused")

@@ -85,7 +85,7 @@ def translate_layup(deck: KeywordDeck, part: PartCard, layup: Layup, shells: lis
 
 def refuse_offset_contact(deck: KeywordDeck, reference: float, row: Row) -> None:
     if reference and deck.contact_at_offset:
-        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, "CNTCO: contact at the surfaces of shells with an offset", "they touch at half their thickness from the mesh")
+        deck.ledger.refuse("CONTROL_SHELL.CNTCO", row.place, f"CNTCO: contact at the surfaces of shells whose middle lies {0.5 * abs(reference):g} of their thickness off the mesh", "they touch at half their thickness from the mesh")
 
 
 def read_angles(deck: KeywordDeck, part: PartCard, row: Row, reader: Lines) -> list[Layer]:

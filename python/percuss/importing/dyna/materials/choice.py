@@ -53,7 +53,9 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         reader = card.reader()
         if card.has_title:
             reader.take()
-        read[card.row(reader.take(), "MID").integer("MID")] = card
+        row = card.row(reader.take(), "MID")
+        deck.ids.claim(f"*{card.keyword} of material", row.integer("MID"), row.place)
+        read[row.integer("MID")] = card
         return
     is_logarithmic = card.keyword == f"MAT_PIECEWISE_LINEAR_PLASTICITY{LOG_OPTION}"
     card.keyword = card.keyword.removesuffix(LOG_OPTION) if is_logarithmic else card.keyword
@@ -64,8 +66,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         while reader and (not count or len(lines) < count):
             lines.append(reader.take())
         id = card.row(lines[0], "MID").integer("MID")
-        if id in deck.materials:
-            raise BadInput(card.at(lines[0][0]), f"there are two materials {id} (ids must be unique): renumber one")
+        deck.ids.claim("materials", id, card.at(lines[0][0]))
         deck.material_titles[id] = title
         if is_logarithmic:
             deck.logarithmic_materials.add(id)
@@ -97,7 +98,9 @@ def read_state(deck: KeywordDeck, card: Card) -> None:
     while reader:
         lines.append(reader.take())
     found = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
-    deck.states[found.row(lines[0], "EOSID").integer("EOSID")] = found
+    row = found.row(lines[0], "EOSID")
+    deck.ids.claim("equations of state", row.integer("EOSID"), row.place)
+    deck.states[row.integer("EOSID")] = found
 
 
 def build_materials(deck: KeywordDeck) -> None:
