@@ -170,6 +170,15 @@ class Twice(import_test.InFolder):
         for text in (decks.SMALL.replace("*CONTROL_TERMINATION", blast + "*CONTROL_TERMINATION", 1), decks.SMALL.replace("*END", blast + "*END")):
             self.assertIn("LOAD_BLAST_ENHANCED.DEATH", self.refusals(text))
 
+    def test_a_card_has_the_values_that_stand_before_it(self):
+        """Whenever it is read: loads and controls wait for all definitions."""
+        load = "*LOAD_NODE_POINT\n11,3,95,&v\n"
+        text = decks.SMALL.replace("*END", "*DEFINE_CURVE\n95\n0,1\n1,1\n*PARAMETER_MUTABLE\nR v,2.0\n" + load + "*PARAMETER_MUTABLE\nR v,3.0\n" + load.replace("11", "12") + "*PARAMETER_MUTABLE\nR v,4.0\n*END")
+        model, _ = self.read(text)
+        self.assertEqual([entry["force"]["z"] for entry in model.deck["loads"]["nodal"]], [2.0, 3.0])
+        self.fails(text.replace("*PARAMETER_MUTABLE\nR v,3.0", "*PARAMETER_EXPRESSION\nR v,1.5*2"), "parameter V has a value already")
+        self.fails(decks.SMALL.replace("*END", "*LOAD_NODE_POINT\n11,3,95,&w\n*PARAMETER\nR w,1.0\n*END"), "parameter &w")
+
     def test_a_rigid_part_follows_one_other(self):
         text = decks.RIGID.replace("*END", "*CONSTRAINED_RIGID_BODIES\n1,3\n2,3\n*END")
         self.fails(text, "part 3 is merged with part 2 and with part 1")

@@ -209,7 +209,7 @@ class CardReader:
             if line.startswith("*"):
                 if card:
                     yield card
-                card = Card(find_keyword(line), Place(shown, number), 0, parameters, owner=find_owner(line))
+                card = Card(find_keyword(line), Place(shown, number), 0, parameters.freeze(), owner=find_owner(line))
                 if card.keyword.startswith("KEYWORD"):
                     card.lines.append((number, line.upper()))
             elif card:

@@ -1,7 +1,9 @@
 """*PARAMETER and the expressions of *PARAMETER_EXPRESSION."""
 
+import copy
 import math
 import re
+from bisect import bisect_right
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -31,17 +33,27 @@ class Parameters:
 
     def __init__(self, outer: "Parameters | None" = None, change: FileChange = UNCHANGED):
         self._outer = outer
-        self._values: dict[str, Value] = {}
+        self._values: dict[str, list[tuple[int, Value]]] = {}  # with their numbers, ascending
+        self._count: list[int] = outer._count if outer else [0]  # of all values that are given
+        self._known = math.inf  # the number of the last value that is known
         self.change = change
 
     def inner(self, change: FileChange = UNCHANGED) -> "Parameters":
         return Parameters(self, change.inside(self.change) if change is not UNCHANGED else self.change)
 
+    def freeze(self) -> "Parameters":
+        """As they are now: a card has the values that stand before it, whenever it is read."""
+        frozen = copy.copy(self)
+        frozen._known = self._count[0]
+        return frozen
+
     def find(self, name: str, place: Place) -> Value:
         scope: Parameters | None = self
         while scope:
-            if name.upper() in scope._values:
-                return scope._values[name.upper()]
+            values = scope._values.get(name.upper(), [])
+            before = bisect_right(values, self._known, key=lambda pair: pair[0])
+            if before:
+                return values[before - 1][1]
             scope = scope._outer
         raise BadInput(place, missing(f"parameter &{clip(name)}"))
 
@@ -77,12 +89,16 @@ class Parameters:
         kind, name = word[:1].upper(), word[1:].strip().upper()
         if kind not in ("R", "I", "C") or not name:
             raise BadInput(place, f"'{clip(word)}' is no parameter (R, I or C and its name are expected)")
-        if name in self._values and not is_mutable and self._values[name] != value:
+        values = self._values.setdefault(name, [])
+        if values and not is_mutable and values[-1][1] != value:
             raise BadInput(place, f"parameter {clip(name)} has a value already: remove one definition")
         if kind == "C" or isinstance(value, str):
-            self._values[name] = str(value)
+            value = str(value)
         else:
-            self._values[name] = int(value) if kind == "I" else float(value)
+            value = int(value) if kind == "I" else float(value)
+        if not values or values[-1][1] != value:
+            self._count[0] += 1
+            values.append((self._count[0], value))
 
     def _read_values(self, card: "Card") -> "list[tuple[int, str, Value]]":
         pairs: list[tuple[int, str, Value]] = []
@@ -110,7 +126,7 @@ class Parameters:
             )
             value = evaluate(text.strip(), self, card.at(number))
             scope = self if "LOCAL" in card.keyword else self._root()
-            scope._define(word.strip(), value, card.at(number), True)
+            scope._define(word.strip(), value, card.at(number), "MUTABLE" in card.keyword)
             pairs.append((number, word.strip(), value))
         return pairs
 
