@@ -154,10 +154,8 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
 std::string ContactStage::describe_overlap_left(Rows3<const double> x) const {
   const Impl& stage = *impl_;
   if (stage.overlap_at_start == 0) return "";
-  ContactDeck once = stage.contact;
-  once.rebalance = ContactDeck::Rebalance::never;
-  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
-  ContactHistory unused = make_history(stage.share, stage.walls, once);
+  const auto finder = stage.make_look({});
+  ContactHistory unused = make_history(stage.share, stage.walls, stage.contact);
   return percuss::describe_overlap_left(seed_history(stage.look_for_overlap(*finder), {x, x, 0}, unused));
 }
 

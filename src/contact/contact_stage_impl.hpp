@@ -73,6 +73,9 @@ struct ContactStage::Impl {
   std::optional<KnownContact> find_known() const;
   PiercingEdges find_piercings(const Rows3<const double>& x);
   void tell_missed(const std::optional<MissedContact>& found, double time);
+  std::unique_ptr<ContactFinder> make_look(const LookedAt& at) const {
+    return make_look_finder(*finder, seen(), share, contact, at);
+  }
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_ties_held_apart(const ContactReport& report) const;

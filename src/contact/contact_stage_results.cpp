@@ -99,9 +99,7 @@ std::vector<double> ContactStage::contact_ranks() const {
 }
 
 double ContactStage::measure_penetration(Rows3<const double> x) const {
-  ContactDeck once = impl_->contact;
-  once.rebalance = ContactDeck::Rebalance::never;
-  const auto finder = make_contact_finder(impl_->seen(), impl_->share, once);
+  const auto finder = impl_->make_look({});
   return find_deepest_penetration(impl_->look_for_overlap(*finder), {x, x, 0});
 }
 

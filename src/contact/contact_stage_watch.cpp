@@ -54,11 +54,12 @@ void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, dou
   const Phase phase("percuss::contact_watch", stage.clocks.check);
   const std::optional<KnownContact> known = stage.find_known();
   if (!known) return;
-  ContactDeck once = stage.contact;
-  once.rebalance = ContactDeck::Rebalance::never;
-  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
-  const OverlapSearch search = stage.look_for_overlap(*finder);
-  auto missed = find_missed_contact(search, {x, v, 0}, stage.history, *known);
+  const OverlapSearch search = stage.look_for_overlap(*stage.finder);
+  const SurfaceMotion here{x, v, 0};
+  const LookedAt at = find_watched(search, here, stage.history, *known);
+  std::optional<MissedContact> missed;
+  if (at.has_nodes || at.has_edges)
+    missed = find_missed_contact(stage.look_for_overlap(*stage.make_look(at)), here, stage.history, at, *known);
   if (!missed) missed = find_missed_edge(search, x, stage.history, *known).missed;
   if (!missed) missed = find_missed_piercing(search, stage.history, *known, stage.find_piercings(x).found);
   stage.tell_missed(missed, time);

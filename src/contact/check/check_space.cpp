@@ -79,8 +79,12 @@ ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShar
 }
 
 void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check) {
+  set_surface(surface, to_view("contact::face_numbers", face_numbers), check);
+}
+
+void set_surface(const ContactSurface& surface, const Array<const std::int64_t>& face_numbers, CheckSpace& check) {
   check.surface = surface;
-  check.face_numbers = to_view("contact::face_numbers", face_numbers);
+  check.face_numbers = face_numbers;
   const auto faces = static_cast<std::size_t>(surface.num_faces);
   if (check.faces.size.extent(0) < faces) {
     check.faces = {};

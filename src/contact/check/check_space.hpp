@@ -99,6 +99,7 @@ struct CheckSpace {
 };
 
 /// Takes a surface into use: memory for its faces and nodes.
+void set_surface(const ContactSurface& surface, const Array<const std::int64_t>& face_numbers, CheckSpace& check);
 void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check);
 
 /// No pair was checked in this step: nothing is found, and the next check has none before it to compare with.

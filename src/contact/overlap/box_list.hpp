@@ -23,6 +23,12 @@ struct HostBox {
       high[k] = std::max(high[k], x[k]);
     }
   }
+  void join(const HostBox& other) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
   void widen(double by) {
     for (int k = 0; k < 3; ++k) {
       low[k] -= by;
@@ -44,10 +50,7 @@ class BoxList {
  public:
   explicit BoxList(std::vector<HostBox> boxes) : boxes_(std::move(boxes)) {
     HostBox all;
-    for (const HostBox& box : boxes_) {
-      all.add({box.low[0], box.low[1], box.low[2]});
-      all.add({box.high[0], box.high[1], box.high[2]});
-    }
+    for (const HostBox& box : boxes_) all.join(box);
     for (int k = 1; k < 3; ++k)
       if (all.high[k] - all.low[k] > all.high[axis_] - all.low[axis_]) axis_ = k;
     std::sort(boxes_.begin(), boxes_.end(), [this](const HostBox& a, const HostBox& b) {

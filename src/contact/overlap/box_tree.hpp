@@ -26,6 +26,13 @@ class BoxTree {
     if (!nodes_.empty()) visit_below(0, box, visit);
   }
 
+  /// Calls visit(box, other) for each box and each of the other tree that it meets. Counted here.
+  template <class Visit>
+  void visit_pairs(const BoxTree& others, const Visit& visit) {
+    if (!nodes_.empty() && !others.nodes_.empty()) visit_pairs_below(0, others, 0, visit);
+  }
+
+  const std::vector<HostBox>& boxes() const { return boxes_; }
   std::int64_t tests() const { return tests_; }  // of pairs of boxes so far
 
  private:
@@ -52,13 +59,11 @@ class BoxTree {
 
   int split(std::size_t first, std::size_t last) {
     const int place = static_cast<int>(nodes_.size());
-    Node node{{}, first, last, -1};
-    for (std::size_t i = first; i < last; ++i) {
-      node.box.add({boxes_[i].low[0], boxes_[i].low[1], boxes_[i].low[2]});
-      node.box.add({boxes_[i].high[0], boxes_[i].high[1], boxes_[i].high[2]});
+    nodes_.push_back({{}, first, last, -1});
+    if (last - first <= leaf) {
+      for (std::size_t i = first; i < last; ++i) nodes_[at(place)].box.join(boxes_[i]);
+      return place;
     }
-    nodes_.push_back(node);
-    if (last - first <= leaf) return place;
     const int axis = find_widest(boxes_, first, last);
     const std::size_t middle = first + (last - first) / 2;
     const auto begin = boxes_.begin();
@@ -68,7 +73,10 @@ class BoxTree {
                      });
     split(first, middle);
     const int second = split(middle, last);
-    nodes_[at(place)].second = second;
+    Node& node = nodes_[at(place)];
+    node.second = second;
+    node.box = nodes_[at(place + 1)].box;
+    node.box.join(nodes_[at(second)].box);
     return place;
   }
 
@@ -85,6 +93,33 @@ class BoxTree {
     tests_ += static_cast<std::int64_t>(node.last - node.first);
     for (std::size_t i = node.first; i < node.last; ++i)
       if (boxes_[i].meets(box)) visit(boxes_[i].item);
+  }
+
+  template <class Visit>
+  void visit_pairs_below(int place, const BoxTree& others, int other, const Visit& visit) {
+    const Node &a = nodes_[at(place)], &b = others.nodes_[at(other)];
+    ++tests_;
+    if (!a.box.meets(b.box)) return;
+    if (a.second >= 0 && (b.second < 0 || a.last - a.first >= b.last - b.first)) {
+      visit_pairs_below(place + 1, others, other, visit);
+      visit_pairs_below(a.second, others, other, visit);
+    } else if (b.second >= 0) {
+      visit_pairs_below(place, others, other + 1, visit);
+      visit_pairs_below(place, others, b.second, visit);
+    } else {
+      visit_leaves(a, others, b, visit);
+    }
+  }
+
+  template <class Visit>
+  void visit_leaves(const Node& a, const BoxTree& others, const Node& b, const Visit& visit) {
+    for (std::size_t i = a.first; i < a.last; ++i) {
+      ++tests_;
+      if (!boxes_[i].meets(b.box)) continue;
+      tests_ += static_cast<std::int64_t>(b.last - b.first);
+      for (std::size_t j = b.first; j < b.last; ++j)
+        if (boxes_[i].meets(others.boxes_[j])) visit(boxes_[i], others.boxes_[j]);
+    }
   }
 
   std::vector<HostBox> boxes_;

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/overlap/box_list.hpp"
 #include "src/contact/overlap/sunken_edges.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
@@ -34,16 +37,51 @@ bool has_face(const Faces& face, int node) {
   return false;
 }
 
-void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
+/// The box in which the search finds nodes at faces of a part of solids.
+struct PartBox {
+  int part = 0;
+  HostBox box;
+};
+
+/// Of all ranks; of a part as many as ranks have faces of it.
+std::vector<PartBox> list_part_boxes(const OverlapSearch& search, const SurfaceMotion& motion,
+                                     const KnownContact& known) {
+  const SurfaceShare& share = search.share;
+  const Boxes boxes("contact::look_boxes", share.searched_faces.size());
+  const double margin = search.find_margin(motion);
+  run_where_it_pays(static_cast<int>(share.searched_faces.size()) / 2, [&](const auto& space) {
+    bound_faces(space, share.bounded_faces(), motion, margin, boxes);
+    space.fence();
+  });
+  const auto box = to_host(boxes);
+  std::map<int, PartBox> own;
+  for (std::size_t f = 0; f < share.searched_faces.size(); ++f) {
+    const int part = share.faces[at(share.searched_faces[f])].part;
+    if (known.is_of_shells(part)) continue;
+    PartBox& of = own[part];
+    of.part = part;
+    of.box.add({box(f, 0), box(f, 1), box(f, 2)});
+    of.box.add({box(f, 3), box(f, 4), box(f, 5)});
+  }
+  std::vector<PartBox> list;
+  for (const auto& [part, of] : own) list.push_back(of);
+  return gather_items(search.ranks, list);
+}
+
+/// Whether a node of solids that did not begin inside a body has no record. face: ContactHistory::face on the host.
+template <class Faces>
+bool is_unknown(const OwnedContactNodes& nodes, std::size_t n, const Faces& face, const KnownContact& known) {
+  return nodes.searched[n] != 0 && !known.is_of_shells(nodes.parts[n]) && !has_face(face, static_cast<int>(n)) &&
+         !std::binary_search(known.inside.begin(), known.inside.end(), nodes.numbers[n]);
+}
+
+void find_nodes(const OverlapSearch& search, const SurfaceMotion& motion, const std::vector<char>& watched,
                 const KnownContact& known, std::optional<MissedContact>& deepest) {
-  const auto face = to_host(history.face);
   const auto x = to_host(motion.x);
   const OwnedContactNodes& nodes = search.share.nodes;
   for (const Penetration& p : search.finder.find_penetrations(motion)) {
     const auto n = static_cast<std::size_t>(p.node);
-    if (has_face(face, p.node) || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(nodes.parts[n]) ||
-        known.is_of_shells(p.part) || std::binary_search(known.inside.begin(), known.inside.end(), nodes.numbers[n]))
-      continue;
+    if (watched[n] == 0 || !(p.size > 0) || nodes.parts[n] == p.part || known.is_of_shells(p.part)) continue;
     MissedContact found{p.depth / p.size, p.depth, nodes.numbers[n],  false,
                         nodes.parts[n],   p.part,  MissedWay::inside, {}};
     for (int k = 0; k < 3; ++k) found.x[k] = x(nodes.mesh_nodes[n], k);
@@ -133,13 +171,34 @@ std::optional<MissedContact> find_missed_piercing(const OverlapSearch& search, c
   return find_deepest(search, history, known, edges, MissedWay::through);
 }
 
+LookedAt find_watched(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
+                      const KnownContact& known) {
+  const OwnedContactNodes& nodes = search.share.nodes;
+  const std::vector<PartBox> boxes = list_part_boxes(search, motion, known);
+  const auto face = to_host(history.face);
+  const auto x = to_host(motion.x);
+  std::vector<char> watched(nodes.numbers.size(), 0);
+  int any = 0;
+  for (std::size_t n = 0; n < watched.size(); ++n) {
+    HostBox place;
+    place.add(load_row(x, nodes.mesh_nodes[n]));
+    const auto may_be_in = [&](const PartBox& of) { return of.part != nodes.parts[n] && of.box.meets(place); };
+    if (!std::any_of(boxes.begin(), boxes.end(), may_be_in) || !is_unknown(nodes, n, face, known)) continue;
+    watched[n] = 1;
+    any = 1;
+  }
+  all_reduce(search.ranks, Reduce::largest, any);
+  const bool has_edges = search.share.total_edges > 0 && !known.has_shells() && !search.share.has_beams;
+  return {std::move(watched), any != 0, has_edges};
+}
+
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
-                                                 const ContactHistory& history, const KnownContact& known) {
+                                                 const ContactHistory& history, const LookedAt& at,
+                                                 const KnownContact& known) {
   search.search_everywhere(motion);
   std::optional<MissedContact> deepest;
-  find_nodes(search, motion, history, known, deepest);
-  if (search.share.total_edges > 0 && !known.has_shells() && !search.share.has_beams)
-    find_edges(search, motion, history, deepest);
+  if (at.has_nodes) find_nodes(search, motion, *at.nodes, known, deepest);
+  if (at.has_edges) find_edges(search, motion, history, deepest);
   std::vector<MissedContact> own;
   if (deepest) own.push_back(*deepest);
   deepest.reset();

@@ -35,11 +35,17 @@ struct KnownContact {
   bool has_shells() const { return std::find(of_shells.begin(), of_shells.end(), 1) != of_shells.end(); }
 };
 
+/// What of the surface find_missed_contact() has to look at: no nodes, on all ranks, if no node may be in the box of a
+/// face that counts. Collective.
+LookedAt find_watched(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
+                      const KnownContact& known);
+
 /// Searches at the positions of `motion`, whose dt is 0, for what is inside another body by more than a tenth of an
 /// element without a record in the history: nodes of solids in solids, and, where the scene has no shells, edges that
-/// have crossed others. Empty: nothing. The same on all ranks. Collective.
+/// have crossed others. at: of find_watched(). Empty: nothing. The same on all ranks. Collective.
 std::optional<MissedContact> find_missed_contact(const OverlapSearch& search, const SurfaceMotion& motion,
-                                                 const ContactHistory& history, const KnownContact& known);
+                                                 const ContactHistory& history, const LookedAt& at,
+                                                 const KnownContact& known);
 
 /// What find_missed_edge() found, and the tests of points and boxes that it took.
 struct MissedEdge {

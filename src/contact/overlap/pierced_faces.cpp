@@ -23,12 +23,16 @@ constexpr double same_place = 1e-9;
 
 using HostPlaces = decltype(to_host(Rows3<const double>()));
 
-/// A side of a face, on its way to ranks with faces of a body that it may go through.
-struct TravellingEdge {
+/// A side of a face, where it is looked for in the faces of a body.
+struct FaceSide {
   std::int64_t ends[2];  // numbers of its nodes, ascending
-  Point3 x[2];
   int body, part, surface_class;
   int in;  // the body that it is looked for in
+};
+
+/// The same with its place, as it goes to ranks with faces of that body.
+struct TravellingEdge : FaceSide {
+  Point3 x[2];
 };
 
 /// Where an edge meets a triangle of a face's fan.
@@ -68,9 +72,9 @@ class FaceIndex {
     }
     for (auto& [body, list] : boxes) trees_.emplace(body, BoxTree(std::move(list)));
     mark_rims();
+    choose_sides();
   }
 
-  const std::vector<std::size_t>& kept() const { return kept_; }
   bool is_rim(std::size_t face, std::size_t side) const {
     return std::binary_search(rims_.begin(), rims_.end(), list_side(face, side));
   }
@@ -102,6 +106,32 @@ class FaceIndex {
     return list;
   }
 
+  /// Calls visit(side) for those of a face that no face of a lower number has.
+  template <class Visit>
+  void visit_sides(std::size_t face, const Visit& visit) const {
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((sides_[face] & (1U << k)) != 0) visit(k);
+  }
+
+  FaceSide name(std::size_t face, std::size_t side, int in) const {
+    const auto [first, last] = list_side(face, side);
+    const FaceTopology& of = share_.faces[face];
+    return {{first, last}, of.body, of.part, of.surface_class, in};
+  }
+  TravellingEdge load_edge(std::size_t face, std::size_t side, int in) const {
+    TravellingEdge edge{name(face, side, in), {}};
+    const std::size_t next = (side + 1) % 4;
+    const bool is_forward = share_.faces[face].corners[side] == edge.ends[0];
+    edge.x[0] = load_row(x_, share_.face_corners[face][is_forward ? side : next]);
+    edge.x[1] = load_row(x_, share_.face_corners[face][is_forward ? next : side]);
+    return edge;
+  }
+  HostBox bound_side(std::size_t face, std::size_t side) const {
+    HostBox box;
+    for (const std::size_t k : {side, (side + 1) % 4}) box.add(load_row(x_, share_.face_corners[face][k]));
+    return box;
+  }
+
   BoxTree* find_tree(int body) {
     const auto tree = trees_.find(body);
     return tree == trees_.end() ? nullptr : &tree->second;
@@ -125,76 +155,39 @@ class FaceIndex {
     std::sort(rims_.begin(), rims_.end());
   }
 
+  /// Of each two nodes the first side between them, by lists of such second nodes.
+  void choose_sides() {
+    struct Other {
+      int node, next;
+    };
+    std::vector<int> first(x_.extent(0), -1);
+    std::vector<Other> others;
+    others.reserve(2 * kept_.size());
+    sides_.assign(share_.faces.size(), 0);
+    for (const std::size_t f : kept_)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& corners = share_.face_corners[f];
+        const auto [a, b] = std::minmax(corners[k], corners[(k + 1) % 4]);
+        int place = first[at(a)];
+        while (place >= 0 && others[at(place)].node != b) place = others[at(place)].next;
+        if (a == b || place >= 0) continue;
+        others.push_back({b, first[at(a)]});
+        first[at(a)] = static_cast<int>(others.size()) - 1;
+        sides_[f] |= 1U << k;
+      }
+  }
+
   const SurfaceShare& share_;
   const HostPlaces& x_;
   std::vector<std::size_t> kept_;
+  std::vector<unsigned> sides_;  // [faces] bits of those of visit_sides()
   std::map<int, BoxTree> trees_;
   std::vector<std::pair<std::int64_t, std::int64_t>> rims_;  // ends of the edges where shells of this rank end
 };
 
-/// Calls visit(edge) for each side of the kept faces, once.
-template <class Visit>
-void visit_sides(const SurfaceShare& share, const HostPlaces& x, const FaceIndex& index, const Visit& visit) {
-  struct Side {
-    std::pair<std::int64_t, std::int64_t> ends;
-    std::size_t face, side;
-    bool operator<(const Side& other) const { return ends < other.ends; }
-  };
-  std::vector<Side> sides;
-  sides.reserve(4 * index.kept().size());
-  for (const std::size_t f : index.kept())
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto ends = index.list_side(f, k);
-      if (ends.first != ends.second) sides.push_back({ends, f, k});
-    }
-  std::stable_sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i > 0 && sides[i].ends == sides[i - 1].ends) continue;
-    const auto [ends, f, k] = sides[i];
-    const bool is_forward = share.faces[f].corners[k] == ends.first;
-    const auto& nodes = share.face_corners[f];
-    const Point3 first = load_row(x, nodes[is_forward ? k : (k + 1) % 4]);
-    const Point3 last = load_row(x, nodes[is_forward ? (k + 1) % 4 : k]);
-    visit(TravellingEdge{{ends.first, ends.second},
-                         {first, last},
-                         share.faces[f].body,
-                         share.faces[f].part,
-                         share.faces[f].surface_class,
-                         -1});
-  }
-}
-
-HostBox bound(const TravellingEdge& edge) {
-  HostBox box;
-  box.add(edge.x[0]);
-  box.add(edge.x[1]);
-  return box;
-}
-
-/// Edges to send, with their ranks: to those of their own body, and of shells in whose box they are.
-struct SentEdges {
-  std::vector<TravellingEdge> edges;
-  std::vector<int> to;
-};
-
-SentEdges find_edges(const SurfaceShare& share, const HostPlaces& x, const FaceIndex& index,
-                     const std::vector<BodyFaces>& bodies, BoxTree& boxes) {
-  SentEdges sent;
-  visit_sides(share, x, index, [&](TravellingEdge edge) {
-    boxes.visit_meeting(bound(edge), [&](int item) {
-      const BodyFaces& body = bodies[at(item)];
-      if (body.body != edge.body && body.has_shells == 0) return;
-      edge.in = body.body;
-      sent.edges.push_back(edge);
-      sent.to.push_back(body.rank);
-    });
-  });
-  return sent;
-}
-
 /// Whether an edge has an end in common with the element behind a face: where that turns inside out it goes through
 /// itself.
-bool are_joined(const TravellingEdge& edge, const FaceTopology& face) {
+bool are_joined(const FaceSide& edge, const FaceTopology& face) {
   for (const std::int64_t end : edge.ends)
     for (int k = 0; k < 4; ++k)
       if (face.corners[k] == end || face.backs[k] == end) return true;
@@ -224,6 +217,13 @@ double find_rim_distance(const FaceIndex& index, std::size_t f, const FacePoints
   return least;
 }
 
+HostBox bound(const TravellingEdge& edge) {
+  HostBox box;
+  box.add(edge.x[0]);
+  box.add(edge.x[1]);
+  return box;
+}
+
 /// Adds where an edge meets the fan of a face.
 void find_piercings(const FaceIndex& index, const FaceTopology& of, std::size_t f, const TravellingEdge& edge,
                     std::vector<Piercing>& found) {
@@ -237,24 +237,77 @@ void find_piercings(const FaceIndex& index, const FaceTopology& of, std::size_t 
   }
 }
 
-/// Where edges that this rank was sent go through faces that it has.
-std::vector<Piercing> look_through(const SurfaceShare& share, FaceIndex& index,
-                                   const std::vector<TravellingEdge>& edges, PiercedPairs pairs) {
-  std::vector<Piercing> found;
-  const auto friction = to_host(share.pair_friction);
-  for (const TravellingEdge& edge : edges) {
-    BoxTree* const tree = index.find_tree(edge.in);
-    if (tree == nullptr) continue;
-    tree->visit_meeting(bound(edge), [&](int f) {
-      const FaceTopology& of = share.faces[at(f)];
-      if (edge.body != edge.in && !(of.offset > 0)) return;
-      if (pairs == PiercedPairs::that_may_touch &&
-          !(friction(edge.surface_class * share.num_classes + of.surface_class) >= 0))
-        return;
-      if (!are_joined(edge, of)) find_piercings(index, of, at(f), edge, found);
+/// Looks where edges go through the faces of this rank.
+class PiercingLook {
+ public:
+  PiercingLook(const SurfaceShare& share, FaceIndex& index, PiercedPairs pairs)
+      : share_(share), index_(index), pairs_(pairs), friction_(to_host(share.pair_friction)) {}
+
+  /// Those of a body of this rank, in a body of this rank.
+  void look_at(const BoxTree& faces, int in) {
+    index_.find_tree(in)->visit_pairs(faces, [&](const HostBox& other, const HostBox& own) {
+      const std::size_t f = at(own.item), of = at(other.item);
+      index_.visit_sides(f, [&](std::size_t side) {
+        if (index_.bound_side(f, side).meets(other) && may_pierce(index_.name(f, side, in), share_.faces[of]))
+          find_piercings(index_, share_.faces[of], of, index_.load_edge(f, side, in), found_);
+      });
     });
   }
-  return found;
+
+  /// Those that this rank was sent.
+  void look_at(const std::vector<TravellingEdge>& edges) {
+    for (const TravellingEdge& edge : edges)
+      index_.find_tree(edge.in)->visit_meeting(bound(edge), [&](int f) {
+        const FaceTopology& of = share_.faces[at(f)];
+        if (may_pierce(edge, of)) find_piercings(index_, of, at(f), edge, found_);
+      });
+  }
+
+  const std::vector<Piercing>& found() const { return found_; }
+
+ private:
+  bool may_pierce(const FaceSide& edge, const FaceTopology& of) const {
+    if (edge.body != edge.in && !(of.offset > 0)) return false;
+    if (pairs_ == PiercedPairs::that_may_touch &&
+        !(friction_(edge.surface_class * share_.num_classes + of.surface_class) >= 0))
+      return false;
+    return !are_joined(edge, of);
+  }
+
+  const SurfaceShare& share_;
+  FaceIndex& index_;
+  PiercedPairs pairs_;
+  decltype(to_host(SurfaceShare::pair_friction)) friction_;
+  std::vector<Piercing> found_;
+};
+
+/// Looks at the edges of this rank in their own body, and in shells in whose box they are: here, or where these are.
+std::vector<Piercing> look_through(const Communicator& ranks, const std::vector<BodyFaces>& bodies, FaceIndex& index,
+                                   BoxTree& boxes, PiercingLook& look) {
+  std::vector<TravellingEdge> edges;
+  std::vector<int> to;
+  const auto send = [&](const BodyFaces& faces, const BodyFaces& in) {
+    for (const HostBox& face : index.find_tree(faces.body)->boxes())
+      index.visit_sides(at(face.item), [&](std::size_t side) {
+        if (!index.bound_side(at(face.item), side).meets(in.box)) return;
+        edges.push_back(index.load_edge(at(face.item), side, in.body));
+        to.push_back(in.rank);
+      });
+  };
+  for (const BodyFaces& own : bodies) {
+    if (own.rank != ranks.rank()) continue;
+    boxes.visit_meeting(own.box, [&](int item) {
+      const BodyFaces& in = bodies[at(item)];
+      if (in.body != own.body && in.has_shells == 0) return;
+      if (in.rank == ranks.rank())
+        look.look_at(*index.find_tree(own.body), in.body);
+      else
+        send(own, in);
+    });
+  }
+  ItemExchange exchange(ranks);
+  look.look_at(exchange.send(to, edges));
+  return gather_items(ranks, look.found());
 }
 
 /// The places of an edge by which its depth is known: its ends, where one of them is on the other side, else three
@@ -333,10 +386,8 @@ PiercingEdges find_piercing_edges(const Communicator& ranks, const SurfaceShare&
     list.back().item = static_cast<int>(list.size()) - 1;
   }
   BoxTree boxes(std::move(list));
-  const SentEdges sent = find_edges(share, x, index, bodies, boxes);
-  ItemExchange exchange(ranks);
-  std::vector<Piercing> piercings =
-      gather_items(ranks, look_through(share, index, exchange.send(sent.to, sent.edges), pairs));
+  PiercingLook look(share, index, pairs);
+  std::vector<Piercing> piercings = look_through(ranks, bodies, index, boxes, look);
   std::sort(piercings.begin(), piercings.end(), [](const Piercing& a, const Piercing& b) { return a.key() < b.key(); });
   // On the line between two triangles an edge goes through both.
   const auto is_same = [](const Piercing& a, const Piercing& b) {

@@ -241,9 +241,9 @@ void seed_born_edges(const OverlapSearch& search, const SurfaceMotion& motion, b
 
 }  // namespace
 
-void OverlapSearch::search_everywhere(const SurfaceMotion& motion) const {
+double OverlapSearch::find_margin(const SurfaceMotion& motion) const {
   constexpr double margin = 0.3;  // of a mean edge
-  finder.search(motion, margin * bound.find_mean_edge(motion));
+  return margin * bound.find_mean_edge(motion);
 }
 
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactHistory& history) {

@@ -38,8 +38,10 @@ struct OverlapSearch {
   const ReuseBound& bound;
   ContactFinder& finder;
 
-  /// Searches at these positions with boxes that, with the reach of the check, find nodes half a face deep.
-  void search_everywhere(const SurfaceMotion& motion) const;
+  /// By how much boxes that find nodes half a face deep, with the reach of the check, are wider. Collective.
+  double find_margin(const SurfaceMotion& motion) const;
+  /// Searches at these positions with such boxes.
+  void search_everywhere(const SurfaceMotion& motion) const { finder.search(motion, find_margin(motion)); }
 };
 
 /// What may be touched from now on, though nothing there has been taken in by the history.

@@ -31,4 +31,13 @@ std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, co
   return std::make_unique<RankedFinder>(ranks, share, deck);
 }
 
+std::unique_ptr<ContactFinder> make_look_finder(const ContactFinder& of_run, const ContactRanks& ranks,
+                                                const SurfaceShare& share, const ContactDeck& deck,
+                                                const LookedAt& at) {
+  if (const auto* local = dynamic_cast<const LocalFinder*>(&of_run)) return std::make_unique<LocalFinder>(*local, at);
+  ContactDeck once = deck;
+  once.rebalance = ContactDeck::Rebalance::never;
+  return make_contact_finder(ranks, share, once);
+}
+
 }  // namespace percuss

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "comm/exchange/data_exchange.hpp"
@@ -83,6 +84,17 @@ class ContactFinder {
   /// After narrow(): what the pairs that are left read is requested from other ranks.
   virtual void request_near_pairs() {}
 };
+
+/// What a look between steps is at.
+struct LookedAt {
+  std::optional<std::vector<char>> nodes;  // [contact nodes] those whose penetrations are asked for; none: all
+  bool has_nodes = true;                   // whether some of any rank are
+  bool has_edges = true;                   // whether penetrations of edges are asked for
+};
+
+/// A finder for one look at the surface of the run's, which stays as it is. What is not looked at, it may find or not.
+std::unique_ptr<ContactFinder> make_look_finder(const ContactFinder& of_run, const ContactRanks& ranks,
+                                                const SurfaceShare& share, const ContactDeck& deck, const LookedAt& at);
 
 /// The finder that suits the number of ranks.
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,

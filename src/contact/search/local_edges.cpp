@@ -20,10 +20,19 @@ LocalEdges::LocalEdges(const SurfaceShare& share, const ContactDeck& deck) : sha
   const auto find_row = [&](std::int64_t number) {
     return rows[static_cast<std::size_t>(number - nodes.numbers.front())];
   };
-  set_edge_surface(make_edge_surface(share.edges, find_row, share), space_);
-  divided_edges_ = share.edges;
-  points_ = list_edge_points(divided_edges_, space_.surface.ends, {});
-  boxes_ = Boxes("contact::edge_boxes", share.edges.size());
+  use(make_edge_surface(share.edges, find_row, share));
+}
+
+LocalEdges::LocalEdges(const LocalEdges& of_run, bool looks) : share_(of_run.share_) {
+  scratch_.points.method = of_run.scratch_.points.method;
+  if (looks && !share_.edges.empty()) use(of_run.space_.surface);
+}
+
+void LocalEdges::use(const EdgeSurface& surface) {
+  set_edge_surface(surface, space_);
+  divided_edges_ = share_.edges;
+  points_ = list_edge_points(divided_edges_, surface.ends, {});
+  boxes_ = Boxes("contact::edge_boxes", share_.edges.size());
 }
 
 void LocalEdges::take_over(const LocalEdges& before) {
@@ -44,7 +53,7 @@ void LocalEdges::identify_edges() {
 }
 
 std::int64_t LocalEdges::find_candidates(const SurfaceMotion& motion, double margin) {
-  if (share_.edges.empty()) return 0;
+  if (divided_edges_.empty()) return 0;
   const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
   if (divide_again(space_.surface.ends, motion.x, share_.edge_piece, divided_edges_)) {
     points_ = list_edge_points(divided_edges_, space_.surface.ends, {});

@@ -13,6 +13,8 @@ class LocalEdges {
  public:
   /// The share outlives this. A scene without edges does nothing in any call.
   LocalEdges(const SurfaceShare& share, const ContactDeck& deck);
+  /// For one look at the edges of the run's, or at none.
+  LocalEdges(const LocalEdges& of_run, bool looks);
 
   /// Goes on with the order of the search of other edges, of which most are the same.
   void take_over(const LocalEdges& before);
@@ -46,6 +48,7 @@ class LocalEdges {
   const Rows3<double>& places() const { return places_; }        // [pieces]
 
  private:
+  void use(const EdgeSurface& surface);
   void identify_edges();
 
   const SurfaceShare& share_;

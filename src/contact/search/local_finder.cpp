@@ -49,6 +49,18 @@ LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : s
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
 }
 
+LocalFinder::LocalFinder(const LocalFinder& of_run, const LookedAt& at)
+    : share_(of_run.share_), edges_(of_run.edges_, at.has_edges) {
+  scratch_.method = of_run.scratch_.method;
+  set_surface(of_run.check_.surface, of_run.check_.face_numbers, check_);
+  boxes_ = Boxes("contact::boxes", share_.searched_faces.size());
+  if (!at.nodes) return;
+  std::vector<int> nodes;
+  for (std::size_t n = 0; n < at.nodes->size(); ++n)
+    if (share_.nodes.searched[n] != 0 && (*at.nodes)[n] != 0) nodes.push_back(static_cast<int>(n));
+  check_.surface.searched_nodes = to_view("contact::looked_at_nodes", nodes);
+}
+
 /// A surface that has changed once may do so again: from now on the tree of its search is kept.
 void LocalFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
@@ -71,6 +83,7 @@ std::int64_t LocalFinder::find_candidates(const SurfaceMotion& motion, double ma
 
 std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margin) {
   const ContactSurface& surface = check_.surface;
+  if (surface.searched_nodes.extent(0) == 0) return 0;
   const std::int64_t limit = std::min(find_pair_limit(share_), most_indexed_pairs);
   std::int64_t pairs = 0;
   // A search is some eighty launches, most of them of the sorts.
@@ -125,6 +138,7 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
 }
 
 std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& motion) {
+  if (check_.candidates.num_pairs == 0) return {};
   const PenetrationTable table = measure_candidates(motion, check_);
   const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
   const auto size = to_host(check_.faces.size);

@@ -14,6 +14,8 @@ ContactSurface make_whole_surface(const SurfaceShare& share);
 class LocalFinder : public ContactFinder {
  public:
   LocalFinder(const SurfaceShare& share, const ContactDeck& deck);
+  /// make_look_finder()
+  LocalFinder(const LocalFinder& of_run, const LookedAt& at);
 
   void narrow(const NearWay& way) override {
     check_.near.ask(way);
