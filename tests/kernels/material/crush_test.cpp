@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<SoilAndFoam>({1e9, 5e9, 2e6, 0.6, -1e-9, 1e6, {3, {0, 0.02, 0.1}, {0, 40e6, 300e6}}}) &&
+    provide_sample<LowDensityFoam>({5e6, 0.2, 2, {4, {0, 0.05, 0.6, 0.8}, {0, 0.2e6, 0.3e6, 2e6}}});
 
 template <class Law>
 void compact(Point<Law>& point, double strain, int steps) {

@@ -4,9 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<Elastic>({20e9, 0.3}) && provide_sample<J2Plasticity>({20e9, 0.3, 200e6, 1e9}) &&
+    provide_sample<PowerLawPlasticity>({20e9, 0.3, 150e6, 300e6, 0.4, 2, 3}) &&
+    provide_sample<VocePlasticity>({20e9, 0.25, 150e6, 100e6, 30, 0.5e9, 2, 3}) &&
+    provide_sample<TabulatedPlasticity>({20e9, 0.3, {3, {0, 0.02, 0.06}, {150e6, 220e6, 250e6}}, 2, 4}) &&
+    provide_sample<CombinedHardening>({20e9, 0.3, 150e6, 2e9, 0.6, 2, 3});
 
 constexpr double young = 200e9, poisson = 0.3, density = 7850, yield_stress = 300e6;
 

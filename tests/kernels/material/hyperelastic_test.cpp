@@ -5,9 +5,15 @@
 #include <numbers>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<NeoHookean>({3e6, 0.4}) && provide_sample<MooneyRivlin>({0.4e6, 0.1e6, 20e6}) &&
+    provide_sample<Yeoh>({0.4e6, -0.02e6, 0.01e6, 20e6}) && provide_sample<ArrudaBoyce>({0.8e6, 3, 20e6}) &&
+    provide_sample<Viscoelastic>({1e9, 1e7, {2, {0.01, 0.2}, {5e7, 2e7}}, {1, {0.05}, {4e8}}});
 
 Matrix3<double> turn_about_z(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

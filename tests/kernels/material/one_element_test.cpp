@@ -9,8 +9,8 @@
 
 #include "kernels/element/element_chunks.hpp"
 #include "tests/kernels/element/random_element.hpp"
+#include "tests/kernels/material/pairings.hpp"
 #include "tests/kernels/material/point_driver.hpp"
-#include "tests/kernels/material/sample_materials.hpp"
 
 namespace percuss::test {
 namespace {
@@ -192,7 +192,7 @@ auto make_point() {
   if constexpr (std::is_void_v<typename Pair::State>) {
     return UnturnedPoint<Law>(make_sample_law<Law>(), sample_density);
   } else {
-    return UnturnedPoint<Law>(make_sample_law<Law>(), sample_density, make_sample(Of<typename Pair::State>()));
+    return UnturnedPoint<Law>(make_sample_law<Law>(), sample_density, sample<typename Pair::State>());
   }
 }
 

@@ -7,10 +7,19 @@
 #include <vector>
 
 #include "tests/kernels/material/point_driver.hpp"
-#include "tests/kernels/material/sample_materials.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<LinearState>({10e9}) && provide_sample<MieGrueneisenState>({3000, 1.5, 2, 1e8}) &&
+    provide_sample<PolynomialState>({1e8, 10e9, 5e9, 20e9, 0.5, 0.3, 0.1, 1e9}) &&
+    provide_sample<TabulatedState>(
+        {{3, {-0.2, 0, 0.1}, {4e9, 0.1e9, -0.5e9}}, {2, {-0.3, 0.3}, {1.5, 0.6}}, 0.8, 2e8}) &&
+    provide_sample<IdealGasState>({1.4, 2.5e5}) &&
+    provide_sample<TillotsonState>({0.5, 1.5, 18e9, 18e9, 16e6, 5, 5, 3.5e6, 18e6, 1e8}) &&
+    provide_sample<JwlState>({371.2e9, 3.231e9, 4.15, 0.95, 0.3, 7e9, 6930, {0, 0, 0}});
 
 /// Pressure over density and energy per mass.
 using Formula = std::function<double(double, double)>;
@@ -98,7 +107,7 @@ struct StateAt {
 /// tolerance: of the modulus.
 template <class State>
 void compare(const Formula& formula, const std::vector<StateAt>& states, double tolerance,
-             const State& state = make_sample(Of<State>())) {
+             const State& state = sample<State>()) {
   for (const StateAt& at : states) {
     Point<Fluid> point(Fluid{}, start_density, state);
     point.time = 1e9;  // explosives have burnt
@@ -127,7 +136,7 @@ TEST(StateFormula, MieGrueneisen) {
 }
 
 TEST(StateFormula, MieGrueneisenWithAllItsTerms) {
-  MieGrueneisenState state = make_sample(Of<MieGrueneisenState>());
+  MieGrueneisenState state = sample<MieGrueneisenState>();
   state.slope_2 = 0.4;
   state.slope_3 = -0.3;
   state.grueneisen_slope = 0.5;
@@ -168,7 +177,7 @@ TEST(StateFormula, TntHasItsPublishedPressureWhereItDetonates) {
   // conditions with the speed 6930 m/s (Lee, Hornig and Kury 1968; constants and pressure to three digits).
   const double density = 1630, speed = 6930, published = 21e9;
   const double j = 1 - published / (density * speed * speed), e = 7e9 + 0.5 * published * (1 - j);
-  const StatePressure<double> at = make_sample(Of<JwlState>())(j, e, StatePoint<double>{density, 1e9, 1, 0});
+  const StatePressure<double> at = sample<JwlState>()(j, e, StatePoint<double>{density, 1e9, 1, 0});
   EXPECT_NEAR(at.pressure, published, 2e-3 * published);
   // there the isentrope touches the line of Rayleigh: -dp/dJ = rho0 D^2
   EXPECT_NEAR(at.pressure * at.by_energy - at.by_volume, density * speed * speed, 1e-2 * density * speed * speed);

@@ -7,9 +7,13 @@
 #include <cmath>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<Chaboche>({20e9, 0.3, 100e6, {3, {0, 40, 300}, {0.5e9, 3e9, 20e9}}, 60e6, 20, 0.5e9, 2, 3});
 
 constexpr double young = 200e9, poisson = 0.3, density = 7850, yield = 200e6;
 constexpr double gamma[2] = {40, 500}, modulus[2] = {4e9, 60e9};

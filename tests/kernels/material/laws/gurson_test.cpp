@@ -7,9 +7,19 @@
 #include <cmath>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+Gurson make_sample() {
+  Gurson law{20e9, 0.3, {3, {0, 0.02, 0.06}, {150e6, 220e6, 250e6}}};
+  law.void_fraction = 0.01, law.nucleation_fraction = 0.02, law.nucleation_strain = 0.03;
+  law.nucleation_deviation = 0.02, law.cowper_symonds_rate = 2, law.cowper_symonds_exponent = 3;
+  return law;
+}
+
+[[maybe_unused]] const bool has_samples = provide_sample<Gurson>(make_sample());
 
 constexpr double young = 200e9, poisson = 0.3, density = 7850, yield = 300e6;
 

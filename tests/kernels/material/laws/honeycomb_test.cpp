@@ -5,10 +5,23 @@
 #include <array>
 
 #include "tests/kernels/material/point_driver.hpp"
-#include "tests/kernels/material/sample_materials.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples = provide_sample<Honeycomb>({7e9,
+                                                                     0.33,
+                                                                     20e6,
+                                                                     0.2,
+                                                                     {1e9, 2e9, 1.5e9},
+                                                                     {0.3e9, 0.5e9, 0.4e9},
+                                                                     {2, {0, 0.7}, {1e6, 2e6}},
+                                                                     {2, {0, 0.7}, {3e6, 9e6}},
+                                                                     {2, {0, 0.7}, {5e6, 6e6}},
+                                                                     {2, {0, 0.7}, {0.8e6, 1.5e6}},
+                                                                     {2, {0, 0.7}, {2.2e6, 0.4e6}},
+                                                                     {2, {0, 0.7}, {0.3e6, 2.4e6}}});
 
 /// xx, yy, zz, xy, yz, zx of make_sample(): strength at a crush c, straight from c = 0 to 0.7.
 struct Component {
@@ -51,7 +64,7 @@ void expect_alone(const Point<Honeycomb>& point, std::size_t k, double value, co
 
 TEST(Honeycomb, EachDirectionIsCrushedAlongItsOwnCurve) {
   for (std::size_t k = 0; k < 3; ++k) {
-    Point<Honeycomb> point(make_sample(Of<Honeycomb>()), 80);
+    Point<Honeycomb> point(sample<Honeycomb>(), 80);
     point.advance(make_strain(k, -1e-4), 1e-3);  // elastic
     expect_alone(point, k, -components[k].find_modulus(find_crush(point)) * 1e-4, {});
     for (const double crush : {0.1, 0.35, 0.6, 0.75}) {
@@ -74,7 +87,7 @@ TEST(Honeycomb, EachShearHasItsOwnModulusAndStrengthAtAnyCrush) {
   const double strain = 1e-5;
   for (std::size_t k = 3; k < 6; ++k) {
     for (const double crush : {0.0, 0.2, 0.5, 0.75}) {
-      Point<Honeycomb> point(make_sample(Of<Honeycomb>()), 80);
+      Point<Honeycomb> point(sample<Honeycomb>(), 80);
       point.follow({make_strain(0, std::log(1 - crush)), 1, 50});
       const std::array<double, 6> before = list(point.stress);
       const double strength = components[k].find_strength(crush), elastic = components[k].find_modulus(crush) * strain;

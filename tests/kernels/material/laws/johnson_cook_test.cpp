@@ -3,9 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+JohnsonCook make_sample() {
+  JohnsonCook law{20e9, 0.3, 150e6, 200e6, 0.4, 0.02, 1.1};
+  law.reference_rate = 0.1;
+  law.melt_temperature = 900;
+  law.specific_heat = 200;
+  return law;
+}
+
+[[maybe_unused]] const bool has_samples = provide_sample<JohnsonCook>(make_sample());
 
 JohnsonCook make_steel() {
   JohnsonCook law{206.9e9, 0.3, 806e6, 614e6, 0.168, 0.0089, 1.1};

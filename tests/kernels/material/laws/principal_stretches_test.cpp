@@ -6,9 +6,15 @@
 #include <array>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<Ogden>({{2, {-2, 3}, {-0.2e6, 0.4e6}}, 20e6}) &&
+    provide_sample<TabulatedRubber>({{4, {-0.4, 0, 0.5, 1}, {-2e6, 0, 1e6, 2.5e6}}, 20e6}) &&
+    provide_sample<Hyperfoam>({{2, {-1.5, 6}, {-0.05e6, 0.06e6}}, 0.2});
 
 /// Treloar's rubber as Ogden (1972) fits it, in MPa: alpha 1.3, 5, -2.
 Ogden make_ogden(double bulk) {

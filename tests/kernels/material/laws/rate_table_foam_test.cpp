@@ -10,8 +10,21 @@
 #include <string>
 #include <vector>
 
+#include "tests/kernels/material/samples.hpp"
+
 namespace percuss::test {
 namespace {
+
+RateTableFoam make_sample() {
+  using Rows = std::vector<std::array<double, 2>>;
+  RateTableFoam law{};
+  law.youngs_modulus = 5e6, law.hysteretic_unloading = 0.2, law.unloading_shape = 2;
+  law.compression.add_curve(0.1, Rows{{0, 0}, {0.05, 0.2e6}, {0.6, 0.3e6}, {0.8, 2e6}});
+  law.compression.add_curve(2, Rows{{0, 0}, {0.05, 0.4e6}, {0.7, 0.8e6}, {0.8, 3e6}});
+  return law;
+}
+
+[[maybe_unused]] const bool has_samples = provide_sample<RateTableFoam>(make_sample());
 
 using Rows = std::vector<std::array<double, 2>>;
 

@@ -9,9 +9,20 @@
 #include <random>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+RateTablePlasticity make_sample() {
+  using Rows = std::vector<std::array<double, 2>>;
+  RateTablePlasticity law{20e9, 0.3, {}, true};
+  law.hardening.add_curve(0.1, Rows{{0, 150e6}, {0.02, 220e6}, {0.06, 250e6}});
+  law.hardening.add_curve(2, Rows{{0, 200e6}, {0.05, 300e6}});
+  return law;
+}
+
+[[maybe_unused]] const bool has_samples = provide_sample<RateTablePlasticity>(make_sample());
 
 using Rows = std::vector<std::array<double, 2>>;
 constexpr double young = 200e9, poisson = 0.3, density = 7850;

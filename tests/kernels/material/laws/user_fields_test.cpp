@@ -7,10 +7,51 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kernels/material/sample_materials.hpp"
+#include "kernels/material/laws/neo_hookean.hpp"
+#include "kernels/material/user/export_law.hpp"
+#include "kernels/material/user/library_law.hpp"
+#include "kernels/material/user/user_law.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+/// What a user would bring: St. Venant and Kirchhoff's law as a VUMAT, of the increments of strain. PROPS: lambda, mu;
+/// STATEV: strain along x, which only grows.
+void sample_vumat(const int* points, const int*, const int*, const int*, const int*, const int*, const int*,
+                  const double*, const double*, const double*, const char*, const double*, const double*,
+                  const double* constant, const double*, const double* strain, const double*, const double*,
+                  const double*, const double*, const double*, const double* stress_old, const double* state_old,
+                  const double*, const double*, const double*, const double*, const double*, const double*,
+                  double* stress_new, double* state_new, double*, double*, std::size_t) {
+  const int n = *points;
+  for (int i = 0; i < n; ++i) {
+    const double volume = strain[i] + strain[n + i] + strain[2 * n + i];
+    for (int k = 0; k < 6; ++k)
+      stress_new[k * n + i] =
+          stress_old[k * n + i] + (k < 3 ? constant[0] * volume : 0) + 2 * constant[1] * strain[k * n + i];
+    state_new[i] = state_old[i] + (strain[i] > 0 ? strain[i] : 0);
+  }
+}
+
+UserLaw make_user_law() {
+  static int outside = 0;
+  UserLaw law;
+  law.code = {sample_vumat, sample_density, &outside};
+  law.constants = {2, {6e9, 4e9}};
+  law.states = 1;
+  return law;
+}
+
+LibraryLaw make_library_law() {
+  static const LawLibrary library = ExportedLaw<NeoHookean>::list();
+  static const NeoHookean law{3e6, 0.4};
+  static int outside = 0;
+  return {{&library, &law, &outside}};
+}
+
+[[maybe_unused]] const bool has_samples =
+    provide_sample<UserLaw>(make_user_law()) && provide_sample<LibraryLaw>(make_library_law());
 
 /// ln U of principal stretches 0.5, 1.25 and 3 along axes that are turned by 0.4 about z and then by 0.9 about x:
 /// the sum of ln(u) n n over them (Ogden, Non-Linear Elastic Deformations, section 2.2.7).
@@ -49,7 +90,7 @@ void sample_vusdfld(const int* points, const int*, const int*, const int*, const
 }
 
 TEST(UserFields, StatesAndFieldsGoFromVusdfldToTheLaw) {
-  UserLaw law = make_sample(Of<UserLaw>());
+  UserLaw law = sample<UserLaw>();
   law.code.vusdfld = sample_vusdfld;
   law.fields = 2;
   law.field_constants = {1, {7}};

@@ -3,15 +3,50 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/material/point_driver.hpp"
-#include "tests/kernels/material/sample_materials.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
 
+/// What a user would bring: Voce's growth times a linear rate and a softening that is linear in the temperature, which
+/// is that of the end of the step. PROPS: yield, growth, its rate, 1 / rate, 1 / temperature; STATEV: the mean strain
+/// of the yield.
+void sample_vuhard(const int* points, const int*, const int*, const int*, const int*, const int*, const double*,
+                   const double*, const double*, const char*, const int* states, const int*, const int*,
+                   const double* c, const double*, const double* temperature, const double*, const double*,
+                   const double*, const double* strain, const double* rate, double* yield, double* by_temperature,
+                   double* by_strain, double* state_new, std::size_t) {
+  const int n = *points;
+  for (int i = 0; i < n; ++i) {
+    const double at_rest = c[0] + c[1] * (1 - std::exp(-c[2] * strain[i]));
+    const double faster = 1 + c[3] * rate[i], softer = 1 - c[4] * temperature[i];
+    yield[i] = at_rest * faster * softer;
+    by_strain[i] = c[1] * c[2] * std::exp(-c[2] * strain[i]) * faster * softer;
+    by_strain[n + i] = at_rest * c[3] * softer;
+    by_temperature[i] = -at_rest * faster * c[4];
+    if (*states > 0) state_new[i] = 2 * strain[i];
+  }
+}
+
+UserHardening make_sample() {
+  static int outside = 0;
+  UserHardening law;
+  law.youngs_modulus = 20e9;
+  law.poissons_ratio = 0.25;
+  law.code.vuhard = sample_vuhard;
+  law.code.has_written_outside = &outside;
+  law.constants = {5, {150e6, 100e6, 30, 0.1, 1e-3}};
+  law.states = 1;
+  law.specific_heat = 200;
+  return law;
+}
+
+[[maybe_unused]] const bool has_samples = provide_sample<UserHardening>(make_sample());
+
 constexpr double yield = 150e6, growth = 100e6, saturation = 30, over_rate = 0.1, softening = 1e-3;
 
 UserHardening make_law(double rate, double soft) {
-  UserHardening law = make_sample(Of<UserHardening>());
+  UserHardening law = sample<UserHardening>();
   law.constants = {5, {yield, growth, saturation, rate, soft}};
   return law;
 }

@@ -6,9 +6,12 @@
 #include <functional>
 
 #include "tests/kernels/material/point_driver.hpp"
+#include "tests/kernels/material/samples.hpp"
 
 namespace percuss::test {
 namespace {
+
+[[maybe_unused]] const bool has_samples = provide_sample<Fluid>({});
 
 constexpr double density = 2000;
 
