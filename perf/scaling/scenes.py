@@ -65,7 +65,7 @@ DEFAULT_MODES = {"brick_wall": ["when_due"], "can_crush": ["every_step", "when_d
 
 # The control has no contact and costs little.
 CONTROL = "apart"
-CONTROL_STEPS = 200
+CONTROL_FACTOR = 10  # as many times the steps of the others
 
 
 def list_series(scenes, kinds, modes, sizes):
@@ -84,8 +84,8 @@ def list_series(scenes, kinds, modes, sizes):
 
 
 def find_settings(scene, kind, mode, size, ranks, steps):
-    """The --set options of a point as a dictionary."""
-    settings = {"time.max_steps": CONTROL_STEPS if scene == CONTROL else steps, "output.checkpoint.at_end": "false"}
+    """The --set options of a run of so many steps as a dictionary."""
+    settings = {"time.max_steps": steps * CONTROL_FACTOR if scene == CONTROL else steps, "output.checkpoint.at_end": "false"}
     settings.update(START_IN_CONTACT[scene])
     settings.update(MODES[mode])
     if kind != "fixed":
