@@ -89,7 +89,7 @@ PERCUSS_FORCE_INLINE Vector3<T> find_turn_drive(const Symmetric3<T>& d, const Sy
 }
 
 /// Advances U by the increment de of the unrotated rate of deformation. A point that turns with the frame spins beyond
-/// it only by what keeps U symmetric; the spin of one that turns apart is told, and U is its V as the frame sees it.
+/// it only by what keeps U symmetric; the spin of one that turns apart is given, and U is its V as the frame sees it.
 /// The determinant of U is set to that of the element's volume.
 template <class T>
 KOKKOS_INLINE_FUNCTION Symmetric3<T> advance_stretch(const Symmetric3<T>& u, const PointMotion<T>& motion) {

@@ -128,12 +128,12 @@ PERCUSS_FORCE_INLINE OnePointViscosity<T> find_viscosity(const SolidParameters<M
   return {length, find_viscous_pressure(par.viscosity, density, length, speed, trace_d)};
 }
 
-/// What the material is told of the step.
+/// What the material gets of the step.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE PointMotion<T> tell_one_point(const SolidParameters<Material>& par, const Symmetric3<T>& de,
-                                                   const T& dt, [[maybe_unused]] const OnePointViscosity<T>& viscous,
-                                                   [[maybe_unused]] const T& volume,
-                                                   [[maybe_unused]] const State& state) {
+PERCUSS_FORCE_INLINE PointMotion<T> make_point_motion(const SolidParameters<Material>& par, const Symmetric3<T>& de,
+                                                      const T& dt, [[maybe_unused]] const OnePointViscosity<T>& viscous,
+                                                      [[maybe_unused]] const T& volume,
+                                                      [[maybe_unused]] const State& state) {
   PointMotion<T> point{de, dt, T(1), T(1), T(0), par.time};
   if constexpr (is_called<Material>) {
     point.length = viscous.length;
@@ -165,19 +165,20 @@ PERCUSS_FORCE_INLINE T advance_guard(const SolidParameters<Material>& par, const
   return work;
 }
 
-/// Advances stress, hourglass forces and history from n to n+1. seen: the rate of deformation that the material sees,
-/// with Mixed one that is averaged, else m.d. Its integral is then the volume of the material, too. With dt = 0 nothing
-/// changes.
+/// Advances stress, hourglass forces and history from n to n+1. material_rate: the rate of deformation that the
+/// material sees, with Mixed one that is averaged, else m.d. Its integral is then the volume of the material, too. With
+/// dt = 0 nothing changes.
 template <bool Mixed, class T, class Material, class Shape>
 PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters<Material>& par,
                                                            const CornerField<T, Shape>& x,
-                                                           const OnePointMotion<T, Shape>& m, const Symmetric3<T>& seen,
-                                                           const T& dt, OnePointState<T, Material, Shape>& state) {
+                                                           const OnePointMotion<T, Shape>& m,
+                                                           const Symmetric3<T>& material_rate, const T& dt,
+                                                           OnePointState<T, Material, Shape>& state) {
   const Matrix3<T> before = state.polar.rotation;
   const Symmetric3<T> stretch_before = state.polar.stretch;
   Matrix3<T> turn;
   advance_polar(m.l, dt, state.polar, turn);
-  const Symmetric3<T> de = (T(0.25) * dt) * pull_back(before + state.polar.rotation, seen);
+  const Symmetric3<T> de = (T(0.25) * dt) * pull_back(before + state.polar.rotation, material_rate);
   OnePointPoint<T, Shape> out;
   out.geometry = find_corner_gradient(x);
   out.gamma = find_hourglass_vectors(x, out.geometry);
@@ -185,9 +186,9 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
 
   const T trace_d = trace(m.d);
   const OnePointViscosity<T> viscous = find_viscosity(par, state, out.size, out.geometry.volume, trace_d);
-  PointMotion<T> point = tell_one_point(par, de, dt, viscous, out.geometry.volume, state);
+  PointMotion<T> point = make_point_motion(par, de, dt, viscous, out.geometry.volume, state);
   point.change = find_volume_change(stretch_before, state.polar.stretch);
-  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(seen);
+  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(material_rate);
   if constexpr (Mixed && is_called<Material>) point.volume_ratio = exponential(state.log_volume);
   const Symmetric3<T> old_stress = state.stress;
   NoStressRests<T> no_rest;
@@ -200,7 +201,7 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
   out.work.viscous = -half_volume * (state.viscous_pressure + viscous.q.pressure) * dt * trace_d;
   out.work.guard = T(0);
   state.viscous_pressure = viscous.q.pressure;
-  if constexpr (Mixed) out.work.guard = advance_guard(par, trace_d - trace(seen), half_volume, dt, state);
+  if constexpr (Mixed) out.work.guard = advance_guard(par, trace_d - trace(material_rate), half_volume, dt, state);
   out.stress = push_forward(state.polar.rotation, state.stress);
   out.own = {T(moduli.lambda), T(moduli.mu), kappa, viscous.q.tangent};
   return out;

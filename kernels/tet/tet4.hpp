@@ -83,11 +83,11 @@ PERCUSS_FORCE_INLINE TetStiffness<T> find_tet_moduli(const SolidParameters<Mater
   return {T(moduli.lambda) + T(2.0 / 3.0) * shear, shear, T(0)};
 }
 
-/// Advances stress and history from n to n+1. seen: the rate of deformation that the material sees, with Mixed one that
-/// is averaged, else m.d. Its integral is then the volume of the material, too. With dt = 0 nothing changes.
+/// Advances stress and history from n to n+1. material_rate: the rate of deformation that the material sees, with Mixed
+/// one that is averaged, else m.d. Its integral is then the volume of the material, too. With dt = 0 nothing changes.
 template <bool Mixed, class T, class Material>
 PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& par, const TetCorners<T>& x,
-                                              const TetMotion<T>& m, const Symmetric3<T>& seen, const T& dt,
+                                              const TetMotion<T>& m, const Symmetric3<T>& material_rate, const T& dt,
                                               TetState<T, Material>& state) {
   const T half = T(0.5);
   TetPoint<T> out;
@@ -96,15 +96,15 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& p
   const Symmetric3<T> stretch_before = state.polar.stretch;
   Matrix3<T> turn;
   advance_polar(m.l, dt, state.polar, turn);
-  const Symmetric3<T> de = (T(0.25) * dt) * pull_back(before + state.polar.rotation, seen);
+  const Symmetric3<T> de = (T(0.25) * dt) * pull_back(before + state.polar.rotation, material_rate);
 
-  const T volume = out.geometry.volume, trace_d = trace(m.d), difference = trace_d - trace(seen);
+  const T volume = out.geometry.volume, trace_d = trace(m.d), difference = trace_d - trace(material_rate);
   const T density = state.mass / volume, length = volume / square_root(find_largest_square(out.geometry));
   const T speed = square_root(find_modulus_before<T>(par, state) / density);
   const ViscousPressure<T> viscous = find_viscous_pressure(par.viscosity, density, length, speed, trace_d);
   PointMotion<T> point{de, dt, T(1), T(1), T(0), par.time};
   point.change = find_volume_change(stretch_before, state.polar.stretch);
-  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(seen);
+  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(material_rate);
   if constexpr (is_called<Material>) {
     point.length = length;
     point.viscosity = half * (state.viscous_pressure + viscous.pressure);

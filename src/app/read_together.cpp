@@ -52,7 +52,7 @@ void check_answer(const Deck& deck, const MaterialDeck& material, const std::str
 }
 
 /// Throws InputError with the place of the first library that the command line has not named; loads the others, of
-/// which one that is no law is told here, before the mesh is read.
+/// which one that is no law is reported here, before the mesh is read.
 void load_user_laws(const Deck& deck, const Command& command) {
   permit_user_code(command.allowed_libraries);
   forget_user_tables();
@@ -107,7 +107,7 @@ Deck read_deck_together(const Command& command, const Communicator& ranks) {
   Deck deck;
   fail_together(ranks, [&] {
     deck = parse_deck(text, command.file, command.settings);
-    tell_user_code(describe_run(command.file, "", ranks));
+    set_user_run(describe_run(command.file, "", ranks));
     load_user_laws(deck, command);
     check_memory(deck, memory);
     if (ranks.rank() == 0 && !command.allow_external) refuse_external_meshes(deck);

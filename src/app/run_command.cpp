@@ -122,9 +122,9 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   const std::unique_ptr<FolderLock> lock = prepare_folder(command, deck, out_dir, ranks, options);
   if (lock && !command.quiet && !lock->note().empty()) print_quietly(stderr, "{}\n", lock->note());
   if (speaks && !command.quiet && !session.note().empty()) print_quietly(stderr, "{}\n", session.note());
-  UserRun told = describe_run(command.file, out_dir, ranks);
-  told.threads = ExecSpace().concurrency();
-  tell_user_code(told);
+  UserRun run = describe_run(command.file, out_dir, ranks);
+  run.threads = ExecSpace().concurrency();
+  set_user_run(run);
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());

@@ -213,12 +213,13 @@ void ContactStage::archive(CheckpointArchive& archive) {
 ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
   stage.enforcer.set_contact_velocities(motion);
-  const SurfaceMotion seen{motion.x, motion.v, motion.dt};
+  const SurfaceMotion checked{motion.x, motion.v, motion.dt};
   stage.is_step_counted = false;
   const bool is_speed_known = motion.fastest >= 0 && motion.fastest_before >= 0;
-  const bool has_searched = stage.search(seen, is_speed_known ? std::max(motion.fastest, motion.fastest_before) : -1);
+  const bool has_searched =
+      stage.search(checked, is_speed_known ? std::max(motion.fastest, motion.fastest_before) : -1);
   if (has_searched) stage.count_search();
-  const int num_touches = stage.check(seen);
+  const int num_touches = stage.check(checked);
   stage.enforcer.restore_predicted_velocities(motion);
   const Phase phase("percuss::contact_enforce", stage.clocks.enforce);
   const auto [is_anything_touched, is_repetition] = stage.meet(motion, num_touches);

@@ -15,7 +15,7 @@ void ContactStage::Impl::redefine_surface() {
   if (late.any()) late.refresh(active, ties_of_start);
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   breaking.use(ties);
-  tie_rows = TieRows(seen(), ties, contact);
+  tie_rows = TieRows(contact_ranks(), ties, contact);
   share = build_surface_share(chunks, deck, ties, exchange, folds.folds(), active);
   walls = build_walls(chunks, deck, share);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
@@ -27,14 +27,14 @@ void ContactStage::Impl::redefine_surface() {
 void ContactStage::Impl::follow_share() {
   areas.reset();
   approach.redefine();
-  forces.set_surface(seen(), share);
+  forces.set_surface(contact_ranks(), share);
 }
 
 void ContactStage::Impl::renew_finder() {
   forget_last_step();
   bound.redefine();
   is_new_surface = true;
-  std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
+  std::unique_ptr<ContactFinder> next = make_contact_finder(contact_ranks(), share, contact);
   next->take_over(*finder);
   finder = std::move(next);
   candidates = 0;

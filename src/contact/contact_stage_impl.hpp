@@ -39,19 +39,19 @@ struct ContactStage::Impl {
         share(build_surface_share(chunked, deck, ties, exchange, {}, active)),
         late(chunked, deck, ties, world),
         breaking(chunked, deck, ties, late.numbers(), world),
-        tie_rows(seen(), ties, deck.contact),
+        tie_rows(contact_ranks(), ties, deck.contact),
         walls(build_walls(chunked, deck, share)),
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
         approach(world, share, walls, scene, chunked.mesh),
         folds(chunked, deck.contact, ranks),
-        finder(make_contact_finder(seen(), share, deck.contact)),
+        finder(make_contact_finder(contact_ranks(), share, deck.contact)),
         forces(scene, chunked, world),
-        enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
+        enforcer(contact_ranks(), share, walls, tie_rows.geometry(), deck, forces),
         history(make_history(share, walls, contact)) {
     history.ties = Rows3<double>("contact::history_ties", tie_rows.keys().size());
-    forces.set_surface(seen(), share);
+    forces.set_surface(contact_ranks(), share);
     is_active = has_pairs() || has_switched_pairs(deck.contact) || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
     for (const std::string& line : describe_touching_beams(deck, find_touching_radii(mesh, deck)))
@@ -61,7 +61,7 @@ struct ContactStage::Impl {
     restore_surface();
   }
 
-  ContactRanks seen() const { return {ranks, numbering, mesh}; }
+  ContactRanks contact_ranks() const { return {ranks, numbering, mesh}; }
   bool has_pairs() const { return share.may_touch(); }
 
   bool search(const SurfaceMotion& motion, double fastest);
@@ -72,9 +72,9 @@ struct ContactStage::Impl {
   void judge_ties(double time, ContactReport& report);
   std::optional<KnownContact> find_known() const;
   PiercingEdges find_piercings(const Rows3<const double>& x);
-  void tell_missed(const std::optional<MissedContact>& found, double time);
+  void warn_of_missed(const std::optional<MissedContact>& found, double time);
   std::unique_ptr<ContactFinder> make_look(const LookedAt& at) const {
-    return make_look_finder(*finder, seen(), share, contact, at);
+    return make_look_finder(*finder, contact_ranks(), share, contact, at);
   }
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
@@ -144,7 +144,7 @@ struct ContactStage::Impl {
   Traffic sent_at_start;           // in steps before time 0
   long rebalances_at_start = 0;    // likewise
   std::vector<Warning> missed;     // of watch_depth() and watch_edges()
-  bool has_told_missed = false;
+  bool has_warned_missed = false;
   long next_edge_look = 0, next_piercing_look = 0;                   // steps
   std::optional<std::vector<std::pair<int, int>>> pierced_at_start;  // bodies, ascending; none: not looked at yet
 };

@@ -10,7 +10,7 @@ namespace percuss {
 
 /// Areas of the owned contact nodes at positions x.
 const AreaNodes& ContactStage::Impl::find_areas(const Rows3<const double>& x) {
-  if (!areas) areas.emplace(seen(), share);
+  if (!areas) areas.emplace(contact_ranks(), share);
   areas->update(x);
   return areas->nodes();
 }

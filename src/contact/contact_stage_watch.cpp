@@ -42,15 +42,15 @@ PiercingEdges ContactStage::Impl::find_piercings(const Rows3<const double>& x) {
   return look;
 }
 
-void ContactStage::Impl::tell_missed(const std::optional<MissedContact>& found, double time) {
-  if (!found || has_told_missed) return;
-  has_told_missed = true;
+void ContactStage::Impl::warn_of_missed(const std::optional<MissedContact>& found, double time) {
+  if (!found || has_warned_missed) return;
+  has_warned_missed = true;
   missed.push_back({"missed_contact", describe_missed_contact(*found, mesh, find_user_id(found->node)), "", time});
 }
 
 void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
   Impl& stage = *impl_;
-  if (!stage.has_pairs() || stage.has_told_missed) return;
+  if (!stage.has_pairs() || stage.has_warned_missed) return;
   const Phase phase("percuss::contact_watch", stage.clocks.check);
   const std::optional<KnownContact> known = stage.find_known();
   if (!known) return;
@@ -62,7 +62,7 @@ void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, dou
     missed = find_missed_contact(stage.look_for_overlap(*stage.make_look(at)), here, stage.history, at, *known);
   if (!missed) missed = find_missed_edge(search, x, stage.history, *known).missed;
   if (!missed) missed = find_missed_piercing(search, stage.history, *known, stage.find_piercings(x).found);
-  stage.tell_missed(missed, time);
+  stage.warn_of_missed(missed, time);
 }
 
 void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
@@ -70,7 +70,7 @@ void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
   constexpr long tests_of_step = 64;      // of boxes: hundreds of nanoseconds, far below the cost of a step
   constexpr std::int64_t of_a_face = 16;  // tests of a look through faces, before the first has counted them
   Impl& stage = *impl_;
-  if (!stage.has_pairs() || stage.has_told_missed || step % least_steps != 0) return;
+  if (!stage.has_pairs() || stage.has_warned_missed || step % least_steps != 0) return;
   const bool looks_at_edges = stage.share.total_edges > 0 && step >= stage.next_edge_look;
   const auto find_next = [&](std::int64_t tests) {
     return step + std::clamp(static_cast<long>(tests / tests_of_step), least_steps, most_steps);
@@ -84,12 +84,12 @@ void ContactStage::watch_edges(Rows3<const double> x, long step, double time) {
   const OverlapSearch search = stage.look_for_overlap(*stage.finder);
   if (looks_at_edges) {
     const MissedEdge look = known ? find_missed_edge(search, x, stage.history, *known) : MissedEdge{};
-    stage.tell_missed(look.missed, time);
+    stage.warn_of_missed(look.missed, time);
     stage.next_edge_look = find_next(look.tests);
   }
   if (looks_through) {
     const PiercingEdges look = known ? stage.find_piercings(x) : PiercingEdges{};
-    if (known) stage.tell_missed(find_missed_piercing(search, stage.history, *known, look.found), time);
+    if (known) stage.warn_of_missed(find_missed_piercing(search, stage.history, *known, look.found), time);
     stage.next_piercing_look = find_next(look.tests);
   }
 }

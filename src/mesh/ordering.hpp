@@ -60,8 +60,8 @@ struct ElementOrder {
 
 /// Cuts a part, its hexahedra first and then its shells, by recursive bisection of its element centres, across the
 /// widest extent, into the fewest chunks of at most find_chunk_limit() elements, near-equal in size; within a chunk
-/// elements keep their order. Equal coordinates are told apart by the other two coordinates and then by element index:
-/// which elements share a chunk does not depend on the order of the input unless centres coincide. O(n log n).
+/// elements keep their order. Equal coordinates are distinguished by the other two coordinates and then by element
+/// index: which elements share a chunk does not depend on the order of the input unless centres coincide. O(n log n).
 /// groups: [elements] of which no two share a chunk either; empty: all are one.
 ElementOrder bisect_elements(const PartMesh& mesh, const std::vector<int>& groups = {});
 

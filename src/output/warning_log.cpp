@@ -9,12 +9,12 @@
 
 namespace percuss {
 
-WarningLog::WarningLog(std::set<std::string> silenced, Tell tell)
-    : silenced_(std::move(silenced)), tell_(std::move(tell)) {}
+WarningLog::WarningLog(std::set<std::string> silenced, Report report)
+    : silenced_(std::move(silenced)), report_(std::move(report)) {}
 
 void WarningLog::append(const Warning& warning) {
   warnings_.push_back(warning);
-  if (tell_) tell_(warning);
+  if (report_) report_(warning);
 }
 
 void WarningLog::add(const Warning& warning) {

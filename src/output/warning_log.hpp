@@ -13,10 +13,10 @@ namespace percuss {
 
 class WarningLog {
  public:
-  using Tell = std::function<void(const Warning&)>;
+  using Report = std::function<void(const Warning&)>;
 
   /// silenced: rules whose warnings are dropped; tell: called for each new warning, may be empty.
-  explicit WarningLog(std::set<std::string> silenced, Tell tell = {});
+  explicit WarningLog(std::set<std::string> silenced, Report report = {});
 
   /// Reports a new warning. One with the rule, place and text of an earlier one is added to its count instead.
   void add(const Warning& warning);
@@ -39,7 +39,7 @@ class WarningLog {
   void append(const Warning& warning);
 
   std::set<std::string> silenced_;
-  Tell tell_;
+  Report report_;
   std::vector<Warning> warnings_;
 };
 

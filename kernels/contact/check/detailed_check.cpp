@@ -183,7 +183,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState out = faces;
-  const StillFaces seen = still;
+  const StillFaces resting = still;
   const bool is_watched = still.is_watched();
   const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   const int num_faces = candidates.num_faces;
@@ -193,7 +193,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         bool has_moved = !is_watched;
         for (int lane = 0; is_watched && lane < measured.count; ++lane) {
           const auto row = [&](int k) { return k < 4 ? measured.corner[k][lane] : measured.back[k - 4][lane]; };
-          const bool is_still = seen.look(m, measured.face[lane], measured.is_candidate[lane] ? 8 : 4, row);
+          const bool is_still = resting.look(m, measured.face[lane], measured.is_candidate[lane] ? 8 : 4, row);
           has_moved = has_moved || !is_still;
         }
         if (has_moved) measure_faces(s.offsets, m, measured, out);
@@ -221,15 +221,15 @@ template <class Space>
 StillCount mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
                            const StillFaces& still, const Array<int>& near_moved) {
   const ContactSurface s = surface;
-  const StillFaces seen = still;
+  const StillFaces resting = still;
   const Array<const int> list = candidates.faces, is_candidate = candidates.is_candidate;
   StillCount count;
   Kokkos::parallel_reduce(
       "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
       KOKKOS_LAMBDA(int i, int& still_faces, int& faces) {
         if (is_candidate(i) == 0) return;
-        bool has_moved = seen.has_moved(list(i));
-        for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, seen, s.face_corners(list(i), k));
+        bool has_moved = resting.has_moved(list(i));
+        for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, resting, s.face_corners(list(i), k));
         near_moved(list(i)) = has_moved ? 1 : 0;
         still_faces += has_moved ? 0 : 1;
         ++faces;
@@ -255,7 +255,7 @@ template <class Space>
 void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates,
                      const StillFaces& still, const TouchTable& table) {
   const ContactSurface s = inputs.surface;
-  const StillFaces seen = still;
+  const StillFaces resting = still;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   const Array<const int> history = inputs.history_face, near_moved = table.near_moved;
   const Array<int> known = table.known, is_still = table.is_still;
@@ -270,7 +270,7 @@ void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const Candid
           is_kept = is_kept && known(record) == history(record);
           known(record) = history(record);
         }
-        is_kept = is_kept && !has_moved_around(s, seen, node);
+        is_kept = is_kept && !has_moved_around(s, resting, node);
         is_still(node) = is_kept ? 1 : 0;
         for (int c = offset(node); is_kept && c < offset(node + 1); ++c) is_kept = near_moved(face(c)) == 0;
         checked_at(node) = is_kept ? now : -1;

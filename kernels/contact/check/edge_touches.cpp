@@ -64,7 +64,7 @@ void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceM
   const EdgeSurface s = surface;
   const SurfaceMotion m = motion;
   const EdgeState out = state;
-  const StillEdges seen = still;
+  const StillEdges resting = still;
   const bool is_watched = still.is_watched(), has_faces = state.faces.extent(0) > 0;
   const Array<const int> list = pairs.edges;
   int num_still = 0;
@@ -72,7 +72,7 @@ void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceM
       "contact::update_edges", RangeOf<Space>(space, 0, pairs.num_edges),
       KOKKOS_LAMBDA(int i, int& count) {
         const int e = list(i);
-        if (is_watched && seen.look(m, e, 6, [&](int k) { return find_edge_node(s, e, k); })) {
+        if (is_watched && resting.look(m, e, 6, [&](int k) { return find_edge_node(s, e, k); })) {
           ++count;
           return;
         }
@@ -88,7 +88,7 @@ void update_edges(const Space& space, const EdgeSurface& surface, const SurfaceM
 template <class Space>
 void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
                        const StillEdges& still, EdgeTouchTable& table) {
-  const StillEdges seen = still;
+  const StillEdges resting = still;
   const bool is_watched = still.is_watched() && table.list_of_pairs == pairs.list;
   table.list_of_pairs = pairs.list;
   reserve(table.by_pair, pairs.num_pairs);
@@ -106,7 +106,7 @@ void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const 
   Kokkos::parallel_reduce(
       "contact::check_edges", RangeOf<Space>(space, 0, pairs.num_pairs),
       KOKKOS_LAMBDA(int i, int& found) {
-        const bool is_still = is_watched && !seen.has_moved(a(i)) && !seen.has_moved(b(i));
+        const bool is_still = is_watched && !resting.has_moved(a(i)) && !resting.has_moved(b(i));
         if (!do_boxes_meet(edges.boxes, a(i), b(i))) {
           touches(i) = 0;
           return;

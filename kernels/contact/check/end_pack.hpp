@@ -17,9 +17,9 @@ KOKKOS_FORCEINLINE_FUNCTION Packed measure_distances(const CornerPack& face, con
   const PackedPoint place = (weighted(0) + weighted(1)) + (weighted(2) + weighted(3));
   const PackedPoint normal = load_point(closest.normal);
   const Packed cosine = dot(normal, push);
-  const auto is_seen = cosine > Packed(least_push_cosine);
-  const Packed scale = Packed(1) / select(is_seen, cosine, Packed(1));
-  return -dot(select_point(is_seen, scale * normal, push), place);
+  const auto is_facing = cosine > Packed(least_push_cosine);
+  const Packed scale = Packed(1) / select(is_facing, cosine, Packed(1));
+  return -dot(select_point(is_facing, scale * normal, push), place);
 }
 
 /// Vertex normals of a face at the corners that have a weight; at others anything that is finite.

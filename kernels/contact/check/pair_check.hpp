@@ -341,7 +341,7 @@ KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const Nodes
                                         const Found& found) {
   const int count = pairs.faces.count;
   if (count == 0) return;
-  if constexpr (thickness == Thickness::none) see_from_nodes(moving.motion.dt, pairs.faces);
+  if constexpr (thickness == Thickness::none) shift_to_nodes(moving.motion.dt, pairs.faces);
   measure_motion(pairs.faces);
   PairOutlook outlook[FacePack::lanes];
   int measured = 0;

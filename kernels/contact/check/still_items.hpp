@@ -22,11 +22,11 @@ class StillItems {
     is_watched_ = is_wanted && turns_to_pass_ == 0;
     if (turns_to_pass_ > 0) --turns_to_pass_;
     watched_in_a_row_ = is_watched_ ? watched_in_a_row_ + 1 : 0;
-    if (!is_watched_ || static_cast<int>(seen_.extent(0)) >= items) return;
-    reserve(seen_, items);
+    if (!is_watched_ || static_cast<int>(last_checks_.extent(0)) >= items) return;
+    reserve(last_checks_, items);
     reserve(moved_, items);
     reserve(places_, items);
-    Kokkos::deep_copy(seen_, std::int64_t{-1});
+    Kokkos::deep_copy(last_checks_, std::int64_t{-1});
     Kokkos::deep_copy(moved_, 1);
   }
 
@@ -36,7 +36,7 @@ class StillItems {
     if (watched_in_a_row_ > 1 && worth_it * still < items) turns_to_pass_ = pause;
   }
 
-  /// What was seen so far counts no more: items are others now, or what was found of them is lost.
+  /// Earlier checks count no more: items are others now, or what was found of them is lost.
   void forget() {
     check_ += 2;
     watched_in_a_row_ = 0;
@@ -55,18 +55,18 @@ class StillItems {
   KOKKOS_INLINE_FUNCTION bool look(const SurfaceMotion& motion, int item, int count, const Row& row) const {
     for (int k = 0; k < count; ++k) {
       if (is_plain_zero(&motion.v(row(k), 0))) continue;
-      seen_(item) = -1;
+      last_checks_(item) = -1;
       moved_(item) = 1;
       return false;
     }
-    bool is_same = seen_(item) == (most_nodes + 1) * (check_ - 1) + count;
+    bool is_same = last_checks_(item) == (most_nodes + 1) * (check_ - 1) + count;
     for (int k = 0; k < count; ++k) {
       const double* const place = &motion.x(row(k), 0);
       if (is_same && have_same_bits(place, &places_(item, 3 * k))) continue;
       is_same = false;
       for (int c = 0; c < 3; ++c) places_(item, 3 * k + c) = place[c];
     }
-    seen_(item) = (most_nodes + 1) * check_ + count;
+    last_checks_(item) = (most_nodes + 1) * check_ + count;
     moved_(item) = is_same ? 0 : 1;
     return is_same;
   }
@@ -79,7 +79,7 @@ class StillItems {
   int turns_to_pass_ = 0;
   int watched_in_a_row_ = 0;  // checks; the first of them finds nothing to compare with
   // [items] check and count of nodes; -1: moved then
-  Array<std::int64_t> seen_ = Array<std::int64_t>("contact::seen_still", 0);
+  Array<std::int64_t> last_checks_ = Array<std::int64_t>("contact::last_checks", 0);
   Array<int> moved_ = Array<int>("contact::moved_items", 0);  // [items] of the last check that looked
   Places places_ = Places("contact::still_places", 0);        // [items] of their nodes when seen at rest
 };

@@ -51,7 +51,7 @@ struct ContactRow {
   double friction = 0;              // contact_limits::no_friction_limit: a tie
   int pair = 0;                     // of surfaces, as work is booked; walls are the last
   bool is_held = false;             // nothing moves its nodes
-  bool is_rigid = false;            // between rigid bodies, or of one with a wall, where mark_rigid_rows() told them
+  bool is_rigid = false;            // between rigid bodies, or of one with a wall, where mark_rigid_rows() found them
   double held_apart = 0;            // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;                // stiffness of a penalty row [force/length], 0: none
   double held = 0;                  // penalty: energy that the sides have given the spring; 0: not known

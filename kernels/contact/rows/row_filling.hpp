@@ -236,12 +236,12 @@ KOKKOS_FORCEINLINE_FUNCTION FilledRows fill_face_rows(const TouchPack& touch, co
   FilledRows row;
   filling::set_arms(touch, at.x, row);
   const Packed dt(inputs.motion.dt), gap_end = load_pack(touch.gap_end);
-  const filling::SideVelocities velocity(touch, row, at.v), seen(touch, row, at.v_seen);
-  const PackedPoint predicted = dt * velocity.work, seen_way = dt * seen.work, normal = load_point(touch.normal);
+  const filling::SideVelocities velocity(touch, row, at.v), checked(touch, row, at.v_checked);
+  const PackedPoint predicted = dt * velocity.work, checked_way = dt * checked.work, normal = load_point(touch.normal);
   const Packed least = Packed(find_least_slide(has_springs(inputs))) * load_pack(touch.size);
-  const PackedPoint gradient = filling::find_gradient(normal, seen_way, gap_end - load_pack(touch.gap_start), least);
+  const PackedPoint gradient = filling::find_gradient(normal, checked_way, gap_end - load_pack(touch.gap_start), least);
   row.normal = select_point(load_pack(touch.continues) > Packed(0), gradient, normal);
-  row.gap = gap_end + dot(row.normal, predicted - seen_way);
+  row.gap = gap_end + dot(row.normal, predicted - checked_way);
   filling::complete_rows(touch, velocity, inputs, row);
   filling::limit_recovery(touch, predicted, row);
   filling::limit_closing(touch, at, inputs.motion.dt, row);

@@ -73,12 +73,12 @@ KOKKOS_INLINE_FUNCTION void limit_closing(const RowNodes& at, double dt, Contact
 
 /// Changes of place in the step by the velocities without contact, and by those with which the check saw the nodes.
 struct RowWays {
-  Point3 predicted{}, seen{};
+  Point3 predicted{}, checked{};
 };
 
 KOKKOS_INLINE_FUNCTION RowWays find_ways(const RowNodes& at, double dt, const ContactRow& row) {
   return {dt * find_work_velocity(row, TouchedVelocity{at.v, row}),
-          dt * find_work_velocity(row, TouchedVelocity{at.v_seen, row})};
+          dt * find_work_velocity(row, TouchedVelocity{at.v_checked, row})};
 }
 
 /// Slide of a step below which little is known of how it changes the gap, share of h. The sides of springs come
@@ -231,9 +231,9 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   set_arms(at.x, row);
   const RowWays ways = find_ways(at, inputs.motion.dt, row);
   if (touch.old_record >= 0)
-    row.normal = row.gap_gradient = find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start,
+    row.normal = row.gap_gradient = find_discrete_gradient(touch.normal, ways.checked, touch.gap_end - touch.gap_start,
                                                            find_least_slide(has_springs(inputs)) * touch.size);
-  row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.seen);
+  row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.checked);
   // Depth that no contact has seen arise cost nothing: it is held.
   if (touch.old_record < 0 && row.gap_start < 0) row.reference = -row.gap_start;
   complete_row(inputs, at, touch.old_record >= 0, load_last_contact(history, touch), row);

@@ -111,7 +111,7 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
 template <class Space>
 void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
   RowNodes& all = system.at;
-  for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_seen, &all.inverse_mass})
+  for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_checked, &all.inverse_mass})
     reserve(*rows, system.num_places() + 1);
   const bool has_springs = inputs.spring.extent(0) > 0, has_impulses = inputs.last_impulse.extent(0) > 0;
   if (has_springs) reserve(system.at.spring, system.num_places());
@@ -124,8 +124,8 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
         store_row(at.x, a, load_row(in.motion.x, n));
         store_row(at.v, a, load_row(in.motion.v, n));
         store_row(at.v_before, a, load_row(in.v_before, n));
-        const bool is_seen_going_on = has_impulses && was_pushed(in.last_impulse, n);
-        store_row(at.v_seen, a, load_row(is_seen_going_on ? in.v_before : in.motion.v, n));
+        const bool goes_on = has_impulses && was_pushed(in.last_impulse, n);
+        store_row(at.v_checked, a, load_row(goes_on ? in.v_before : in.motion.v, n));
         store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
         if (has_springs) at.spring(a) = in.spring(n);
       });

@@ -127,7 +127,7 @@ struct RowNodes {
   Rows3<double> x = Rows3<double>("contact::row_x", 0);
   Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
   Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
-  Rows3<double> v_seen = Rows3<double>("contact::row_v_seen", 0);              // with which the check saw them
+  Rows3<double> v_checked = Rows3<double>("contact::row_v_checked", 0);        // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
   Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
 };

@@ -31,7 +31,7 @@ struct HitChunk {
 
 /// An order of points or boxes, and what they are over all searches.
 struct NumberedOrder {
-  std::vector<std::int64_t> numbers;  // ascending; empty: not told
+  std::vector<std::int64_t> numbers;  // ascending; empty: not given
   std::vector<int> order;             // places in the query; empty: to be made
 };
 
@@ -39,7 +39,7 @@ struct NumberedOrder {
 struct BlockScratch {
   BlockTree tree;
   NumberedOrder point_order, box_order;
-  bool is_other = false;                                              // points or boxes, as identify() was told
+  bool is_other = false;                                              // points or boxes, as given to identify()
   Array<int> names = Array<int>("contact::ordered_names", 0);         // [points] in the order of their kd tree
   Array<int> rows = Array<int>("contact::ordered_rows", 0);           // [points] likewise
   Array<int> point_names = Array<int>("contact::ordered_points", 0);  // [points] whose order it is

@@ -16,7 +16,7 @@ constexpr double near_slack = 1e-3;
 enum Nearness : int { never, unlinked, with_history, linked_now, ever };
 
 /// Faces at n as nodes see them, one a lane: their normals and two axes along them.
-struct SeenFaces {
+struct FaceSlabs {
   static constexpr int lanes = packed_lanes, rows = 5;  // of four values in memory
   PackedPoint origin, axis[3];
   Packed low[3], high[3];  // least and greatest height of a corner over the origin, by axis
@@ -24,58 +24,58 @@ struct SeenFaces {
   Packed turn;             // what the sine of the angle that a normal turns by is at most; 1: no bound
 };
 
-/// Adds an axis in which faces are seen: any unit vector, or none.
-PERCUSS_FORCE_INLINE void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, SeenFaces& seen) {
-  seen.axis[k] = axis;
+/// Adds an axis of the slabs: any unit vector, or none.
+PERCUSS_FORCE_INLINE void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, FaceSlabs& slabs) {
+  slabs.axis[k] = axis;
   for (int i = 0; i < 4; ++i) {
     const Packed height = dot(axis, face.corner[i]);
-    seen.low[k] = i == 0 ? height : smaller(seen.low[k], height);
-    seen.high[k] = i == 0 ? height : larger(seen.high[k], height);
+    slabs.low[k] = i == 0 ? height : smaller(slabs.low[k], height);
+    slabs.high[k] = i == 0 ? height : larger(slabs.high[k], height);
   }
 }
 
 /// size: h; travel: how far each corner may move.
-PERCUSS_FORCE_INLINE SeenFaces see_faces(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
+PERCUSS_FORCE_INLINE FaceSlabs find_slabs(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
   const FaceOf<Packed> face = find_relative(at);
   const PackedPoint a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
                     along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
   const PackedPoint normal = normalize(area), first = normalize(along);
-  SeenFaces seen{};
-  seen.origin = at.corner[0];
-  seen.capture = Packed(contact_limits::capture) * size;
-  set_axis(face, 0, normal, seen);
-  set_axis(face, 1, first, seen);
-  set_axis(face, 2, cross(normal, first), seen);
+  FaceSlabs slabs{};
+  slabs.origin = at.corner[0];
+  slabs.capture = Packed(contact_limits::capture) * size;
+  set_axis(face, 0, normal, slabs);
+  set_axis(face, 1, first, slabs);
+  set_axis(face, 2, cross(normal, first), slabs);
   // Each diagonal changes by twice the travel at most.
   const Packed whole = norm(area), change = Packed(2) * travel * (norm(a) + norm(b) + Packed(2) * travel);
-  seen.turn = select(change < whole, change / whole, Packed(1));
-  return seen;
+  slabs.turn = select(change < whole, change / whole, Packed(1));
+  return slabs;
 }
 
 /// face: by lane, -1: not to be stored.
-PERCUSS_FORCE_INLINE void store_seen(const SeenFaces& seen, const int (&face)[SeenFaces::lanes],
-                                     const Rows4<double>& to) {
-  const Packed values[SeenFaces::rows][4] = {{seen.origin.x, seen.origin.y, seen.origin.z, seen.capture},
-                                             {seen.axis[0].x, seen.axis[0].y, seen.axis[0].z, seen.turn},
-                                             {seen.axis[1].x, seen.axis[1].y, seen.axis[1].z, seen.low[1]},
-                                             {seen.axis[2].x, seen.axis[2].y, seen.axis[2].z, seen.high[1]},
-                                             {seen.low[0], seen.high[0], seen.low[2], seen.high[2]}};
-  for (int r = 0; r < SeenFaces::rows; ++r) {
-    alignas(64) double packs[4][SeenFaces::lanes];
-    int row[SeenFaces::lanes];
+PERCUSS_FORCE_INLINE void store_slabs(const FaceSlabs& slabs, const int (&face)[FaceSlabs::lanes],
+                                      const Rows4<double>& to) {
+  const Packed values[FaceSlabs::rows][4] = {{slabs.origin.x, slabs.origin.y, slabs.origin.z, slabs.capture},
+                                             {slabs.axis[0].x, slabs.axis[0].y, slabs.axis[0].z, slabs.turn},
+                                             {slabs.axis[1].x, slabs.axis[1].y, slabs.axis[1].z, slabs.low[1]},
+                                             {slabs.axis[2].x, slabs.axis[2].y, slabs.axis[2].z, slabs.high[1]},
+                                             {slabs.low[0], slabs.high[0], slabs.low[2], slabs.high[2]}};
+  for (int r = 0; r < FaceSlabs::rows; ++r) {
+    alignas(64) double packs[4][FaceSlabs::lanes];
+    int row[FaceSlabs::lanes];
     for (int k = 0; k < 4; ++k) store_pack(packs[k], values[r][k]);
-    for (int lane = 0; lane < SeenFaces::lanes; ++lane)
-      row[lane] = face[lane] < 0 ? -1 : SeenFaces::rows * face[lane] + r;
+    for (int lane = 0; lane < FaceSlabs::lanes; ++lane)
+      row[lane] = face[lane] < 0 ? -1 : FaceSlabs::rows * face[lane] + r;
     store_rows_of_four(packs, row, to.data());
   }
 }
 
-PERCUSS_FORCE_INLINE SeenFaces load_seen(const Rows4<const double>& from, const int (&face)[SeenFaces::lanes]) {
-  Packed values[SeenFaces::rows][4];
-  for (int r = 0; r < SeenFaces::rows; ++r) {
-    alignas(64) double packs[4][SeenFaces::lanes];
-    int row[SeenFaces::lanes];
-    for (int lane = 0; lane < SeenFaces::lanes; ++lane) row[lane] = SeenFaces::rows * face[lane] + r;
+PERCUSS_FORCE_INLINE FaceSlabs load_slabs(const Rows4<const double>& from, const int (&face)[FaceSlabs::lanes]) {
+  Packed values[FaceSlabs::rows][4];
+  for (int r = 0; r < FaceSlabs::rows; ++r) {
+    alignas(64) double packs[4][FaceSlabs::lanes];
+    int row[FaceSlabs::lanes];
+    for (int lane = 0; lane < FaceSlabs::lanes; ++lane) row[lane] = FaceSlabs::rows * face[lane] + r;
     load_rows_of_four(from.data(), row, packs);
     for (int k = 0; k < 4; ++k) values[r][k] = load_pack(packs[k]);
   }
@@ -91,27 +91,27 @@ PERCUSS_FORCE_INLINE SeenFaces load_seen(const Rows4<const double>& from, const 
 /// How near pairs of a node and the faces of the lanes can come while each side moves by what `approach` has for it.
 /// offset: the distance that they keep by lane. Without a history, a node is accepted within the capture of the face
 /// moved outward by thickness; with one, by the offset farther behind it as well.
-PERCUSS_FORCE_INLINE void find_nearness(const SeenFaces& seen, const Point3& place, double approach,
-                                        const Packed& offset, int (&nearness)[SeenFaces::lanes]) {
-  const PackedPoint from = spread_to_pack(place) - seen.origin;
-  const Packed nearer = seen.capture + Packed(approach), capture = nearer + Packed(near_slack) * (nearer + offset);
+PERCUSS_FORCE_INLINE void find_nearness(const FaceSlabs& slabs, const Point3& place, double approach,
+                                        const Packed& offset, int (&nearness)[FaceSlabs::lanes]) {
+  const PackedPoint from = spread_to_pack(place) - slabs.origin;
+  const Packed nearer = slabs.capture + Packed(approach), capture = nearer + Packed(near_slack) * (nearer + offset);
   const Packed reach = capture + Packed(1 + longest_mitre) * offset, one(1), zero(0);
   Packed low[3], high[3];  // of the faces over the node
   for (int k = 0; k < 3; ++k) {
-    const Packed height = dot(seen.axis[k], from);
-    low[k] = seen.low[k] - height;
-    high[k] = seen.high[k] - height;
+    const Packed height = dot(slabs.axis[k], from);
+    low[k] = slabs.low[k] - height;
+    high[k] = slabs.high[k] - height;
   }
   const auto is_out =
       low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach || low[2] > reach || high[2] < -reach;
   // The moved face is higher by the offset along a normal that turns, and its corners by as much along it at most.
-  const Packed least = offset * (one - Packed(2) * seen.turn), most = offset * (one + seen.turn);
+  const Packed least = offset * (one - Packed(2) * slabs.turn), most = offset * (one + slabs.turn);
   const auto is_apart =
-      offset > zero && seen.turn < Packed(0.5) && (low[0] + least > capture || high[0] + most < -capture);
-  alignas(64) double found[SeenFaces::lanes];
+      offset > zero && slabs.turn < Packed(0.5) && (low[0] + least > capture || high[0] + most < -capture);
+  alignas(64) double found[FaceSlabs::lanes];
   const auto spread = [](int value) { return Packed(value); };
   store_pack(found, select(is_out, spread(never), select(is_apart, spread(unlinked), spread(ever))));
-  for (int lane = 0; lane < SeenFaces::lanes; ++lane) nearness[lane] = static_cast<int>(found[lane]);
+  for (int lane = 0; lane < FaceSlabs::lanes; ++lane) nearness[lane] = static_cast<int>(found[lane]);
 }
 
 /// Whether the face pushed the node in the last step.
@@ -153,25 +153,25 @@ namespace {
 
 /// Stores the faces of the candidate pairs as nodes see them.
 template <class Space>
-void store_seen_faces(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
-                      const Rows4<double>& seen) {
+void store_face_slabs(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
+                      const Rows4<double>& slabs) {
   const ContactSurface s = inputs.surface;
   const Rows3<const double> places = inputs.motion.x;
   const Array<const double> size = inputs.faces.size;
   const Array<const int> list = all.faces, is_candidate = all.is_candidate;
   const int num_faces = all.num_faces;
   Kokkos::parallel_for(
-      "contact::see_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+      "contact::find_slabs", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
         const ListedFaces listed(s, list, is_candidate, pack, num_faces);
         if (!listed.any_candidate) return;
         int stored[ListedFaces::lanes];
         alignas(64) double h[ListedFaces::lanes];
         for (int lane = 0; lane < ListedFaces::lanes; ++lane) {
-          const bool is_seen = lane < listed.count && listed.is_candidate[lane];
-          stored[lane] = is_seen ? listed.face[lane] : -1;
-          h[lane] = is_seen ? size(listed.face[lane]) : 0;
+          const bool is_listed = lane < listed.count && listed.is_candidate[lane];
+          stored[lane] = is_listed ? listed.face[lane] : -1;
+          h[lane] = is_listed ? size(listed.face[lane]) : 0;
         }
-        store_seen(see_faces(load_corners(places, listed.corner), load_pack(h), Packed(travel)), stored, seen);
+        store_slabs(find_slabs(load_corners(places, listed.corner), load_pack(h), Packed(travel)), stored, slabs);
       });
 }
 
@@ -183,7 +183,7 @@ void measure_nearness(const Space& space, const CheckInputs& inputs, const Candi
   const Rows3<const double> places = inputs.motion.x;
   const Array<const int> history = inputs.history_face, offset = all.offset, face = all.face;
   const Array<int> count = scratch.count, nearness = scratch.nearness;
-  const Rows4<double> seen = scratch.seen;
+  const Rows4<double> slabs = scratch.slabs;
   const double approach = approach_in_travel * travel;
   Kokkos::parallel_for(
       "contact::find_near_pairs", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int node) {
@@ -192,15 +192,15 @@ void measure_nearness(const Space& space, const CheckInputs& inputs, const Candi
         if (first == last) return;
         bool any = false, any_unlinked = false;
         const Point3 place = load_row(places, s.nodes(node));
-        for (int c = first; c < last; c += SeenFaces::lanes) {
-          const int pairs = last - c < SeenFaces::lanes ? last - c : SeenFaces::lanes;
-          int one[SeenFaces::lanes], own[SeenFaces::lanes];
-          alignas(64) double apart[SeenFaces::lanes];
-          for (int lane = 0; lane < SeenFaces::lanes; ++lane) {
+        for (int c = first; c < last; c += FaceSlabs::lanes) {
+          const int pairs = last - c < FaceSlabs::lanes ? last - c : FaceSlabs::lanes;
+          int one[FaceSlabs::lanes], own[FaceSlabs::lanes];
+          alignas(64) double apart[FaceSlabs::lanes];
+          for (int lane = 0; lane < FaceSlabs::lanes; ++lane) {
             one[lane] = face(lane < pairs ? c + lane : c);
             apart[lane] = find_offset(s.offsets, node, one[lane]);
           }
-          find_nearness(load_seen(seen, one), place, approach, load_pack(apart), own);
+          find_nearness(load_slabs(slabs, one), place, approach, load_pack(apart), own);
           for (int lane = 0; lane < pairs; ++lane) {
             if (own[lane] != ever && is_in_history(history, node, one[lane])) own[lane] = ever;
             nearness(c + lane) = own[lane];
@@ -242,9 +242,9 @@ bool list_near_pairs(const Space& space, const CheckInputs& inputs, const Candid
   const int num_nodes = surface.num_nodes;
   reserve(scratch.count, num_nodes);
   reserve(scratch.nearness, all.num_pairs);
-  reserve(scratch.seen, SeenFaces::rows * surface.num_faces);
+  reserve(scratch.slabs, FaceSlabs::rows * surface.num_faces);
   reserve(near.offset, num_nodes + 1);
-  store_seen_faces(space, inputs, all, limits.travel, scratch.seen);
+  store_face_slabs(space, inputs, all, limits.travel, scratch.slabs);
   measure_nearness(space, inputs, all, limits.travel, scratch);
   const Array<const int> count = scratch.count;
   const Array<int> near_offset = near.offset;

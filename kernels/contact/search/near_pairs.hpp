@@ -13,9 +13,9 @@ namespace percuss {
 /// Memory kept between lists.
 struct NearScratch {
   ConcernedScratch concerned;
-  Array<int> count = Array<int>("contact::near_count", 0);       // [contact nodes]
-  Rows4<double> seen = Rows4<double>("contact::seen_faces", 0);  // [5 faces] five rows a face
-  Array<int> nearness = Array<int>("contact::nearness", 0);      // [pairs]
+  Array<int> count = Array<int>("contact::near_count", 0);        // [contact nodes]
+  Rows4<double> slabs = Rows4<double>("contact::face_slabs", 0);  // [5 faces] five rows a face
+  Array<int> nearness = Array<int>("contact::nearness", 0);       // [pairs]
 };
 
 /// What a list of near pairs is to serve.

@@ -54,7 +54,7 @@ struct alignas(64) FacePack {
   int count = 0;
   CornerPack start{}, move{};  // at n, and by how much over the step
   double normal[3][lanes] = {};
-  double origin[3][lanes] = {}, velocity[3][lanes] = {};  // of the node, for see_from_nodes()
+  double origin[3][lanes] = {}, velocity[3][lanes] = {};  // of the node, for shift_to_nodes()
   CornerPack end;                                         // at the predicted place
   PlaneRange<double[lanes]> range;
   double way[lanes];  // longest way of a corner
@@ -72,7 +72,7 @@ KOKKOS_INLINE_FUNCTION void add_face(const FaceState& faces, int face, const Rel
   for (int axis = 0; axis < 3; ++axis) pack.normal[axis][lane] = faces.normal(face, axis);
 }
 
-/// Adds a face by place and velocity of its corners and of the node, for see_from_nodes().
+/// Adds a face by place and velocity of its corners and of the node, for shift_to_nodes().
 KOKKOS_INLINE_FUNCTION void add_face(const MovingSurface& moving, const CheckedNode& node, int face, FacePack& pack) {
   const auto& [surface, motion, faces] = moving;
   const int lane = pack.count++;
@@ -87,7 +87,7 @@ KOKKOS_INLINE_FUNCTION void add_face(const MovingSurface& moving, const CheckedN
 }
 
 /// From places and velocities to what load_relative_face() gives.
-KOKKOS_FORCEINLINE_FUNCTION void see_from_nodes(double dt, FacePack& pack) {
+KOKKOS_FORCEINLINE_FUNCTION void shift_to_nodes(double dt, FacePack& pack) {
   const PackedPoint origin = load_point(pack.origin), velocity = load_point(pack.velocity);
   for (int i = 0; i < 4; ++i) {
     store_point(pack.start.of[i], load_point(pack.start.of[i]) - origin);

@@ -120,7 +120,7 @@ struct EdgePairRule {
     return kind < line ? kind : line;
   }
 
-  /// Told apart only where the scene has lines.
+  /// Distinguished only where the scene has lines.
   KOKKOS_FORCEINLINE_FUNCTION int find_part(int edge) const {
     return surface.scale.extent(0) > 0 ? surface.scale(edge).part : 0;
   }

@@ -136,9 +136,9 @@ PERCUSS_FORCE_INLINE CalledResponse<T> call_in_double(const Material& material, 
   T* const values[6] = {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.zx};
   T* const rests[6] = {&rest.xx, &rest.yy, &rest.zz, &rest.xy, &rest.yz, &rest.zx};
   for (int k = 0; k < 6; ++k) narrow_sum(s[k], *values[k], *rests[k]);
-  T told[5];
-  for (int k = 0; k < 5; ++k) narrow(out[k], told[k]);
-  return {{told[0], told[1], told[2]}, {told[3], told[4]}};
+  T narrowed[5];
+  for (int k = 0; k < 5; ++k) narrow(out[k], narrowed[k]);
+  return {{narrowed[0], narrowed[1], narrowed[2]}, {narrowed[3], narrowed[4]}};
 }
 
 /// Advances the stress of an elastic point, and the digits that a float does not hold.

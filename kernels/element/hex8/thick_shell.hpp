@@ -271,9 +271,9 @@ struct ColumnStep {
   Vector3<T> turn;         // beyond that of the mean, axial vector
 };
 
-/// How far a point has changed its volume beyond the element's mean, and what its material is told.
+/// How far a point has changed its volume beyond the element's mean, and what its material gets.
 template <class T, class Ratios>
-PERCUSS_FORCE_INLINE void tell_volume(int p, const T& excess_de, Ratios& ratios, PointMotion<T>& motion) {
+PERCUSS_FORCE_INLINE void set_material_volume(int p, const T& excess_de, Ratios& ratios, PointMotion<T>& motion) {
   if constexpr (Ratios::keeps) {
     const T before = T(1) + ratios.excess[p];
     ratios.excess[p] = ratios.excess[p] + before * excess_de / (T(1) - number<T>(0.5) * excess_de);
@@ -411,7 +411,7 @@ PERCUSS_FORCE_INLINE void advance_layer(const SolidParameters<Material>& par, co
   const Symmetric3<T>& de = layer.de;
   PointMotion<T> point = motion.mean;
   point.de = de;
-  tell_volume(p, trace(de) - trace(motion.mean.de), state.volume, point);
+  set_material_volume(p, trace(de) - trace(motion.mean.de), state.volume, point);
   if constexpr (is_called<Material>) {
     point.is_apart = true;
     point.spin = layer.turn;

@@ -55,16 +55,16 @@ inline void start_history(const CalledMaterial& called, double* history, const d
                [&](const auto& state) { start_state(state, history + called.find_state_place(), center); });
 }
 
-/// Whether code of a user is told of its elements.
-inline bool is_told_of_elements(const CalledMaterial& called) {
-  bool is_told = false;
+/// Whether code of a user needs data of its elements.
+inline bool needs_elements(const CalledMaterial& called) {
+  bool needs = false;
   visit_any_of(called.law, Materials(), [&](const auto& law) {
-    if constexpr (requires { law.is_told_of_elements(); }) is_told = law.is_told_of_elements();
+    if constexpr (requires { law.needs_elements(); }) needs = law.needs_elements();
   });
-  return is_told;
+  return needs;
 }
 
-/// After start_history(): what code of a user is told of the element.
+/// After start_history(): what code of a user gets of the element.
 inline void start_element(const CalledMaterial& called, const UserElement& element, double* history) {
   visit_any_of(called.law, Materials(), [&](const auto& law) {
     if constexpr (requires { law.start_element(element, history); })

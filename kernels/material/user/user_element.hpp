@@ -1,5 +1,5 @@
 #pragma once
-// What code of users is told of an element.
+// What code of users gets of an element.
 
 namespace percuss {
 

@@ -81,7 +81,7 @@ struct UserHardening : UserFields {
         may("room_temperature", &M::room_temperature, KeyRange::any, "temperature",
             "Where the temperature of d5 of failure.johnson_cook is 0."),
         may("melt_temperature", &M::melt_temperature, KeyRange::not_negative, "temperature",
-            "Where it is 1; 0: none is told."));
+            "Where it is 1; 0: none is given."));
   }
 
   /// What is wrong between constants; empty: nothing.
@@ -110,7 +110,7 @@ struct UserHardening : UserFields {
     for (int i = 0; i < start_states.count; ++i) history[own_history + i] = start_states.value[i];
     if (deletes > 0) history[find_deletion()] = 1;
   }
-  bool is_told_of_elements() const { return fields > 0; }
+  bool needs_elements() const { return fields > 0; }
   void start_element(const UserElement& element, double* history) const {
     double* const own = history + find_stretch() + StretchHistory::count;
     start_place(element.place, history + first_field());

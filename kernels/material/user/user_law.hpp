@@ -129,7 +129,7 @@ struct UserLaw : UserFields {
     if (deletes > 0) history[find_deletion()] = 1;
     for (int i = 0; i < count_lengths(); ++i) history[find_element() + 1 + i] = 1;
   }
-  static bool is_told_of_elements() { return true; }
+  static bool needs_elements() { return true; }
   void start_element(const UserElement& element, double* history) const {
     history[find_element()] = element.id;
     history[find_element() + 1] = element.length;
@@ -152,7 +152,7 @@ struct UserLaw : UserFields {
     for (int axis = 1; axis < 3; ++axis) {
       const LameConstants other = find_answer(axis);
       const double more = (other.lambda + 2 * other.mu) / along;
-      if (!(more <= share * (1 + round_off))) share = more;  // so that no number is told, too
+      if (!(more <= share * (1 + round_off))) share = more;  // so that NaN is found, too
     }
     return {share * first.lambda, share * first.mu};
 #endif

@@ -46,7 +46,8 @@ void refuse_external_meshes(const Deck& deck) {
 void refuse_external_checkpoint(const std::string& path) { refuse_external(path, path + ": error"); }
 
 void refuse_other_file(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".h5") return;  // one that is damaged is told later, in other words
+  if (std::filesystem::path(path).extension() == ".h5")
+    return;  // one that is damaged is reported later, in other words
   if (!describe_irregular_file(path).empty() || hdf5::has_hdf5_signature(path)) return;
   throw InputError(
       fmt::format("{}: error: not a checkpoint (it is no HDF5 file): name checkpoint.h5 or its folder", path));

@@ -75,13 +75,13 @@ int count_running() {
 
 /// Whether others leave fewer cores free than so many threads want: the middle one of some looks, milliseconds apart.
 bool is_machine_busy(int threads) {
-  std::array<int, 5> seen{};
-  for (int& running : seen) {
+  std::array<int, 5> counts{};
+  for (int& running : counts) {
     running = count_running();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  std::nth_element(seen.begin(), seen.begin() + seen.size() / 2, seen.end());
-  return seen[seen.size() / 2] - 1 + threads > count_online_cores();
+  std::nth_element(counts.begin(), counts.begin() + counts.size() / 2, counts.end());
+  return counts[counts.size() / 2] - 1 + threads > count_online_cores();
 }
 
 /// Turns of a waiting loop, of the kind that OpenMP waits in, within some time.

@@ -59,7 +59,7 @@ ForceSurfaces::ForceSurfaces(const ContactRanks& ranks, const ChunkedMesh& chunk
   all_reduce(ranks.ranks, Reduce::largest, has);
   for (std::size_t i = 0; i < has.size(); ++i)
     parts_[i / forces.size()] |= static_cast<std::uint32_t>(has[i]) << i % forces.size();
-  faces_ = areas_.tell_faces(std::move(faces_));
+  faces_ = areas_.extend_to_foreign(std::move(faces_));
 }
 
 void ForceSurfaces::mark_faces(const ChunkedMesh& chunked, const Deck& deck, const std::vector<ForceDeck>& forces) {
@@ -158,10 +158,10 @@ void ForceSurfaces::ask_others(std::vector<RowSurfaces>& found) {
   const std::vector<Query> sent = ItemExchange::arrange(order, asked);
   std::vector<SideBits> answers;
   for (const Query& query : data_.exchange(plan, sent)) answers.push_back(answer(query));
-  const std::vector<SideBits> told = data_.exchange(reverse(plan), answers);
-  for (std::size_t k = 0; k < told.size(); ++k) {
+  const std::vector<SideBits> received = data_.exchange(reverse(plan), answers);
+  for (std::size_t k = 0; k < received.size(); ++k) {
     RowSurfaces& row = found[at(sent[k].row)];
-    (sent[k].is_pushing != 0 ? row.pushing : row.pushed) = told[k];
+    (sent[k].is_pushing != 0 ? row.pushing : row.pushed) = received[k];
   }
 }
 

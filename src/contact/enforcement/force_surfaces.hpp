@@ -54,7 +54,7 @@ class ForceSurfaces {
   UnstructuredExchange exchange_;
   DataExchange data_;
   NodeAreas areas_;
-  std::vector<SideBits> faces_;  // [faces of the share, told faces]
+  std::vector<SideBits> faces_;  // [faces of the share, foreign faces]
   std::vector<std::uint32_t> parts_;
   std::vector<Query> queries_;
 };

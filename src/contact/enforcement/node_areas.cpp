@@ -17,27 +17,27 @@ bool has_number(const FaceTopology& face) { return face.number >= 0; }  // parti
 NodeAreas::NodeAreas(const ContactRanks& ranks, const SurfaceShare& share)
     : has_many_ranks_(ranks.ranks.size() > 1), data_(ranks.ranks), num_own_(static_cast<int>(share.faces.size())) {
   corners_ = to_rows("contact::area_corners", share.face_corners);
-  areas_ = Rows3<double>("contact::corner_areas", share.faces.size() + share.told_faces.size());
+  areas_ = Rows3<double>("contact::corner_areas", share.faces.size() + share.foreign_faces.size());
   nodes_.around.first = to_view("contact::area_first_face", share.nodes.first_face);
   nodes_.around.faces = to_view("contact::area_faces", share.nodes.faces);
   nodes_.around.areas = areas_;
   nodes_.numbers = to_view("contact::area_node_numbers", share.nodes.numbers);
   std::vector<std::int64_t> numbers;
   std::vector<int> owners;
-  for (const FaceTopology& face : share.told_faces) {
+  for (const FaceTopology& face : share.foreign_faces) {
     // The area of a particle stays zero: it requests that of no face.
     if (!has_number(face)) continue;
     numbers.push_back(face.number);
     owners.push_back(ranks.numbering.find_element_owner(find_element_of_face(face.number)));
   }
   UnstructuredExchange exchange(ranks.ranks);
-  told_.name(exchange, data_, owners, numbers, [&](std::int64_t number) {
+  foreign_.name(exchange, data_, owners, numbers, [&](std::int64_t number) {
     const auto found = std::lower_bound(share.faces.begin(), share.faces.end(), number,
                                         [](const FaceTopology& face, std::int64_t n) { return face.number < n; });
     return static_cast<int>(found - share.faces.begin());
   });
   int place = num_own_;
-  for (const FaceTopology& face : share.told_faces) {
+  for (const FaceTopology& face : share.foreign_faces) {
     if (has_number(face)) places_.push_back(place);
     ++place;
   }
@@ -67,10 +67,10 @@ void NodeAreas::receive_areas() {
     return std::array<double, 3>{areas(at(face), 0), areas(at(face), 1), areas(at(face), 2)};
   };
   std::vector<std::array<double, 3>> sent;
-  for (const int face : told_.all().published) sent.push_back(load(face));
-  const std::vector<std::array<double, 3>> received = data_.exchange(reverse(told_.all().request), sent);
+  for (const int face : foreign_.all().published) sent.push_back(load(face));
+  const std::vector<std::array<double, 3>> received = data_.exchange(reverse(foreign_.all().request), sent);
   for (std::size_t k = 0; k < received.size(); ++k) {
-    const auto face = at(places_[at(told_.all().asked[k])]);
+    const auto face = at(places_[at(foreign_.all().asked[k])]);
     for (std::size_t d = 0; d < 3; ++d) areas(face, d) = received[k][d];
   }
   Kokkos::deep_copy(areas_, areas);

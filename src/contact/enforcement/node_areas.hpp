@@ -21,16 +21,16 @@ class NodeAreas {
   void update(const Rows3<const double>& x);
 
   /// What each face around the owned nodes has, of_own: [faces of the share] of this rank's. Returns [faces of the
-  /// share, told faces]; particles have T{}. Collective.
+  /// share, foreign faces]; particles have T{}. Collective.
   template <class T>
-  std::vector<T> tell_faces(std::vector<T> of_own) {
+  std::vector<T> extend_to_foreign(std::vector<T> of_own) {
     std::vector<T> all = std::move(of_own), sent;
     all.resize(areas_.extent(0));
     if (!has_many_ranks_) return all;
-    for (const int face : told_.all().published) sent.push_back(all[static_cast<std::size_t>(face)]);
-    const std::vector<T> received = data_.exchange(reverse(told_.all().request), sent);
+    for (const int face : foreign_.all().published) sent.push_back(all[static_cast<std::size_t>(face)]);
+    const std::vector<T> received = data_.exchange(reverse(foreign_.all().request), sent);
     for (std::size_t k = 0; k < received.size(); ++k) {
-      const auto asked = static_cast<std::size_t>(told_.all().asked[k]);
+      const auto asked = static_cast<std::size_t>(foreign_.all().asked[k]);
       all[static_cast<std::size_t>(places_[asked])] = received[k];
     }
     return all;
@@ -44,12 +44,11 @@ class NodeAreas {
 
   bool has_many_ranks_;
   DataExchange data_;
-  RemoteItems told_;
+  RemoteItems foreign_;
   std::vector<int> places_;  // [requested faces] in areas_
   int num_own_ = 0;
   Rows4<int> corners_ = Rows4<int>("contact::area_corners", 0);
-  Rows3<double> areas_ =
-      Rows3<double>("contact::corner_areas", 0);  // own faces, then those that other ranks have told of
+  Rows3<double> areas_ = Rows3<double>("contact::corner_areas", 0);  // own faces, then those that other ranks have sent
   AreaNodes nodes_;
 };
 

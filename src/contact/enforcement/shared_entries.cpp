@@ -138,7 +138,7 @@ HostRowNodes::HostRowNodes(const RowSystem& system)
     : x_(to_host(system.at.x)),
       v_(to_host(system.at.v)),
       v_before_(to_host(system.at.v_before)),
-      v_seen_(to_host(system.at.v_seen)),
+      v_checked_(to_host(system.at.v_checked)),
       inverse_mass_(to_host(system.at.inverse_mass)),
       spring_(to_host(system.at.spring)),
       body_(to_host(system.bodies.of_place)),
@@ -152,7 +152,7 @@ NodeAnswer HostRowNodes::get(int place) const {
     answer.x[d] = x_(a, d);
     answer.v[d] = v_(a, d);
     answer.v_before[d] = v_before_(a, d);
-    answer.v_seen[d] = v_seen_(a, d);
+    answer.v_checked[d] = v_checked_(a, d);
     answer.inverse_mass[d] = inverse_mass_(a, d);
   }
   answer.spring = has_springs_ ? spring_(a) : 0;
@@ -166,7 +166,7 @@ void HostRowNodes::set(int place, const NodeAnswer& answer) {
     x_(a, d) = answer.x[d];
     v_(a, d) = answer.v[d];
     v_before_(a, d) = answer.v_before[d];
-    v_seen_(a, d) = answer.v_seen[d];
+    v_checked_(a, d) = answer.v_checked[d];
     inverse_mass_(a, d) = answer.inverse_mass[d];
   }
   if (has_springs_) spring_(a) = answer.spring;
@@ -177,7 +177,7 @@ void HostRowNodes::write(RowSystem& system) const {
   Kokkos::deep_copy(system.at.x, x_);
   Kokkos::deep_copy(system.at.v, v_);
   Kokkos::deep_copy(system.at.v_before, v_before_);
-  Kokkos::deep_copy(system.at.v_seen, v_seen_);
+  Kokkos::deep_copy(system.at.v_checked, v_checked_);
   Kokkos::deep_copy(system.at.inverse_mass, inverse_mass_);
   if (has_springs_) Kokkos::deep_copy(system.at.spring, spring_);
   if (has_bodies_) Kokkos::deep_copy(system.bodies.of_place, body_);

@@ -28,7 +28,7 @@ constexpr std::int64_t entry_bytes = sizeof(EntryAnswer);  // a row of another r
 struct ContactPlanner::Reach {
   const ContactPlanner& planner;
   const Places& places;
-  Visit asked, needed, told;
+  Visit asked, needed, answered;
   Flow requests, answers, nodes;  // numbers of nodes, faces around these, nodes of these faces
 
   Reach(const ContactPlanner& from, const Places& in)
@@ -36,7 +36,7 @@ struct ContactPlanner::Reach {
         places(in),
         asked(from.whole_.mesh.nodes.size()),
         needed(from.whole_.mesh.nodes.size()),
-        told(from.share_.faces.size()) {}
+        answered(from.share_.faces.size()) {}
 
   void need(int node, int rank) {
     if (needed.is_first(node, rank)) nodes.add(places.find_fe_rank(node), rank);
@@ -51,7 +51,7 @@ struct ContactPlanner::Reach {
     requests.add(rank, fe_rank);
     for (int f = own.first_face[n]; f < own.first_face[n + 1]; ++f) {
       const int face = own.faces[at(f)];
-      if (told.is_first(face, rank)) answers.add(fe_rank, rank);  // another owner may tell of it, too: seldom
+      if (answered.is_first(face, rank)) answers.add(fe_rank, rank);  // another owner may tell of it, too: seldom
       for (const std::int64_t corner : planner.share_.face(face).corners) need(static_cast<int>(corner), rank);
     }
   }
@@ -77,7 +77,7 @@ void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const 
     const std::size_t point = searched_nodes_.size() + i;
     ++plan.ranks[at(places.owners[point])].faces;
     visit_ranks(places, i, 0, [&](int rank) { ++plan.ranks[at(rank)].faces_here; });
-    visit_ranks(places, i, told_margins * pairs_.margin,
+    visit_ranks(places, i, sent_margins * pairs_.margin,
                 [&](int rank) { faces.add(find_point_rank(places, point), rank); });
   }
   plan.ghost_faces = -static_cast<std::int64_t>(pairs_.boxes.size());
@@ -100,7 +100,7 @@ void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const
     history.add(find_point_rank(places, i), places.owners[i]);
   }
   for (std::size_t i = 0; i < pairs_.boxes.size(); ++i)
-    visit_ranks(places, i, told_margins * pairs_.margin,
+    visit_ranks(places, i, sent_margins * pairs_.margin,
                 [&](int rank) { faces[at(rank)].push_back(share_.searched_faces[i]); });
   Reach reach(*this, places);
   for (int rank = 0; rank < static_cast<int>(nodes.size()); ++rank) {

@@ -143,20 +143,20 @@ void ContactDecomposition::send_points_to_owners() {
 // (5.4) For all my faces: which ranks does the capture box reach, and do these know the face? If not, faces go to the
 // ranks that need them and to those that soon may.
 void ContactDecomposition::find_reached_ranks(const SurfaceMotion& motion, double margin) {
-  are_reached_told_ = are_faces_told_ && are_reached_parts_told(motion, margin);
-  if (are_reached_told_) return;
-  const double wide = are_faces_told_ ? (1 + told_margins) * margin : margin;
+  are_reached_known_ = are_faces_sent_ && are_reached_parts_known(motion, margin);
+  if (are_reached_known_) return;
+  const double wide = are_faces_sent_ ? (1 + sent_margins) * margin : margin;
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
   known_ = list_reached_parts(exchange_.ranks(), parts_->bisection().tree(), boxes_,
                               static_cast<int>(share_.searched_faces.size()), wide);
-  are_faces_told_ = true;
-  are_reached_parts_told(motion, margin);  // boxes and counts of this search
+  are_faces_sent_ = true;
+  are_reached_parts_known(motion, margin);  // boxes and counts of this search
 }
 
 // (5.5) Faces to ranks that do not know them, boxes of this search to all.
 void ContactDecomposition::send_overlapping_faces() {
-  if (!are_reached_told_) send_faces();
-  has_changed_ = are_nodes_others_ || !are_reached_told_;
+  if (!are_reached_known_) send_faces();
+  has_changed_ = are_nodes_others_ || !are_reached_known_;
   send_boxes();  // in every search
 }
 
@@ -287,7 +287,7 @@ void ContactDecomposition::send_places_to_owners() {
 }
 
 /// Whether all ranks that the boxes of this search reach know the faces.
-bool ContactDecomposition::are_reached_parts_told(const SurfaceMotion& motion, double margin) {
+bool ContactDecomposition::are_reached_parts_known(const SurfaceMotion& motion, double margin) {
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
   const ReachCount count = count_reached_parts(exchange_.ranks(), parts_->bisection().tree(), boxes_,
                                                static_cast<int>(share_.searched_faces.size()), margin, known_);

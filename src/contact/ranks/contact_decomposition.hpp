@@ -23,7 +23,7 @@ namespace percuss {
 /// Extra width of a box, in margins of a search, for the choice of the ranks that receive its face: faces can then move
 /// for some searches before more ranks need them. Not the first time: where erosion rebuilds the surface in every other
 /// step, there is no second one.
-inline constexpr double told_margins = 2;
+inline constexpr double sent_margins = 2;
 
 /// A contact node as the search needs it.
 struct NodeRecord {
@@ -106,7 +106,7 @@ class ContactDecomposition {
   bool find_new_owners();
   void send_nodes_to_owners();
   void send_places_to_owners();
-  bool are_reached_parts_told(const SurfaceMotion& motion, double margin);
+  bool are_reached_parts_known(const SurfaceMotion& motion, double margin);
   void send_faces();
   void send_boxes();
 
@@ -123,9 +123,9 @@ class ContactDecomposition {
   std::int64_t ghosts_after_rebalance_ = 0;
   std::int64_t points_at_rebalance_ = 0;  // of this rank's FE share
   bool is_due_ = true, just_rebalanced_ = false;
-  RcbPoints arrived_;                                         // from (5.1) to (5.3)
-  RcbReport divided_;                                         // likewise
-  bool are_nodes_others_ = false, are_reached_told_ = false;  // in the search that has begun
+  RcbPoints arrived_;                                          // from (5.1) to (5.3)
+  RcbReport divided_;                                          // likewise
+  bool are_nodes_others_ = false, are_reached_known_ = false;  // in the search that has begun
   double warm_rounds_ = 0;
   DecompositionReport report_;
 
@@ -139,13 +139,13 @@ class ContactDecomposition {
 
   // Faces likewise.
   Boxes boxes_;         // [searched faces]
-  ReachedParts known_;  // of the searched faces: the parts whose ranks were told of each
+  ReachedParts known_;  // of the searched faces: the parts whose ranks have each
   ExchangePlan face_plan_;
   Array<const int> sent_faces_, received_faces_;
   std::vector<FaceTopology> faces_;
   Boxes received_boxes_;  // [faces]
   std::int64_t reaching_faces_ = 0;
-  bool are_faces_told_ = false, has_changed_ = false;
+  bool are_faces_sent_ = false, has_changed_ = false;
 };
 
 }  // namespace percuss

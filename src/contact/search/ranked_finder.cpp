@@ -178,7 +178,7 @@ std::vector<std::int64_t> RankedFinder::list_nodes_of_unknown_faces() const {
   NumberMap places;
   places.reserve(searched.size() + decomposition_.faces().size());
   for (const NodeRecord& node : searched) places.add(node.number);
-  std::vector<int> faces(searched.size(), 0);  // around each that this rank was told of
+  std::vector<int> faces(searched.size(), 0);  // around each that this rank received
   for (const FaceTopology& face : decomposition_.faces()) {
     for (std::size_t i = 0; i < 4; ++i) {
       const auto place = at(places.add(face.corners[i]));
@@ -200,13 +200,13 @@ std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<s
   asked.name(exchange_, data_, NodeOwners(ranks_.numbering).find(nodes), nodes,
              [&](std::int64_t number) { return check_.find_contact_node(number); });
   const OwnedContactNodes& own = share_.nodes;
-  std::vector<int> told(share_.faces.size() + share_.told_faces.size(), -1);  // the last who was
+  std::vector<int> last_rank(share_.faces.size() + share_.foreign_faces.size(), -1);  // the last rank that got each
   std::vector<FaceTopology> faces;
   const auto tell = [&](int whom, int node) {
     for (int f = own.first_face[at(node)]; f < own.first_face[at(node) + 1]; ++f) {
       const int face = own.faces[at(f)];
-      if (told[at(face)] == whom) continue;
-      told[at(face)] = whom;
+      if (last_rank[at(face)] == whom) continue;
+      last_rank[at(face)] = whom;
       faces.push_back(share_.face(face));
     }
   };

@@ -78,11 +78,11 @@ void gather_held_nodes(const ChunkedMesh& chunked, std::vector<HeldNode>& held) 
     sent.push_back(node);
     owners.push_back(owner);
   }
-  for (const HeldNode& told : ItemExchange(*mesh.ranks).send(owners, sent)) {
-    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), told.number);
+  for (const HeldNode& received : ItemExchange(*mesh.ranks).send(owners, sent)) {
+    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), received.number);
     HeldNode& node = held[static_cast<std::size_t>(place - mesh.node_numbers.begin())];
-    node.number = told.number;
-    node.merge(told);
+    node.number = received.number;
+    node.merge(received);
   }
 }
 

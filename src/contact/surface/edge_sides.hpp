@@ -25,7 +25,7 @@ struct EdgeSide {
   int surface_class = 0;
   int part = 0;
   int rank = 0;
-  int item = -1;      // of ToldSides
+  int item = -1;      // of SharedSides
   double length = 0;  // of the edge
   double offset = 0;
   Point3 normal{}, inward{};  // of the face, and from the edge into it
@@ -99,11 +99,11 @@ struct SidedFace {
 
 /// Sides of the edges whose lower node is this rank's: those of its own faces, made on demand, and those received from
 /// other ranks.
-class ToldSides {
+class SharedSides {
  public:
   /// Collective.
-  ToldSides(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
-            const std::vector<std::array<int, 4>>& face_corners, const Communicator& ranks)
+  SharedSides(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
+              const std::vector<std::array<int, 4>>& face_corners, const Communicator& ranks)
       : rank_(ranks.rank()) {
     const Mesh& mesh = chunked.mesh;
     std::vector<int> lower_nodes;

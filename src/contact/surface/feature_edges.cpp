@@ -47,22 +47,22 @@ bool has_folds(const std::vector<EdgeEnds>& folds, std::int64_t lower) {
 
 /// By part: the longest feature edge of any other part; 0 where none can pass between the nodes of the part.
 /// Collective.
-std::vector<double> find_passing_lengths(const ToldSides& told, const Mesh& mesh, const std::vector<FoundEdge>& beams,
-                                         const Communicator& ranks) {
+std::vector<double> find_passing_lengths(const SharedSides& shared, const Mesh& mesh,
+                                         const std::vector<FoundEdge>& beams, const Communicator& ranks) {
   std::vector<double> longest(mesh.parts.size(), 0), passing(longest.size(), 0);
   if (longest.size() < 2) return passing;
   for (const FoundEdge& beam : beams) longest[at(beam.part)] = std::max(longest[at(beam.part)], beam.length);
   std::vector<EdgeSide> sides;
-  for (std::size_t node = 0; node < told.node_count(); ++node) {
-    if (!told.may_have_edges(node, contact_limits::feature)) continue;
-    told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
+  for (std::size_t node = 0; node < shared.node_count(); ++node) {
+    if (!shared.may_have_edges(node, contact_limits::feature)) continue;
+    shared.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
       visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
         if (is_feature(kind, a, b)) longest[at(a.part)] = std::max(longest[at(a.part)], a.length);
       });
     });
   }
   std::vector<double> shortest(longest.size(), std::numeric_limits<double>::infinity());
-  told.find_shortest_edges(shortest);
+  shared.find_shortest_edges(shortest);
   all_reduce(ranks, Reduce::largest, longest);
   all_reduce(ranks, Reduce::least, shortest);
   for (std::size_t p = 0; p < longest.size(); ++p)
@@ -161,15 +161,15 @@ void sort_edges(std::vector<FoundEdge>& edges) {
 }
 
 /// Edges by lower node, numbered.
-std::vector<FoundEdge> number_edges(const ToldSides& told, const Mesh& mesh, const EdgeRule& rule) {
+std::vector<FoundEdge> number_edges(const SharedSides& shared, const Mesh& mesh, const EdgeRule& rule) {
   std::vector<FoundEdge> edges;
   std::vector<EdgeSide> sides;
-  for (std::size_t node = 0; node < told.node_count(); ++node) {
-    if (!told.may_have_lines(node, rule.passing) && !told.may_have_edges(node, contact_limits::blunt) &&
+  for (std::size_t node = 0; node < shared.node_count(); ++node) {
+    if (!shared.may_have_lines(node, rule.passing) && !shared.may_have_edges(node, contact_limits::blunt) &&
         !has_folds(rule.folds, mesh.node_numbers[node]))
       continue;
     const std::size_t first_edge = edges.size();
-    told.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
+    shared.visit_edges(node, sides, [&](const EdgeSide* first, const EdgeSide* last) {
       visit_meetings(first, last, [&](EdgeKind kind, const EdgeSide& a, const EdgeSide& b) {
         const int bluntness = rule.find_bluntness(kind, a, b);
         if (bluntness < 0) return;
@@ -191,7 +191,7 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const Surf
                                           UnstructuredExchange& exchange, const std::vector<EdgeEnds>& folds,
                                           std::vector<double>& passing) {
   const Communicator& ranks = exchange.ranks();
-  const ToldSides sides(chunked, share.faces, share.face_corners, ranks);
+  const SharedSides sides(chunked, share.faces, share.face_corners, ranks);
   if (passing.empty()) passing = find_passing_lengths(sides, chunked.mesh, share.beams, ranks);
   std::vector<FoundEdge> beams = share.beams;
   list_ridges(chunked.mesh, share, folds, ranks.rank(), beams);

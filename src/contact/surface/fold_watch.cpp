@@ -64,7 +64,7 @@ FoldRule make_rule(EdgeKind kind, const EdgeSide& a, const EdgeSide& b, bool is_
   return make_rule(fold_angles, is_solid && dot(a.normal, b.inward) > 0 ? -angle : angle, is_solid, is_fold);
 }
 
-WatchedSide make_watched(const SurfaceShare& share, const ToldSides::OwnSide& own) {
+WatchedSide make_watched(const SurfaceShare& share, const SharedSides::OwnSide& own) {
   const std::array<int, 4>& nodes = share.face_corners[at(own.face)];
   const auto& corners = share.faces[at(own.face)].corners;
   const std::size_t p = at(own.corner), q = (p + 1) % 4;
@@ -102,15 +102,15 @@ void FoldWatch::list_edges(const SurfaceShare& share) {
   has_edges_ = true;
   own_.clear();
   shared_.clear();
-  const ToldSides told(chunked_, share.faces, share.face_corners, ranks_);
+  const SharedSides shared(chunked_, share.faces, share.face_corners, ranks_);
   const std::vector<char> touches = find_touching(share);
   std::vector<WatchedSide> sides;
-  for (const ToldSides::OwnSide& own : told.sent()) sides.push_back(make_watched(share, own));
-  sent_to_ = told.sent_to();
-  const int num_own = static_cast<int>(told.own().size());
-  const auto place_side = [&](int item) {  // received sides are told by negative numbers until all own ones are known
+  for (const SharedSides::OwnSide& own : shared.sent()) sides.push_back(make_watched(share, own));
+  sent_to_ = shared.sent_to();
+  const int num_own = static_cast<int>(shared.own().size());
+  const auto place_side = [&](int item) {  // received sides have negative numbers until all own ones are known
     if (item >= num_own) return num_own - 1 - item;
-    sides.push_back(make_watched(share, told.own()[at(item)]));
+    sides.push_back(make_watched(share, shared.own()[at(item)]));
     return static_cast<int>(sides.size()) - 1;
   };
   std::vector<EdgeSide> around;
@@ -120,13 +120,14 @@ void FoldWatch::list_edges(const SurfaceShare& share) {
     const EdgeEnds ends{a.ends[0], a.ends[1]};
     const FoldRule rule = make_rule(kind, a, b, is_fold(ends));
     if (a.item < num_own && b.item < num_own)
-      own_.push_back({make_watched(share, told.own()[at(a.item)]), make_watched(share, told.own()[at(b.item)]), rule});
+      own_.push_back(
+          {make_watched(share, shared.own()[at(a.item)]), make_watched(share, shared.own()[at(b.item)]), rule});
     else
       shared_.push_back({ends, place_side(a.item), place_side(b.item), rule});
   };
-  for (std::size_t node = 0; node < told.node_count(); ++node)
-    told.visit_edges(node, around,
-                     [&](const EdgeSide* first, const EdgeSide* last) { visit_meetings(first, last, list); });
+  for (std::size_t node = 0; node < shared.node_count(); ++node)
+    shared.visit_edges(node, around,
+                       [&](const EdgeSide* first, const EdgeSide* last) { visit_meetings(first, last, list); });
   list_diagonals(share, touches);
   const int num_sides = static_cast<int>(sides.size());
   for (SharedEdge& edge : shared_) {

@@ -170,11 +170,11 @@ void list_beams(const ChunkedMesh& chunked, const Deck& deck, const std::vector<
   mark_free_ends(chunked.numbering, ranks, share.beams);
 }
 
-/// Tells the owner of every corner about each face of this rank, and of particles and beams. Returns what the owned
-/// nodes are told: of faces of the share in their order, then of `told_faces`, which it fills.
-std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector<double>& springs,
-                                   std::vector<CornerNotice> sent, UnstructuredExchange& exchange,
-                                   SurfaceShare& share) {
+/// Notifies the owner of every corner of each face of this rank, and of particles and beams. Returns the notices of
+/// owned nodes: of faces of the share in their order, then of `foreign_faces`, which it fills.
+std::vector<NodeNotice> notify_nodes(const ChunkedMesh& chunked, const std::vector<double>& springs,
+                                     std::vector<CornerNotice> sent, UnstructuredExchange& exchange,
+                                     SurfaceShare& share) {
   const Mesh& mesh = chunked.mesh;
   const int own = exchange.ranks().rank();
   std::vector<NodeNotice> notices;
@@ -201,8 +201,8 @@ std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector
   }
   for (const CornerNotice& notice : ItemExchange(exchange.ranks()).send(owners, sent)) {
     const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
-    const std::size_t face = share.faces.size() + share.told_faces.size();
-    share.told_faces.push_back(notice.face);
+    const std::size_t face = share.faces.size() + share.foreign_faces.size();
+    share.foreign_faces.push_back(notice.face);
     notices.push_back(
         {static_cast<int>(place - mesh.node_numbers.begin()), static_cast<int>(face), notice.size, notice.spring});
   }
@@ -254,10 +254,10 @@ void begin_node(const Mesh& mesh, std::size_t n, int part, SurfaceShare& share) 
 void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, SurfaceShare& share,
                 std::vector<std::vector<int>>& particle_classes) {
   OwnedContactNodes& nodes = share.nodes;
-  std::vector<int> told;
-  told.reserve(notices.size());
-  for (const NodeNotice& notice : notices) told.push_back(notice.node);
-  Buckets by_node = sort_into_buckets(told, mesh.nodes.size());
+  std::vector<int> noticed;
+  noticed.reserve(notices.size());
+  for (const NodeNotice& notice : notices) noticed.push_back(notice.node);
+  Buckets by_node = sort_into_buckets(noticed, mesh.nodes.size());
   nodes.faces.reserve(notices.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const auto first = by_node.items.begin() + by_node.first[n], last = by_node.items.begin() + by_node.first[n + 1];
@@ -390,7 +390,7 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const std::ve
     face.surface_class = classes.find(of_faces.sets[at(face.surface_class)]);
   };
   std::for_each(share.faces.begin(), share.faces.end(), renumber);
-  std::for_each(share.told_faces.begin(), share.told_faces.end(), renumber);
+  std::for_each(share.foreign_faces.begin(), share.foreign_faces.end(), renumber);
   for (FoundEdge& beam : share.beams)
     for (int& surface_class : beam.face_classes) surface_class = classes.find(of_faces.sets[at(surface_class)]);
   for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
@@ -486,8 +486,8 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<std::vector<int>> particle_classes;
   std::vector<CornerNotice> points = list_particles(mesh, deck, part_classes);
   if (share.has_beams) list_beams(chunked, deck, part_classes, exchange.ranks(), points, share);
-  list_nodes(mesh, tell_nodes(chunked, find_face_springs(mesh, deck, faces), std::move(points), exchange, share), share,
-             particle_classes);
+  list_nodes(mesh, notify_nodes(chunked, find_face_springs(mesh, deck, faces), std::move(points), exchange, share),
+             share, particle_classes);
   std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
   tie_beams(deck, ties, share.nodes, node_sets);
   release_nodes(deck, ties, share.nodes.numbers, node_sets);

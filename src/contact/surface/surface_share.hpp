@@ -52,9 +52,10 @@ struct OwnedContactNodes {
 
 struct SurfaceShare {
   OwnedContactNodes nodes;
-  std::vector<FaceTopology> faces;       // of this rank's elements, ascending number
-  std::vector<FaceTopology> told_faces;  // of others' elements at nodes of this rank; of particles and beams, number -1
-  std::vector<char> face_searched;       // whether it may be touched by any node
+  std::vector<FaceTopology> faces;  // of this rank's elements, ascending number
+  std::vector<FaceTopology>
+      foreign_faces;                // of others' elements at nodes of this rank; of particles and beams, number -1
+  std::vector<char> face_searched;  // whether it may be touched by any node
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
   Array<const double> pair_friction;          // [class of node * num_classes + class of face]; negative: may not touch
@@ -84,10 +85,10 @@ struct SurfaceShare {
 
   ActiveContact active{};  // by which pair_friction was found
 
-  /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `told_faces`.
+  /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `foreign_faces`.
   const FaceTopology& face(int place) const {
     const auto i = static_cast<std::size_t>(place);
-    return i < faces.size() ? faces[i] : told_faces[i - faces.size()];
+    return i < faces.size() ? faces[i] : foreign_faces[i - faces.size()];
   }
   BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
 

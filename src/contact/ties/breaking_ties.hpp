@@ -1,5 +1,5 @@
 #pragma once
-// Ties that fail: judged by the impulses of a step, let go after it, and told to the user.
+// Ties that fail: judged by the impulses of a step, let go after it, and reported to the user.
 
 #include <utility>
 #include <vector>

@@ -211,27 +211,27 @@ std::vector<ClosestFace> keep_best(const Mesh& mesh, const std::vector<int>& nod
 /// Ranks that share a node know different faces of side a around it: all of them take the best of their answers.
 void agree(const ChunkedMesh& chunked, const std::vector<int>& nodes, ItemExchange& exchange,
            std::vector<ClosestFace>& best) {
-  struct Told {
+  struct Reply {
     ClosestFace answer;
     int asker = 0;
   };
   const Mesh& mesh = chunked.mesh;
-  std::vector<Told> known;
+  std::vector<Reply> known;
   std::vector<int> owners;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     best[i].found.node = mesh.node_numbers[at(nodes[i])];
     known.push_back({best[i], exchange.ranks().rank()});
     owners.push_back(chunked.numbering.find_node_owner(best[i].found.node));
   }
-  std::vector<Told> told = exchange.send(owners, known);
+  std::vector<Reply> received = exchange.send(owners, known);
   std::map<std::int64_t, ClosestFace> of_node;
-  for (const Told& t : told) {
+  for (const Reply& t : received) {
     ClosestFace& so_far = of_node[t.answer.found.node];
     if (t.answer.is_better_than(so_far)) so_far = t.answer;
   }
   std::vector<int> askers;
   std::vector<ClosestFace> answers;
-  for (const Told& t : told) {
+  for (const Reply& t : received) {
     askers.push_back(t.asker);
     answers.push_back(of_node[t.answer.found.node]);
     answers.back().found.node = t.answer.found.node;

@@ -21,12 +21,12 @@ std::size_t find_place(const std::vector<int>& nodes, int node) {
 }
 
 /// Gives each asker the most that any of them knows.
-void share_most(std::vector<NodeValue>& told) {
-  std::sort(told.begin(), told.end(), [](const NodeValue& a, const NodeValue& b) {
+void share_most(std::vector<NodeValue>& received) {
+  std::sort(received.begin(), received.end(), [](const NodeValue& a, const NodeValue& b) {
     return a.node != b.node ? a.node < b.node : a.asker < b.asker;
   });
-  for (auto first = told.begin(); first != told.end();) {
-    const auto last = std::find_if(first, told.end(), [&](const NodeValue& t) { return t.node != first->node; });
+  for (auto first = received.begin(); first != received.end();) {
+    const auto last = std::find_if(first, received.end(), [&](const NodeValue& t) { return t.node != first->node; });
     double most = 0;
     for (auto t = first; t != last; ++t) most = std::max(most, t->value);
     for (; first != last; ++first) first->value = most;
@@ -43,10 +43,10 @@ void share_largest(const ChunkedMesh& chunked, const std::vector<int>& nodes, It
     known.push_back({mesh.node_numbers[at(nodes[i])], exchange.ranks().rank(), values[i]});
     owners.push_back(chunked.numbering.find_node_owner(known.back().node));
   }
-  std::vector<NodeValue> told = exchange.send(owners, known);
-  share_most(told);
-  for (const NodeValue& t : told) askers.push_back(t.asker);
-  for (const NodeValue& t : exchange.send(askers, told)) {
+  std::vector<NodeValue> received = exchange.send(owners, known);
+  share_most(received);
+  for (const NodeValue& t : received) askers.push_back(t.asker);
+  for (const NodeValue& t : exchange.send(askers, received)) {
     const auto place = std::lower_bound(nodes.begin(), nodes.end(), t.node,
                                         [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
     values[static_cast<std::size_t>(place - nodes.begin())] = t.value;

@@ -20,7 +20,7 @@ enum class RunMoment {
   end_of_analysis
 };
 
-/// The state that the code is told.
+/// The state that the code gets.
 struct RunState {
   std::int64_t nodes = 0, elements = 0;  // of the whole mesh
   std::int64_t increment = 0;

@@ -81,7 +81,7 @@ std::string fill_message(const std::string& form, MessageValues values) {
   return text;
 }
 
-/// A message, known by its form, is printed some times; then it is told that it goes on.
+/// A message, known by its form, is printed some times, then that it goes on.
 void print_message(const std::string& library, const char* kind, const std::string& form, const std::string& text,
                    int most = 5) {
   constexpr std::size_t most_forms = 1000;
@@ -95,7 +95,7 @@ void print_message(const std::string& library, const char* kind, const std::stri
   if (count == most) std::fputs("note: that message is not printed again\n", stderr);
 }
 
-void tell_name(const std::string& text, char* to, int* count, std::size_t length) {
+void copy_name(const std::string& text, char* to, int* count, std::size_t length) {
   write_fortran(text, to, length);
   *count = static_cast<int>(std::min(text.size(), length));
 }
@@ -107,7 +107,7 @@ std::mutex* find_lock(const int* id) {
 }
 
 /// What VGETVRM tells of the points that this thread is at; the status: 0, or 1 where there is no such quantity.
-int tell_quantity(const std::string& library, const std::string& quantity, double* values) {
+int copy_quantity(const std::string& library, const std::string& quantity, double* values) {
   if (asked_points != nullptr && asked_points->tell(quantity, values)) return 0;
   const std::string text =
       asked_points == nullptr
@@ -127,7 +127,7 @@ void issue(const std::string& library, int kind, const std::string& form, const 
 
 }  // namespace
 
-void tell_user_code(UserRun run) { context().run = std::move(run); }
+void set_user_run(UserRun run) { context().run = std::move(run); }
 
 std::string read_fortran(const char* text, std::size_t length) {
   while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\0')) --length;
@@ -144,10 +144,10 @@ void write_fortran(const std::string& text, char* to, std::size_t length) {
 using percuss::context;
 
 PERCUSS_USER_ROUTINE void vgetjobname_(char* name, int* count, std::size_t length) {
-  percuss::tell_name(context().run.job, name, count, length);
+  percuss::copy_name(context().run.job, name, count, length);
 }
 PERCUSS_USER_ROUTINE void vgetoutdir_(char* name, int* count, std::size_t length) {
-  percuss::tell_name(context().run.folder, name, count, length);
+  percuss::copy_name(context().run.folder, name, count, length);
 }
 PERCUSS_USER_ROUTINE void getjobname_(char* name, int* count, std::size_t length) { vgetjobname_(name, count, length); }
 PERCUSS_USER_ROUTINE void getoutdir_(char* name, int* count, std::size_t length) { vgetoutdir_(name, count, length); }
@@ -189,7 +189,7 @@ PERCUSS_USER_ROUTINE void stdb_abqerr_(const int* kind, const char* form, const 
 PERCUSS_USER_ROUTINE void vgetvrm_(const char* quantity, double* values, int*, char*, int* status, std::size_t length) {
   std::string name = percuss::read_fortran(quantity, length);
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  *status = percuss::tell_quantity(percuss::name_library(__builtin_return_address(0)), name, values);
+  *status = percuss::copy_quantity(percuss::name_library(__builtin_return_address(0)), name, values);
 }
 
 PERCUSS_USER_ROUTINE void xplb_exit_() {

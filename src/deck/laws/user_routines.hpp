@@ -18,8 +18,8 @@ struct UserRun {
   std::function<void()> end;  // ends all ranks at once; does not return
 };
 
-/// From now on the code is told this.
-void tell_user_code(UserRun run);
+/// From now on the code gets this.
+void set_user_run(UserRun run);
 
 /// A text of Fortran without the blanks at its end, and one filled up with them.
 std::string read_fortran(const char* text, std::size_t length);

@@ -90,7 +90,7 @@ MapValue<StartDeck> start_value() { return {start_keys, check_preloads}; }
 void check_start(const Deck& deck, const Node& root, Reading& reading) {
   for (const PreloadDeck& preload : deck.start.preloads) {
     const Node& given = *root.find("start")->find("preload")->find(preload.name);
-    if (given.find("part") == nullptr || given.find("force") == nullptr) continue;  // which is told already
+    if (given.find("part") == nullptr || given.find("force") == nullptr) continue;  // which is reported already
     const Spot spot = given.key;
     const auto refuse = [&](const std::string& why) {
       reading.errors.add(spot, fmt::format("preload '{}' {}", preload.name, why));
@@ -100,7 +100,7 @@ void check_start(const Deck& deck, const Node& root, Reading& reading) {
         std::find_if(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& of) { return of.name == preload.part; });
     if (part == deck.parts.end()) {
       if (preload.part.empty()) refuse("is of part all (must be of one part): name the part");
-      continue;  // an unknown name is told already
+      continue;  // an unknown name is reported already
     }
     if (part->rigid) refuse(fmt::format("is of part '{}' (which is rigid and has no stresses)", part->name));
     if (!preload.point && !part->section)

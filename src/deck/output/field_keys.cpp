@@ -138,7 +138,7 @@ int find_most_points(const Deck& deck) {
   int most = 0;
   for (const PartDeck& part : deck.parts) {
     if (part.has_thickness()) most = std::max(most, find_points(deck, part));
-    if (is_shell_shape(part.shape) && !part.has_thickness()) return most_thickness_points;  // which is told already
+    if (is_shell_shape(part.shape) && !part.has_thickness()) return most_thickness_points;  // which is reported already
   }
   return most;
 }

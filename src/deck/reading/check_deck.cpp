@@ -232,7 +232,8 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
 void check_walls(const Deck& deck, const Node& root, Reading& reading) {
   const auto rigid = std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.rigid; });
   const Node* walls = root.find("walls");
-  if (walls == nullptr || walls->items.size() != deck.walls.size()) return;  // some are wrong, which is told already
+  if (walls == nullptr || walls->items.size() != deck.walls.size())
+    return;  // some are wrong, which is reported already
   const bool has_springs = deck.contact.enforcement == ContactDeck::Enforcement::penalty;
   for (std::size_t w = 0; w < deck.walls.size(); ++w) {
     const WallDeck& wall = deck.walls[w];

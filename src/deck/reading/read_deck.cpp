@@ -36,7 +36,7 @@ Node parse_tree(std::string text, const std::string& file, const std::vector<std
                                        describe(*root)));
     errors.throw_if_any();
   }
-  root->spot = root->key = {{1, 1}, -1};  // where a missing section is told
+  root->spot = root->key = {{1, 1}, -1};  // where a missing section is reported
   for (std::size_t i = 0; i < overrides.size(); ++i) apply_override(overrides[i], static_cast<int>(i), *root, errors);
   return *std::move(root);
 }

@@ -66,11 +66,11 @@ DeckErrors::Collapsed DeckErrors::collapse(std::vector<Message> messages) const 
                    [](const Message& a, const Message& b) { return sort_key(a.spot) < sort_key(b.spot); });
   Collapsed found;
   std::map<std::string, Warning> others;  // by text
-  std::set<std::pair<std::string, std::string>> seen;
+  std::set<std::pair<std::string, std::string>> printed;
   std::map<std::string, int> times;
   for (const Message& m : messages) {
     std::string place = name(m.spot);
-    if (!seen.emplace(place, m.text).second) continue;
+    if (!printed.emplace(place, m.text).second) continue;
     if (++times[m.text] <= most_repeats) {
       found.shown.push_back({m.rule, m.text, std::move(place), 0, 1});
     } else {

@@ -18,7 +18,7 @@ struct Node {
   enum class Kind { null, scalar, list, map };
   Kind kind = Kind::null;
   bool quoted = false;  // a scalar in quotes or block style: text, never a number
-  bool broken = false;  // an error about this node was told already; readers pass over it in silence
+  bool broken = false;  // an error about this node was reported already; readers pass over it in silence
   Spot spot;            // of the value
   Spot key;             // of the key that holds it; of the value where there is none
   std::string text;     // of a scalar

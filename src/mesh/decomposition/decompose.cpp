@@ -37,7 +37,7 @@ void find_box(const Communicator& ranks, Mesh& mesh) {
 }
 
 /// And what was done to the parts.
-void tell_warnings(const SceneParts& scene, Mesh& mesh) {
+void report_warnings(const SceneParts& scene, Mesh& mesh) {
   for (const ScenePart& part : scene.parts) {
     for (Warning warning : part.warnings) {
       warning.place = "part '" + part.name + "'" + (warning.place.empty() ? "" : ", " + warning.place);
@@ -65,7 +65,7 @@ ChunkedMesh load_mesh(const Deck& deck, const Communicator& ranks) {
   set_thicknesses(deck, ranks, share.mesh);
   apply_imperfections(deck, ranks, share.mesh);
   find_box(ranks, share.mesh);
-  tell_warnings(scene, share.mesh);
+  report_warnings(scene, share.mesh);
   share.mesh.joints = scene.joints;
   return share;
 }

@@ -205,7 +205,7 @@ void add_nodes_of_parts(Mesh& mesh, const SceneParts& scene) {
   }
   for (std::vector<int>* set : sets) {
     std::sort(set->begin(), set->end());
-    set->erase(std::unique(set->begin(), set->end()), set->end());  // joined nodes were told before
+    set->erase(std::unique(set->begin(), set->end()), set->end());  // joined nodes had them before
   }
 }
 

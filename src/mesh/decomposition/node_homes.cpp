@@ -71,10 +71,10 @@ std::vector<int> NodeHomes::find_owners() {
 }
 
 std::vector<std::int64_t> NodeHomes::share_numbers(const std::vector<std::int64_t>& numbers) {
-  const std::vector<std::int64_t> told = data_.exchange(plan_, ItemExchange::arrange(order_, numbers));
-  std::vector<std::int64_t> answers(told.size());
+  const std::vector<std::int64_t> received = data_.exchange(plan_, ItemExchange::arrange(order_, numbers));
+  std::vector<std::int64_t> answers(received.size());
   for_each_node(uses_, [&](std::size_t first, std::size_t last) {
-    const std::int64_t number = told[static_cast<std::size_t>(uses_[first].place)];
+    const std::int64_t number = received[static_cast<std::size_t>(uses_[first].place)];
     for (std::size_t i = first; i < last; ++i) answers[static_cast<std::size_t>(uses_[i].place)] = number;
   });
   return send_back(answers);

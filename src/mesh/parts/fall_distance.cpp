@@ -61,7 +61,7 @@ Point2 minus(const Point2& a, const Point2& b) { return {a[0] - b[0], a[1] - b[1
 double cross2(const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// A triangle seen along the direction.
-struct SeenTriangle {
+struct ProjectedTriangle {
   std::array<Point2, 3> across{};
   std::array<double, 3> along{};
   std::array<Vec3, 3> corners{};
@@ -81,21 +81,21 @@ std::array<Vec3, 2> find_axes(const Vec3& direction) {
   return {first, cross(direction, first)};
 }
 
-SeenTriangle see(const FallingTriangle& triangle, const Vec3& direction, const std::array<Vec3, 2>& axes) {
-  SeenTriangle seen;
-  seen.corners = triangle.corners;
-  seen.half_thickness = triangle.half_thickness;
-  seen.low = {never, never};
-  seen.high = {-never, -never};
+ProjectedTriangle project(const FallingTriangle& triangle, const Vec3& direction, const std::array<Vec3, 2>& axes) {
+  ProjectedTriangle projected;
+  projected.corners = triangle.corners;
+  projected.half_thickness = triangle.half_thickness;
+  projected.low = {never, never};
+  projected.high = {-never, -never};
   for (std::size_t c = 0; c < 3; ++c) {
-    seen.along[c] = dot(triangle.corners[c], direction);
+    projected.along[c] = dot(triangle.corners[c], direction);
     for (std::size_t k = 0; k < 2; ++k) {
-      seen.across[c][k] = dot(triangle.corners[c], axes[k]);
-      seen.low[k] = std::min(seen.low[k], seen.across[c][k]);
-      seen.high[k] = std::max(seen.high[k], seen.across[c][k]);
+      projected.across[c][k] = dot(triangle.corners[c], axes[k]);
+      projected.low[k] = std::min(projected.low[k], projected.across[c][k]);
+      projected.high[k] = std::max(projected.high[k], projected.across[c][k]);
     }
   }
-  return seen;
+  return projected;
 }
 
 /// What thicknesses take from the way, across a common normal.
@@ -106,7 +106,7 @@ double find_thickness_along(const Vec3& normal, const Vec3& direction, double th
 }
 
 /// Way between a corner of one triangle and the face of another.
-double find_way_to_face(const Point2& point, const SeenTriangle& face, double& along) {
+double find_way_to_face(const Point2& point, const ProjectedTriangle& face, double& along) {
   const auto& [a, b, c] = face.across;
   const double area = cross2(minus(b, a), minus(c, a));
   if (area == 0) return never;  // seen from its edge
@@ -119,7 +119,8 @@ double find_way_to_face(const Point2& point, const SeenTriangle& face, double& a
 }
 
 /// Of all corners of one triangle over the other. sign: 1 where the corners fall.
-double find_way_of_corners(const SeenTriangle& corners, const SeenTriangle& face, double sign, const Vec3& direction) {
+double find_way_of_corners(const ProjectedTriangle& corners, const ProjectedTriangle& face, double sign,
+                           const Vec3& direction) {
   const Vec3 normal = cross(subtract(face.corners[1], face.corners[0]), subtract(face.corners[2], face.corners[0]));
   const double taken = find_thickness_along(normal, direction, corners.half_thickness + face.half_thickness);
   double least = never;
@@ -132,7 +133,7 @@ double find_way_of_corners(const SeenTriangle& corners, const SeenTriangle& face
 }
 
 /// Of two edges that cross as they are seen.
-double find_way_of_edges(const SeenTriangle& falling, std::size_t e, const SeenTriangle& still, std::size_t f,
+double find_way_of_edges(const ProjectedTriangle& falling, std::size_t e, const ProjectedTriangle& still, std::size_t f,
                          const Vec3& direction) {
   const std::size_t e2 = (e + 1) % 3, f2 = (f + 1) % 3;
   const Point2 p = minus(falling.across[e2], falling.across[e]), q = minus(still.across[f2], still.across[f]);
@@ -148,7 +149,7 @@ double find_way_of_edges(const SeenTriangle& falling, std::size_t e, const SeenT
   return to - from - find_thickness_along(normal, direction, falling.half_thickness + still.half_thickness);
 }
 
-double find_way_between(const SeenTriangle& falling, const SeenTriangle& still, const Vec3& direction) {
+double find_way_between(const ProjectedTriangle& falling, const ProjectedTriangle& still, const Vec3& direction) {
   for (std::size_t k = 0; k < 2; ++k)
     if (falling.low[k] > still.high[k] || still.low[k] > falling.high[k]) return never;
   double least =
@@ -159,11 +160,11 @@ double find_way_between(const SeenTriangle& falling, const SeenTriangle& still, 
 }
 
 /// Triangles of the body that stands, by the cells that they are seen in.
-class SeenBody {
+class ProjectedBody {
  public:
-  explicit SeenBody(std::vector<SeenTriangle> triangles) : triangles_(std::move(triangles)) {
+  explicit ProjectedBody(std::vector<ProjectedTriangle> triangles) : triangles_(std::move(triangles)) {
     double width = 0;
-    for (const SeenTriangle& t : triangles_) width += find_width(t);
+    for (const ProjectedTriangle& t : triangles_) width += find_width(t);
     if (width > 0) width_ = width / double(triangles_.size());
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
       if (is_large(triangles_[i]))
@@ -173,9 +174,9 @@ class SeenBody {
     }
   }
 
-  double find_way(const SeenTriangle& falling, const Vec3& direction) const {
+  double find_way(const ProjectedTriangle& falling, const Vec3& direction) const {
     double least = never;
-    const auto meet = [&](const SeenTriangle& still) {
+    const auto meet = [&](const ProjectedTriangle& still) {
       least = std::min(least, find_way_between(falling, still, direction));
     };
     if (is_large(falling)) {
@@ -194,22 +195,22 @@ class SeenBody {
  private:
   using Cell = std::array<long, 2>;
 
-  static double find_width(const SeenTriangle& t) { return std::max(t.high[0] - t.low[0], t.high[1] - t.low[1]); }
+  static double find_width(const ProjectedTriangle& t) { return std::max(t.high[0] - t.low[0], t.high[1] - t.low[1]); }
 
   /// Beside the others of the body: it would lie in too many cells.
-  bool is_large(const SeenTriangle& t) const {
+  bool is_large(const ProjectedTriangle& t) const {
     constexpr double most_cells = 32;
     return find_width(t) > most_cells * width_;
   }
 
   template <class Visit>
-  void visit(const SeenTriangle& t, const Visit& visit_cell) const {
+  void visit(const ProjectedTriangle& t, const Visit& visit_cell) const {
     const auto cell = [&](double x) { return std::lround(std::floor(x / width_)); };
     for (long i = cell(t.low[0]); i <= cell(t.high[0]); ++i)
       for (long j = cell(t.low[1]); j <= cell(t.high[1]); ++j) visit_cell(Cell{i, j});
   }
 
-  std::vector<SeenTriangle> triangles_;
+  std::vector<ProjectedTriangle> triangles_;
   double width_ = 1;
   std::vector<std::size_t> large_;
   std::map<Cell, std::vector<std::size_t>> cells_;
@@ -232,13 +233,13 @@ std::optional<double> find_fall_to_body(const std::vector<FallingTriangle>& fall
                                         const std::vector<FallingTriangle>& still, const Vec3& direction) {
   if (still.empty()) return std::nullopt;
   const std::array<Vec3, 2> axes = find_axes(direction);
-  std::vector<SeenTriangle> seen;
-  seen.reserve(still.size());
-  for (const FallingTriangle& triangle : still) seen.push_back(see(triangle, direction, axes));
-  const SeenBody body(std::move(seen));
+  std::vector<ProjectedTriangle> projected;
+  projected.reserve(still.size());
+  for (const FallingTriangle& triangle : still) projected.push_back(project(triangle, direction, axes));
+  const ProjectedBody body(std::move(projected));
   double least = never;
   for (const FallingTriangle& triangle : falling)
-    least = std::min(least, body.find_way(see(triangle, direction, axes), direction));
+    least = std::min(least, body.find_way(project(triangle, direction, axes), direction));
   return least < never ? std::optional(least) : std::nullopt;
 }
 

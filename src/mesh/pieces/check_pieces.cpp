@@ -133,7 +133,7 @@ std::string prefix_lines(const std::string& text, const std::string& prefix, con
   return lines;
 }
 
-void tell_problems(const Deck& deck, const std::vector<GeometryFindings>& findings, SceneParts& scene) {
+void report_problems(const Deck& deck, const std::vector<GeometryFindings>& findings, SceneParts& scene) {
   std::string errors;
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
     ScenePart& part = scene.parts[p];
@@ -156,7 +156,7 @@ void check_pieces(const Deck& deck, const Communicator& ranks, const ChunkPieces
     if (ranks.rank() != 0) return;
     std::vector<GeometryFindings> findings(scene.parts.size());
     for (const std::string& text : texts) FindingsText(text).append_to(findings);
-    tell_problems(deck, findings, scene);
+    report_problems(deck, findings, scene);
   });
 }
 

@@ -77,17 +77,17 @@ class PieceJoiner {
     for (std::size_t c = 0; c < pieces_.chunks.size(); ++c) {
       for (int e = pieces_.first_element[c]; e < pieces_.first_element[c + 1]; ++e) add_faces(c, e, homes, notices);
     }
-    std::vector<FaceNotice> told = exchange_.send(homes, notices);
-    std::sort(told.begin(), told.end(), [](const FaceNotice& a, const FaceNotice& b) {
+    std::vector<FaceNotice> received = exchange_.send(homes, notices);
+    std::sort(received.begin(), received.end(), [](const FaceNotice& a, const FaceNotice& b) {
       return std::tie(a.keys, a.rank, a.element, a.face) < std::tie(b.keys, b.rank, b.element, b.face);
     });
     homes.clear();
     std::vector<FaceAnswer> answers;
-    for (std::size_t first = 0, last = 0; first < told.size(); first = last) {
-      while (last < told.size() && told[last].keys == told[first].keys) ++last;
+    for (std::size_t first = 0, last = 0; first < received.size(); first = last) {
+      while (last < received.size() && received[last].keys == received[first].keys) ++last;
       for (std::size_t i = first; last - first > 1 && i < last; ++i) {
-        homes.push_back(told[i].rank);
-        answers.push_back({told[i].element, told[i].face});
+        homes.push_back(received[i].rank);
+        answers.push_back({received[i].element, received[i].face});
       }
     }
     for (const FaceAnswer& inner : exchange_.send(homes, answers)) {
@@ -195,21 +195,21 @@ class PieceJoiner {
     for (const SetMember& member : pieces_.node_members) {
       if (is_joined_[at(member.item)] != 0) add(member.item, member.set);
     }
-    std::vector<SetNotice> told = exchange_.send(homes, notices);
-    std::sort(told.begin(), told.end(), [](const SetNotice& a, const SetNotice& b) {
+    std::vector<SetNotice> received = exchange_.send(homes, notices);
+    std::sort(received.begin(), received.end(), [](const SetNotice& a, const SetNotice& b) {
       return std::tie(a.key, a.set, a.rank, a.node) < std::tie(b.key, b.set, b.rank, b.node);
     });
     homes.clear();
     std::vector<SetAnswer> answers;
-    for (std::size_t first = 0, end = 0; first < told.size(); first = end) {
-      while (end < told.size() && told[end].key == told[first].key) ++end;
+    for (std::size_t first = 0, end = 0; first < received.size(); first = end) {
+      while (end < received.size() && received[end].key == received[first].key) ++end;
       std::size_t first_set = first;
-      while (first_set < end && told[first_set].set < 0) ++first_set;
+      while (first_set < end && received[first_set].set < 0) ++first_set;
       for (std::size_t s = first_set; s < end; ++s) {
-        if (s > first_set && told[s].set == told[s - 1].set) continue;
+        if (s > first_set && received[s].set == received[s - 1].set) continue;
         for (std::size_t use = first; use < first_set; ++use) {
-          homes.push_back(told[use].rank);
-          answers.push_back({told[use].node, told[s].set});
+          homes.push_back(received[use].rank);
+          answers.push_back({received[use].node, received[s].set});
         }
       }
     }

@@ -45,8 +45,8 @@ class RegionNodes {
     }
     std::vector<std::int64_t> answers;
     for (const int node : asked_) answers.push_back(numbers_[at(node)]);
-    const std::vector<std::int64_t> told = exchange_.exchange(reverse(plan_), answers);
-    for (std::size_t i = 0; i < told.size(); ++i) numbers_[at(foreign_[i])] = told[i];
+    const std::vector<std::int64_t> received = exchange_.exchange(reverse(plan_), answers);
+    for (std::size_t i = 0; i < received.size(); ++i) numbers_[at(foreign_[i])] = received[i];
   }
 
   /// Of each node; negative where the region does not use it.

@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// Spacing of doubles over the shortest edge of an element, from which on it is told.
+/// Spacing of doubles over the shortest edge of an element, from which on it is reported.
 inline constexpr double noted_spacing = 1e-6;
 
 /// A warning where coordinates resolve the edges of some element worse than noted_spacing. Throws InputError, the same

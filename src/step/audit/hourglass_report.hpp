@@ -20,7 +20,7 @@ struct PartHourglass {
   std::string element;  // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
 };
 
-/// From where on hourglass energy is told: shares of what a part stores besides, and energies.
+/// From where on hourglass energy is reported: shares of what a part stores besides, and energies.
 struct HourglassLimits {
   double share = 0, least = 0;
   double whole_share = 0;   // of all of it, where it is not the stiffness of the material

@@ -69,13 +69,13 @@ UserElement describe_to_user(const Deck& deck, const Mesh& mesh, std::size_t ele
   UserShape shape{mesh.element_ids[element], find_shape_kind(topology), {}, length};
   for (const int node : mesh.elements.corners(element))
     shape.corners.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
-  UserElement told{static_cast<double>(mesh.element_ids[element]), length, {}, {}};
+  UserElement user{static_cast<double>(mesh.element_ids[element]), length, {}, {}};
   for (const Vec3& x : shape.corners)
-    for (std::size_t k = 0; k < 3; ++k) told.place[k] += x[k] / static_cast<double>(shape.corners.size());
-  if (count_user_lengths(law) == 0) return told;
+    for (std::size_t k = 0; k < 3; ++k) user.place[k] += x[k] / static_cast<double>(shape.corners.size());
+  if (count_user_lengths(law) == 0) return user;
   const std::vector<double> lengths = find_user_lengths(law, shape);
-  std::copy(lengths.begin(), lengths.end(), told.lengths);
-  return told;
+  std::copy(lengths.begin(), lengths.end(), user.lengths);
+  return user;
 }
 
 KernelMaterial make_kernel_material(const MaterialDeck& material) {

@@ -58,7 +58,7 @@ struct KernelMaterial {
 };
 KernelMaterial make_kernel_material(const MaterialDeck& material);
 
-/// What code of a user is told of an element. Throws InputError as find_user_lengths() does.
+/// What code of a user gets of an element. Throws InputError as find_user_lengths() does.
 UserElement describe_to_user(const Deck& deck, const Mesh& mesh, std::size_t element);
 
 /// Adds the chunks of one material to the variant that computes it, and says how long its records are.
@@ -173,7 +173,7 @@ struct BlockBuilder {
       start_values.resize(start_values.size() + count);
       double* const values = &start_values[start_values.size() - count];
       start_history(material, values, {x[0], x[1], x[2]});
-      if (is_told_of_elements(material))
+      if (needs_elements(material))
         start_element(material, describe_to_user(deck, chunked.mesh, static_cast<std::size_t>(e)), values);
       if (material.is_scaled)
         values[material.find_mass_place()] = find_element_mass(deck, chunked.mesh, static_cast<std::size_t>(e));

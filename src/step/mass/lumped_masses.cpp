@@ -6,8 +6,8 @@
 namespace percuss {
 namespace {
 
-/// Shares of the corners that kernels see, in eighths of the mass of an element. Which of those is told by the corners
-/// that stand twice.
+/// Shares of the corners that kernels see, in eighths of the mass of an element. Which of those follows from the
+/// corners that stand twice.
 struct MassShares {
   Kokkos::Array<double, kernel_corner_count> hex, quad, triangle, line, wedge, pyramid;
 

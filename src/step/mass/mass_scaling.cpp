@@ -58,7 +58,7 @@ class SolidBounds {
 
 /// The mass that an element needs for the wanted step.
 double find_wanted_mass(double step, double bound, double mass) {
-  if (!(bound > 0 && bound < step)) return mass;  // one without volume is told elsewhere
+  if (!(bound > 0 && bound < step)) return mass;  // one without volume is reported elsewhere
   const double ratio = step / bound;
   return ratio * ratio * mass;
 }

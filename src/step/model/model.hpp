@@ -126,7 +126,7 @@ struct Model {
   Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it
   std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale; at the start
   Array<double> extra_mass;             // [nodes] what the deck adds without elements; empty: nothing
-  std::vector<std::string> mass_notes;  // what is to be told of it
+  std::vector<std::string> mass_notes;  // what is to be reported of it
   bool scales_in_run = false;           // whether the deck asks for more during the run
   bool resists_folding = false;         // whether it asks for that of hexahedra, on every rank
 

@@ -53,7 +53,7 @@ struct Spring {
 struct SpringModel : ForcedNodes {
   std::vector<SpringLaw> laws;
   std::vector<Spring> springs;
-  std::vector<std::string> notes;  // what is to be told of them
+  std::vector<std::string> notes;  // what is to be reported of them
 
   bool any() const { return !springs.empty(); }
   bool has(std::int64_t spring) const { return spring >= 0 && spring < static_cast<std::int64_t>(springs.size()); }
@@ -117,7 +117,7 @@ struct WeldModel : ConnectedNodes {
   std::vector<WeldLaw> laws;
   std::vector<Weld> welds;
   std::vector<WeldPatch> patches;
-  std::vector<std::string> notes;  // what is to be told of them
+  std::vector<std::string> notes;  // what is to be reported of them
   std::vector<Warning> warnings;   // likewise, of what is suspicious
   bool shares_nodes = false;       // whether some node has several welds
 
@@ -165,7 +165,7 @@ struct ConstraintModel : ConnectedNodes {
   std::vector<Constraint> constraints;
   std::array<EqualGroups, 3> groups;  // by direction; empty where there are rows
   std::vector<ConstraintRow> rows;    // of all constraints, where one of them is an equation; else empty
-  std::vector<std::string> notes;     // what is to be told of them
+  std::vector<std::string> notes;     // what is to be reported of them
 
   bool any() const { return !constraints.empty(); }
 };
@@ -182,7 +182,7 @@ struct EmbeddedNode {
 /// Nodes of bars in solids; const after set-up.
 struct EmbeddedModel : ConnectedNodes {
   std::vector<EmbeddedNode> embedded;  // each node once
-  std::vector<std::string> notes;      // what is to be told of them
+  std::vector<std::string> notes;      // what is to be reported of them
 
   bool any() const { return !embedded.empty(); }
 };

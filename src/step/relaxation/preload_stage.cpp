@@ -239,7 +239,7 @@ PreloadStage::Layer PreloadStage::make_layer(const Deck& deck, const PreloadDeck
   return {preload, {}, find_moduli(material), material.law.model == Elastic::name, 0, {}, {}, {}, {}, {}, {}};
 }
 
-/// Throws, on all ranks. A plane is told with the heights of the part above it.
+/// Throws, on all ranks. A plane is reported with the heights of the part above it.
 void PreloadStage::refuse_no_elements(const Mesh& mesh, const PreloadDeck& preload) const {
   const std::string begin = fmt::format("{}: error: preload '{}'", deck_.where(preload.place), preload.name);
   if (!preload.point)

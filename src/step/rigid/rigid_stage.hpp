@@ -22,7 +22,7 @@ class RigidStage : public Action {
   RigidStage(const Model& model, const std::vector<double>& damping, double end);
 
   /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest. Bodies that would part
-  /// at a joint begin with the velocities after its impulse, which is told.
+  /// at a joint begin with the velocities after its impulse, which is reported.
   void start(State& state) override;
 
   /// Velocities of bodies and their nodes at n+1/2 without contact. Throws RunError, the same on all ranks, where a

@@ -1,4 +1,4 @@
-// The relaxation before a run: its steps, what is told of them, and the books that begin with the state it leaves.
+// The relaxation before a run: its steps, what is reported of them, and the books that begin with the state it leaves.
 
 #include <fmt/format.h>
 

@@ -154,7 +154,7 @@ void Run::open_files() {
 
 void Run::open_results() {
   if (!options_.out_dir.empty() && deck_.output.history_every) {
-    History::check_points(deck_, chunked_, model_);  // an unknown id is told before earlier results go
+    History::check_points(deck_, chunked_, model_);  // an unknown id is reported before earlier results go
   }
   if (options_.goes_on_in_place) {
     output_.check_earlier();
@@ -305,12 +305,12 @@ void Run::note_contact() {
   if (state_.step % steps_between_looks == 0) watch_depth();
   contact_.watch_edges(state_.x, state_.step, state_.time);
   warnings_.add(contact_.take_warnings());
-  warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(seen()); });
-  if (!warnings_.has_told_gain()) note_contact_gain(false);
+  warnings_.note_step(stepper_.contact_report(), state_.time, [&] { return name_deepest_node(checked_run()); });
+  if (!warnings_.has_warned_gain()) note_contact_gain(false);
 }
 
-/// Contact that gives energy is booked as work, so that the balance does not show it. It is told where it is still too
-/// much a while later, or in the last state: loads that rise from 0 begin with energies of round-off.
+/// Contact that gives energy is booked as work, so that the balance does not show it. It is reported where it is still
+/// too much a while later, or in the last state: loads that rise from 0 begin with energies of round-off.
 void Run::note_contact_gain(bool is_last) {
   constexpr double wait = 0.01;  // of the run
   const GainPlace* const found = warnings_.found_gain();
@@ -321,11 +321,11 @@ void Run::note_contact_gain(bool is_last) {
   const EnergyScales scales = find_scales();
   const double given = find_given(work, scales);
   if (!is_gain(given, share, scales)) return warnings_.forget_gain();
-  if (found == nullptr) warnings_.find_gain(find_gain_place(seen()));
+  if (found == nullptr) warnings_.find_gain(find_gain_place(checked_run()));
   if (found == nullptr && !is_last) return;
-  warnings_.tell_gain(given, scales, deck_.units);
+  warnings_.warn_of_gain(given, scales, deck_.units);
   if (!deck_.audit.max_contact_gain) return;
-  refuse_gain(seen(), describe_gain(given, scales, *warnings_.found_gain(), deck_.units));
+  refuse_gain(checked_run(), describe_gain(given, scales, *warnings_.found_gain(), deck_.units));
 }
 
 void Run::audit() {
@@ -346,7 +346,7 @@ void Run::observe() {
   const Phase phase("percuss::output", stepper_.clocks().output);
   if (row_due) output_.write_row(state_, audited_);
   warnings_.renew(find_element_warnings());
-  check_balance(seen(), audited_);
+  check_balance(checked_run(), audited_);
   if (is_asked)
     output_.write_frames(state_);
   else if (frame_due)
@@ -376,18 +376,18 @@ void Run::save_interrupted() {
 /// The same of the last state, due or not.
 void Run::observe_last() {
   audit();
-  if (contact_.is_active() && !warnings_.has_told_gain()) note_contact_gain(true);
+  if (contact_.is_active() && !warnings_.has_warned_gain()) note_contact_gain(true);
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.write_row(state_, audited_);
   look_at_corners();
   warnings_.renew(find_element_warnings());
-  check_balance(seen(), audited_);
+  check_balance(checked_run(), audited_);
   output_.write_frames(state_);
 }
 
 void Run::check_step_made() const {
-  check_elements(seen());
-  if (!is_finished()) check_step(seen(), first_dt_);
+  check_elements(checked_run());
+  if (!is_finished()) check_step(checked_run(), first_dt_);
 }
 
 /// Everything that a run needs to go on as if it had never stopped.

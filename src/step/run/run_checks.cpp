@@ -96,7 +96,7 @@ std::string describe_broken_chunk(const CheckedRun& run) {
   });
 }
 
-/// Element that an error of the elements is told of: of the whole mesh.
+/// Element that an error of the elements names: of the whole mesh.
 std::int64_t find_wrong_element(const CheckedRun& run) {
   const StepBound& bound = run.state.bound;
   if (bound.failed_element >= 0) return bound.failed_element;

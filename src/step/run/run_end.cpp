@@ -91,10 +91,10 @@ void Run::finish(const std::string& status, const std::string& error) {
   progress_->finish(find_progress());
   const EnergyScales scales = find_scales();
   const double given = find_given(state_.books.contact_work, scales);
-  if (warnings_.has_told_gain())
+  if (warnings_.has_warned_gain())
     warnings_.renew_gain(given, scales, deck_.units);
   else if (warnings_.found_gain() != nullptr && is_gain(given, find_tolerated_gain(deck_.audit), scales))
-    warnings_.tell_gain(given, scales, deck_.units);  // the run has failed meanwhile
+    warnings_.warn_of_gain(given, scales, deck_.units);  // the run has failed meanwhile
   if (status == "completed") warnings_.add(find_idle_warnings());
   warnings_.add(find_end_warnings(
       result_, scales, find_hourglassed_parts(deck_, chunked_, model_, state_, find_hourglass_limits(scales))));
@@ -152,7 +152,7 @@ void Run::fail(const std::exception& error) {
     if (is_sound && !output_.are_files_in_place()) save_checkpoint();
     finish("failed", error.what());
     output_.close();
-  } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once
+  } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is reported once
     if (ranks_.rank() == 0 && dynamic_cast<const SystemError*>(&error) == nullptr)
       print_quietly(stderr, "percuss: error: {}\n", second.what());
   }

@@ -15,10 +15,10 @@ namespace percuss {
 
 namespace {
 
-/// Of the largest energy: more that elements give is told.
+/// Of the largest energy: more that elements give is reported.
 constexpr double noted_element_share = 0.01;
 
-/// Of what a part stores besides: more in its hourglass modes is told ...
+/// Of what a part stores besides: more in its hourglass modes is reported ...
 constexpr double noted_hourglass_share = 0.1;
 /// All of it where a control bends elements that is not the stiffness of the material: of three layers a ninth of the
 /// energy of bending is there, of two a quarter.
@@ -32,7 +32,7 @@ constexpr double noted_energy_share = 1e-3;
 /// Of the largest energy: contact gives back what its springs hold and what it was asked for, and no more.
 constexpr double noted_contact_share = 0.01;
 
-/// Of the largest energy: a balance that is off by more is told, long before audit.max_energy_error ends the run.
+/// Of the largest energy: a balance that is off by more is reported, long before audit.max_energy_error ends the run.
 constexpr double noted_energy_error = 0.01;
 
 /// Of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.

@@ -44,7 +44,7 @@ struct EnergyScales {
 /// Energy of a velocity that moves the scene in a step by no more than what contact takes for round-off.
 double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt);
 
-/// From where on hourglass modes are told: a tenth of what a part stores besides, and energy that is not round-off.
+/// From where on hourglass modes are reported: a tenth of what a part stores besides, and energy that is not round-off.
 HourglassLimits find_hourglass_limits(const EnergyScales& scales);
 
 /// Energy that contact has given by its own books, of which `work` is the work of its pushes so far.

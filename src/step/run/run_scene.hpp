@@ -65,14 +65,14 @@ class Run {
   void look_at_corners();
   void start_sensors();
   void look_by_sensors(bool has_new_row);
-  void tell_events(const std::vector<char>& happened);
+  void report_events(const std::vector<char>& happened);
   void switch_contact();
   void audit();
   void note_contact();
   void watch_depth();
   void note_contact_gain(bool is_last);
   void check_step_made() const;
-  CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
+  CheckedRun checked_run() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes();
   void archive(CheckpointArchive& archive);
   void save_checkpoint();

@@ -11,7 +11,7 @@ namespace percuss {
 void Run::start_sensors() {
   if (!stepper_.sensors().any()) return;
   const std::vector<char> happened = stepper_.sensors().find_happened(state_.time);
-  tell_events(happened);
+  report_events(happened);
   state_.happened = happened;
   set_held_directions(model_, state_);
   contact_.set_switches(happened);
@@ -23,7 +23,7 @@ void Run::look_by_sensors(bool has_new_row) {
   if (has_new_row && output_.has_rows()) stepper_.sensors().look(state_.time, output_.last_row());
   const std::vector<char> happened = stepper_.sensors().find_happened(state_.time);
   if (happened == state_.happened) return;
-  tell_events(happened);
+  report_events(happened);
   stepper_.switch_now(state_, happened);
   switch_contact();
 }
@@ -33,7 +33,7 @@ void Run::switch_contact() {
   if (contact_.is_active()) say(contact_.switch_now(state_.happened, state_.x, state_.v));
 }
 
-void Run::tell_events(const std::vector<char>& happened) {
+void Run::report_events(const std::vector<char>& happened) {
   for (std::size_t s = 0; s < happened.size(); ++s)
     if (happened[s] != state_.happened[s])
       say({fmt::format("sensor '{}' acts at t = {:.6g}", deck_.sensors[s].name, state_.time)});

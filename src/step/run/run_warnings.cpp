@@ -33,21 +33,21 @@ void RunWarnings::note_step(const ContactReport& report, double time,
 
 /// The text is that of the first such step, so that later ones count with it.
 void RunWarnings::note_depth(double time, const std::function<std::string()>& name_deepest) {
-  const auto& told = log_.list();
+  const auto& listed = log_.list();
   const auto first =
-      std::find_if(told.begin(), told.end(), [](const Warning& w) { return w.rule == deep_penetration; });
-  Warning warning = warn_of_depth(time, first == told.end() ? name_deepest() : "");
-  if (first != told.end()) warning.text = first->text;
+      std::find_if(listed.begin(), listed.end(), [](const Warning& w) { return w.rule == deep_penetration; });
+  Warning warning = warn_of_depth(time, first == listed.end() ? name_deepest() : "");
+  if (first != listed.end()) warning.text = first->text;
   log_.add(warning);
 }
 
-void RunWarnings::tell_gain(double given, const EnergyScales& scales, const std::string& units) {
-  has_told_gain_ = true;
+void RunWarnings::warn_of_gain(double given, const EnergyScales& scales, const std::string& units) {
+  has_warned_gain_ = true;
   log_.add(warn_of_gain(given, scales, gain_, units));
 }
 
 void RunWarnings::renew_gain(double given, const EnergyScales& scales, const std::string& units) {
-  if (!has_told_gain_) return;
+  if (!has_warned_gain_) return;
   Warning warning = warn_of_gain(given, scales, gain_, units);
   warning.count = 0;
   log_.renew(warning);
@@ -60,7 +60,7 @@ void RunWarnings::archive(CheckpointArchive& archive) {
   archive.number("warnings/gain_node", gain_.node);
   archive.numbers("warnings/gain_place", gain_.place);
   archive.number("warnings/gain_time", gain_.time);
-  archive.integer("warnings/has_told_gain", has_told_gain_);
+  archive.integer("warnings/has_told_gain", has_warned_gain_);
 }
 
 std::string RunWarnings::write() const {

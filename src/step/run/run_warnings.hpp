@@ -1,5 +1,5 @@
 #pragma once
-// The warnings of a run: told on rank 0 as they are found, kept over restarts, listed in the summary.
+// The warnings of a run: reported on rank 0 as they are found, kept over restarts, listed in the summary.
 
 #include <functional>
 #include <set>
@@ -40,15 +40,15 @@ class RunWarnings {
   /// where deep_penetration is silenced.
   void note_step(const ContactReport& report, double time, const std::function<std::string()>& name_deepest);
 
-  /// Contact that has given too much energy: keeps where that was first found, until it is forgotten or told. A scene
-  /// that begins at rest has energies of round-off in its first steps.
+  /// Contact that has given too much energy: keeps where that was first found, until it is forgotten or reported. A
+  /// scene that begins at rest has energies of round-off in its first steps.
   void find_gain(const GainPlace& where) { gain_ = where; }
   void forget_gain() { gain_ = {}; }
   const GainPlace* found_gain() const { return gain_.step > 0 ? &gain_ : nullptr; }
   /// Tells it once, and keeps its figures up to date.
-  void tell_gain(double given, const EnergyScales& scales, const std::string& units);
+  void warn_of_gain(double given, const EnergyScales& scales, const std::string& units);
   void renew_gain(double given, const EnergyScales& scales, const std::string& units);
-  bool has_told_gain() const { return has_told_gain_; }
+  bool has_warned_gain() const { return has_warned_gain_; }
 
   /// note_pushed() of the start, also after a restart.
   double pushed_square() const { return pushed_square_; }
@@ -70,7 +70,7 @@ class RunWarnings {
   std::size_t input_count_ = 0;
   double pushed_square_ = 0;
   GainPlace gain_;  // step 0: none
-  bool has_told_gain_ = false;
+  bool has_warned_gain_ = false;
   double accepted_depth_ = -1;  // deepest contact node / face edge in the first step; negative: none was made
 };
 

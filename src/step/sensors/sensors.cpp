@@ -63,11 +63,11 @@ void Sensors::see(const SensorDeck& sensor, double time, double value, SensorSta
   if (!state.has_start) state.start = value;
   state.has_start = true;
   if (state.event != never) return;
-  const double seen = sensor.from_start ? value - state.start : value;
-  const bool is_beyond = sensor.rises_above ? seen > *sensor.rises_above : seen < *sensor.falls_below;
+  const double reading = sensor.from_start ? value - state.start : value;
+  const bool is_beyond = sensor.rises_above ? reading > *sensor.rises_above : reading < *sensor.falls_below;
   if (is_beyond && state.is_armed) {
     state.event = time;
-    state.value = seen;
+    state.value = reading;
   }
   state.is_armed = state.is_armed || !is_beyond;
 }

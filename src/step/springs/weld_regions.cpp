@@ -135,9 +135,9 @@ Disc find_disc(std::span<const NearFace> faces, const WeldSpot& spot, double dis
 }
 
 /// A face seen along the normal of a disc: across its two axes, then along its normal.
-class SeenFace {
+class ProjectedFace {
  public:
-  SeenFace(const NearFace& face, const Disc& disc) : face_(&face) {
+  ProjectedFace(const NearFace& face, const Disc& disc) : face_(&face) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3 from = subtract(face.x[i], disc.center);
       for (std::size_t k = 0; k < 3; ++k) x_[i][k] = dot(from, disc.axes[k]);
@@ -235,11 +235,11 @@ class RegionSums {
 };
 
 /// Adds the face at a place of the disc that is nearest to its plane, if there is one within its radius.
-void add_point(const std::vector<SeenFace>& faces, double radius, const std::array<double, 2>& place,
+void add_point(const std::vector<ProjectedFace>& faces, double radius, const std::array<double, 2>& place,
                RegionSums& sums) {
-  const SeenFace* nearest = nullptr;
+  const ProjectedFace* nearest = nullptr;
   std::array<double, 4> shape{}, found{};
-  for (const SeenFace& face : faces) {
+  for (const ProjectedFace& face : faces) {
     const double height = std::abs(face.project(place[0], place[1], found));
     if (!(height < radius)) continue;
     radius = height;
@@ -256,11 +256,11 @@ WeldRegion find_region(std::span<const NearFace> faces, const WeldSpot& spot, do
   const Disc disc = find_disc(faces, spot, distance);
   region.nearest = disc.center;
   region.normal = disc.axes[2];
-  std::vector<SeenFace> seen;
+  std::vector<ProjectedFace> projected;
   double edge = none;
   for (const NearFace& face : faces) {
-    seen.emplace_back(face, disc);
-    edge = std::min(edge, seen.back().find_shortest_edge());
+    projected.emplace_back(face, disc);
+    edge = std::min(edge, projected.back().find_shortest_edge());
   }
   const double wanted = std::ceil(points_per_edge * spot.radius / edge);
   const int rings = static_cast<int>(std::clamp(wanted, double{least_rings}, double{most_rings}));
@@ -272,7 +272,7 @@ WeldRegion find_region(std::span<const NearFace> faces, const WeldSpot& spot, do
     count += on_ring;
     for (int i = 0; i < on_ring; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5) / on_ring;
-      add_point(seen, spot.radius, {radius * std::cos(angle), radius * std::sin(angle)}, sums);
+      add_point(projected, spot.radius, {radius * std::cos(angle), radius * std::sin(angle)}, sums);
     }
   }
   region.covered = static_cast<double>(sums.points()) / count;

@@ -145,8 +145,8 @@ std::string find_missed(const Outcome& run) {
 
 /// What missed_contact says of a body that is moved by 0.05 into a block, over a gap of 0.01, in one step, and out of
 /// it again at a time; neither gives way, so that no row acts.
-std::string tell_missed(const std::string& high, double end, double out,
-                        const std::string& low = "box: {size: [0.4, 0.4, 0.4], cells: [4, 4, 4]}") {
+std::string warn_of_missed(const std::string& high, double end, double out,
+                           const std::string& low = "box: {size: [0.4, 0.4, 0.4], cells: [4, 4, 4]}") {
   const Outcome run = run_deck(fmt::format(R"yaml(
 time: {{end: {}, max_step: 1.0e-6}}
 parts:
@@ -188,32 +188,33 @@ const std::string block = "box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [
 }  // namespace
 
 TEST(MissedContact, IsToldWithItsDepthAndPlace) {
-  EXPECT_THAT(tell_missed(block, 3.0e-5, 1),
+  EXPECT_THAT(warn_of_missed(block, 3.0e-5, 1),
               HasSubstr("of part 'high' lies 0.04 (0.4 of an element) inside part 'low' at (0.11, 0.09, 0.36)"));
 }
 
 // Of its sharp edges, during the run.
 TEST(MissedContact, IsToldWhereItHasGoneBeforeTheEnd) {
-  EXPECT_THAT(tell_missed(block, 1.2e-4, 9.0e-5), AllOf(HasSubstr("an edge of part 'high' at node"),
-                                                        HasSubstr("lies 0.04 (0.4 of an element) inside part 'low'")));
+  EXPECT_THAT(
+      warn_of_missed(block, 1.2e-4, 9.0e-5),
+      AllOf(HasSubstr("an edge of part 'high' at node"), HasSubstr("lies 0.04 (0.4 of an element) inside part 'low'")));
 }
 
 // A rim, which half of the thickness of 0.004 brings nearer.
 TEST(MissedContact, IsToldOfShellsInSolids) {
   const std::string plate = "shell_plate: {size: [0.2, 0.2], cells: [2, 2]}, thickness: 0.004, at: [0.11, 0.09, 0.41]";
-  EXPECT_THAT(tell_missed(plate, 3.0e-5, 1), HasSubstr("lies 0.042 (0.42 of an element) inside part 'low'"));
+  EXPECT_THAT(warn_of_missed(plate, 3.0e-5, 1), HasSubstr("lies 0.042 (0.42 of an element) inside part 'low'"));
 }
 
 // Smooth or sharp, of solids and of shells.
 TEST(MissedContact, IsToldOfWhatHasGoneThroughASheet) {
   const std::string sheet = "shell_plate: {size: [0.4, 0.4], cells: [4, 4]}, thickness: 0.004, at: [0, 0, 0.4]";
-  EXPECT_THAT(tell_missed(block, 3.0e-5, 1, sheet),
+  EXPECT_THAT(warn_of_missed(block, 3.0e-5, 1, sheet),
               AllOf(HasSubstr("an edge of part 'high' at node"),
                     HasSubstr("has gone 0.04 (0.4 of an element) through part 'low'")));
   const std::string ball = "shell_sphere: {radius: 0.1, cells: 3}, thickness: 0.004, at: [0.21, 0.19, 0.503]";
-  EXPECT_THAT(tell_missed(ball, 3.0e-5, 1, sheet), HasSubstr("has gone"));
+  EXPECT_THAT(warn_of_missed(ball, 3.0e-5, 1, sheet), HasSubstr("has gone"));
   const std::string beside = "box: {size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, at: [0.405, 0.09, 0.41]";
-  EXPECT_EQ(tell_missed(beside, 3.0e-5, 1, sheet), "nothing");
+  EXPECT_EQ(warn_of_missed(beside, 3.0e-5, 1, sheet), "nothing");
 }
 
 TEST(MissedContact, IsToldOfABodyThatHasGoneThroughItself) {

@@ -31,7 +31,7 @@ struct DrawnRows {
     const auto nodes = static_cast<std::size_t>(row_nodes * lanes);
     at.x = Rows3<double>("test::x", nodes);
     at.v = Rows3<double>("test::v", nodes);
-    at.v_seen = Rows3<double>("test::v_seen", nodes);
+    at.v_checked = Rows3<double>("test::v_checked", nodes);
     inputs.motion.dt = 0.1;
     inputs.impulse_scale = 0.9;
     inputs.depth_tolerance = 1e-3;
@@ -50,7 +50,7 @@ struct DrawnRows {
       const Point3 off = is_sliver && slot > 0 ? Point3{} : square[slot] + draw.point(0.2);
       store_row(at.x, node, origin + off);
       store_row(at.v, node, common + draw.point(0.3));
-      store_row(at.v_seen, node, draw.once_in(2) ? load_row(at.v, node) : common + draw.point(0.3));
+      store_row(at.v_checked, node, draw.once_in(2) ? load_row(at.v, node) : common + draw.point(0.3));
     }
   }
 

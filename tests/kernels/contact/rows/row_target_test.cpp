@@ -35,8 +35,8 @@ struct OneNodeRow {
     row.place[0] = 0;
     row.size = 1;
     row.normal = row.gap_gradient = {0, 0, 1};
-    for (Rows3<double>* v : {&at.v, &at.v_seen, &at.v_before}) *v = Rows3<double>("test::v", 1);
-    store_row(at.v_seen, 0, seen);
+    for (Rows3<double>* v : {&at.v, &at.v_checked, &at.v_before}) *v = Rows3<double>("test::v", 1);
+    store_row(at.v_checked, 0, seen);
     store_row(at.v, 0, predicted);
   }
   ContactRow row;
