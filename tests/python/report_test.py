@@ -311,7 +311,7 @@ class Findings(OfARun):
 
     def test_are_good_where_all_is_well(self):
         def calm(summary):
-            summary["energy"].update(hourglass=0, error=1e-9)
+            summary["energy"].update(hourglass=0, error=1e-9, contact=0)
             summary["warnings"] = []
 
         levels = {finding.level for finding in self.find(calm) if "still changes" not in finding.text}
@@ -340,6 +340,8 @@ class Findings(OfARun):
         self.assertFalse(any(finding.text.startswith("Hourglass energy is") for finding in findings))  # the warning says it
         self.assertEqual(self.level_of(self.find(lambda summary: summary["warnings"].clear()), "Hourglass energy is"), LOOK)
         self.assertEqual(findings[-1].level, GOOD)
+        lossy = self.find(lambda summary: summary["energy"].update(contact=-0.1 * summary["energy"]["initial"]))
+        self.assertEqual(self.level_of(lossy, "Normal contact has taken 10 %"), LOOK)
         findings = self.find(lambda summary: summary["energy"].update(error=0.5))
         self.assertEqual(self.level_of(findings, "Energy is balanced"), BAD)
         self.assertEqual(findings[0].level, BAD)
@@ -366,6 +368,21 @@ class Findings(OfARun):
         self.assertIn("every: 1e-06\n    forces:\n      - {name: force_on_block, contact: [block, all]}\n      - {name: support_0, support: plate/x_min}\n",
                       suggest_forces(run))
         self.assertEqual([(peak[0], peak[-1]) for peak in find_peaks_of_forces(run)], [("wall_force", False)])
+
+    def test_name_all_that_the_energy_became(self):
+        def lose(summary):  # in contact, what the motion at the end has less
+            energy = summary["energy"]
+            energy.update(contact=energy["contact"] - 0.25 * energy["kinetic"], kinetic=0.75 * energy["kinetic"])
+
+        folder = self.copy("lost")
+        change_summary(folder, lose)
+        run = percuss.read(folder)
+        text = next(text for text in describe_events(run) if "kinetic energy went" in text)
+        size = {"J": 1, "mJ": 1e-3, "kJ": 1e3}
+        energies = [float(number) * size[unit] for number, unit in re.findall(r"([\d.]+) (m?k?J)\b", text)]
+        start, others = energies[0], energies[1:]
+        self.assertIn("lost in normal contact", text)
+        self.assertAlmostEqual(sum(others), start, delta=0.005 * start)
 
     def test_tell_how_each_part_moved(self):
         run = percuss.read(self.out)

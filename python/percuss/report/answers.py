@@ -51,8 +51,11 @@ def describe_events(run):
     start = float(run.history["kinetic"][0]) if run.has_history and len(run.history) else energy["initial"]
     text = (f"In {show_time(run, run.summary['time'])} the kinetic energy went from {show(run, start, 'energy')} to "
             f"{show(run, energy['kinetic'], 'energy')}. ")
+    contact = energy["contact"]
     shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]), ("bulk viscosity", energy["viscous"]),
-              ("eroded elements", run.summary["eroded"]["energy"]), ("friction", -energy["friction"]), ("damping", -energy["damping"])]
+              ("folding energy", energy.get("folding", 0)), ("eroded elements", run.summary["eroded"]["energy"]),
+              ("friction", -energy["friction"]), ("damping", -energy["damping"]),
+              ("added by normal contact" if contact > 0 else "lost in normal contact", abs(contact))]
     largest = max(abs(value) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
     parts = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
     text += f"At the end: {', '.join(parts)}." if parts else ""

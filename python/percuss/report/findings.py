@@ -13,6 +13,7 @@ ENERGY_ERROR = 0.01      # above: look; above ten times as much the run stops by
 HOURGLASS_SHARE = 0.1    # of the internal energy
 SMALL_ENERGY = 1e-3      # of the largest energy: hourglass energy below it does not count
 CONTACT_SHARE = 0.01     # of the largest energy, of what contact may add
+CONTACT_LOSS = 0.05      # the same, lost in normal contact
 MOMENTUM_ERROR = 1e-9    # round-off lies far below
 STEP_FALL = 0.1          # least over largest step
 ADDED_MASS = 0.01        # of mass scaling
@@ -98,6 +99,10 @@ def _judge_energies(summary):
     if largest > 0 and energy["contact"] > CONTACT_SHARE * largest:
         found.append(Finding(LOOK, f"Normal contact has added {100 * energy['contact'] / largest:.3g} % of the largest energy: "
                                    "look at overlaps at the start.", "remove overlaps at the start, or set contact.overlap: push_out"))
+    if largest > 0 and -energy["contact"] > CONTACT_LOSS * largest:
+        found.append(Finding(LOOK, f"Normal contact has taken {100 * -energy['contact'] / largest:.3g} % of the largest energy: nodes "
+                                   "that meet lose the relative velocity of their masses, so that bodies rebound too slowly.",
+                             "use smaller elements where bodies meet, or compare with contact.enforcement: penalty"))
     return found
 
 
