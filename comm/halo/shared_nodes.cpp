@@ -106,14 +106,14 @@ SharedNodes find_shared_nodes(UnstructuredExchange& exchange, const std::vector<
   const SendOrder to_holders = order_by_destination(for_rank);
   for (const int s : to_holders.items) ordered.push_back(sightings[static_cast<std::size_t>(s)]);
   const ExchangePlan holder_plan = exchange.plan(to_holders.to);
-  const std::vector<Sighting> sightings = data.exchange(holder_plan, ordered);
+  const std::vector<Sighting> answers = data.exchange(holder_plan, ordered);
 
   std::vector<Sharing> sharings;
   for (const PeerRun& home : holder_plan.from) {
     const auto sent = std::find_if(home_plan.to.begin(), home_plan.to.end(),
                                    [&](const PeerRun& run) { return run.rank == home.rank; });
     for (std::int64_t i = home.first; i < home.first + home.count; ++i) {
-      const Sighting& s = sightings[static_cast<std::size_t>(i)];
+      const Sighting& s = answers[static_cast<std::size_t>(i)];
       const int node = to_homes.items[static_cast<std::size_t>(sent->first + s.place)];
       sharings.push_back({s.other_rank, node_ids[static_cast<std::size_t>(node)], node});
     }

@@ -346,7 +346,9 @@ const Action* Stepper::find_asker() const {
 
 Traffic Stepper::traffic() const {
   const Traffic of_forces = halo_.traffic(), of_elements = elements_.traffic();
-  return {of_forces.messages + of_elements.messages, of_forces.bytes + of_elements.bytes};
+  const Traffic of_moments = moment_halo_ ? moment_halo_->traffic() : Traffic{};
+  return {of_forces.messages + of_moments.messages + of_elements.messages,
+          of_forces.bytes + of_moments.bytes + of_elements.bytes};
 }
 
 void Stepper::judge_elements(State& state, double dt) {

@@ -82,7 +82,9 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
   if (row.friction > 0) sums.friction_work.add(work.friction);
   const double gap = find_gap(row, dv, dt);
   if (row.spring > 0) {
-    sums.stored.add(row.held + find_friction_energy(row, at, dv, dt));
+    const double slip = find_friction_energy(row, at, dv, dt);
+    sums.stored.add(row.held + slip);
+    if (slip != 0) sums.stored_slip.add(slip);
     const double rate =
         row.spring *
         (row.friction > 0 && row.tangential_stiffness > row.stiffness ? row.tangential_stiffness : row.stiffness);

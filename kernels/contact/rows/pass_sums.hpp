@@ -90,6 +90,7 @@ struct EnforcementSums {
   ExactSum normal_work;              // of the normal impulses
   ExactSum friction_work;            // of the tangential impulses
   ExactSum stored;                   // energy in the springs of penalty rows at n+1
+  ExactSum stored_slip;              // of that, in the tangential ones
   double rate = 0;                   // bound of the square of the frequency that these springs add [1/time^2]
   double residual = 0;               // largest penetration, or way of a tied node to its place, left over / h
   double deepest = 0;                // deepest penetration at n / h beyond what was accepted at the start
@@ -119,6 +120,7 @@ struct EnforcementSums {
     normal_work.merge(other.normal_work);
     friction_work.merge(other.friction_work);
     stored.merge(other.stored);
+    stored_slip.merge(other.stored_slip);
     rate = other.rate > rate ? other.rate : rate;
     residual = other.residual > residual ? other.residual : residual;
     add_depth(other.deepest, other.deepest_key);

@@ -44,6 +44,7 @@ struct ContactReport {
   double normal_work = 0;             // of the pushes
   double friction_work = 0;           // of the tangential impulses (negative: dissipated)
   double stored = 0;                  // penalty: energy in the springs at n+1
+  double stored_slip = 0;             // of that, in the tangential ones
   double rate = 0;                    // penalty: bound of the square of the frequency that the springs add [1/time^2]
   double deepest = 0;                 // deepest penetration at n among checked pairs / face edge, 0 if none
   std::int64_t deepest_node = -1;     // number of the node that has it

@@ -311,6 +311,7 @@ void Enforcer::report_outcome(const Space& space, const ContactMotion& motion, i
   report.normal_work = done.normal_work.round();
   report.friction_work = done.friction_work.round();
   report.stored = done.stored.round();
+  report.stored_slip = done.stored_slip.round();
   report.rate = done.rate;
   if (system_.num_rows > num_touches)
     report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);

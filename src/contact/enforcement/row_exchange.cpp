@@ -247,6 +247,7 @@ void RowExchange::reduce(RowOutcome& outcome) {
   outcome.sums.normal_work.normalize();
   outcome.sums.friction_work.normalize();
   outcome.sums.stored.normalize();
+  outcome.sums.stored_slip.normalize();
   reduce_outcome_(ranks_.ranks, outcome);
 }
 

@@ -76,6 +76,7 @@ void ContactPlanner::list_rows(const Deck& deck, const ContactScene& scene) {
                      a});
   }
   for (const TiedNode& tied : ties_.nodes) {
+    if (deck.contact.ties[at(tied.tie)].cohesive) continue;  // glue is a force, without a row
     Row row{{static_cast<int>(tied.node), -1, -1, -1, -1}};
     for (std::size_t i = 0; i < 4; ++i) row.nodes[i + 1] = static_cast<int>(tied.corners[i]);
     rows_.push_back(row);

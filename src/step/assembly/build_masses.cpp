@@ -1,12 +1,14 @@
 #include "src/step/assembly/build_masses.hpp"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "src/deck/rigid_bodies.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/step/assembly/build_conditions.hpp"
 #include "src/step/assembly/check_precision.hpp"
@@ -107,6 +109,8 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   const MassPoint scene = find_mass_point(chunked, all, mass);
   model.total_mass = scene.mass;
   model.mass_center = scene.center;
+  const Vec3 extent = subtract(mesh.high, mesh.low);
+  model.half_extent = 0.5 * std::sqrt(dot(extent, extent));
   model.mass = to_view("percuss::mass", mass);
   model.element_mass = to_view("percuss::element_mass", element_mass);
   if (model.has_rotations) build_inertia(deck, mesh, element_mass, model);

@@ -86,19 +86,21 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
 }
 
-/// What forces of joints amount to: a mechanism at rest holds no energy and no momentum, and its balances are round-off
-/// of these.
+/// Of forces that hold each other: a scene at rest has no momentum and no energy, and its balances are round-off of
+/// what they amount to.
+constexpr double rest_share = 1e-6;
+
+/// What forces of joints amount to.
 struct JointScale {
   double force = 0, moment = 0;  // the latter about the mass centre of the scene
 };
 
 JointScale find_joint_scale(const Model& model, const State& state, const std::vector<BodyForces>& forces) {
-  constexpr double share = 1e-6;
   JointScale scale;
   for (std::size_t b = 0; b < forces.size(); ++b) {
     const double arm = norm(state.bodies[b].center - to_vector(model.mass_center)) + model.rigid.bodies[b].radius;
-    scale.force += share * norm(forces[b].joint.impulse);
-    scale.moment += share * (norm(forces[b].joint.impulse) * arm + norm(forces[b].joint.moment));
+    scale.force += rest_share * norm(forces[b].joint.impulse);
+    scale.moment += rest_share * (norm(forces[b].joint.impulse) * arm + norm(forces[b].joint.moment));
   }
   return scale;
 }
@@ -162,6 +164,10 @@ Audit::Totals Audit::sum_all(const State& state) {
     momentum_scale_ = std::max(momentum_scale_, scale.force * state.time);
     moment_scale_ = std::max(moment_scale_, scale.moment * state.time);
   }
+  const double* g = state.gravity.g;
+  const double weight = rest_share * state.total_mass * find_length(g[0], g[1], g[2]);
+  momentum_scale_ = std::max(momentum_scale_, weight * state.time);
+  moment_scale_ = std::max(moment_scale_, weight * state.time * model_.half_extent);
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c) {

@@ -132,6 +132,7 @@ struct Model {
 
   std::array<Curve, 3> gravity;  // acceleration along x, y, z
   bool gravity_varies = false;
+  double half_extent = 0;  // half the diagonal of the box of all nodes at time 0
   PressureFaces pressure_faces;
   std::vector<Curve> pressures;       // by load; of a blast, pulses by face
   std::vector<int> pressure_entries;  // by the same: entry of the deck

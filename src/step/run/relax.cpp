@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "src/error.hpp"
-#include "src/mesh/hex_geometry.hpp"
 #include "src/step/relaxation/relaxation.hpp"
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/stop_request.hpp"
@@ -53,15 +52,13 @@ void Run::note_unsettled(const Warning& warning) {
 void Run::begin_books() {
   if (!deck_.start.relaxation && deck_.start.fields.empty()) return;
   const EnergySummary held = Audit(model_)(state_).energy;
-  const Vec3 extent = subtract(chunked_.mesh.high, chunked_.mesh.low);
-  const double half_extent = 0.5 * std::sqrt(dot(extent, extent));
-  if (!deck_.start.relaxation) return audit_.note_scale(held.internal() + held.kinetic, half_extent);
+  if (!deck_.start.relaxation) return audit_.note_scale(held.internal() + held.kinetic, model_.half_extent);
   if (ranks_.rank() == 0) {
     state_.books.external_work.add(-held.external);
     state_.books.external_work.normalize();
   }
   summary_.relaxation.energy = held.internal() + held.hourglass() + held.work[WorkKind::folding];
-  audit_.note_scale(summary_.relaxation.scale, half_extent);
+  audit_.note_scale(summary_.relaxation.scale, model_.half_extent);
 }
 
 void Run::archive_relaxation(CheckpointArchive& archive) {

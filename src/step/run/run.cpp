@@ -315,15 +315,16 @@ void Run::note_contact_gain(bool is_last) {
   constexpr double wait = 0.01;  // of the run
   const GainPlace* const found = warnings_.found_gain();
   if (found != nullptr && !is_last && state_.time < found->time + wait * deck_.time.end) return;
-  const double share = find_tolerated_gain(deck_.audit), work = state_.books.contact_work;
-  if (!is_gain(find_given(work, find_scales()), share, find_scales())) return warnings_.forget_gain();
+  const double share = find_tolerated_gain(deck_.audit);
+  const double work = state_.books.contact_work, friction = state_.books.friction_work;
+  if (!is_gain(find_given(work, friction, find_scales()), share, find_scales())) return warnings_.forget_gain();
   audit();  // the largest energy may be larger by now
   const EnergyScales scales = find_scales();
-  const double given = find_given(work, scales);
+  const double given = find_given(work, friction, scales);
   if (!is_gain(given, share, scales)) return warnings_.forget_gain();
   if (found == nullptr) warnings_.find_gain(find_gain_place(checked_run()));
   if (found == nullptr && !is_last) return;
-  warnings_.warn_of_gain(given, scales, deck_.units);
+  warnings_.add_gain(given, scales, deck_.units);
   if (!deck_.audit.max_contact_gain) return;
   refuse_gain(checked_run(), describe_gain(given, scales, *warnings_.found_gain(), deck_.units));
 }

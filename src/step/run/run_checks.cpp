@@ -212,7 +212,8 @@ GainPlace find_gain_place(const CheckedRun& run) {
 void refuse_gain(const CheckedRun& run, const std::string& gain) {
   throw RunError(fmt::format(
       "contact has added {}, more than audit.max_contact_gain = {:g}, {} (contact may only dissipate or store energy): "
-      "check jumps of the column contact in history.csv, sliver elements and overlapping parts, or raise the limit",
+      "check jumps of the columns contact and friction in history.csv, sliver elements and overlapping parts, or raise "
+      "the limit",
       gain, *run.deck.audit.max_contact_gain, describe_step(run.state)));
 }
 

@@ -55,6 +55,7 @@ EnergyScales Run::find_scales() const {
   scales.largest_strain = audit_.largest_strain_energy();
   scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
   scales.stored = stepper_.contact_report().stored;
+  scales.stored_slip = stepper_.contact_report().stored_slip;
   scales.granted = audit_.start_half_steps();
   scales.resolved = std::max(scales.resolved, scales.granted);
   if (warnings_.pushed_square() > 0)
@@ -90,11 +91,11 @@ void Run::finish(const std::string& status, const std::string& error) {
   result_ = make_summary(status, error);
   progress_->finish(find_progress());
   const EnergyScales scales = find_scales();
-  const double given = find_given(state_.books.contact_work, scales);
+  const double given = find_given(state_.books.contact_work, state_.books.friction_work, scales);
   if (warnings_.has_warned_gain())
     warnings_.renew_gain(given, scales, deck_.units);
   else if (warnings_.found_gain() != nullptr && is_gain(given, find_tolerated_gain(deck_.audit), scales))
-    warnings_.warn_of_gain(given, scales, deck_.units);  // the run has failed meanwhile
+    warnings_.add_gain(given, scales, deck_.units);  // the run has failed meanwhile
   if (status == "completed") warnings_.add(find_idle_warnings());
   warnings_.add(find_end_warnings(
       result_, scales, find_hourglassed_parts(deck_, chunked_, model_, state_, find_hourglass_limits(scales))));

@@ -102,7 +102,9 @@ HourglassLimits find_hourglass_limits(const EnergyScales& scales) {
           noted_scene_share * scales.largest_strain};
 }
 
-double find_given(double work, const EnergyScales& scales) { return work + scales.stored - scales.granted; }
+double find_given(double work, double friction, const EnergyScales& scales) {
+  return std::max(work + scales.stored - scales.stored_slip, friction + scales.stored_slip) - scales.granted;
+}
 
 bool is_gain(double given, double share, const EnergyScales& scales) {
   return given > std::max(share * scales.largest, scales.resolved);
@@ -123,8 +125,8 @@ std::string describe_gain(double given, const EnergyScales& scales, const GainPl
 
 Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units) {
   return {"contact_energy",
-          fmt::format("contact has added {} (contact may only dissipate or store energy): check jumps of the column "
-                      "contact in history.csv, sliver elements and overlapping parts",
+          fmt::format("contact has added {} (contact may only dissipate or store energy): check jumps of the "
+                      "columns contact and friction in history.csv, sliver elements and overlapping parts",
                       describe_gain(given, scales, where, units)),
           "", where.time, 1};
 }

@@ -36,6 +36,7 @@ struct EnergyScales {
   double largest = 0;         // that was held in any state
   double resolved = 0;        // below this it is of motions that positions or steps do not resolve: round-off
   double stored = 0;          // in the springs of contact
+  double stored_slip = 0;     // of that, in the tangential ones
   double largest_strain = 0;  // that elements held in any state
   double granted =
       0;  // that contact may have given: to push out overlap as asked, to hold what was loaded at the start
@@ -47,8 +48,9 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
 /// From where on hourglass modes are reported: a tenth of what a part stores besides, and energy that is not round-off.
 HourglassLimits find_hourglass_limits(const EnergyScales& scales);
 
-/// Energy that contact has given by its own books, of which `work` is the work of its pushes so far.
-double find_given(double work, const EnergyScales& scales);
+/// Energy that contact has given by its own books: by its pushes or by friction, whichever is more. work, friction: of
+/// its normal and tangential impulses so far.
+double find_given(double work, double friction, const EnergyScales& scales);
 
 /// Whether that is more than a share of the largest energy, and than round-off.
 bool is_gain(double given, double share, const EnergyScales& scales);

@@ -41,7 +41,7 @@ void RunWarnings::note_depth(double time, const std::function<std::string()>& na
   log_.add(warning);
 }
 
-void RunWarnings::warn_of_gain(double given, const EnergyScales& scales, const std::string& units) {
+void RunWarnings::add_gain(double given, const EnergyScales& scales, const std::string& units) {
   has_warned_gain_ = true;
   log_.add(warn_of_gain(given, scales, gain_, units));
 }

@@ -46,7 +46,7 @@ class RunWarnings {
   void forget_gain() { gain_ = {}; }
   const GainPlace* found_gain() const { return gain_.step > 0 ? &gain_ : nullptr; }
   /// Tells it once, and keeps its figures up to date.
-  void warn_of_gain(double given, const EnergyScales& scales, const std::string& units);
+  void add_gain(double given, const EnergyScales& scales, const std::string& units);
   void renew_gain(double given, const EnergyScales& scales, const std::string& units);
   bool has_warned_gain() const { return has_warned_gain_; }
 

@@ -170,6 +170,21 @@ contact: {surfaces: all}
                          {{"upper", {2, 0, 0}}});
 }
 
+TEST(PlanContactRows, AreThoseOfTiesWithoutGlue) {
+  const std::string blocks = R"(
+time: {end: 1}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
+parts:
+  low: {box: {size: [2, 2, 1], cells: [3, 3, 1]}, material: m}
+  high: {box: {size: [2, 2, 1], cells: [2, 2, 1]}, at: [0, 0, 1], material: m}
+contact: {ties: [{a: high/z_min, b: low/z_max)";
+  EXPECT_EQ(PlanAndRun(blocks + "}]}\n").planner.contacts(), 9);
+  EXPECT_EQ(PlanAndRun(blocks + ", cohesive: {normal_stiffness: 1, normal_strength: 1, shear_strength: 1, "
+                                "normal_energy: 5, shear_energy: 5}}]}\n")
+                .planner.contacts(),
+            0);
+}
+
 TEST(PlanContactWithoutContact, HasNothingToDivide) {
   PlanAndRun both(bricks);
   EXPECT_EQ(both.planner.points(), 0);

@@ -262,6 +262,25 @@ TEST(RunOnRanks, GivesEveryRankTheSameSummary) {
   EXPECT_GE(summary.balance.elements, 1);
 }
 
+// A strip on two ranks has one line of shared nodes: a message of forces to the other rank, and one of moments.
+TEST(RunOnRanks, CountsForcesAndMomentsOfShells) {
+  const TemporaryFolder own;
+  const Communicator ranks = Communicator::world();
+  const std::string folder = broadcast_text(ranks, own.path(), 0);
+  const auto count = [&](const std::string& shape) {
+    const std::string strip = "time: {end: 1, max_steps: 8}\nparts: {a: {" + shape +
+                              ", material: m}}\nmaterials: {m: {model: elastic, density: 7800, youngs_modulus: 2e11, "
+                              "poissons_ratio: 0.3}}\n";
+    return run_scene(parse_deck(strip, "deck.yaml"), {folder, Progress::Style::quiet}).summary.messages;
+  };
+  const auto solids = count("box: {size: [64, 4, 1], cells: [64, 4, 1]}");
+  const auto shells = count("shell_plate: {size: [64, 4], cells: [64, 4]}, thickness: 0.1");
+  EXPECT_EQ(solids.count > 0, ranks.size() > 1);
+  if (ranks.size() != 2) return;
+  EXPECT_EQ(shells.count, 2 * solids.count);
+  EXPECT_EQ(shells.bytes, solids.bytes);  // 2 vectors at 5 nodes in place of 1 at 10
+}
+
 TEST(RunOnRanks, TellsWhatEachRankHeldWorkedAndSent) {
   const TemporaryFolder own;
   const Communicator ranks = Communicator::world();

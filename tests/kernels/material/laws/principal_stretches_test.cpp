@@ -77,7 +77,8 @@ void expect_bounded_waves(const Law& law, const std::array<double, 3>& logs) {
   const double d = 1e-6;
   double most = 0;
   for (int k = 0; k < 12 * 12; ++k) {
-    const double theta = k / 12 * 0.27, phi = k % 12 * 0.27;
+    const int ring = k / 12, place = k % 12;
+    const double theta = ring * 0.27, phi = place * 0.27;
     const double n[2] = {std::cos(theta), std::sin(theta)}, m[2] = {std::cos(theta + phi), std::sin(theta + phi)};
     Point<Law> point = reached;
     PointStep<double> step;

@@ -27,8 +27,9 @@ std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
 }
 
 /// Of a run in which contact has done so much work.
-std::vector<std::string> find_texts(double work, const EnergyScales& scales, const std::string& units = "") {
-  const double given = find_given(work, scales);
+std::vector<std::string> find_texts(double work, const EnergyScales& scales, const std::string& units = "",
+                                    double friction = 0) {
+  const double given = find_given(work, friction, scales);
   if (!is_gain(given, find_tolerated_gain({}), scales)) return {};
   return format_all({warn_of_gain(given, scales, {201, 5, {0, 0, 1}, 0.25}, units)});
 }
@@ -53,6 +54,15 @@ TEST(ContactGain, IsNotOfEnergyThatIsRoundOffOrWasAskedFor) {
   EXPECT_THAT(find_texts(5e-26, {.largest = 5e-26, .resolved = 1e-20}), IsEmpty());
   EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 29.5}), IsEmpty());
   EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 10}), ElementsAre(HasSubstr("added 20 of energy")));
+}
+
+TEST(ContactGain, IsOfPushesOrOfFrictionWithTheirOwnSprings) {
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30, .stored_slip = 20}, "", -20), IsEmpty());
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30, .stored_slip = 20}, "", -16),
+              ElementsAre(HasSubstr("added 4 of energy")));
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30, .stored_slip = 15}, "", -20),
+              ElementsAre(HasSubstr("added 5 of energy")));
+  EXPECT_THAT(find_texts(0, {.largest = 100}, "", 4), ElementsAre(HasSubstr("added 4 of energy")));
 }
 
 TEST(ContactGain, CountsWhatTheSpringsOfContactHold) {
