@@ -76,6 +76,52 @@ TEST(FalseWarnings, AreNotGivenOfATieThatIsLoadedAtOnce) {
   EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy")));
 }
 
+// A sheet on a wall, with momenta of round-off: their balance is judged by its weight.
+TEST(FalseWarnings, DoNotEndARunAtRestUnderItsWeight) {
+  const std::string sheet =
+      "time: {end: 0.1, max_steps: 800}\n"
+      "parts:\n"
+      "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [4, 3]}, thickness: 0.003, at: [0, 0, 0.0015], material: s}\n"
+      "loads: {gravity: [0, 0, -9.81]}\n"
+      "walls: [{point: [0, 0, 0], normal: z, thickness: included}]\n"
+      "contact: {surfaces: all}\n" +
+      steel;
+  const Outcome outcome = run_deck(sheet);
+  EXPECT_EQ(outcome.summary.status, "completed");
+  EXPECT_LT(outcome.summary.momentum.linear_error, 1e-6);
+  EXPECT_LT(outcome.summary.momentum.angular_error, 1e-6);
+}
+
+// A block that sticks on a slope: the springs of friction hold what friction has taken.
+TEST(FalseWarnings, AreNotGivenOfSpringsOfFriction) {
+  const std::string block =
+      "time: {end: 0.02}\n"
+      "parts:\n"
+      "  b: {box: {size: [0.1, 0.1, 0.05], cells: [4, 4, 2]}, material: m, stiffness_damping: 5.0e-5}\n"
+      "materials: {m: {model: elastic, density: 1500, youngs_modulus: 1.0e7, poissons_ratio: 0.3}}\n"
+      "loads: {gravity: [3.3552, 0, -9.2184]}\n"
+      "walls: [{point: [0, 0, 0], normal: z, friction: 0.38}]\n"
+      "contact: {surfaces: all, friction: 0.38, enforcement: penalty}\n";
+  const Outcome outcome = run_deck(block);
+  EXPECT_LT(outcome.summary.energy.friction, 0);
+  EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy")));
+}
+
+// Two sheets of a millimetre that meet flat and slide: the springs of friction give energy, which must be reported.
+TEST(ContactEnergy, OfFrictionIsReported) {
+  const std::string sheets =
+      "time: {end: 2.0e-4}\n"
+      "parts:\n"
+      "  a: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, at: [0, 0, 0.001001], material: s}\n"
+      "  b: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, material: s}\n"
+      "initial: [{part: a, velocity: [7, 0, -10]}]\n"
+      "contact: {surfaces: all, friction: 1.0, enforcement: penalty}\n" +
+      steel;
+  const Outcome outcome = run_deck(sheets);
+  EXPECT_GT(outcome.summary.energy.friction, 0.02 * outcome.summary.energy.initial);
+  EXPECT_THAT(list_rules(outcome), Contains("contact_energy"));
+}
+
 /// A half circle of eight rigid blocks, which holds itself up by contact.
 std::string make_arch() {
   constexpr int blocks = 8;
