@@ -11,13 +11,13 @@ namespace percuss {
 
 /// What `percuss plan` assumes of the machine and of the run; the defaults are explained in docs/plan.md.
 struct PlanFigures {
-  double latency = 2e-6;         // of a message [s]
-  double bandwidth = 1e9;        // of a rank [byte/s]
-  double element_ns = 60;        // of a core, an element and step
-  double contact_node_ns = 550;  // of a core, a contact node or face and step
-  double iterations = 22;        // of the contact enforcement in a step
-  double steps_per_search = 7;   // for which candidate pairs are used
-  bool all_touch = false;        // each node touches the nearest face that it may touch
+  double latency = 2e-6;          // of a message [s]
+  double bandwidth = 1e9;         // of a rank [byte/s]
+  double element_ns = 60;         // of a core, an element and step
+  double contact_node_ns = 500;   // of a core, a contact node or face and step
+  double iterations = 14;         // of the contact enforcement in a step
+  double steps_per_search = 7.5;  // for which candidate pairs are used
+  bool all_touch = false;         // each node touches the nearest face that it may touch
 };
 
 struct Command {
