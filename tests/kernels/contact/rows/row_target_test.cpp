@@ -47,7 +47,7 @@ TEST(RowWays, AreThoseOfTheVelocitiesWithoutContactAndAsTheNodesWereSeen) {
   const OneNodeRow pushed({0, 0, 0}, {0, 0, -0.5});
   const RowWays ways = find_ways(pushed.at, 0.5, pushed.row);
   EXPECT_EQ(ways.predicted.z, -0.25);
-  EXPECT_EQ(ways.seen.z, 0);
+  EXPECT_EQ(ways.checked.z, 0);
 }
 
 TEST(RowTarget, AsksForNoMoreThanTheRowsOwnGapAtTheStart) {
