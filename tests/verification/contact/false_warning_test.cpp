@@ -16,6 +16,7 @@ using testing::Not;
 
 std::vector<std::string> list_rules(const Outcome& outcome) {
   std::vector<std::string> rules;
+  rules.reserve(outcome.summary.warnings.size());
   for (const Warning& warning : outcome.summary.warnings) rules.push_back(warning.rule);
   return rules;
 }

@@ -22,6 +22,7 @@ using testing::StartsWith;
 
 std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
   std::vector<std::string> lines;
+  lines.reserve(warnings.size());
   for (const Warning& warning : warnings) lines.push_back(format_warning(warning));
   return lines;
 }
