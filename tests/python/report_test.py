@@ -346,6 +346,21 @@ class Findings(OfARun):
         self.assertEqual(self.level_of(findings, "Energy is balanced"), BAD)
         self.assertEqual(findings[0].level, BAD)
 
+    def test_do_not_call_lost_what_springs_of_contact_hold(self):
+        folder = self.copy("springs")
+        path = os.path.join(folder, "history.csv")
+        with open(path, encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        stored = 0.1 * percuss.read(folder).summary["energy"]["initial"]
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join([f"{rows[0]},contact_stored", *(f"{row},{stored!r}" for row in rows[1:]), ""]))
+        change_summary(folder, lambda summary: summary["energy"].update(contact=-stored))
+        run = percuss.read(folder)
+        self.assertFalse(any("Normal contact has" in finding.text for finding in find_findings(run)))
+        text = " ".join(describe_events(run))
+        self.assertIn("springs of contact", text)
+        self.assertNotIn("in normal contact", text)
+
     def test_lead_to_a_verdict_and_to_what_to_change(self):
         def spoil(summary):
             summary["energy"].update(error=0.02, hourglass=0)

@@ -7,7 +7,7 @@ import numpy as np
 
 from percuss.results.units import choose_time_unit, choose_unit
 
-from .findings import BAD, GOOD
+from .findings import BAD, GOOD, find_energy_in_contact_springs
 from .forces import describe_kind, find_force, find_impulse, list_forces
 from .markup import escape, show_deck
 from .motion import describe_motions
@@ -51,11 +51,12 @@ def describe_events(run):
     start = float(run.history["kinetic"][0]) if run.has_history and len(run.history) else energy["initial"]
     text = (f"In {show_time(run, run.summary['time'])} the kinetic energy went from {show(run, start, 'energy')} to "
             f"{show(run, energy['kinetic'], 'energy')}. ")
-    contact = energy["contact"]
+    stored = find_energy_in_contact_springs(run)
+    contact = energy["contact"] + stored
     shares = [("internal energy", energy["internal"]), ("hourglass energy", energy["hourglass"]), ("bulk viscosity", energy["viscous"]),
               ("folding energy", energy.get("folding", 0)), ("eroded elements", run.summary["eroded"]["energy"]),
               ("friction", -energy["friction"]), ("damping", -energy["damping"]),
-              ("added by normal contact" if contact > 0 else "lost in normal contact", abs(contact))]
+              ("springs of contact", stored), ("added by normal contact" if contact > 0 else "lost in normal contact", abs(contact))]
     largest = max(abs(value) for value in (start, energy["kinetic"], energy["internal"], energy["external"]))
     parts = [f"{name} {show(run, value, 'energy')}" for name, value in shares if value and abs(value) > 1e-3 * largest]
     text += f"At the end: {', '.join(parts)}." if parts else ""

@@ -35,7 +35,7 @@ def find_findings(run):
     found = [_judge_status(run)]
     if summary:
         found += [_describe_warning(run, warning) for warning in run.warnings]
-        found += _judge_energies(summary) + _judge_momentum(summary) + _judge_steps(run, summary) + _judge_losses(run, summary)
+        found += _judge_energies(run, summary) + _judge_momentum(summary) + _judge_steps(run, summary) + _judge_losses(run, summary)
     if run.has_history and len(run.history) > 1:
         found += _judge_history(run.history)
     order = {BAD: 0, LOOK: 1, GOOD: 2}
@@ -77,7 +77,12 @@ def _find_remedy(message, warning=None):
     return f"{remedy} ({about})" if remedy and about else remedy
 
 
-def _judge_energies(summary):
+def find_energy_in_contact_springs(run):
+    """At the end, of penalty contact: contact has taken it, but gives it back."""
+    return float(run.history["contact_stored"][-1]) if run.has_history and len(run.history) and "contact_stored" in run.history else 0.0
+
+
+def _judge_energies(run, summary):
     energy = summary["energy"]
     error = energy["error"]
     if math.isnan(error) or summary["status"] == "running":
@@ -96,13 +101,13 @@ def _judge_energies(summary):
             found.append(Finding(GOOD if is_small else LOOK, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
                                                              f"(limit {100 * HOURGLASS_SHARE:g} %){advice}",
                                  "use smaller elements, or with hexahedra elements: {integration: full}"))
-    if largest > 0 and energy["contact"] > CONTACT_SHARE * largest:
-        found.append(Finding(LOOK, f"Normal contact has added {100 * energy['contact'] / largest:.3g} % of the largest energy: "
+    lost = -energy["contact"] - find_energy_in_contact_springs(run)
+    if largest > 0 and -lost > CONTACT_SHARE * largest:
+        found.append(Finding(LOOK, f"Normal contact has added {100 * -lost / largest:.3g} % of the largest energy: "
                                    "look at overlaps at the start.", "remove overlaps at the start, or set contact.overlap: push_out"))
-    if largest > 0 and -energy["contact"] > CONTACT_LOSS * largest:
-        found.append(Finding(LOOK, f"Normal contact has taken {100 * -energy['contact'] / largest:.3g} % of the largest energy: nodes "
-                                   "that meet lose the relative velocity of their masses, so that bodies rebound too slowly.",
-                             "use smaller elements where bodies meet, or compare with contact.enforcement: penalty"))
+    if largest > 0 and lost > CONTACT_LOSS * largest:
+        found.append(Finding(LOOK, f"Normal contact has taken {100 * lost / largest:.3g} % of the largest energy: bodies rebound the more slowly.",
+                             "use smaller elements where bodies that deform meet, and contact.restitution for rigid ones"))
     return found
 
 

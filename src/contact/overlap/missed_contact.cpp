@@ -10,7 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/contact/overlap/box_list.hpp"
+#include "src/contact/overlap/box_tree.hpp"
 #include "src/contact/overlap/sunken_edges.hpp"
 #include "src/index.hpp"
 
@@ -37,14 +37,9 @@ bool has_face(const Faces& face, int node) {
   return false;
 }
 
-/// The box in which the search finds nodes at faces of a part of solids.
-struct PartBox {
-  int part = 0;
-  HostBox box;
-};
-
-/// Of all ranks; of a part as many as ranks have faces of it.
-std::vector<PartBox> list_part_boxes(const OverlapSearch& search, const SurfaceMotion& motion,
+/// Boxes in which the search finds nodes at faces of a part of solids, each with its part. Of all ranks; of a part as
+/// many as ranks have faces of it. Collective.
+std::vector<HostBox> list_part_boxes(const OverlapSearch& search, const SurfaceMotion& motion,
                                      const KnownContact& known) {
   const SurfaceShare& share = search.share;
   const Boxes boxes("contact::look_boxes", share.searched_faces.size());
@@ -54,16 +49,17 @@ std::vector<PartBox> list_part_boxes(const OverlapSearch& search, const SurfaceM
     space.fence();
   });
   const auto box = to_host(boxes);
-  std::map<int, PartBox> own;
+  std::map<int, HostBox> own;
   for (std::size_t f = 0; f < share.searched_faces.size(); ++f) {
     const int part = share.faces[at(share.searched_faces[f])].part;
     if (known.is_of_shells(part)) continue;
-    PartBox& of = own[part];
-    of.part = part;
-    of.box.add({box(f, 0), box(f, 1), box(f, 2)});
-    of.box.add({box(f, 3), box(f, 4), box(f, 5)});
+    HostBox& of = own[part];
+    of.item = part;
+    of.add({box(f, 0), box(f, 1), box(f, 2)});
+    of.add({box(f, 3), box(f, 4), box(f, 5)});
   }
-  std::vector<PartBox> list;
+  std::vector<HostBox> list;
+  list.reserve(own.size());
   for (const auto& [part, of] : own) list.push_back(of);
   return gather_items(search.ranks, list);
 }
@@ -174,18 +170,19 @@ std::optional<MissedContact> find_missed_piercing(const OverlapSearch& search, c
 LookedAt find_watched(const OverlapSearch& search, const SurfaceMotion& motion, const ContactHistory& history,
                       const KnownContact& known) {
   const OwnedContactNodes& nodes = search.share.nodes;
-  const std::vector<PartBox> boxes = list_part_boxes(search, motion, known);
+  BoxTree boxes(list_part_boxes(search, motion, known));
   const auto face = to_host(history.face);
   const auto x = to_host(motion.x);
   std::vector<char> watched(nodes.numbers.size(), 0);
   int any = 0;
   for (std::size_t n = 0; n < watched.size(); ++n) {
+    if (!is_unknown(nodes, n, face, known)) continue;
     HostBox place;
     place.add(load_row(x, nodes.mesh_nodes[n]));
-    const auto may_be_in = [&](const PartBox& of) { return of.part != nodes.parts[n] && of.box.meets(place); };
-    if (!std::any_of(boxes.begin(), boxes.end(), may_be_in) || !is_unknown(nodes, n, face, known)) continue;
-    watched[n] = 1;
-    any = 1;
+    boxes.visit_meeting(place, [&](int part) {
+      if (part != nodes.parts[n]) watched[n] = 1;
+    });
+    any = std::max(any, static_cast<int>(watched[n]));
   }
   all_reduce(search.ranks, Reduce::largest, any);
   const bool has_edges = search.share.total_edges > 0 && !known.has_shells() && !search.share.has_beams;

@@ -2,6 +2,7 @@
 // Constants of every law and equation of state, for the tests that go through all of them. The test of a law provides
 // its sample; without one those tests fail.
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,15 @@ template <class Law>
 bool provide_sample(const typename ConstantsOf<Law>::Type& constants) {
   provided_sample<Law>() = constants;
   return true;
+}
+
+/// A law with directions, which are oblique.
+template <class Law>
+Law with_oblique_axes(Law law) {
+  const double first[3] = {1, 0.5, 0.2}, second[3] = {-0.3, 1, 0};
+  std::copy(first, first + 3, law.first_axis);
+  std::copy(second, second + 3, law.second_axis);
+  return law;
 }
 
 /// What provide_sample() got. Throws std::logic_error if no test has called it for this law.

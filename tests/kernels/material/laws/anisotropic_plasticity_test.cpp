@@ -12,17 +12,8 @@
 namespace percuss::test {
 namespace {
 
-AnisotropicPlasticityConstants make_sample() {
-  AnisotropicPlasticityConstants law{10e9, 0.3, {2, {0, 0.1}, {20e6, 60e6}}, {0.7, 1.6, 1.1}};
-  const double first[3] = {1, 0.5, 0.2}, second[3] = {-0.3, 1, 0};
-  for (int k = 0; k < 3; ++k) {
-    law.first_axis[k] = first[k];
-    law.second_axis[k] = second[k];
-  }
-  return law;
-}
-
-[[maybe_unused]] const bool has_samples = provide_sample<AnisotropicPlasticity>(make_sample());
+[[maybe_unused]] const bool has_samples = provide_sample<AnisotropicPlasticity>(
+    with_oblique_axes(AnisotropicPlasticityConstants{10e9, 0.3, {2, {0, 0.1}, {20e6, 60e6}}, {0.7, 1.6, 1.1}}));
 
 constexpr double yield = 200, slope = 100;
 

@@ -13,17 +13,8 @@
 namespace percuss::test {
 namespace {
 
-OrthotropicConstants make_sample() {
-  OrthotropicConstants law{{30e9, 12e9, 15e9}, {0.25, 0.3, 0.2}, {4e9, 5e9, 6e9}};
-  const double first[3] = {1, 0.5, 0.2}, second[3] = {-0.3, 1, 0};
-  for (int k = 0; k < 3; ++k) {
-    law.first_axis[k] = first[k];
-    law.second_axis[k] = second[k];
-  }
-  return law;
-}
-
-[[maybe_unused]] const bool has_samples = provide_sample<Orthotropic>(make_sample());
+[[maybe_unused]] const bool has_samples = provide_sample<Orthotropic>(
+    with_oblique_axes(OrthotropicConstants{{30e9, 12e9, 15e9}, {0.25, 0.3, 0.2}, {4e9, 5e9, 6e9}}));
 
 OrthotropicConstants make_constants() { return {{140e3, 10e3, 12e3}, {0.3, 0.4, 0.25}, {5e3, 3.5e3, 4e3}}; }
 
