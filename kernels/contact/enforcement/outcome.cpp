@@ -39,7 +39,7 @@ KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& 
   return work;
 }
 
-/// Energy in the tangential springs of a penalty row at n+1.
+/// Energy in the tangential springs of a penalty row at n+1/2. One that crosses its middle has given all that it held.
 KOKKOS_INLINE_FUNCTION double find_friction_energy(const ContactRow& row, const RowNodes& at,
                                                    const Rows3<const double>& dv, double dt) {
   if (!(row.friction > 0)) return 0;
@@ -47,9 +47,9 @@ KOKKOS_INLINE_FUNCTION double find_friction_energy(const ContactRow& row, const 
   const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   double energy = 0;
   for (int d = 0; d < 2; ++d)
-    energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
+    energy += 0.5 * row.spring * (row.slide[d] - (dot(predicted, row.tangent[d]) + row.carried[d])) *
               (row.slide[d] + dot(corrected, row.tangent[d]));
-  return energy;
+  return energy > 0 ? energy : 0;
 }
 
 KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, const Rows3<const double>& dv,

@@ -22,11 +22,6 @@ KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<con
   return front + back > 0 ? front * back / (front + back) : 0;
 }
 
-/// Predicted displacement of the row in the step along a tangent.
-KOKKOS_INLINE_FUNCTION double find_predicted_slide(const ContactRow& row, const RowNodes& at, int d, double dt) {
-  return dt * dot(find_slip_velocity(row, TouchedVelocity{at.v, row}), row.tangent[d]);
-}
-
 /// Of the step; the middle of the last step is dt_mean before that of this one.
 struct SpringTimes {
   double dt = 0, dt_mean = 0;

@@ -61,6 +61,7 @@ struct ContactRow {
   double to_push = 0;               // overlap that is to be pushed out, of which the reference is left
   double depth_tolerance = 0;       // RowInputs::depth_tolerance
   double slide[2] = {0, 0};         // predicted tangential displacement in the step plus what sticking still owes
+  double carried[2] = {0, 0};       // the part of `slide` by which a wall moves
   double stiffness = 0;             // D of the normal: row sum of |G M^-1 G^T| [1/mass]
   double tangential_stiffness = 0;  // D of both tangents
   RowImpulse impulse, previous;     // iterates k and k-1
@@ -93,10 +94,15 @@ KOKKOS_INLINE_FUNCTION Point3 spread_impulse(const ContactRow& row, int slot, co
   return row.weight[slot] * impulse - cross(couple, row.rho[slot]);
 }
 
-/// The vector u with (sum of impulses . velocities) = P . u for every P: the relative velocity of the row, the
-/// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
+/// Relative velocities of a row: of the pushed point to the point that pushes back (without the couple); and the vector
+/// u with (sum of impulses . velocities) = P . u for every P, the transpose of spread_impulse().
+struct RowVelocity {
+  Point3 relative{}, work{};
+};
+
+/// velocity(slot): velocity of node `slot`.
 template <class Velocity>
-KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
+KOKKOS_INLINE_FUNCTION RowVelocity find_velocity(const ContactRow& row, const Velocity& velocity) {
   Point3 relative{}, spin{};
   for (int slot = 0; slot < row.count; ++slot) {
     const Point3 v = velocity(slot);
@@ -105,10 +111,14 @@ KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Ve
   }
   // P . u = P . relative - (J^-1 (r x P)) . spin, and J^-1 is symmetric.
   const Point3 turn = row.inverse_inertia * spin;
-  return relative - (ties_rotation(row) ? row.lever * turn : cross(turn, row.arm));
+  return {relative, relative - (ties_rotation(row) ? row.lever * turn : cross(turn, row.arm))};
 }
 
-/// Velocity of the pushed point relative to the point that pushes back (without the couple).
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
+  return find_velocity(row, velocity).work;
+}
+
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
   Point3 relative{};

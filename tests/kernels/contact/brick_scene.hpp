@@ -142,7 +142,7 @@ inline BrickScene make_brick_wall(int n) {
 
 /// No history for a surface with `pairs` pairs of a wall and a node.
 inline ContactHistory make_empty_history(int num_nodes, int pairs = 0) {
-  const auto faces = static_cast<std::size_t>(3 * num_nodes), records = faces + static_cast<std::size_t>(pairs);
+  const auto faces = 3 * static_cast<std::size_t>(num_nodes), records = faces + static_cast<std::size_t>(pairs);
   ContactHistory h{Array<std::int64_t>("test::face", faces), Rows3<double>("test::impulse", records),
                    Rows3<double>("test::slip", records), Array<double>("test::reference", records)};
   Kokkos::deep_copy(h.face, std::int64_t{-1});

@@ -108,21 +108,6 @@ TEST(FalseWarnings, AreNotGivenOfSpringsOfFriction) {
   EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy")));
 }
 
-// Two sheets of a millimetre that meet flat and slide: the springs of friction give energy, which must be reported.
-TEST(ContactEnergy, OfFrictionIsReported) {
-  const std::string sheets =
-      "time: {end: 2.0e-4}\n"
-      "parts:\n"
-      "  a: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, at: [0, 0, 0.001001], material: s}\n"
-      "  b: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, material: s}\n"
-      "initial: [{part: a, velocity: [7, 0, -10]}]\n"
-      "contact: {surfaces: all, friction: 1.0, enforcement: penalty}\n" +
-      steel;
-  const Outcome outcome = run_deck(sheets);
-  EXPECT_GT(outcome.summary.energy.friction, 0.02 * outcome.summary.energy.initial);
-  EXPECT_THAT(list_rules(outcome), Contains("contact_energy"));
-}
-
 /// A half circle of eight rigid blocks, which holds itself up by contact.
 std::string make_arch() {
   constexpr int blocks = 8;

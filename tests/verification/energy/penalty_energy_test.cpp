@@ -108,6 +108,40 @@ contact: {enforcement: penalty}
   }
 }
 
+// Contacts of a few steps: springs of friction that cross their middle give back what they hold, and no more.
+TEST(PenaltyEnergy, OfSheetsAndBlocksThatMeetAndRubOnlyFalls) {
+  const std::string sheets =
+      "  a: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, at: [0, 0, 0.001001], material: m}\n"
+      "  b: {shell_plate: {size: [0.04, 0.04], cells: [4, 4]}, thickness: 0.001, material: m}\n";
+  const std::string blocks =
+      "  a: {box: {size: [0.01, 0.012, 0.01], cells: [3, 3, 3]}, at: [0.001, 0.002, 0.010001], material: m}\n"
+      "  b: {box: {size: [0.02, 0.02, 0.01], cells: [4, 5, 3]}, material: m}\n";
+  for (const std::string& parts : {sheets, blocks}) {
+    for (const double friction : {0.2, 1.0}) {
+      for (const std::string& velocity : {"[7, 0, -10]", "[2, 3, -10]", "[20, -5, -10]"}) {
+        const Outcome run = run_deck(fmt::format(R"(
+time: {{end: 1e-4}}
+parts:
+{}materials:
+  m: {{model: elastic, density: 8000, youngs_modulus: 2e11, poissons_ratio: 0.3}}
+initial: [{{part: a, velocity: {}}}]
+contact: {{surfaces: all, friction: {}, enforcement: penalty}}
+output: {{history: {{every: 0}}}}
+)",
+                                                 parts, velocity, friction));
+        const HistoryTable& h = run.history;
+        double largest = 0;
+        for (std::size_t i = 0; i < h["contact"].size(); ++i)
+          largest = std::max(largest, h["contact"][i] + h["contact_stored"][i] + h["friction"][i]);
+        fmt::print("contact adds {:.2e}, friction takes {:.2e}\n", largest / h["kinetic"].front(),
+                   -h.last("friction") / h["kinetic"].front());
+        EXPECT_LT(largest, 1e-4 * h["kinetic"].front()) << velocity << " " << friction;
+        EXPECT_LT(h.last("friction"), 0) << velocity << " " << friction;
+      }
+    }
+  }
+}
+
 // Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.
 // The work of push-out is less than that of closing 0.02 with both in uniform compression: the springs give way too.
 TEST(PenaltyEnergy, OfOverlapThatIsPushedOutIsThatOfTheOverlap) {

@@ -15,16 +15,17 @@ struct SceneStep {
   SceneStep(double before, double now) : dt(now), dt_mean(0.5 * (before + now)) {}
 };
 
-/// A scene taken through one enforcement; v is corrected.
+/// A scene taken through one enforcement; v is corrected. slip: that records hold at the start.
 template <class Space>
 struct EnforcedScene {
   EnforcedScene(const BrickScene& bricks, const SceneStep& step, double friction, const WallPairs& walls = no_walls(),
-                Solver solver = Solver::iterated, double tolerance = 1e-3)
+                Solver solver = Solver::iterated, double tolerance = 1e-3, const Point3& slip = {})
       : scene(bricks, step.dt, friction),
         before(to_rows(bricks.v)),
         inverse_mass(to_rows(bricks.inverse_mass)),
         impulse("test::impulse", bricks.v.size()) {
     history = make_empty_history(bricks.num_nodes(), static_cast<int>(walls.node.extent(0)));
+    for (std::size_t r = 0; r < history.slip.extent(0); ++r) store_row(history.slip, static_cast<int>(r), slip);
     const Space space;
     const Array<std::int64_t> nodes = count_up(scene.surface.num_nodes), faces = count_up(scene.surface.num_faces);
     Array<RowTouch> touches("test::touches", 0);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/kernels/contact/enforcement/enforced_scene.hpp"
@@ -131,6 +132,29 @@ TEST(Springs, RubWithinCoulombsLimit) {
   for (int n = 8; n < 12; ++n) {
     EXPECT_EQ(first.v(n).x, 1);
     EXPECT_NEAR(load_row(first.history.slip, 3 * n).x, dt, 1e-15);
+  }
+}
+
+// Unit masses that stick to a wall, on springs of friction of stiffness 2, the square of frequency times step 1 / 2:
+// what they hold is k s(n) s(n+1) / 2 or, where they have crossed their middle, nothing.
+TEST(Springs, OfFrictionGiveBackNoMoreThanTheyHold) {
+  constexpr double step = 0.5, stiffness = 2;
+  for (const double stretch : {0.02, 0.001}) {
+    for (const double speed : {0.05, 0.003, -0.001, -0.03, -0.05, -0.2}) {
+      BrickScene bricks;
+      bricks.add_brick({0, 0, -0.02}, {1, 1, 1}, {speed, 0, 0});
+      const Scene scene(
+          bricks, step, 100,
+          {to_array(std::vector<ContactWall>{{{0, 0, 0}, {0, 0, 1}, 100}}), to_array(std::vector<int>{0, 0, 0, 0}),
+           to_array(std::vector<int>{0, 1, 2, 3}), to_array(std::vector<double>{1, 1, 1, 1})},
+          Solver::springs, 1e-3, {stretch, 0, 0});
+      const double last = stretch - step * speed, out = scene.v(0).x, after = stretch + step * out;
+      const double held = std::max(0.5 * stiffness * last * stretch, 0.0),
+                   holds = std::max(0.5 * stiffness * stretch * after, 0.0);
+      EXPECT_NEAR(0.5 * (out * out - speed * speed), held - holds, 1e-17) << stretch << " " << speed;
+      EXPECT_NEAR(scene.sums.stored_slip.round() / 4, holds, 1e-17) << stretch << " " << speed;
+      EXPECT_NEAR(load_row(scene.history.slip, static_cast<int>(scene.history.face.extent(0))).x, after, 1e-15);
+    }
   }
 }
 
