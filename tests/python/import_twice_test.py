@@ -135,6 +135,10 @@ class Twice(import_test.InFolder):
             with self.subTest(what=what, second=second):
                 self.fails(decks.FULL.replace("*END", first + second + "*END"), f"there are two {what} (ids must be unique; the first is at ")
 
+    def test_damping_of_all_nodes_is_given_once(self):
+        text = decks.FULL.replace("*END", "*DAMPING_GLOBAL\n0,100.0\n*DAMPING_GLOBAL\n0,300.0\n*END")
+        self.fails(text, f"deck.k:{line_of(text, '0,300')}: error: there are two *DAMPING_GLOBAL (one can hold; the first is at ", f"deck.k:{line_of(text, '0,100')})")
+
     def test_an_included_file_replaces_nothing(self):
         """IDROFF 0: its section 3 would take the place of that of the main file."""
         moved = decks.SMALL.replace("*KEYWORD", "*KEYWORD\n*INCLUDE_TRANSFORM\npart.k\n1000,1000,1000,1000,1000,1000,1000\n\n\n\n", 1)
@@ -262,6 +266,15 @@ class AbaqusTwice(import_test.InFolder):
         same = base.replace("*SHELL SECTION", "*NODE\n2, 20., 0., 0.\n*NSET, NSET=n\n1\n*NSET, NSET=n\n2\n*SHELL SECTION", 1)
         model, _ = self.read_abaqus(same.replace("*CLOAD\n15", "*CLOAD\nn"))
         self.assertEqual(model.node_sets["N"] if "N" in model.node_sets else model.node_sets["n"], [1, 2])
+
+    def test_a_node_that_a_line_gives_is_not_moved_by_rule(self):
+        """Nodes 1 and 3 are 2 apart: the one between them may be given at 1 before, or at 1.5 afterwards, but not before."""
+        deck = OFFSET.format(offset="", contact="")
+        ends, middle, rule = "*NODE\n201, 0., 0., 9.\n203, 2., 0., 9.\n", "*NODE\n202, {}, 0., 9.\n", "*NGEN\n201, 203, 1\n"
+        for before, after in ((middle.format("1.0000001"), ""), ("", middle.format("1.5"))):
+            self.assertEqual(self.find_error(deck.replace("*SHELL SECTION", ends + before + rule + after + "*SHELL SECTION", 1)), "")
+        text = deck.replace("*SHELL SECTION", ends + middle.format("1.5") + rule + "*SHELL SECTION", 1)
+        self.assertRegex(self.find_error(text), rf"\*NGEN makes node 202 at another place \(the first is at .*deck\.inp:{line_of(text, '202, 1.5')}\)")
 
     def test_a_load_that_another_replaces_is_reported_as_such(self):
         """No row says that what becomes of it stands elsewhere."""

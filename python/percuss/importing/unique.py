@@ -23,6 +23,11 @@ class Unique:
         shown = id if isinstance(id, int) else f"'{clip(id)}'"
         raise BadInput(place, f"there are two {what} {shown} ({words[0]} must be unique; the first is at {first}): {words[1]} or remove one")
 
+    def claim_only(self, what: str, place: Place) -> None:
+        """Notes what a deck has once. what: in the singular and plural."""
+        if (first := self._first.setdefault((what, 0, 0), place)) is not place:
+            raise BadInput(place, f"there are two {what} (one can hold; the first is at {first}): remove one")
+
 
 class Lines:
     """The line of each node or element of a mesh, in little memory: who asks for one is about to end with an error."""

@@ -12,6 +12,7 @@ from .lines import Block
 from .mesh import MOST_MEMBERS, Scope, keep_once, rotate
 
 Axes = tuple[Vector, Vector, Vector]
+SAME_PLACE = 1e-6  # of the largest coordinate: what files round
 
 
 def read_system(scope: Scope, block: Block) -> None:
@@ -71,6 +72,8 @@ def read_nodes(scope: Scope, block: Block) -> None:
 def add_node(scope: Scope, block: Block, id: int, x: Vector) -> None:
     if not 1 <= id <= MOST_ID or len(scope.nodes) >= MOST_MEMBERS:
         raise BadInput(block.place, f"*{block.keyword} makes node {id}, or too many of them: correct it")
+    if math.dist(scope.nodes.get(id, x), x) > SAME_PLACE * max(abs(c) for c in x) and (first := scope.node_lines.find(id)):
+        raise BadInput(block.place, f"*{block.keyword} makes node {id} at another place (the first is at {first}): renumber or remove one")
     scope.nodes[id] = x
 
 

@@ -20,6 +20,7 @@ def read_damping(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "damping other than in proportion to mass or stiffness", "it is left out")
     elif card.keyword == "DAMPING_GLOBAL":
         row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
+        deck.ids.claim_only("*DAMPING_GLOBAL", row.place)
         factor = read_factors(deck, row)
         if factor is not None:
             add_damping(deck, "", row, row.integer("LCID"), factor, row.number("VALDMP"))
