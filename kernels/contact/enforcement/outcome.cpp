@@ -39,7 +39,7 @@ KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& 
   return work;
 }
 
-/// Energy in the tangential springs of a penalty row at n+1/2. One that crosses its middle has given all that it held.
+/// Energy in the tangential springs of a penalty row at n+1/2. One whose stretch changes sign has given all it held.
 KOKKOS_INLINE_FUNCTION double find_friction_energy(const ContactRow& row, const RowNodes& at,
                                                    const Rows3<const double>& dv, double dt) {
   if (!(row.friction > 0)) return 0;
@@ -47,7 +47,7 @@ KOKKOS_INLINE_FUNCTION double find_friction_energy(const ContactRow& row, const 
   const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   double energy = 0;
   for (int d = 0; d < 2; ++d)
-    energy += 0.5 * row.spring * (row.slide[d] - (dot(predicted, row.tangent[d]) + row.carried[d])) *
+    energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
               (row.slide[d] + dot(corrected, row.tangent[d]));
   return energy > 0 ? energy : 0;
 }
@@ -97,10 +97,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
 
 /// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
 KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
-  constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which an impulse was not shortened
-  const double* t = row.impulse.tangential;
-  const double limit = sticking * row.friction * row.impulse.normal;
-  if (!(row.spring > 0) && !(t[0] * t[0] + t[1] * t[1] < limit * limit)) return {};
+  if (!(row.spring > 0) && !sticks(row)) return {};
   const Point3 moved = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];

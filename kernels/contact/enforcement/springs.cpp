@@ -13,11 +13,8 @@ KOKKOS_INLINE_FUNCTION double find_excess(const ContactRow& row, double gap) {
   return (reached < least ? reached : least) - gap;
 }
 
-/// The most by which a spring gives less or more than by Hooke's law to settle what it owes, share of that push.
+/// The most by which a spring pushes less or more than by Hooke's law to settle its energy, share of that push.
 constexpr double most_settled = 0.2;
-
-/// The speed below which sides are at rest, share of what a push by Hooke's law gives.
-constexpr double least_speed = 0.1;
 
 /// The energy of a spring between two steps, k d d' / 2 with its depths at their ends.
 KOKKOS_INLINE_FUNCTION double find_pair_energy(const ContactRow& row, double before, double after) {
@@ -28,8 +25,8 @@ KOKKOS_INLINE_FUNCTION double find_pair_energy(const ContactRow& row, double bef
 struct RowVelocities {
   RowVelocity last, predicted;
   KOKKOS_INLINE_FUNCTION RowVelocities(const ContactRow& row, const RowNodes& at)
-      : last(find_velocity(row, TouchedVelocity{at.v_before, row})),
-        predicted(find_velocity(row, TouchedVelocity{at.v, row})) {}
+      : last(find_row_velocity(row, TouchedVelocity{at.v_before, row})),
+        predicted(find_row_velocity(row, TouchedVelocity{at.v, row})) {}
 };
 
 /// Depths of a row at n and n-1, and the rates at which it grows deeper at n-1/2 and, without contact, at n+1/2.
@@ -52,21 +49,27 @@ KOKKOS_INLINE_FUNCTION bool stays_pressed(double depth_before, double depth_afte
   return depth_before >= 0 && depth_after >= 0;
 }
 
-/// The depth of a row at n+1 and twice the mean of its rates, without its own push P; this takes dt D P and D P.
+/// The depth or stretch of a spring at n+1 and twice the mean of its rates, without its own push P; this takes dt D P
+/// and D P.
 struct FreeMotion {
   double depth = 0, speeds = 0;
 };
 
+/// Hooke's push k d(n) dt of a spring, and the most that it may push to settle its energy.
+struct HookesPush {
+  double pull = 0, impulse = 0, most = 0;  // pull: k d(n)
+};
+
 /// The push of a spring that begins: it takes from the sides what the spring then stores,
 ///     P (speeds - D P) / 2 = k d(n) d(n+1) / 2,    d(n+1) = depth - dt D P.
-/// pull: k d(n); most: the largest push.
-KOKKOS_INLINE_FUNCTION double find_first_push(double pull, double stiffness, const FreeMotion& free, double dt,
-                                              double most) {
+/// Hooke's where no push takes so much.
+KOKKOS_INLINE_FUNCTION double find_first_push(const HookesPush& hooke, double stiffness, const FreeMotion& free,
+                                              double dt) {
   if (!(free.depth > 0)) return 0;
-  const double half = 0.5 * (free.speeds + dt * stiffness * pull);
-  const double square = half * half - stiffness * pull * free.depth;
-  const double sum = half + (square > 0 ? std::sqrt(square) : 0);
-  return pull * free.depth < most * sum ? pull * free.depth / sum : most;
+  const double half = 0.5 * (free.speeds + dt * stiffness * hooke.pull);
+  const double square = half * half - stiffness * hooke.pull * free.depth;
+  const double sum = half + (square > 0 ? std::sqrt(square) : 0), most = square > 0 ? hooke.most : hooke.impulse;
+  return hooke.pull * free.depth < most * sum ? hooke.pull * free.depth / sum : most;
 }
 
 /// The push that gives the sides all that the spring holds: P (speeds - D P) / 2 = -held.
@@ -77,23 +80,16 @@ KOKKOS_INLINE_FUNCTION double find_last_push(double held, double stiffness, doub
   return held > 0 ? 4 * held / (root - speeds) : 0;
 }
 
-/// The push of which a spring's is some more or less, so that the spring holds what it should: it waits for that until
-/// the sides move. owed: what it holds beyond k d(n) d(n+1) / 2; s: twice the mean rate with `hooke`, which gives
-/// `given`.
-KOKKOS_INLINE_FUNCTION double find_settled(double owed, double s, double hooke, double given) {
-  const double slow = least_speed * given, most = most_settled * hooke;
-  const double settled = -2 * owed * s / (s * s + slow * slow);
-  return settled < -most ? -most : (settled < most ? settled : most);
-}
-
 /// What a spring pushes besides Hooke's law to take what it owes, and so to hold k d(n) d(n+1) / 2. It waits for that
 /// until the sides move: of bodies at rest the force is Hooke's.
 KOKKOS_INLINE_FUNCTION double find_settlement(const ContactRow& row, const SpringMotion& motion, double hooke,
                                               double speeds) {
+  constexpr double least_speed = 0.1;  // of that which the push gives
   const double owed = row.held - find_pair_energy(row, motion.before, motion.depth);
-  const double given = row.stiffness * hooke, slow = least_speed * given;
+  const double given = row.stiffness * hooke, both = speeds - given, slow = least_speed * given;
   if (motion.rate_before * motion.rate_before < slow * slow) return 0;
-  return find_settled(owed, speeds - given, hooke, given);
+  const double most = most_settled * hooke, settled = -2 * owed * both / (both * both + slow * slow);
+  return settled < -most ? -most : (settled < most ? settled : most);
 }
 
 /// The push of a spring. It takes from the sides what the spring then stores, k d(n) d(n+1) / 2 where both are pressed
@@ -103,23 +99,23 @@ KOKKOS_INLINE_FUNCTION double find_spring_push(const ContactRow& row, const Spri
   if (!(motion.depth > 0)) return 0;
   const double pull = row.spring * motion.depth, hooke = pull * times.dt_mean;
   if (!(row.stiffness > 0)) return hooke;
-  if (!(motion.before > 0)) return find_first_push(pull, row.stiffness, free, times.dt, hooke);
+  if (!(motion.before > 0)) return find_first_push({pull, hooke, hooke}, row.stiffness, free, times.dt);
   const double push = hooke + find_settlement(row, motion, hooke, free.speeds);
   const bool stays = free.depth >= times.dt * row.stiffness * push;
   return stays ? push : find_last_push(row.held, row.stiffness, free.speeds);
 }
 
-/// The slip below which a spring of friction has none, share of h: what it holds is a millionth of what springs hold
-/// that are pressed by 1e-3 h.
-constexpr double negligible_slip = 1e-6;
+/// The stretch below which the energy of a spring of friction does not count, share of h: Hooke's law does for it,
+/// which keeps bodies at rest that are.
+constexpr double negligible_stretch = 1e-6;
 
 KOKKOS_INLINE_FUNCTION double find_length(const double (&v)[2]) { return std::sqrt(v[0] * v[0] + v[1] * v[1]); }
 
 /// The spring of friction along its stretch at n.
 struct SlipMotion {
-  double direction[2] = {0, 0};    // along the tangents
-  double stretch = 0, before = 0;  // at n, and of n-1 after Coulomb's limit
-  double reach = 0, speeds = 0;    // stretch at n+1 and twice the mean of its rates, without contact
+  double direction[2] = {0, 0};      // along the tangents
+  double stretch = 0, before = 0;    // at n, and of n-1 after Coulomb's limit
+  double predicted = 0, speeds = 0;  // stretch at n+1 and twice the mean of its rates, without contact
 };
 
 KOKKOS_INLINE_FUNCTION double find_along(const SlipMotion& slip, const ContactRow& row, const Point3& velocity) {
@@ -133,34 +129,29 @@ KOKKOS_INLINE_FUNCTION const Point3& get_slip(const ContactRow& row, const RowVe
 KOKKOS_INLINE_FUNCTION SlipMotion find_slip_motion(const ContactRow& row, const RowVelocities& v,
                                                    const SpringTimes& times) {
   SlipMotion slip;
-  const Point3& predicted = get_slip(row, v.predicted);
   double stretch[2];
-  for (int d = 0; d < 2; ++d) stretch[d] = row.slide[d] - (times.dt * dot(predicted, row.tangent[d]) + row.carried[d]);
+  for (int d = 0; d < 2; ++d) stretch[d] = row.slide[d] - times.dt * dot(get_slip(row, v.predicted), row.tangent[d]);
   slip.stretch = find_length(stretch);
   if (!(slip.stretch > 0)) return {};
   for (int d = 0; d < 2; ++d) slip.direction[d] = stretch[d] / slip.stretch;
-  // What moves a wall moved it likewise.
-  const double of_wall = (slip.direction[0] * row.carried[0] + slip.direction[1] * row.carried[1]) / times.dt;
-  slip.before = slip.stretch - times.before() * (find_along(slip, row, get_slip(row, v.last)) + of_wall);
-  slip.reach = slip.direction[0] * row.slide[0] + slip.direction[1] * row.slide[1];
-  slip.speeds = find_along(slip, row, v.last.work + v.predicted.work) + 2 * of_wall;
+  slip.before = slip.stretch - times.before() * find_along(slip, row, get_slip(row, v.last));
+  slip.predicted = slip.direction[0] * row.slide[0] + slip.direction[1] * row.slide[1];
+  slip.speeds = find_along(slip, row, v.last.work + v.predicted.work);
   return slip;
 }
 
-/// The push of the spring of friction against its stretch, before Coulomb's limit. It takes from the sides what the
-/// spring then stores, from k s(n-1) s(n) / 2 to k s(n) s(n+1) / 2. A spring that crosses its middle gives back what it
-/// holds and no more, and in the next step takes what it then stores.
+/// The push of the spring of friction against its stretch, before Coulomb's limit. Hooke's law takes from the sides
+/// what the spring then stores, k s(n) s(n+1) / 2, as long as the stretch keeps its sign. Where it changes sign the
+/// spring gives back what it holds and no more, and in the next step, as in its first one, takes what it then stores.
 KOKKOS_INLINE_FUNCTION double find_slip_push(const ContactRow& row, const SlipMotion& slip, const FreeMotion& free,
                                              const SpringTimes& times) {
+  constexpr double begins = 1e-3;  // of the stretch: that of n-1, in the first step, differs from none by round-off
   const double pull = row.spring * slip.stretch, hooke = pull * times.dt_mean, stiffness = row.tangential_stiffness;
-  if (!(stiffness > 0)) return hooke;
+  if (slip.stretch < negligible_stretch * row.size || !(times.before() > 0)) return hooke;
   const double most = (1 + most_settled) * hooke;
-  if (slip.before < negligible_slip * row.size) return find_first_push(pull, stiffness, free, times.dt, most);
-  const double held = find_pair_energy(row, slip.before, slip.stretch), given = stiffness * hooke;
-  const double s = free.speeds - given, after = free.depth - times.dt * given;
-  const double push = hooke + find_settled(held + 0.5 * (hooke * s - pull * after), s, hooke, given);
-  if (free.depth >= times.dt * stiffness * push) return push;
-  const double last = find_last_push(held, stiffness, free.speeds);
+  if (slip.before < begins * slip.stretch) return find_first_push({pull, hooke, most}, stiffness, free, times.dt);
+  if (free.depth >= times.dt * stiffness * hooke) return hooke;
+  const double last = find_last_push(find_pair_energy(row, slip.before, slip.stretch), stiffness, free.speeds);
   return last < most ? last : most;
 }
 
@@ -170,11 +161,9 @@ KOKKOS_INLINE_FUNCTION void set_slip_push(const SlipMotion& slip, double push, R
 
 /// What Coulomb's limit leaves of the stretch at n: as much as pulls with the impulse of the step.
 KOKKOS_INLINE_FUNCTION void shorten_stretch(const RowVelocities& v, const SpringTimes& times, ContactRow& row) {
-  constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which an impulse was not shortened
-  const double impulse = find_length(row.impulse.tangential);
-  if (impulse < sticking * row.friction * row.impulse.normal) return;
+  if (sticks(row)) return;
   const SlipMotion slip = find_slip_motion(row, v, times);
-  const double lost = slip.stretch - impulse / (row.spring * times.dt_mean);
+  const double lost = slip.stretch - find_length(row.impulse.tangential) / (row.spring * times.dt_mean);
   if (!(lost > 0)) return;
   for (int d = 0; d < 2; ++d) row.slide[d] -= lost * slip.direction[d];
 }
@@ -191,7 +180,7 @@ KOKKOS_INLINE_FUNCTION RowImpulse push_row(ContactRow& row, const SpringMotion& 
   RowImpulse impulse;
   const FreeMotion free{find_floor(row) - row.gap, motion.rate_before + motion.rate};
   impulse.normal = find_spring_push(row, motion, free, times);
-  if (slip.stretch > 0) set_slip_push(slip, find_slip_push(row, slip, {slip.reach, slip.speeds}, times), impulse);
+  if (slip.stretch > 0) set_slip_push(slip, find_slip_push(row, slip, {slip.predicted, slip.speeds}, times), impulse);
   limit_friction(row, impulse);
   // What goes in by the end of the step is pushed in the next one: the contact must not be forgotten.
   if (row.gap < find_floor(row)) row.is_caught = true;
@@ -208,12 +197,12 @@ KOKKOS_INLINE_FUNCTION double find_unsettled(const ContactRow& row, const Spring
   return stays_pressed(motion.before, after) ? most : most + depth;
 }
 
-/// How far a spring of friction is stretched that crosses its middle in this step or did in the last one [length].
+/// The stretch of a spring of friction that changes sign in this step or did in the last one [length].
 KOKKOS_INLINE_FUNCTION double find_unsettled_slip(const ContactRow& row, const SlipMotion& slip,
                                                   const SpringTimes& times) {
-  const double least = negligible_slip * row.size;
+  const double least = negligible_stretch * row.size;
   if (!(slip.stretch > least)) return 0;
-  const double after = slip.reach - times.dt * row.tangential_stiffness * find_length(row.impulse.tangential);
+  const double after = slip.predicted - times.dt * row.tangential_stiffness * find_length(row.impulse.tangential);
   return stays_pressed(slip.before + least, after + least) ? 0 : slip.stretch;
 }
 
@@ -231,21 +220,21 @@ KOKKOS_INLINE_FUNCTION double start_row(ContactRow& row, const RowNodes& at, con
   return pressed > rubbed ? pressed : rubbed;
 }
 
-/// The push of the spring of friction with the pushes of all rows. pushed: by which these change the velocities.
+/// The push of the spring of friction with the pushes of all rows. pushed: velocity change by these.
 KOKKOS_INLINE_FUNCTION void settle_slip(const ContactRow& row, const SlipMotion& slip, const RowVelocity& pushed,
                                         const SpringTimes& times, RowImpulse& impulse) {
   const double own = row.tangential_stiffness * find_length(row.impulse.tangential);
-  const FreeMotion free{slip.reach + times.dt * (find_along(slip, row, get_slip(row, pushed)) + own),
+  const FreeMotion free{slip.predicted + times.dt * (find_along(slip, row, get_slip(row, pushed)) + own),
                         slip.speeds + find_along(slip, row, pushed.work) + own};
   set_slip_push(slip, find_slip_push(row, slip, free, times), impulse);
 }
 
-/// By how much the slip of a row changes that is pushed otherwise; what no spring of friction has counts as none.
-KOKKOS_INLINE_FUNCTION double find_rubbed(const ContactRow& row, const RowImpulse& impulse, double dt) {
+/// By how much the slip of a row changes with another impulse [length]; 0 where that does not count.
+KOKKOS_INLINE_FUNCTION double find_slip_change(const ContactRow& row, const RowImpulse& impulse, double dt) {
   const double change[2] = {impulse.tangential[0] - row.impulse.tangential[0],
                             impulse.tangential[1] - row.impulse.tangential[1]};
-  const double rubbed = dt * row.tangential_stiffness * find_length(change);
-  return rubbed > negligible_slip * row.size ? rubbed : 0;
+  const double slip = dt * row.tangential_stiffness * find_length(change);
+  return slip > negligible_stretch * row.size ? slip : 0;
 }
 
 /// Pushes a row anew after others have pushed; returns by how much its own depth or slip changes.
@@ -253,7 +242,7 @@ KOKKOS_INLINE_FUNCTION double settle_row(ContactRow& row, const RowNodes& at, co
                                          const SpringTimes& times) {
   const RowVelocities v(row, at);
   const SpringMotion motion = find_motion(row, v, times);
-  const RowVelocity pushed = find_velocity(row, TouchedVelocity{dv, row});
+  const RowVelocity pushed = find_row_velocity(row, TouchedVelocity{dv, row});
   const double gap = row.gap + times.dt * dot(row.gap_gradient, pushed.work), own = row.stiffness * row.impulse.normal;
   const FreeMotion free{find_floor(row) - gap + times.dt * own,
                         motion.rate_before + motion.rate - dot(row.normal, pushed.work) + own};
@@ -265,7 +254,7 @@ KOKKOS_INLINE_FUNCTION double settle_row(ContactRow& row, const RowNodes& at, co
   if (slip.stretch > 0) settle_slip(row, slip, pushed, times, impulse);
   limit_friction(row, impulse);
   const double moved = times.dt * row.stiffness * std::fabs(impulse.normal - row.impulse.normal);
-  const double rubbed = find_rubbed(row, impulse, times.dt);
+  const double rubbed = find_slip_change(row, impulse, times.dt);
   set_push(row, impulse);
   return moved > rubbed ? moved : rubbed;
 }

@@ -34,9 +34,10 @@ struct SpringTimes {
 template <class Space>
 double push_springs(const Space& space, double scale, const SpringTimes& times, const RowSystem& system);
 
-/// A pass over the rows with RowSystem::correction: springs that begin or end in the step push as energy asks, and rows
-/// that end it beyond their cushion push more, or less, never less than their spring. D counts the rows beside each, so
-/// that none is thrown back. Returns the largest change [length].
+/// A pass over the rows with RowSystem::correction: springs that begin or end in the step, and those of friction whose
+/// slip changes sign, push as energy asks; rows that end it beyond their cushion push more, or less, never less than
+/// their spring. D counts the rows beside each, so that none is thrown back. Returns the largest change [length]; a
+/// change of slip below 1e-6 h counts as none.
 template <class Space>
 double settle_springs(const Space& space, const SpringTimes& times, const RowSystem& system);
 

@@ -61,7 +61,6 @@ struct ContactRow {
   double to_push = 0;               // overlap that is to be pushed out, of which the reference is left
   double depth_tolerance = 0;       // RowInputs::depth_tolerance
   double slide[2] = {0, 0};         // predicted tangential displacement in the step plus what sticking still owes
-  double carried[2] = {0, 0};       // the part of `slide` by which a wall moves
   double stiffness = 0;             // D of the normal: row sum of |G M^-1 G^T| [1/mass]
   double tangential_stiffness = 0;  // D of both tangents
   RowImpulse impulse, previous;     // iterates k and k-1
@@ -102,7 +101,7 @@ struct RowVelocity {
 
 /// velocity(slot): velocity of node `slot`.
 template <class Velocity>
-KOKKOS_INLINE_FUNCTION RowVelocity find_velocity(const ContactRow& row, const Velocity& velocity) {
+KOKKOS_INLINE_FUNCTION RowVelocity find_row_velocity(const ContactRow& row, const Velocity& velocity) {
   Point3 relative{}, spin{};
   for (int slot = 0; slot < row.count; ++slot) {
     const Point3 v = velocity(slot);
@@ -116,7 +115,7 @@ KOKKOS_INLINE_FUNCTION RowVelocity find_velocity(const ContactRow& row, const Ve
 
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
-  return find_velocity(row, velocity).work;
+  return find_row_velocity(row, velocity).work;
 }
 
 template <class Velocity>
@@ -161,6 +160,14 @@ KOKKOS_INLINE_FUNCTION void limit_friction(const ContactRow& row, RowImpulse& p)
   const double factor = limit / length;
   p.tangential[0] *= factor;
   p.tangential[1] *= factor;
+}
+
+/// Whether Coulomb's limit has not shortened the tangential impulse.
+KOKKOS_INLINE_FUNCTION bool sticks(const ContactRow& row) {
+  constexpr double sticking = 1 - 1e-9;  // share of the limit
+  const double* t = row.impulse.tangential;
+  const double limit = sticking * row.friction * row.impulse.normal;
+  return t[0] * t[0] + t[1] * t[1] < limit * limit;
 }
 
 /// Whether the iteration begins with the row, and not only once its nodes move.

@@ -262,10 +262,7 @@ KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactH
   complete_row(inputs, at, true, load_record(history, row.record), row);
   // A plane moves along its normal; what moves along its surface takes nodes along.
   if (wall.shape == WallShape::plane || !(row.friction > 0)) return;
-  for (int d = 0; d < 2; ++d) {
-    row.carried[d] = -inputs.motion.dt * wall.speed * dot(wall.direction, row.tangent[d]);
-    row.slide[d] += row.carried[d];
-  }
+  for (int d = 0; d < 2; ++d) row.slide[d] -= inputs.motion.dt * wall.speed * dot(wall.direction, row.tangent[d]);
 }
 
 }  // namespace percuss

@@ -1,9 +1,11 @@
 #include "src/contact/surface/contact_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/counting_sort.hpp"
@@ -197,9 +199,9 @@ void begin_node(const Mesh& mesh, std::size_t n, int part, SurfaceShare& share) 
   nodes.beams.push_back(-1);
 }
 
-/// particle_classes: out, [nodes] classes of the surfaces of particles and beams.
+/// point_classes: out, [nodes] classes of the surfaces of particles and beams.
 void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, SurfaceShare& share,
-                std::vector<std::vector<int>>& particle_classes) {
+                std::vector<std::vector<int>>& point_classes) {
   OwnedContactNodes& nodes = share.nodes;
   std::vector<int> noticed;
   noticed.reserve(notices.size());
@@ -214,7 +216,7 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
       std::sort(first, last, [&](int a, int b) { return face_of(a).number < face_of(b).number; });
     begin_node(mesh, n, face_of(*first).part, share);
     const NodeItems around(first, last, face_of);
-    particle_classes.emplace_back();
+    point_classes.emplace_back();
     for (auto item = first; item != last; ++item) {
       const NodeNotice& notice = notices[at(*item)];
       const FaceTopology& face = face_of(*item);
@@ -222,7 +224,7 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
       nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
       if (face.number < 0) {
         add_point(notice, face, around, share);
-        particle_classes.back().push_back(face.surface_class);
+        point_classes.back().push_back(face.surface_class);
         continue;
       }
       nodes.springs.back() += notice.spring;
@@ -235,7 +237,7 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, Surfac
 
 /// Surfaces of each owned node: those of all faces around it, of a particle or a beam those of its parts.
 std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const SurfaceClasses& classes,
-                                           const std::vector<std::vector<int>>& particle_classes) {
+                                           const std::vector<std::vector<int>>& point_classes) {
   const OwnedContactNodes& nodes = share.nodes;
   std::vector<SurfaceSet> sets(at(nodes.count()));
   for (std::size_t n = 0; n < sets.size(); ++n) {
@@ -245,7 +247,7 @@ std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const Surf
     };
     for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f)
       add(share.face(nodes.faces[at(f)]).surface_class);
-    for (const int surface_class : particle_classes[n]) add(surface_class);
+    for (const int surface_class : point_classes[n]) add(surface_class);
     std::sort(sets[n].begin(), sets[n].end());
     sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
   }
@@ -284,17 +286,17 @@ void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector
 }  // namespace
 
 std::vector<SurfaceSet> list_contact_nodes(const ChunkedMesh& chunked, const Deck& deck,
-                                           const std::vector<double>& springs, const NodeSurfaces& surfaces,
+                                           const std::vector<double>& springs, const NamedSurfaces& surfaces,
                                            UnstructuredExchange& exchange, SurfaceShare& share) {
   std::vector<CornerNotice> points = list_particles(chunked.mesh, deck, surfaces.of_parts);
   if (share.has_beams) list_beams(chunked, deck, surfaces.of_parts, exchange.ranks(), points, share);
-  std::vector<std::vector<int>> particle_classes;
-  list_nodes(chunked.mesh, notify_nodes(chunked, springs, std::move(points), exchange, share), share, particle_classes);
-  return find_node_surfaces(share, surfaces.classes, particle_classes);
+  std::vector<std::vector<int>> point_classes;
+  list_nodes(chunked.mesh, notify_nodes(chunked, springs, std::move(points), exchange, share), share, point_classes);
+  return find_node_surfaces(share, surfaces.classes, point_classes);
 }
 
-void tie_nodes(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNodes& nodes,
-               std::vector<SurfaceSet>& sets) {
+void adjust_for_ties(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNodes& nodes,
+                     std::vector<SurfaceSet>& sets) {
   tie_beams(deck, ties, nodes, sets);
   release_nodes(deck, ties, nodes.numbers, sets);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "comm/all_reduce.hpp"
@@ -214,7 +215,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
   std::vector<SurfaceSet> node_sets = list_contact_nodes(chunked, deck, find_face_springs(mesh, deck, faces),
                                                          {of_faces, part_classes}, exchange, share);
-  tie_nodes(deck, ties, share.nodes, node_sets);
+  adjust_for_ties(deck, ties, share.nodes, node_sets);
   share.own_sets = of_faces.sets;
   share.own_sets.insert(share.own_sets.end(), node_sets.begin(), node_sets.end());
   sort_unique(share.own_sets);

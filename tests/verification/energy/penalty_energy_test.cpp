@@ -142,6 +142,23 @@ output: {{history: {{every: 0}}}}
   }
 }
 
+// A steel block that friction holds on a slope of 30 degrees. Round-off must not grow.
+TEST(PenaltyEnergy, OfABlockThatRestsOnASlopeStaysNone) {
+  const Outcome run = run_deck(R"(
+time: {end: 0.01}
+parts: {block: {box: {size: [0.04, 0.04, 0.02], cells: [2, 2, 1]}, material: steel}}
+materials: {steel: {model: elastic, density: 8000, youngs_modulus: 2e11, poissons_ratio: 0.3}}
+start: {relaxation: {tolerance: 1e-8}}
+loads: {gravity: [4.905, 0, -8.495709]}
+walls: [{normal: z, friction: 0.7}]
+contact: {enforcement: penalty}
+output: {history: {every: 1e-4, nodes: [{name: n, near: [0.02, 0.02, 0.01]}]}}
+)");
+  EXPECT_GT(run.summary.steps, 5000);
+  EXPECT_LT(run.history.last("kinetic"), 1e-20);
+  EXPECT_LT(std::abs(run.history.last("n_x") - run.history["n_x"].front()), 1e-14);
+}
+
 // Two blocks of 0.5 between fixed ends, of E = 1 and without Poisson's ratio, overlap by 0.02: a is 1 x 1, b 0.8 x 0.8.
 // The work of push-out is less than that of closing 0.02 with both in uniform compression: the springs give way too.
 TEST(PenaltyEnergy, OfOverlapThatIsPushedOutIsThatOfTheOverlap) {

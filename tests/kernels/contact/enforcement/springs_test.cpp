@@ -135,19 +135,22 @@ TEST(Springs, RubWithinCoulombsLimit) {
   }
 }
 
-// Unit masses that stick to a wall, on springs of friction of stiffness 2, the square of frequency times step 1 / 2:
-// what they hold is k s(n) s(n+1) / 2 or, where they have crossed their middle, nothing.
+/// A brick of unit masses that sticks to a wall, on springs of friction of stiffness 2 that are stretched along x.
+Scene rub_on_wall(double stretch, double speed, const SceneStep& step) {
+  BrickScene bricks;
+  bricks.add_brick({0, 0, -0.02}, {1, 1, 1}, {speed, 0, 0});
+  return Scene(bricks, step, 100,
+               {to_array(std::vector<ContactWall>{{{0, 0, 0}, {0, 0, 1}, 100}}), to_array(std::vector<int>{0, 0, 0, 0}),
+                to_array(std::vector<int>{0, 1, 2, 3}), to_array(std::vector<double>{1, 1, 1, 1})},
+               Solver::springs, 1e-3, {stretch, 0, 0});
+}
+
+// The square of frequency times step is 1 / 2. They hold k s(n) s(n+1) / 2 or, where the stretch changes sign, nothing.
 TEST(Springs, OfFrictionGiveBackNoMoreThanTheyHold) {
   constexpr double step = 0.5, stiffness = 2;
   for (const double stretch : {0.02, 0.001}) {
     for (const double speed : {0.05, 0.003, -0.001, -0.03, -0.05, -0.2}) {
-      BrickScene bricks;
-      bricks.add_brick({0, 0, -0.02}, {1, 1, 1}, {speed, 0, 0});
-      const Scene scene(
-          bricks, step, 100,
-          {to_array(std::vector<ContactWall>{{{0, 0, 0}, {0, 0, 1}, 100}}), to_array(std::vector<int>{0, 0, 0, 0}),
-           to_array(std::vector<int>{0, 1, 2, 3}), to_array(std::vector<double>{1, 1, 1, 1})},
-          Solver::springs, 1e-3, {stretch, 0, 0});
+      const Scene scene = rub_on_wall(stretch, speed, step);
       const double last = stretch - step * speed, out = scene.v(0).x, after = stretch + step * out;
       const double held = std::max(0.5 * stiffness * last * stretch, 0.0),
                    holds = std::max(0.5 * stiffness * stretch * after, 0.0);
@@ -156,6 +159,24 @@ TEST(Springs, OfFrictionGiveBackNoMoreThanTheyHold) {
       EXPECT_NEAR(load_row(scene.history.slip, static_cast<int>(scene.history.face.extent(0))).x, after, 1e-15);
     }
   }
+}
+
+// In its first step, after a change of step too, a spring takes what it then stores.
+TEST(Springs, OfFrictionTakeWhatTheyStoreInTheirFirstStep) {
+  for (const double before : {0.4, 0.5, 0.6}) {
+    const double speed = 0.04, stretch = before * speed;
+    const Scene scene = rub_on_wall(stretch, speed, {before, 0.5});
+    const double out = scene.v(0).x;
+    EXPECT_NEAR(0.5 * (speed * speed - out * out), 0.5 * 2 * stretch * (stretch + 0.5 * out), 1e-17) << before;
+  }
+}
+
+// Rest is an equilibrium of Hooke's law: nothing else acts on what is hardly stretched, nor before the first step.
+TEST(Springs, OfFrictionFollowHookesLawAtRest) {
+  constexpr double stretch = 1e-8;
+  for (const double speed : {1e-7, 1e-9, 0.0, -1e-9, -1e-7})
+    EXPECT_NEAR(rub_on_wall(stretch, speed, 0.5).v(0).x, speed - 2 * stretch * 0.5, 1e-22) << speed;
+  EXPECT_NEAR(rub_on_wall(0.02, 0, {0, 0.5}).v(0).x, -2 * 0.02 * 0.25, 1e-16);
 }
 
 TEST(Springs, KeepMomentum) {
