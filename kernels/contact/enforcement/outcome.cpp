@@ -97,7 +97,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
 
 /// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
 KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
-  if (!(row.spring > 0) && !sticks(row)) return {};
+  if (!(row.spring > 0) && !is_sticking(row)) return {};
   const Point3 moved = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];

@@ -21,7 +21,7 @@ KOKKOS_INLINE_FUNCTION double find_pair_energy(const ContactRow& row, double bef
   return before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
 }
 
-/// At n-1/2 and, without contact, at n+1/2.
+/// Relative velocities of a row at n-1/2 and, without contact, at n+1/2.
 struct RowVelocities {
   RowVelocity last, predicted;
   KOKKOS_INLINE_FUNCTION RowVelocities(const ContactRow& row, const RowNodes& at)
@@ -161,7 +161,7 @@ KOKKOS_INLINE_FUNCTION void set_slip_push(const SlipMotion& slip, double push, R
 
 /// What Coulomb's limit leaves of the stretch at n: as much as pulls with the impulse of the step.
 KOKKOS_INLINE_FUNCTION void shorten_stretch(const RowVelocities& v, const SpringTimes& times, ContactRow& row) {
-  if (sticks(row)) return;
+  if (is_sticking(row)) return;
   const SlipMotion slip = find_slip_motion(row, v, times);
   const double lost = slip.stretch - find_length(row.impulse.tangential) / (row.spring * times.dt_mean);
   if (!(lost > 0)) return;

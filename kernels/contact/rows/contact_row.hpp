@@ -163,7 +163,7 @@ KOKKOS_INLINE_FUNCTION void limit_friction(const ContactRow& row, RowImpulse& p)
 }
 
 /// Whether Coulomb's limit has not shortened the tangential impulse.
-KOKKOS_INLINE_FUNCTION bool sticks(const ContactRow& row) {
+KOKKOS_INLINE_FUNCTION bool is_sticking(const ContactRow& row) {
   constexpr double sticking = 1 - 1e-9;  // share of the limit
   const double* t = row.impulse.tangential;
   const double limit = sticking * row.friction * row.impulse.normal;
