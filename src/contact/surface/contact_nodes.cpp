@@ -11,6 +11,7 @@
 #include "kernels/core/counting_sort.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/face_springs.hpp"
+#include "src/contact/surface/number_map.hpp"
 #include "src/contact/surface/touching_beams.hpp"
 #include "src/index.hpp"
 
@@ -149,11 +150,10 @@ std::vector<NodeNotice> notify_nodes(const ChunkedMesh& chunked, const std::vect
     }
   }
   for (const CornerNotice& notice : ItemExchange(exchange.ranks()).send(owners, sent)) {
-    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
+    const int node = find_number(mesh.node_numbers, notice.node);
     const std::size_t face = share.faces.size() + share.foreign_faces.size();
     share.foreign_faces.push_back(notice.face);
-    notices.push_back(
-        {static_cast<int>(place - mesh.node_numbers.begin()), static_cast<int>(face), notice.size, notice.spring});
+    notices.push_back({node, static_cast<int>(face), notice.size, notice.spring});
   }
   return notices;
 }
@@ -259,10 +259,9 @@ void tie_beams(const Deck& deck, const TiedSurfaces& ties, const OwnedContactNod
                std::vector<SurfaceSet>& sets) {
   if (nodes.radii.empty()) return;
   for (const TiedNode& tied : ties.nodes) {
-    const auto place = std::lower_bound(nodes.numbers.begin(), nodes.numbers.end(), tied.node);
-    if (place == nodes.numbers.end() || *place != tied.node) continue;
-    const auto n = at(place - nodes.numbers.begin());
-    if (nodes.radii[n] == 0) continue;
+    const int place = find_number(nodes.numbers, tied.node);
+    if (place < 0 || nodes.radii[at(place)] == 0) continue;
+    const std::size_t n = at(place);
     sets[n].push_back(2 * (static_cast<int>(deck.contact.pairs.size()) + tied.tie));
     std::sort(sets[n].begin(), sets[n].end());
     sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
@@ -276,8 +275,8 @@ void release_nodes(const Deck& deck, const TiedSurfaces& ties, const std::vector
     for (std::size_t t = 0; t < free->size(); ++t) {
       const int side_a = 2 * static_cast<int>(deck.contact.pairs.size() + t);
       for (const std::int64_t number : (*free)[t]) {
-        const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
-        if (place != numbers.end() && *place == number) std::erase(sets[at(place - numbers.begin())], side_a);
+        const int place = find_number(numbers, number);
+        if (place >= 0) std::erase(sets[at(place)], side_a);
       }
     }
   }
