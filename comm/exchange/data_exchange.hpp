@@ -39,8 +39,8 @@ class DataExchange {
 
   /// Starts an exchange. send: [plan.send_count()], receive: [plan.receive_count()] items, not overlapping, on the
   /// host. The send buffer must not change and the receive buffer must not be read before end(); the plan is read by
-  /// this call alone. One exchange at a
-  /// time; every rank of the plan calls it, in the same order of exchanges. Throws MpiError.
+  /// this call alone. One exchange at a time; every rank of the plan calls it, in the same order of exchanges. Throws
+  /// MpiError.
   template <class T>
   void begin(const ExchangePlan& plan, std::span<const T> send, std::span<T> receive) {
     static_assert(std::is_trivially_copyable_v<T>, "items travel as bytes");

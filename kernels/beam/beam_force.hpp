@@ -6,6 +6,7 @@
 // one.
 
 #include "kernels/beam/beam_step.hpp"
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/element/element_motion.hpp"
 
@@ -13,8 +14,8 @@ namespace percuss {
 
 /// Where things lie in a record, in scalars of one lane: those of BeamState, then stress and plastic strain of each
 /// fibre, then what else each fibre remembers.
-struct BeamRecord {
-  static constexpr int mass = 0, gyration_square = 1, e2 = 2, forces = 5, fibres = 11;
+struct BeamRecord : CommonRecord {
+  static constexpr int gyration_square = 1, e2 = 2, forces = 5, fibres = 11;
   static constexpr int find_size(int fibre_count, int more_history) {
     return fibres + (2 + more_history) * fibre_count;
   }

@@ -1,7 +1,7 @@
 #include "kernels/element/failure.hpp"
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/failure_criteria.hpp"
-#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
 #include "kernels/element/life.hpp"
 
@@ -29,11 +29,11 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const ElementChunks& chunks, int c,
                                              const ElementRecord& record) {
   const int points = chunks.points(c);
   ElementLoad load;
-  if (limits.reads_stress()) load.stress = read_tensor(record, HexRecord::stress, points);
-  if (limits.reads_stretch()) load.stretch = read_tensor(record, HexRecord::stretch, 1);
+  if (limits.reads_stress()) load.stress = read_tensor(record, SolidRecord::stress, points);
+  if (limits.reads_stretch()) load.stretch = read_tensor(record, SolidRecord::stretch, 1);
   if (limits.reads_volume()) {
     const int energy = chunks.find_scalar(c, HistoryScalar::internal_energy);  // J follows it (start_state())
-    load.volume = energy < 0 ? find_stretch_determinant(read_tensor(record, HexRecord::stretch, 1))
+    load.volume = energy < 0 ? find_stretch_determinant(read_tensor(record, SolidRecord::stretch, 1))
                              : read_scalar(record, energy + points, points);
   }
   load.plastic_strain = read_scalar(record, chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain), points);

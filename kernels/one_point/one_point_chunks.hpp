@@ -4,6 +4,7 @@
 
 #include <tuple>
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/one_point/one_point.hpp"
 #include "kernels/tet/tet_force.hpp"
@@ -12,9 +13,8 @@ namespace percuss {
 
 /// Where things lie in a record, in scalars of one lane: those of OnePointState.
 template <class Shape>
-struct OnePointRecord {
-  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stress = 17, log_volume = 23, gap = 24, guard = 25,
-                       hourglass = 26, history = hourglass + 3 * Shape::modes;
+struct OnePointRecord : SolidRecord {
+  static constexpr int log_volume = 23, gap = 24, guard = 25, hourglass = 26, history = hourglass + 3 * Shape::modes;
   /// Scalars that a record holds with so many of history.
   static constexpr int find_size(int count) { return history + count; }
 };

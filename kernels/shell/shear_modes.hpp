@@ -50,7 +50,7 @@ PERCUSS_FORCE_INLINE EdgeDirectors<T> find_edge_directors(const ShellGeometry<T>
 /// Products over masses of the shear along xi and eta, their means (x, e) and how they change across (1, 2).
 template <class T>
 struct ShearProducts {
-  T xx, ee, xe, x1, e2, twelve;  // 1 1 is x x, 2 2 is e e, x 2 is half of x 1, e 1 half of e 2
+  T xx, ee, xe, x1, e2;  // 1 1 is x x, 2 2 is e e, x 2 is half of x 1, e 1 half of e 2
 };
 
 template <class T>
@@ -64,10 +64,8 @@ PERCUSS_FORCE_INLINE ShearProducts<T> find_shear_products(const ShellGeometry<T>
   const T shape = share * quarter * product(h, h), height = quarter * over_inertia * g.z * g.z;
   return {quarter * directors.square_xi + share * product(x, x) + shape + height,
           quarter * directors.square_eta + share * product(e, e) + shape + height,
-          quarter * directors.across + share * product(x, e),
-          T(0.5) * directors.with_xi + share * product(x, h),
-          T(0.5) * directors.with_eta + share * product(e, h),
-          quarter * directors.mean_square + shape + height};
+          quarter * directors.across + share * product(x, e), T(0.5) * directors.with_xi + share * product(x, h),
+          T(0.5) * directors.with_eta + share * product(e, h)};
 }
 
 /// Largest eigenvalue of the four modes.

@@ -1,6 +1,7 @@
 #pragma once
 // Where the record of a shell holds what.
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/element_chunks.hpp"
 #include "kernels/shell/shell_state.hpp"
 
@@ -8,9 +9,8 @@ namespace percuss {
 
 /// Where things lie in a record, in scalars of one lane: those of ShellState, then point after point the stress xx, yy,
 /// xy in the element's frame and the history.
-struct ShellRecord {
-  static constexpr int mass = 0, gyration_square = 1, thickness = 2,
-                       layers = sizeof(ShellState<double>) / sizeof(double);
+struct ShellRecord : CommonRecord {
+  static constexpr int gyration_square = 1, thickness = 2, layers = sizeof(ShellState<double>) / sizeof(double);
   static constexpr int stress_count = 3;
 };
 

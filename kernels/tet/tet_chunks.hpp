@@ -7,6 +7,7 @@
 
 #include <tuple>
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/tet/tet4.hpp"
 #include "kernels/tet/tet_nodes.hpp"
@@ -14,9 +15,8 @@
 namespace percuss {
 
 /// Where things lie in a record, in scalars of one lane: those of TetState.
-struct TetRecord {
-  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stress = 17, log_volume = 23, gap = 24, guard = 25,
-                       history = 26;
+struct TetRecord : SolidRecord {
+  static constexpr int log_volume = 23, gap = 24, guard = 25, history = 26;
   /// Scalars that a record holds with so many of history.
   static constexpr int find_size(int count) { return history + count; }
 };

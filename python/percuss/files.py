@@ -15,7 +15,8 @@ MARKED_BYTES = 65536  # at both ends of a file, where its mark stands
 # What runs write. No tool replaces such a file, with --force neither.
 _RESULTS = ("summary.json", "history.csv", "columns.json", "ranks.csv", "run_deck.yaml", "run.lock", "checkpoint.h5",
             "checkpoint_previous.h5")
-_RESULT_ENDINGS = (".vtkhdf", ".exo", ".xdmf", ".xdmf2")
+FRAME_ENDINGS = (".vtkhdf", ".exo")  # of what frame_formats() of src/output writes
+_RESULT_ENDINGS = (*FRAME_ENDINGS, ".xdmf", ".xdmf2")
 
 
 class Refused(NotResults):

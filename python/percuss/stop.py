@@ -4,6 +4,7 @@ import argparse
 import os
 import time
 
+from percuss.files import FRAME_ENDINGS
 from percuss.terminal import fail as end
 
 EPILOG = """\
@@ -66,7 +67,7 @@ def wait(folder, path, seconds, is_active):
 def is_fields_file(name):
     """Whether a run writes frames into a file of this name: fields.vtkhdf, fields_NAME.exo."""
     stem, ending = os.path.splitext(name)
-    return ending in (".vtkhdf", ".exo") and (stem == "fields" or stem.startswith("fields_"))
+    return ending in FRAME_ENDINGS and (stem == "fields" or stem.startswith("fields_"))
 
 
 def describe_frame(folder):

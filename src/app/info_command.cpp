@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -106,7 +107,8 @@ std::string describe_folder(const std::string& folder, hdf5::ExternalFiles exter
     text += describe_checkpoint((path / "checkpoint.h5").string());
   }
   if (text.empty())
-    throw InputError(folder + ": error: no percuss results (no summary.json, fields.vtkhdf or fields.exo)");
+    throw InputError(fmt::format("{}: error: no percuss results (no summary.json or {})", folder,
+                                 fmt::join(name_fields_files(""), ", ")));
   return text;
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Of the product of the edges at a corner: what the checks of a mesh call zero.
 constexpr double zero_jacobian = 1e-10;
 
-bool has_inverted_corner(const Topology& topology, const HexCorners& x) {
+bool has_inverted_corner(const Topology& topology, const ElementCorners& x) {
   for (int corner = 0; corner < topology.corner_count; ++corner) {
     const CornerJacobian jacobian = find_corner_jacobian(topology, x, corner);
     if (jacobian.value < -zero_jacobian * jacobian.edge_product) return true;
@@ -32,7 +32,7 @@ std::vector<std::int64_t> count_inverted_corners(const ChunkedMesh& chunked, con
     const Topology& topology = mesh.topology_of(e);
     if (!topology.is_solid()) continue;
     if (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0) continue;
-    const HexCorners x = gather_corners(mesh.elements, e, [&](int node) {
+    const ElementCorners x = gather_corners(mesh.elements, e, [&](int node) {
       const auto n = static_cast<std::size_t>(node);
       return Vec3{places(n, 0), places(n, 1), places(n, 2)};
     });

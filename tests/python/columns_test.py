@@ -7,17 +7,13 @@ and its unit is the dimension there. No row is of a column that no run has.
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import numpy  # noqa: F401
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, ROOT, require
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+require("numpy")
+
 import percuss  # noqa: E402
 
 DECKS = {

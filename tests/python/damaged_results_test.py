@@ -10,20 +10,17 @@ import math
 import os
 import random
 import shutil
-import sys
 import tempfile
 import unittest
 import warnings
 from unittest import mock
 
-ROOT, PERCUSS = sys.argv[1:3]
-try:
-    import h5py
-    import numpy as np
-    from matplotlib.figure import Figure  # noqa: F401
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(77)
+from given import PERCUSS, require
+
+require("h5py", "numpy", "matplotlib.figure")
+
+import h5py
+import numpy as np
 
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
@@ -34,7 +31,6 @@ from percuss.report import page  # noqa: E402
 from percuss.watch.rows import Rows  # noqa: E402
 from percuss.watch.screen import make_line, make_screen  # noqa: E402
 
-sys.argv = sys.argv[:1] + sys.argv[3:]
 SETTINGS = ["output.history.forces=[{name: hit, contact: [block, all]}, {name: clamp, support: plate/x_min}]",
             "output.history.nodes=[{name: top, part: block, near: [0.01, 0.01, 0.02]}]", "title=Damage"]
 TEXTS = ("summary.json", "columns.json", "history.csv", "ranks.csv", "run.lock")

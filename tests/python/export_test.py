@@ -10,12 +10,12 @@ import sys
 import tempfile
 import unittest
 
-try:
-    import h5py  # noqa: F401
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, require
+
+require("h5py", "numpy")
+
+import numpy as np
+
 try:
     import scipy
 except ImportError:
@@ -26,7 +26,6 @@ try:
 except ImportError:
     vtkXMLUnstructuredGridReader = None
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 import percuss  # noqa: E402
 from percuss.errors import NotResults  # noqa: E402
 from percuss.export.selection import parse_frames  # noqa: E402

@@ -2,18 +2,14 @@
 """Expressions over columns, and the rating of a curve against a test, against closed forms. Needs no run."""
 
 import os
-import sys
 import tempfile
 import unittest
 
-ROOT = sys.argv[1]
-sys.argv = sys.argv[:1] + sys.argv[3:]
-try:
-    import matplotlib  # noqa: F401
-    import numpy as np
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(77)
+from given import require
+
+require("matplotlib", "numpy")
+
+import numpy as np
 
 from percuss import NotResults  # noqa: E402
 from percuss.results.expressions import BadExpression, evaluate, is_expression  # noqa: E402

@@ -1,22 +1,19 @@
-"""Field outputs of regions, by the whole program: field_outputs_test.py ROOT PERCUSS [MPIRUN...]. MPIRUN ends with the option that
+"""Field outputs of regions, by the whole program: field_outputs_test.py ROOT PERCUSS [MPIEXEC...]. MPIEXEC ends with the option that
 takes the number of ranks. Exit code 77 (skipped) without NumPy or h5py."""
 
 import glob
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import h5py
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import MPIEXEC, PERCUSS, require
 
-ROOT, PERCUSS, MPIRUN = sys.argv[1], sys.argv[2], sys.argv[3:]
-del sys.argv[1:]
+require("h5py", "numpy")
+
+import h5py
+import numpy as np
+
 import percuss  # noqa: E402
 
 # Two blocks that share nodes, of which one is torn, and a plate that the other hits.
@@ -62,7 +59,7 @@ class FieldOutputs(unittest.TestCase):
 
     @classmethod
     def call(cls, *words, ranks=1):
-        start = [*MPIRUN, str(ranks)] if ranks > 1 else []
+        start = [*MPIEXEC, str(ranks)] if ranks > 1 else []
         return subprocess.run([*start, PERCUSS, *words], capture_output=True, text=True, timeout=300,
                               env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"))
 
@@ -157,14 +154,14 @@ class FieldOutputs(unittest.TestCase):
                 self.assertEqual(found[dataset], expected[dataset], f"{name}: {dataset}")
 
     def test_files_are_the_same_on_any_number_of_ranks(self):
-        if not MPIRUN:
+        if not MPIEXEC:
             self.skipTest("no mpirun")
         for ranks in (2, 3):
             self.compare(self.out, self.run_percuss(f"ranks{ranks}", ranks=ranks))
 
     def test_a_restart_cuts_what_is_behind_the_checkpoint_and_goes_on(self):
         stopped = self.run_percuss("stopped", "--set", "time.max_steps=130")
-        again = self.run_percuss("stopped", "--restart", os.path.join(stopped, "checkpoint.h5"), ranks=3 if MPIRUN else 1)
+        again = self.run_percuss("stopped", "--restart", os.path.join(stopped, "checkpoint.h5"), ranks=3 if MPIEXEC else 1)
         self.compare(self.out, again)
 
     def test_an_output_may_begin_and_end_with_a_restart(self):

@@ -5,16 +5,13 @@ import io
 import json
 import os
 import stat
-import sys
 import tempfile
 import unittest
 
-ROOT = sys.argv[1]
+import given  # noqa: F401  (takes the words of the command line)
 from percuss import NotResults  # noqa: E402
 from percuss.files import NUMBER, TEXT, WHOLE, MapOf, Optional, Refused, load_json, make_mark, write_file  # noqa: E402
 from percuss.terminal import clean, print_text  # noqa: E402
-
-sys.argv = sys.argv[:1] + sys.argv[3:]
 
 
 class OfAFolder(unittest.TestCase):

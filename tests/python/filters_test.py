@@ -1,16 +1,14 @@
 """Filters of SAE J211 and resampling: filters_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy."""
 
 import math
-import sys
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import require
 
-del sys.argv[1:]
+require("numpy")
+
+import numpy as np
+
 from percuss.results.filters import CLASSES, filter_cfc, find_coefficients, find_cutoff, resample  # noqa: E402
 
 

@@ -5,11 +5,10 @@ ending, such as ELEMENT_, is on the page where a longer name is.
 """
 
 import re
-import sys
 import unittest
 from pathlib import Path
 
-_, ROOT = sys.argv.pop(), Path(sys.argv.pop())
+import given
 from percuss.importing.abaqus import mesh, outputs  # noqa: E402
 from percuss.importing.abaqus import read as abaqus  # noqa: E402
 from percuss.importing.abaqus.options import KNOWN, OF_MATERIALS, OTHERS  # noqa: E402
@@ -20,6 +19,7 @@ from percuss.importing.dyna.materials.choice import LAWS, name_law  # noqa: E402
 from percuss.importing.dyna.materials.names import NUMBERS, OF_77, SPRINGS  # noqa: E402
 from percuss.importing.dyna.materials.states import STATES  # noqa: E402
 
+ROOT = Path(given.ROOT)
 PAGE = (ROOT / "docs/import.md").read_text(encoding="utf-8")
 DYNA, ABAQUS = PAGE.split("\n## From LS-DYNA\n")[1].split("\n## From Abaqus\n")
 SOURCE = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "python/percuss/importing").rglob("*.py"))

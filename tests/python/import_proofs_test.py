@@ -15,9 +15,8 @@ import tempfile
 import unittest
 from dataclasses import replace
 
-ROOT, PERCUSS, *CHOSEN = sys.argv[1:]
-sys.argv[1:] = []
-import proofs  # noqa: E402
+import proofs
+from given import PERCUSS, WORDS
 from import_command import call_command  # noqa: E402
 from percuss.importing.abaqus import read as abaqus  # noqa: E402
 from percuss.importing.abaqus.options import KNOWN  # noqa: E402
@@ -32,7 +31,7 @@ from percuss.importing.ledger import BadInput, Ledger  # noqa: E402
 TRIALS = (1, 2, 7)
 UNITS = {"mass": 1e3, "time": 1e3, "length": 1e-3}  # factors from t, s, mm to kg, ms, m
 TABLE, NOT_PHYSICS = proofs.load()
-PROOFS = [proof for proof in TABLE if not CHOSEN or proof.family in CHOSEN]
+PROOFS = [proof for proof in TABLE if not WORDS or proof.family in WORDS]
 # One element needs one thread, and a run alone no messages between computers.
 os.environ |= {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self", "PERCUSS_PROGRAM": PERCUSS}
 
@@ -305,7 +304,7 @@ class Proofs(unittest.TestCase):
         for number, wrong in found:
             with self.subTest(family=PROOFS[number].family, proves=PROOFS[number].proves):
                 self.assertFalse(wrong, f"{PROOFS[number].why}\n{wrong}")
-        if not CHOSEN:
+        if not WORDS:
             self.assertGreater(sum(wrong == "" for _, wrong in found), 0.9 * len(found))
 
     def test_every_card_and_field_has_a_row(self):
@@ -319,7 +318,7 @@ class Proofs(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if CHOSEN == ["--unproven"]:
+    if WORDS == ["--unproven"]:
         with contextlib.redirect_stderr(io.StringIO()):
             print("\n".join(sorted({*find_unproven_cards(), *find_unproven_fields()})))
         sys.exit()

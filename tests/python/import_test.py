@@ -11,7 +11,7 @@ import unittest
 
 import yaml
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+from given import PERCUSS, ROOT
 import import_decks as decks  # noqa: E402
 from import_command import call_command  # noqa: E402
 from percuss.importing.abaqus.read import read_abaqus_deck  # noqa: E402

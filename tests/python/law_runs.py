@@ -8,18 +8,15 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import MPIEXEC, PERCUSS, ROOT, require, skip
 
-ROOT, PERCUSS, MPIEXEC = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2]), sys.argv[3:]
-del sys.argv[1:]
+require("numpy")
+
+import numpy as np
+
 EXAMPLE = os.path.join(ROOT, "inputs", "user_law")
 UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "{nodes: cube/x_max, velocity: {x: 100}}"]
 
@@ -27,8 +24,7 @@ UNIAXIAL = ["{nodes: cube, fixed: [y, z]}", "{nodes: cube/x_min, fixed: [x]}", "
 def need(*compilers):
     missing = [name for name in compilers if not shutil.which(name)]
     if missing:
-        print(f"skipped: no {' and no '.join(missing)}; scripts/install_dependencies --ci installs them")
-        sys.exit(77)
+        skip(f"no {' and no '.join(missing)}; scripts/install_dependencies --ci installs them")
 
 
 def write_cube(law, end, motion, cells=1, more=""):

@@ -8,17 +8,15 @@ sin(pi f T) / (pi f T), the response of a mean over T.
 import math
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, require
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+require("numpy")
+
+import numpy as np
+
 import percuss  # noqa: E402
 
 STEP = 4e-5

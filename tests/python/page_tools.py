@@ -8,8 +8,7 @@ import sys
 import zlib
 
 from browsers import CHROMIUM
-
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+from given import PERCUSS  # noqa: F401  (for those who import it from here)
 
 HAS_VTK = subprocess.run([sys.executable, "-c", "import vtkmodules.vtkRenderingOpenGL2, PIL"], capture_output=True).returncode == 0
 HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))

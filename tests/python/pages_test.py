@@ -3,12 +3,14 @@
 import os
 import re
 import subprocess
-import sys
 import unittest
 from functools import lru_cache
 from pathlib import Path
 
-PERCUSS, ROOT = sys.argv.pop(), Path(sys.argv.pop())
+import given
+from given import PERCUSS
+
+ROOT = Path(given.ROOT)
 COMMANDS = ("build-law", "check", "export", "import", "info", "plan", "plot", "render", "report", "run", "schema", "stop", "sweep", "view", "watch")
 CALL = re.compile(rf"\bpercuss ({'|'.join(COMMANDS)})\b([^`#|;]*)")
 OPTION = re.compile(r"(?<!\S)(--[a-z][a-z-]*|-[a-z])(?=[\s=]|$)")

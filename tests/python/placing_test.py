@@ -8,18 +8,15 @@ import math
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import MPIEXEC, PERCUSS, require
 
-PERCUSS, MPIEXEC = sys.argv[2], sys.argv[3:]
-del sys.argv[1:]
+require("numpy")
+
+import numpy as np
+
 import percuss  # noqa: E402
 
 STEEL = "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"

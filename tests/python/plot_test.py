@@ -9,15 +9,13 @@ import sys
 import tempfile
 import unittest
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib.image
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, require
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+require("h5py", "matplotlib.image", "numpy")
+
+import matplotlib.image
+import numpy as np
+
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.results.history import History  # noqa: E402

@@ -8,18 +8,14 @@ import json
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy as np
-    import yaml  # noqa: F401
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import require
+
+require("h5py", "matplotlib", "numpy", "yaml")
+
+import numpy as np
 
 from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium  # noqa: E402
 import percuss  # noqa: E402

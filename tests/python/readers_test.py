@@ -4,18 +4,16 @@ import json
 import os
 import re
 import shutil
-import sys
 import tempfile
 import unittest
 
-try:
-    import h5py
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, ROOT, require
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+require("h5py", "numpy")
+
+import h5py
+import numpy as np
+
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.results.deck import Deck  # noqa: E402

@@ -1,4 +1,4 @@
-"""Runs a recipe of docs as it is written, and compares its numbers with formulas: recipes_test.py NAME ROOT PERCUSS.
+"""Runs a recipe of docs as it is written, and compares its numbers with formulas: recipes_test.py ROOT PERCUSS [NAME...].
 
 Indented blocks are commands, run in order in a new folder that has `inputs`. A line that ends in `# exit code N` must end with N. Lines of
 the ```text block below must be in what they print; numbers may differ by 2 %. In a table of `quantity | by formula | run` the
@@ -14,21 +14,17 @@ import sys
 import tempfile
 import unittest
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy as np
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-    import yaml  # noqa: F401
-    from scipy.signal import butter, filtfilt
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
-if not shutil.which("Xvfb") and not os.environ.get("DISPLAY"):
-    print("skipped: no display and no Xvfb; scripts/install_dependencies --report installs one")
-    sys.exit(77)
+from given import PERCUSS, ROOT, WORDS, require, skip
 
-PERCUSS, ROOT, NAME = sys.argv.pop(), sys.argv.pop(), sys.argv.pop()
+require("h5py", "matplotlib", "numpy", "vtkmodules.vtkRenderingOpenGL2", "yaml", "scipy.signal")
+
+import h5py
+import numpy as np
+from scipy.signal import butter, filtfilt
+
+if not shutil.which("Xvfb") and not os.environ.get("DISPLAY"):
+    skip("no display and no Xvfb; scripts/install_dependencies --report installs one")
+
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
@@ -91,6 +87,12 @@ class History:
 class Recipe(unittest.TestCase):
     """Runs the page once, for all tests of a recipe."""
 
+    __test__ = False  # it has no page: pytest runs its subclasses alone
+    name = ""
+
+    def __init_subclass__(cls):
+        cls.__test__ = True
+
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
@@ -108,7 +110,7 @@ class Recipe(unittest.TestCase):
 
     @classmethod
     def read_page(cls):
-        with open(os.path.join(ROOT, f"docs/recipe_{NAME}.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, f"docs/recipe_{cls.name}.md"), encoding="utf-8") as file:
             return file.read()
 
     @classmethod
@@ -151,6 +153,8 @@ class Recipe(unittest.TestCase):
 class Ballistic(Recipe):
     """Recht and Ipson: v_r = M / (M + m) sqrt(v^2 - v_limit^2)."""
 
+    name = "ballistic"
+
     def read_sweep(self):
         with open(self.place("sweep/sweep.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -182,6 +186,8 @@ class Ballistic(Recipe):
 class BoltedJoint(Recipe):
     """The faying surface of n bolts slips at mu n F."""
 
+    name = "bolted_joint"
+
     def test_slip_load(self):
         history, mu, preload = History(self.place("slip")), 0.2, 20e3
         begin = history["time"] < 4e-5
@@ -204,6 +210,8 @@ class BoltedJoint(Recipe):
 
 class Drop(Recipe):
     """The impulse of the floor is the change of momentum; its peak is near that of a half-sine."""
+
+    name = "drop"
 
     def test_impulse(self):
         history = History(self.place("fall"))
@@ -240,6 +248,8 @@ class Drop(Recipe):
 class CrashBox(Recipe):
     """Abramowicz and Jones: the mean force of progressive folding."""
 
+    name = "crash_box"
+
     def test_mean_force_and_energy(self):
         history = History(self.place("box"))
         way, speed = history["wall_displacement:barrier"], history["wall_speed:barrier"]
@@ -263,6 +273,8 @@ class CrashBox(Recipe):
 
 class FirstRun(Recipe):
     """The deck and the commands of the README."""
+
+    name = "first_run"
 
     @classmethod
     def read_page(cls):
@@ -290,11 +302,11 @@ class FirstRun(Recipe):
         self.assertLess(level.max(), 1.4 * level.mean())
 
 
-RECIPES = {"first_run": FirstRun, "crash_box": CrashBox, "drop": Drop, "ballistic": Ballistic, "bolted_joint": BoltedJoint}
+RECIPES = {recipe.name: recipe for recipe in (FirstRun, CrashBox, Drop, Ballistic, BoltedJoint)}
 
 
 def load_tests(loader, _tests, _pattern):
-    return loader.loadTestsFromTestCase(RECIPES[NAME])
+    return unittest.TestSuite(loader.loadTestsFromTestCase(RECIPES[name]) for name in WORDS or RECIPES)
 
 
 if __name__ == "__main__":

@@ -15,13 +15,12 @@ import unittest
 from html.parser import HTMLParser
 from types import SimpleNamespace
 
-try:
-    import h5py
-    import matplotlib  # noqa: F401
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import require
+
+require("h5py", "matplotlib", "numpy")
+
+import h5py
+import numpy as np
 
 from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, read_in_chromium, read_surface  # noqa: E402
 import percuss  # noqa: E402

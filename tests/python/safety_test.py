@@ -11,14 +11,9 @@ import threading
 import time
 import unittest
 
-ROOT, PERCUSS = sys.argv[1:3]
-sys.argv = sys.argv[:1] + sys.argv[3:]
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(77)
+from given import PERCUSS, require
+
+require("h5py", "matplotlib")
 
 SCENE = """\
 title: Two blocks meet

@@ -9,19 +9,17 @@ import tempfile
 import time
 import unittest
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy as np
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import PERCUSS, ROOT, require
+
+require("h5py", "matplotlib", "numpy")
+
+import numpy as np
+
 try:
     import scipy
 except ImportError:
     scipy = None
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 from percuss.sweep.designs import BadDesign, cross, parse_factor, read_designs, sample  # noqa: E402
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank  # noqa: E402
 

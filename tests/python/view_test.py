@@ -11,14 +11,11 @@ import tempfile
 import unittest
 from collections import Counter
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy as np
-    import PIL  # noqa: F401
-except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
-    sys.exit(77)
+from given import require
+
+require("h5py", "matplotlib", "numpy", "PIL")
+
+import numpy as np
 
 from browsers import CHROMIUM, FIREFOX, XVFB, Chromium, Firefox  # noqa: E402
 from page_tools import PERCUSS, read_surface  # noqa: E402

@@ -9,7 +9,7 @@ import time
 import unittest
 from types import SimpleNamespace
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+from given import PERCUSS
 import sample_run  # noqa: E402
 from percuss.results.deck import Deck  # noqa: E402
 from percuss.watch.rows import Rows  # noqa: E402

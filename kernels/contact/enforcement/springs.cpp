@@ -122,19 +122,16 @@ KOKKOS_INLINE_FUNCTION double find_along(const SlipMotion& slip, const ContactRo
   return slip.direction[0] * dot(row.tangent[0], velocity) + slip.direction[1] * dot(row.tangent[1], velocity);
 }
 
-KOKKOS_INLINE_FUNCTION const Point3& get_slip(const ContactRow& row, const RowVelocity& v) {
-  return row.has_thickness ? v.work : v.relative;
-}
-
 KOKKOS_INLINE_FUNCTION SlipMotion find_slip_motion(const ContactRow& row, const RowVelocities& v,
                                                    const SpringTimes& times) {
   SlipMotion slip;
   double stretch[2];
-  for (int d = 0; d < 2; ++d) stretch[d] = row.slide[d] - times.dt * dot(get_slip(row, v.predicted), row.tangent[d]);
+  for (int d = 0; d < 2; ++d)
+    stretch[d] = row.slide[d] - times.dt * dot(find_slip_velocity(row, v.predicted), row.tangent[d]);
   slip.stretch = find_length(stretch);
   if (!(slip.stretch > 0)) return {};
   for (int d = 0; d < 2; ++d) slip.direction[d] = stretch[d] / slip.stretch;
-  slip.before = slip.stretch - times.before() * find_along(slip, row, get_slip(row, v.last));
+  slip.before = slip.stretch - times.before() * find_along(slip, row, find_slip_velocity(row, v.last));
   slip.predicted = slip.direction[0] * row.slide[0] + slip.direction[1] * row.slide[1];
   slip.speeds = find_along(slip, row, v.last.work + v.predicted.work);
   return slip;
@@ -224,7 +221,7 @@ KOKKOS_INLINE_FUNCTION double start_row(ContactRow& row, const RowNodes& at, con
 KOKKOS_INLINE_FUNCTION void settle_slip(const ContactRow& row, const SlipMotion& slip, const RowVelocity& pushed,
                                         const SpringTimes& times, RowImpulse& impulse) {
   const double own = row.tangential_stiffness * find_length(row.impulse.tangential);
-  const FreeMotion free{slip.predicted + times.dt * (find_along(slip, row, get_slip(row, pushed)) + own),
+  const FreeMotion free{slip.predicted + times.dt * (find_along(slip, row, find_slip_velocity(row, pushed)) + own),
                         slip.speeds + find_along(slip, row, pushed.work) + own};
   set_slip_push(slip, find_slip_push(row, slip, free, times), impulse);
 }

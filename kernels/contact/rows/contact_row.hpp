@@ -131,6 +131,9 @@ template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_slip_velocity(const ContactRow& row, const Velocity& velocity) {
   return row.has_thickness ? find_work_velocity(row, velocity) : find_relative_velocity(row, velocity);
 }
+KOKKOS_INLINE_FUNCTION const Point3& find_slip_velocity(const ContactRow& row, const RowVelocity& v) {
+  return row.has_thickness ? v.work : v.relative;
+}
 
 /// Two unit vectors that complete the normal, from the axis that is least along it.
 KOKKOS_INLINE_FUNCTION void set_tangents(ContactRow& row) {

@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/core/precision.hpp"
 
 namespace percuss {
@@ -43,13 +44,11 @@ inline constexpr int hex_points = Kind == HexKind::full ? 8
                                   : is_thick<Kind>      ? 4 * layers_of<Kind>
                                                         : 1;
 
-/// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), in float the rest of R (9), stress (6)
-/// by point, then hourglass forces (12), in float the rests of the stress, the volumes of the points (of 2x2x2 at the
-/// start, of thick shells now), what columns of thick shells lacked (4) if their law yields, then history: scalar i of
-/// point p at history + points i + p, in float followed by its rests.
-struct HexRecord {
-  static constexpr int rest = is_single_precision ? 1 : 0;
-  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17 + 9 * rest;
+/// Where things lie in a record, in scalars of one lane: those of SolidRecord with stress (6) by point, then hourglass
+/// forces (12), in float the rests of the stress, the volumes of the points (of 2x2x2 at the start, of thick shells
+/// now), what columns of thick shells lacked (4) if their law yields, then history: scalar i of point p at history +
+/// points i + p, in float followed by its rests.
+struct HexRecord : SolidRecord {
   template <HexKind Kind>
   static constexpr bool keeps_hourglass = Kind == HexKind::assumed_strain || Kind == HexKind::stiffness;
   template <HexKind Kind>

@@ -54,6 +54,6 @@ def write_vtu(selection, frame):
 
 
 def write_pvd(times, files):
-    rows = "".join(f'<DataSet timestep="{time!r}" file="{escape(file)}"/>\n' for time, file in zip(times, files))
+    rows = "".join(f'<DataSet timestep="{float(time)!r}" file="{escape(file)}"/>\n' for time, file in zip(times, files))
     return (f'<?xml version="1.0"?>\n<!-- {make_mark("export")} -->\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
             f"<Collection>\n{rows}</Collection>\n</VTKFile>\n")

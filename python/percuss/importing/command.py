@@ -83,7 +83,7 @@ def import_model(arguments: argparse.Namespace) -> int:
     if not arguments.quiet:
         report.print_table(ledger)
     print_unused(ledger)
-    return print_refused(arguments, ledger) if refused else print_deck(arguments, deck, summary, verdict)
+    return print_refused(arguments, ledger) if refused else print_deck(deck, summary, verdict)
 
 
 def print_unused(ledger: Ledger) -> None:
@@ -146,7 +146,7 @@ def write_files(arguments: argparse.Namespace, model: Model, folder: str) -> lis
     return [MESH, *tables, DECK]
 
 
-def print_deck(arguments: argparse.Namespace, deck: str, summary: list[str], verdict: proof.Verdict) -> int:
+def print_deck(deck: str, summary: list[str], verdict: proof.Verdict) -> int:
     """What was written, and what the check says."""
     for line in summary:
         print(clean(line))

@@ -36,6 +36,11 @@ def grows_in_increments(law: Deck) -> bool:
     return has(law, "grows_in_increments") and "equation_of_state" not in law
 
 
+def hardens_isotropically(law: Deck) -> bool:
+    """Whether it has constants or a table of isotropic hardening, and no other."""
+    return law["model"] in ("j2_plasticity", "tabulated_plasticity") or (law["model"] == "combined_hardening" and not law["kinematic_share"])
+
+
 def has_axes(law: Deck) -> bool:
     """Whether it has directions of its own."""
     return has(law, "has_axes")

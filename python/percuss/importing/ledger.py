@@ -75,7 +75,7 @@ class Ledger:
     files: set[str] = field(default_factory=set)  # that the model is read from
     lost_parts: bool = False  # elements of the model are not in the deck
     cards: list[tuple[str, Place, int]] = field(default_factory=list)  # all that are read, with their last lines
-    told: dict[str, bytearray] = field(default_factory=dict)  # by file: lines that an entry is about
+    reported_lines: dict[str, bytearray] = field(default_factory=dict)  # by file: lines that an entry is about
 
     def expect(self, card: str, place: Place, last: int) -> None:
         """A card of the deck, which the report must name. last: its last line."""
@@ -83,7 +83,7 @@ class Ledger:
 
     def tells_of(self, first: Place, last: int) -> bool:
         """Whether an entry is about one of these lines."""
-        return 1 in self.told.get(first.file, b"")[first.line : last + 1]
+        return 1 in self.reported_lines.get(first.file, b"")[first.line : last + 1]
 
     def note_silent(self) -> None:
         """Cards of which no entry was made at their own lines."""
@@ -99,7 +99,7 @@ class Ledger:
 
     def note(self, card: str, status: Status, place: Place, text: str) -> None:
         """Adds one card to its row."""
-        lines = self.told.setdefault(place.file, bytearray())
+        lines = self.reported_lines.setdefault(place.file, bytearray())
         lines.extend(bytes(max(place.line + 1 - len(lines), 0)))
         lines[place.line] = 1
         key = (card, status, text)

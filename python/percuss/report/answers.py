@@ -85,7 +85,7 @@ def describe_ties(run):
     if not counts[-1] > 0:
         return []
     first = run.history["time"][int(np.argmax(counts > 0))]
-    return [f"{int(counts[-1]):,} tied nodes have let go, the first by t = {show_time(run, first)}."]
+    return [f"{int(counts[-1]):,} tied nodes have failed, the first by t = {show_time(run, first)}."]
 
 
 def describe_erosion(run):

@@ -13,7 +13,6 @@ from percuss.results.extremes import find_size, find_top
 from .markup import Markup, escape, fold, format_number, make_table
 from .scene import flatten
 
-FIRST = ("status", "time", "steps", "elements", "nodes", "dt", "energy", "momentum", "eroded", "mass")  # groups shown unfolded
 MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "peak_bytes", "ranks", "threads", "messages", "balance", "decomposition",
            "skipped")
 FIRST_DIMENSIONS = ("force", "energy")

@@ -52,7 +52,7 @@ def find_range(runs_fields, name, frames_of):
             found = fields.values(name, frame)
             values.append(found[fields.alive(frame)] if fields.names()[name] == "element" else found)
     low, high, _ = choose_bar(find_ends(values))
-    return f"{low!r}:{high!r}"
+    return f"{float(low)!r}:{float(high)!r}"
 
 
 def draw_pictures(fields, name, frames, options):

@@ -224,10 +224,9 @@ Answer refuse_command(const std::vector<std::string>& words) {
                  "run");
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
-  return wrong(
-      fmt::format("unknown command '{}'{}", word,
-                  name_hint(word, {"run", "check", "plan", "info", "schema", "import", "plot", "report", "watch",
-                                   "stop", "render", "view", "export", "sweep", "build-law", "help", "version"})));
+  std::vector<std::string> commands = {"run", "check", "plan", "info", "schema", "help", "version"};
+  commands.insert(commands.end(), tool_names().begin(), tool_names().end());
+  return wrong(fmt::format("unknown command '{}'{}", word, name_hint(word, commands)));
 }
 
 /// `extras`: the words that were not understood, at least one.

@@ -88,7 +88,7 @@ std::string format_elements(const PartMesh& mesh) {
   double volume = 0, area = 0, length = 0;
   std::int64_t shells = 0, triangles = 0, beams = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const HexCorners corners = gather_corners(mesh.elements, e, mesh.nodes);
+    const ElementCorners corners = gather_corners(mesh.elements, e, mesh.nodes);
     const Topology& topology = mesh.elements.topology_of(e);
     if (topology.is_surface()) {
       area += find_shell_area_size(corners);

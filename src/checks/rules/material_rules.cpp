@@ -388,7 +388,7 @@ std::vector<Warning> check_mass_scaling(const CheckedScene& scene) {
                                    : fmt::format("{:.0f} % to the mass of a part", 100 * scaling->max_added);
     warnings.push_back(warn_at(scene.deck, "mass_scaling", path + ".max_added",
                                fmt::format("mass scaling may add {} (above about 5 % its motion changes): lower "
-                                           "max_added, or step; the run tells at its start how much it adds",
+                                           "max_added, or step; the run reports at its start how much it adds",
                                            amount)));
   };
   check(scene.deck.time.mass_scaling, "time.mass_scaling");

@@ -90,7 +90,7 @@ bool check_tie(const Reader& reader, const Node& node, TieDeck& tie) {
   const auto refuse = [&](const char* key, bool is_used) {
     if (!is_used) return;
     reader.error(node.find(key)->key,
-                 fmt::format("{} is of no use with cohesive{} (glue holds places of nodes, from the "
+                 fmt::format("{} has no effect with cohesive{} (glue holds places of nodes, from the "
                              "start until its law lets go): leave it out",
                              reader.name_of(key), reader.in()));
     good = false;

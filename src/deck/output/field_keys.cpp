@@ -1,7 +1,3 @@
-#include "kernels/material/elastic.hpp"
-#include "kernels/material/laws/orthotropic.hpp"  // first: its names would hide those of keys/values.hpp
-
-#include "src/deck/laws/laminates.hpp"
 #include "src/deck/output/field_keys.hpp"
 
 #include <algorithm>
@@ -9,6 +5,8 @@
 #include <string_view>
 
 #include "kernels/shell/thickness_points.hpp"
+#include "src/deck/laws/laminates.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/output/force_keys.hpp"
 
 namespace percuss {
@@ -127,10 +125,8 @@ int find_points(const Deck& deck, const PartDeck& part) {
     const auto plies = static_cast<int>(part.plies.size());
     return plies * count_points_of_ply(part.plies.size(), asked);
   }
-  if (asked > 0) return asked;
-  const bool is_elastic = material != deck.materials.end() &&
-                          (material->law.model == Elastic::name || material->law.model == Orthotropic::name);
-  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
+  const bool yields = material == deck.materials.end() || find_traits(*material).has_plastic_strain;
+  return count_points_of_ply(1, asked, yields);
 }
 
 /// Most points that a shell of a part can have.

@@ -253,7 +253,7 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
     const Node* const plies = node.find("plies");
     const bool has_plies = plies != nullptr && !(plies->kind == Node::Kind::list && plies->items.empty());
     if (node.find("thickness") != nullptr || has_plies) return false;  // reported already
-    reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
+    reader.error(node.key, fmt::format("{} has no thickness (its shells need one): give thickness", reader.self()));
     return false;
   }
   for (const char* key : {"thickness", "points", "plies", "reference"}) {

@@ -10,6 +10,7 @@
 #include "src/deck/connections/joint_keys.hpp"
 #include "src/deck/connections/turn_spring_keys.hpp"
 #include "src/deck/keys/values.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/deck/loads/node_values.hpp"
 #include "src/deck/loads/sensor_keys.hpp"
 #include "src/deck/loads/start_keys.hpp"
@@ -197,7 +198,7 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
     return !part.own_elements.hourglass && !part.own_elements.integration;
   };
   for (const MaterialDeck& material : deck.materials) {
-    if (material.law.model != "fluid") continue;
+    if (!find_traits(material).needs_equation_of_state) continue;
     if (std::none_of(deck.parts.begin(), deck.parts.end(),
                      [&](const PartDeck& part) { return part.material == material.name && takes_default(part); }))
       continue;

@@ -65,14 +65,14 @@ void for_each_element(const ScenePart& part, const Visit& visit) {
   }
 }
 
-HexCorners gather_places(const ScenePart& part, const PartElement& element) {
-  HexCorners x{};
+ElementCorners gather_places(const ScenePart& part, const PartElement& element) {
+  ElementCorners x{};
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] = find_node_place(part, element.nodes[at(element.topology->kernel_corners[i])]);
   return x;
 }
 
-double find_volume(const PartElement& element, const HexCorners& x) {
+double find_volume(const PartElement& element, const ElementCorners& x) {
   if (element.topology->is_surface()) return element.thickness * find_shell_area_size(x);
   if (element.topology->is_line()) return element.area * find_distance(x[0], x[1]);
   return find_solid_volume(*element.topology, x);
@@ -85,7 +85,7 @@ Vec3 find_mass_center(const Deck& deck, const SceneParts& scene, const std::vect
   for (const std::size_t p : parts) {
     const ScenePart& part = scene.parts[p];
     for_each_element(part, [&](std::int64_t, const PartElement& element) {
-      const HexCorners x = gather_places(part, element);
+      const ElementCorners x = gather_places(part, element);
       const double density = deck.materials[at(part.blocks[0].material)].density;
       const double own = density * find_volume(element, x);
       mass += own;

@@ -145,7 +145,8 @@ void check_own_thickness(const PartDeck& deck, PartMesh& mesh) {
 /// Beams need a section, and only they.
 void check_section(const PartDeck& deck, const PartMesh& mesh) {
   const bool has_beams = std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), is_of_beams);
-  if (has_beams && !deck.section) throw InputError("section is missing (the beams of the file need one)");
+  if (has_beams && !deck.section)
+    throw InputError("section is missing (the beams of the file need one): give the part a section");
   if (!has_beams && deck.section) throw InputError("it has a section (the file has no beams, which alone have one)");
 }
 

@@ -31,7 +31,7 @@ void check_chunk(const ChunkPieces& pieces, std::size_t chunk, const Topology& t
   std::vector<std::int64_t> node_ids;
   for (int e = pieces.first_element[chunk]; e < pieces.first_element[chunk + 1]; ++e) {
     const auto element = static_cast<std::size_t>(e);
-    HexCorners corners;
+    ElementCorners corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto corner = static_cast<std::size_t>(topology.kernel_corners[i]);
       corners[i] = pieces.places[pieces.find_node(chunk, element, corner)];

@@ -27,7 +27,7 @@ void report(Problems& problems, const Compose& compose) {
   }
 }
 
-std::string describe_element(std::int64_t id, const HexCorners& corners) {
+std::string describe_element(std::int64_t id, const ElementCorners& corners) {
   const Vec3 center = find_center(corners);
   return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id, center[0], center[1], center[2]);
 }
@@ -117,7 +117,7 @@ struct ShapeVerdict {
   double value = 0;  // the volume, or the corner's Jacobian over the product of its edges
 };
 
-ShapeVerdict judge_shape(const Topology& topology, const HexCorners& x) {
+ShapeVerdict judge_shape(const Topology& topology, const ElementCorners& x) {
   double edges = 0;
   ShapeVerdict worst{SolidShape::good, 0, 1};
   for (int i = 0; i < topology.corner_count; ++i) {
@@ -152,7 +152,7 @@ std::string describe_verdict(const std::string& element, std::span<const std::in
 }
 
 /// What is wrong with the shape of a shell; empty if nothing.
-std::string judge_shell(const std::string& element, const HexCorners& x, std::span<const std::int64_t> node_ids) {
+std::string judge_shell(const std::string& element, const ElementCorners& x, std::span<const std::int64_t> node_ids) {
   const Vec3 normal = find_shell_area(x);
   const double area = std::sqrt(dot(normal, normal));
   const double edges =
@@ -170,7 +170,7 @@ std::string judge_shell(const std::string& element, const HexCorners& x, std::sp
 }
 
 /// What is wrong with a beam; empty if nothing.
-std::string judge_beam(const std::string& element, const HexCorners& x) {
+std::string judge_beam(const std::string& element, const ElementCorners& x) {
   constexpr double round_off = 1e-13;  // of the distance to the origin
   const double length = find_distance(x[0], x[1]);
   if (length > round_off * std::sqrt(dot(x[0], x[0]))) return "";
@@ -212,7 +212,7 @@ void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
   });
 }
 
-void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
+void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const ElementCorners& corners,
                                      std::span<const std::int64_t> node_ids) {
   if (!topology.is_solid()) {
     const std::string element = describe_element(id, corners);

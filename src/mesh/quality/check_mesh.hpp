@@ -65,7 +65,7 @@ struct GeometryFindings {
   /// out. A corner with a Jacobian of zero is allowed and counted: the mean quadrature stays regular, but the element
   /// is at the brink of inversion. Of a shell: if it has no area or is not convex; of a beam: if it has no length.
   /// corners: as kernels see them; node_ids: those of its own corners.
-  void check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
+  void check_element(const Topology& topology, std::int64_t id, const ElementCorners& corners,
                      std::span<const std::int64_t> node_ids);
 
   /// Adds what was found in later nodes and elements of the part.

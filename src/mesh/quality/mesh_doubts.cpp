@@ -27,7 +27,7 @@ constexpr std::size_t most_named = 5;
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
 /// of a triangle, the length of a beam.
 double find_height(const PartMesh& mesh, std::size_t element) {
-  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   const Topology& topology = mesh.elements.topology_of(element);
   if (topology.is_line()) return find_distance(x[0], x[1]);
   if (topology.is_surface()) {

@@ -166,7 +166,7 @@ Vec3 find_axis_across(const Vec3& line) {
 Vec3 find_start_axis(const Deck& deck, const Mesh& mesh, std::size_t element) {
   constexpr double least_sine = 1e-6;
   const PartDeck& part = find_part(deck, mesh.block_of(element));
-  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   const Vec3 line = subtract(x[1], x[0]), toward = part.toward.value_or(find_axis_across(line));
   const Vec3 across = cross(line, toward);
   if (!(std::sqrt(dot(across, across)) > least_sine * std::sqrt(dot(line, line))))
@@ -190,7 +190,7 @@ void build_start_axes(const Deck& deck, const ChunkedMesh& chunked, Model& model
 }
 
 double find_length(const Mesh& mesh, std::size_t element) {
-  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   return find_distance(x[0], x[1]);
 }
 
@@ -239,7 +239,7 @@ std::vector<std::array<double, 6>> find_beam_tensors(const Deck& deck, const Mes
   visit_beams(deck, mesh, [&](std::size_t e, const BeamParameters& parameters, double length) {
     if (!parameters.bends) return;
     const double excess = element_mass[e] * (parameters.polar_square - find_gyration_square(parameters, length));
-    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
+    const ElementCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     const Vec3 line = subtract(x[1], x[0]);
     const double share = excess / (length * length);
     tensors[e] = {share * line[0] * line[0], share * line[1] * line[1], share * line[2] * line[2],

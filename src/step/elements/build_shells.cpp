@@ -104,7 +104,7 @@ std::string find_fault(const Deck& deck, const MaterialDeck& material, const Ele
 
 /// Places of the corners of a shell.
 void find_shell_corners(const Mesh& mesh, std::size_t element, Vector3<double> (&corners)[4]) {
-  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
 }
 

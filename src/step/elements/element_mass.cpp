@@ -9,7 +9,7 @@ namespace {
 /// By the modes of the element's kernel.
 double find_kernel_volume(const Mesh& mesh, std::size_t element) {
   if (mesh.topology_of(element).family != ElementFamily::hexahedra) return find_element_volume(mesh, element);
-  const HexCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
   double x[8], y[8], z[8];
   for (std::size_t i = 0; i < 8; ++i) {
     x[i] = corners[i][0];

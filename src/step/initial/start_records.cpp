@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/shell_geometry.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 #include "kernels/shell/shell_record.hpp"
@@ -115,7 +115,7 @@ std::string StartRecords::set_history(const StartElement& of, HistoryScalar name
 
 double StartRecords::set_solid_stress(const StartElement& of, const double* stress) {
   for (int p = 0; p < layout(of).points; ++p)
-    for (int k = 0; k < 6; ++k) set(of, HexRecord::stress + 6 * p + k, stress[k]);
+    for (int k = 0; k < 6; ++k) set(of, SolidRecord::stress + 6 * p + k, stress[k]);
   return find_element_volume(mesh_, at(of.element)) * find_energy(of.moduli, stress);
 }
 

@@ -26,7 +26,7 @@ struct FacePlace {
 FacePlace find_place(const Mesh& mesh, const ElementFace& face) {
   const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
   FacePlace place;
-  HexCorners corner{};
+  ElementCorners corner{};
   double count = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     corner[i] = mesh.nodes[at(nodes[i])];

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "comm/exact_reduction.hpp"
+#include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/element/hex8/hex_record.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
 #include "src/step/audit/books.hpp"
@@ -128,7 +128,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
         for (int i = 0; i < count_elements(chunks, c); ++i)
           mass(find_element(chunks, c, i)) += share(c) * missing(find_element(chunks, c, i));
         for (int i = 0; i < count_lanes(chunks, c); ++i)
-          find_record(chunks, elements, c, i)[HexRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
+          find_record(chunks, elements, c, i)[CommonRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
         settled(c) = 0;
       });
 }

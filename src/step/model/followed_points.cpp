@@ -118,7 +118,7 @@ Holder find_held(const Mesh& mesh, std::size_t element, const Vec3& place) {
   constexpr double round_off = 1e-6;  // of the diagonal of the element
   const Topology& topology = mesh.topology_of(element);
   if (topology.is_line()) return {};
-  HexCorners x;
+  ElementCorners x;
   const auto nodes = list_shape_nodes(mesh, element);
   for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = mesh.nodes[static_cast<std::size_t>(nodes[i])];
   Vec3 low = x[0], high = x[0];

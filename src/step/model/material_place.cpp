@@ -30,7 +30,7 @@ struct ShapeFunctions {
   }
 };
 
-Vec3 sum_weighted(const Weights& weights, const HexCorners& x) {
+Vec3 sum_weighted(const Weights& weights, const ElementCorners& x) {
   Vec3 point{};
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) point[k] += weights[i] * x[i][k];
@@ -63,7 +63,7 @@ Vec3 solve_least_squares(const std::array<Vec3, 3>& along, std::size_t direction
 
 }  // namespace
 
-MaterialPlace find_material_place(const HexCorners& x, bool is_shell, const Vec3& place) {
+MaterialPlace find_material_place(const ElementCorners& x, bool is_shell, const Vec3& place) {
   constexpr int steps = 40;  // of Gauss and Newton, within the element: a dozen is enough where it is not degenerate
   const std::size_t directions = is_shell ? 2 : 3;
   Vec3 at{};

@@ -14,6 +14,6 @@ struct MaterialPlace {
 };
 
 /// The point of an element that is nearest to a place. x: its corners; is_shell: the first four are those of a shell.
-MaterialPlace find_material_place(const HexCorners& x, bool is_shell, const Vec3& place);
+MaterialPlace find_material_place(const ElementCorners& x, bool is_shell, const Vec3& place);
 
 }  // namespace percuss

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "comm/all_reduce.hpp"
+#include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/element/element_records.hpp"
@@ -24,7 +25,7 @@ Array<Real> make_element_records(const Model& model) {
         if (is_shell(chunks, c) || is_beam(chunks, c)) return;
         for (int i = 0; i < count_lanes(chunks, c); ++i) {
           const LaneRecord<Real> record = find_record(chunks, elements, c, i);
-          for (int k = 0; k < 3; ++k) record[HexRecord::rotation + 4 * k] = record[HexRecord::stretch + k] = 1;
+          for (int k = 0; k < 3; ++k) record[SolidRecord::rotation + 4 * k] = record[SolidRecord::stretch + k] = 1;
         }
       });
   return elements;
@@ -37,7 +38,7 @@ void set_element_masses(const Model& model, const Array<Real>& elements) {
   Kokkos::parallel_for(
       "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int i = 0; i < count_lanes(chunks, c); ++i)
-          find_record(chunks, elements, c, i)[HexRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
+          find_record(chunks, elements, c, i)[CommonRecord::mass] = static_cast<Real>(mass(find_element(chunks, c, i)));
       });
 }
 

@@ -3,8 +3,8 @@
 // returns the energy that this takes. Internal to preload_stage.cpp.
 
 #include "kernels/beam/beam_force.hpp"
+#include "kernels/core/common_record.hpp"
 #include "kernels/element/element_records.hpp"
-#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/shell/shell_record.hpp"
 #include "kernels/shell/thickness_points.hpp"
 
@@ -23,7 +23,7 @@ struct Shortening {
 /// J = det V of a record.
 KOKKOS_INLINE_FUNCTION double find_volume_ratio(const ElementRecord& record) {
   double c[6];
-  for (int k = 0; k < 6; ++k) c[k] = record.get(HexRecord::stretch + k);
+  for (int k = 0; k < 6; ++k) c[k] = record.get(SolidRecord::stretch + k);
   return c[0] * (c[1] * c[2] - c[4] * c[4]) - c[3] * (c[3] * c[2] - c[4] * c[5]) + c[5] * (c[3] * c[4] - c[1] * c[5]);
 }
 
@@ -32,7 +32,7 @@ KOKKOS_INLINE_FUNCTION double shorten_solid(const LaneRecord<Real>& record, int 
   const double j = find_volume_ratio(record), share = by.is_kirchhoff ? 1 / j : 1;
   double energy = 0;
   for (int p = 0; p < points; ++p) {
-    const LaneRecord<Real> s = record.from(HexRecord::stress + 6 * p);
+    const LaneRecord<Real> s = record.from(SolidRecord::stress + 6 * p);
     double along = 0;  // n . s n
     for (int k = 0; k < 6; ++k) along += (k < 3 ? 1 : 2) * by.dyad[k] * s.get(k);
     energy += by.strain * (along + 0.5 * share * by.strain * by.modulus);

@@ -87,7 +87,7 @@ constexpr HistoryEntry before_pairs[] = {
      is_lagrange, [](const From& s) { return s.contact.complementarity; }},
     {"contact_stored", dim::energy, "energy in contact springs", is_penalty,
      [](const From& s) { return s.contact.stored; }},
-    {"failed_ties", no_dimension, "tied nodes that have let go", ties_can_fail,
+    {"failed_ties", no_dimension, "tied nodes that have failed", ties_can_fail,
      [](const From& s) { return static_cast<double>(s.contact.failed_ties); }},
     {"eroded_elements", no_dimension, "eroded elements", can_fail,
      [](const From& s) { return static_cast<double>(s.audit.eroded.elements); }},

@@ -123,7 +123,7 @@ MassSum sum_pieces(const Communicator& ranks, const std::vector<MassSum>& pieces
 }
 
 MassSum find_element_masses(const Deck& deck, const Mesh& mesh, const Model& model, std::size_t element, double mass) {
-  const HexCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
+  const ElementCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
   const Vector3<double> from = to_vector(corners[0]);
   std::array<Vector3<double>, kernel_corner_count> x;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = to_vector(corners[i]) - from;

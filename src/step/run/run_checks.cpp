@@ -19,7 +19,7 @@
 namespace percuss {
 namespace {
 
-HexCorners find_corners(const CheckedRun& run, int element) {
+ElementCorners find_corners(const CheckedRun& run, int element) {
   const auto x = to_host(run.state.x);
   return gather_corners(run.chunked.mesh.elements, static_cast<std::size_t>(element), [&](int node) {
     const auto n = static_cast<std::size_t>(node);
@@ -64,7 +64,7 @@ std::string describe_controller(const CheckedRun& run) {
 
 std::string describe_failed_element(const CheckedRun& run) {
   return describe_there(run, run.state.bound.failed_element, [&](int element) {
-    const HexCorners corners = find_corners(run, element);
+    const ElementCorners corners = find_corners(run, element);
     const Topology& topology = run.chunked.mesh.topology_of(static_cast<std::size_t>(element));
     const bool shell = topology.is_surface();
     const double volume = topology.is_line() ? find_distance(corners[0], corners[1])

@@ -32,7 +32,7 @@ std::vector<WrongDeck> missing_keys() {
        "part 'rod' has 2 shapes, box and sphere"},
       {"ShellWithoutThickness",
        change("box: {size: [1, 1, 1], cells: [2, 2, 2]}", "shell_plate: {size: [1, 1], cells: [2, 2]}"), "3:3",
-       "part 'rod' has no thickness (its shells need one)"},
+       "part 'rod' has no thickness (its shells need one): give thickness"},
       {"ThicknessOfASolid", change("material: steel}", "material: steel, thickness: 0.1}"), "3:68",
        "thickness has no effect in part 'rod' (only shells have a thickness)"},
       {"ReferenceOfASolid", change("material: steel}", "material: steel, reference: top}"), "3:68",

@@ -11,7 +11,7 @@ namespace {
 
 using testing_mesh::gauss_volume;
 
-HexCorners make_brick_corners(double a, double b, double c) {
+ElementCorners make_brick_corners(double a, double b, double c) {
   return {{{0, 0, 0}, {a, 0, 0}, {a, b, 0}, {0, b, 0}, {0, 0, c}, {a, 0, c}, {a, b, c}, {0, b, c}}};
 }
 
@@ -24,7 +24,7 @@ TEST(HexGeometry, VolumeOfWarpedHexahedraIsThatOfGaussQuadrature) {
   std::mt19937 random(7);  // NOLINT: a fixed seed is wanted
   std::uniform_real_distribution<double> shift(-0.4, 0.4);
   for (int i = 0; i < 200; ++i) {
-    HexCorners x = make_brick_corners(1, 2, 1.5);
+    ElementCorners x = make_brick_corners(1, 2, 1.5);
     for (Vec3& corner : x) {
       for (double& c : corner) c += shift(random);
     }
@@ -34,7 +34,7 @@ TEST(HexGeometry, VolumeOfWarpedHexahedraIsThatOfGaussQuadrature) {
 }
 
 TEST(HexGeometry, VolumeDoesNotDependOnTheDistanceToTheOrigin) {
-  HexCorners x = make_brick_corners(1, 1, 1);
+  ElementCorners x = make_brick_corners(1, 1, 1);
   for (Vec3& corner : x) corner[0] += 1048576;  // 2^20: the shift itself is exact
   EXPECT_EQ(find_solid_volume(hex8_topology, x), 1);
 }
@@ -48,7 +48,7 @@ TEST(HexGeometry, CornerJacobiansOfABrickAreItsVolume) {
 }
 
 TEST(HexGeometry, ACornerPushedThroughItsOppositeTurnsItsJacobianNegative) {
-  HexCorners x = make_brick_corners(1, 1, 1);
+  ElementCorners x = make_brick_corners(1, 1, 1);
   x[6] = {0.2, 0.2, 0.2};
   EXPECT_LT(find_corner_jacobian(hex8_topology, x, 6).value, 0);
   EXPECT_GT(find_corner_jacobian(hex8_topology, x, 0).value, 0);

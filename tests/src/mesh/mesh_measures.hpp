@@ -55,12 +55,12 @@ inline PartMesh make_part_mesh(const Shape& shape) {
 }
 
 template <class AnyMesh>
-HexCorners corners_of(const AnyMesh& mesh, std::size_t element) {
+ElementCorners corners_of(const AnyMesh& mesh, std::size_t element) {
   return gather_corners(mesh.elements, element, mesh.nodes);
 }
 
 /// Volume by 2 x 2 x 2 Gauss points: exact for the trilinear map, and nothing that the code under test uses.
-inline double gauss_volume(const HexCorners& x) {
+inline double gauss_volume(const ElementCorners& x) {
   constexpr double sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                  {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
   const double g = 1 / std::sqrt(3.0);

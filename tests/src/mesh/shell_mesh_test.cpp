@@ -69,7 +69,7 @@ TEST_P(ShellSurface, HasSoundElementsWhoseNormalsPointOutward) {
   EXPECT_TRUE(problems.empty());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     ASSERT_EQ(mesh.elements.topology_of(e).name, "quad4");
-    const HexCorners x = corners_of(mesh, e);
+    const ElementCorners x = corners_of(mesh, e);
     const Vec3 from = subtract(add(x[0], x[2]), add(GetParam().center, GetParam().center));
     const Vec3 area = find_shell_area(x);
     // Away from the axis of a tube, not from its centre, but where a plate closes it.

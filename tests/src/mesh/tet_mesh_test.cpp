@@ -60,7 +60,7 @@ TEST_P(TetShape, HasPositiveElementsThatFillIt) {
   const Mesh mesh = build_mesh(make_deck({make_tet_deck(GetParam().shape)}));
   double enclosed = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
+    const ElementCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     const CornerJacobian jacobian = find_corner_jacobian(tet4_topology, x, 0);
     EXPECT_GT(jacobian.value, 0.03 * jacobian.edge_product);
     for (int f = 0; f < 4; ++f) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "kernels/element/hex8/hex_record.hpp"
+#include "kernels/core/common_record.hpp"
 #include "src/error.hpp"
 #include "src/output/vtkhdf/describe_fields.hpp"
 #include "src/step/run/run.hpp"
@@ -110,7 +110,7 @@ TEST(Failure, WorkThatIsNotFiniteIsFoundInItsStepWithTheElement) {
   scene.stepper.start(scene.state);
   const CheckedRun run{scene.deck, scene.chunked, scene.model, scene.state, scene.stepper};
   EXPECT_NO_THROW(check_elements(run));
-  scene.state.elements(scene.model.chunks.first_state(0) + HexRecord::stress * pack_size<double>) = std::nan("");
+  scene.state.elements(scene.model.chunks.first_state(0) + SolidRecord::stress * pack_size<double>) = std::nan("");
   scene.state.x(0, 0) -= 0.01;  // makes the stress work
   scene.stepper.advance(scene.state);
   EXPECT_GE(scene.state.bound.broken_chunk, 0);

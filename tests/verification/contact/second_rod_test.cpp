@@ -15,7 +15,7 @@ namespace {
 Deck read_scene(const std::vector<std::string>& settings) { return read_deck(PERCUSS_SECOND_ROD, settings); }
 
 /// Depth of a point below the mean planes of the faces of an element; negative outside [length].
-double find_depth(const HexCorners& x, const Vec3& point) {
+double find_depth(const ElementCorners& x, const Vec3& point) {
   double depth = 1e300;
   for (const FaceCorners& face : hex8_topology.faces()) {
     const auto corner = [&](std::size_t i) { return x[static_cast<std::size_t>(face.four[i])]; };
@@ -35,7 +35,7 @@ double find_deepest(const ErodingScene& eroding) {
   double deepest = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0) continue;
-    HexCorners x{};
+    ElementCorners x{};
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     for (std::size_t c = 0; c < 8; ++c) {
       x[c] = at(static_cast<std::size_t>(mesh.corners(e)[c]));

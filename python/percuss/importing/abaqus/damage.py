@@ -19,7 +19,7 @@ LEAST_EXPONENT, MOST_EXPONENT = 1e-3, 100.0  # of failure.evolution.exponent
 ALIKE = 1e-3  # factors of a rate that count as one
 
 
-def take_failure(deck: AbaqusDeck, name: str, law: Deck, blocks: list[Block]) -> set[str]:
+def take_failure(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     """Keys of failure of a material; returns the keywords that are done with."""
     found = {keyword: [block for block in blocks if block.keyword == keyword] for keyword in KEYWORDS}
     failure: Deck = {}

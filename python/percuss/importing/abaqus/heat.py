@@ -3,16 +3,15 @@
 import math
 from itertools import combinations
 
+from ..laws import has
 from ..ledger import Place
 from ..model import Block as ModelBlock
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
-from .user_code import LAWS
 
 CONDUCTING = "DYNAMIC TEMPERATURE-DISPLACEMENT"
 KEYWORDS = ("INELASTIC HEAT FRACTION", "SPECIFIC HEAT", "CONDUCTIVITY", "EXPANSION")
-WARM = ("johnson_cook", *LAWS)
 MOST_DIFFUSION = 0.0625  # diffusivity times the time of the run, over the square of an edge: a quarter of it, which no mesh resolves
 NO_STEP = "no temperature changes: the step is not ADIABATIC"
 
@@ -28,7 +27,7 @@ def take_heat(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> set[str]:
     """Keys of heating of a material; returns the keywords that are done with."""
     found = {block.keyword: block for block in blocks if block.keyword in KEYWORDS}
     share, capacity = found.get("INELASTIC HEAT FRACTION"), found.get("SPECIFIC HEAT")
-    is_warm = law["model"] in WARM
+    is_warm = has(law, "has_temperature")
     gets_warm = is_warm and share is not None and capacity is not None
     for keyword, block in found.items():
         if not deck.heats:
@@ -100,7 +99,7 @@ def find_diffusion(deck: AbaqusDeck, material: str, names: set[str]) -> list[flo
     if conductivity <= 0 or has_one_element:
         return []
     laws = deck.model.materials
-    of_material = [part for part in deck.model.blocks if part.keys["material"] in names and laws[part.keys["material"]]["model"] in WARM]
+    of_material = [part for part in deck.model.blocks if part.keys["material"] in names and has(laws[part.keys["material"]], "has_temperature")]
     if capacity <= 0:
         return [math.inf for _ in of_material]
     return [conductivity / capacity * deck.end_time / find_shortest_edge(deck, part) ** 2 for part in of_material]
@@ -133,7 +132,7 @@ def apply_temperatures(deck: AbaqusDeck) -> None:
     if place is None:
         return
     materials = deck.model.materials
-    warm = [block for block in deck.model.blocks if materials[block.keys["material"]]["model"] in WARM]
+    warm = [block for block in deck.model.blocks if has(materials[block.keys["material"]], "has_temperature")]
     nodes = {node for block in warm for _, corners in block.elements() for node in corners}
     values = {deck.temperatures.get(node, 0.0) for node in nodes}  # 0 in Abaqus where none is given
     if not warm:

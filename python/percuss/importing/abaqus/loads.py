@@ -121,7 +121,7 @@ def write_led_load(deck: AbaqusDeck, following: Following, dof: int, place: Plac
             return
         name = deck.model.add_node_set("led", following.nodes[:1])
         list_loads(deck, "nodal").append({"nodes": name, "force": {AXES[dof - 1]: value}})
-        deck.ledger.translated("CLOAD", place, "loads.nodal of one of the nodes that move equally")
+        deck.ledger.translated("CLOAD", place, "loads.nodal of one of the nodes that have the same motion")
 
     return write
 
@@ -169,7 +169,7 @@ def covers_all(deck: AbaqusDeck, name: str, place: Place) -> bool:
 
 
 def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: list[float], what: str) -> None:
-    def write_one(direction: int, name: str) -> Callable:
+    def write_one(direction: int) -> Callable:
         def write(value: "float | Deck") -> None:
             gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
             if isinstance(gravity[direction], dict) or isinstance(value, dict) and gravity[direction] != 0:
@@ -184,7 +184,7 @@ def add_gravity(deck: AbaqusDeck, block: Block, line: Line, size: float, axis: l
             refuse_in_ring(deck, f"{block.keyword}.axis", block.at(line[0]), "an acceleration across the axis")
         if axis[direction]:
             key = (block.text(line, 1).upper(), block.text(line, 0).upper(), direction)
-            act(deck, block, line, key, size * axis[direction], write_one(direction, block.text(line, 0)))
+            act(deck, block, line, key, size * axis[direction], write_one(direction))
 
 
 def read_gravity(deck: AbaqusDeck, block: Block, line: Line) -> None:

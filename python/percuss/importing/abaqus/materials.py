@@ -2,6 +2,7 @@
 
 from ..curves import order_points, thin_rows
 from ..fields import clip
+from ..laws import hardens_isotropically
 from ..ledger import BadInput, Place, missing
 from ..model import Deck
 from ..rates import add_rates, order_curves, scale_curve
@@ -49,7 +50,7 @@ def translate_material(deck: AbaqusDeck, name: str, place: Place) -> Deck | None
     if law["density"] <= 0:
         raise BadInput(density.place, "the density is not positive: correct *DENSITY")
     done = add_voids(deck, law, material)
-    done |= take_heat(deck, law, material.parts) | take_failure(deck, name, law, material.parts) | READ
+    done |= take_heat(deck, law, material.parts) | take_failure(deck, law, material.parts) | READ
     refuse_several(material)
     for block in material.parts:
         if block.keyword in OF_OUTPUT and not (block.keyword == "DEPVAR" and is_user_code(material)):
@@ -143,8 +144,7 @@ def add_potential(deck: AbaqusDeck, law: Deck, block: Block | None, state: Block
         deck.ledger.ignored("POTENTIAL", block.place, "all ratios are 1: the yield of von Mises")
         return
     rows = law.get("hardening") or [[0.0, law.get("yield_stress", 0.0)]]
-    is_isotropic = law["model"] in ("j2_plasticity", "tabulated_plasticity") or (law["model"] == "combined_hardening" and not law["kinematic_share"])
-    if not is_isotropic or law.get("hardening_modulus") or state:
+    if not hardens_isotropically(law) or law.get("hardening_modulus") or state:
         deck.ledger.refuse("POTENTIAL", block.place, "ratios of yield stress with another law than a table of isotropic hardening, or with *EOS", "it yields alike in all directions")
         return
     for key in ("yield_stress", "kinematic_share", "hardening_modulus"):

@@ -170,7 +170,7 @@ class Reader:
         self.deck.ledger.translated("SURFACE", block.place, "a side set, where something uses it")
 
     def section(self, block: Block) -> None:
-        read_section(self.scope, block, self.deck.ledger)
+        read_section(self.scope, block)
 
     def added_inertia(self, block: Block) -> None:
         """*BEAM ADDED INERTIA of the section before it."""

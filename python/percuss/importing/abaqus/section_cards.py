@@ -30,7 +30,7 @@ def read_layers(section: Section, block: Block) -> None:
     section.material = section.layers[0].material if len(names) == 1 else ""
 
 
-def read_section(scope: Scope, block: Block, ledger: Ledger) -> None:
+def read_section(scope: Scope, block: Block) -> None:
     """*SOLID SECTION, *SHELL SECTION, *BEAM SECTION, *BEAM GENERAL SECTION and *COHESIVE SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     section.controls, section.orientation = block.option("CONTROLS"), block.option("ORIENTATION")

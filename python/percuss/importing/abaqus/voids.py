@@ -1,5 +1,6 @@
 """*POROUS METAL PLASTICITY: Gurson's law."""
 
+from ..laws import hardens_isotropically
 from ..ledger import BadInput
 from ..model import Deck
 from .deck import AbaqusDeck, MaterialBlocks
@@ -24,8 +25,7 @@ def add_voids(deck: AbaqusDeck, law: Deck, material: MaterialBlocks) -> set[str]
     porous = blocks.get("POROUS METAL PLASTICITY")
     if porous is None:
         return set()
-    is_isotropic = law["model"] in ("j2_plasticity", "tabulated_plasticity") or (law["model"] == "combined_hardening" and not law["kinematic_share"])
-    if not is_isotropic or "equation_of_state" in law:
+    if not hardens_isotropically(law) or "equation_of_state" in law:
         deck.ledger.refuse("POROUS METAL PLASTICITY", porous.place, "voids in a metal without a table of isotropic hardening, or with *EOS", "it has no voids")
         return KEYWORDS
     density = porous.number((porous.place.line, [porous.options.get("RELATIVE DENSITY", "")]), 0)

@@ -51,7 +51,7 @@ def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
     form = row.integer("ELFORM") or 1
     kind = row.integer("CST")
     if row.number("QR") < 0 and form == 1:
-        return make_ruled(deck, card, row)
+        return make_ruled(deck, row)
     if row.number("QR") < 0 and not deck.ledger.refuse("SECTION_BEAM.QR", row.place, f"a rule of integration with formulation {form}", "the section of the card is used"):
         return None
     row.skip("SECID", "SHRF", "QR", "NSM")
@@ -90,7 +90,7 @@ def read_rules(deck: KeywordDeck, card: Card) -> None:
             reader.take()
 
 
-def make_ruled(deck: KeywordDeck, card: Card, section: Row) -> Deck | None:
+def make_ruled(deck: KeywordDeck, section: Row) -> Deck | None:
     """The section of a rule: one of the standard shapes whose middle is their centroid."""
     id = -section.integer("QR")
     if id not in deck.rules:

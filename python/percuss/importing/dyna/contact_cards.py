@@ -101,14 +101,14 @@ def read_contact(deck: KeywordDeck, card: Card) -> None:
     reader = replace(card, keyword=kinds.get(FAMILIES[family], "CONTACT")).reader()  # what its fields are called
     if not reader.skip_blank():
         return
-    contact = read_cards(deck, card, reader, family, options)
+    contact = read_cards(card, reader, family, options)
     lost = [(option, *OPTIONS[option][1:]) for option in options if OPTIONS[option][1]]
     if all([deck.ledger.refuse(f"{card.keyword}", contact.place, problem, instead) for _, problem, instead in lost]):
         translate_contact(deck, contact, family, options)
-    read_optional(deck, card, reader)
+    read_optional(deck, reader)
 
 
-def read_cards(deck: KeywordDeck, card: Card, reader: Lines, family: str, options: list[str]) -> Contact:
+def read_cards(card: Card, reader: Lines, family: str, options: list[str]) -> Contact:
     title = ""
     if card.has_id or card.has_title:
         head = reader.row("CID HEADING", (10, 70))
@@ -139,7 +139,7 @@ def breaks_by_stress(family: str, options: list[str]) -> bool:
     return is_of_surfaces and (family.startswith("TIEBREAK") or "TIEBREAK" in options)
 
 
-def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
+def read_optional(deck: KeywordDeck, reader: Lines) -> None:
     """Cards A to G: the penalty method and its exceptions."""
     for layout in OPTIONAL:
         if not reader:

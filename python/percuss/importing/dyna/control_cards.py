@@ -67,7 +67,7 @@ def apply_timestep(deck: KeywordDeck, card: Card) -> None:
     step = row.number("DT2MS")
     if step:
         more.skip("DT2MSF")  # of no effect beside DT2MS
-        scale_masses(deck, card, abs(step), bool(row.integer("MS1ST")), row)
+        scale_masses(deck, abs(step), bool(row.integer("MS1ST")), row)
     if more.integer("IMSCL"):
         deck.ledger.refuse("CONTROL_TIMESTEP.IMSCL", card.place, "IMSCL: selective mass scaling", "mass counts in all motions")
     share_gravity(deck, more, bool(step))
@@ -153,7 +153,7 @@ def limit_step(deck: KeywordDeck, row: Row) -> None:
         deck.ledger.approximated("CONTROL_TIMESTEP.LCTM", row.place, "time.max_step: the least value of the curve")
 
 
-def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Row) -> None:
+def scale_masses(deck: KeywordDeck, step: float, once: bool, row: Row) -> None:
     """Mass scaling of the parts that limit the step."""
     most = min(deck.most_added_mass, NO_LIMIT) if deck.most_added_mass > 0 else NO_LIMIT
     held = deck.held_as_bodies()

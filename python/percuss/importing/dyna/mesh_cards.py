@@ -105,7 +105,7 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
         if card.keyword == "ELEMENT_SOLID_ORTHO":
             deck.solid_axes[id] = read_direction(card, reader, "A"), read_direction(card, reader, "D")
         deck.element_lines["solids"].note(card.at(line[0]), id)
-        add_solid(deck, card, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
+        add_solid(deck, card.at(line[0]), part, id, turn_over(corners) if card.change.mirrors() else corners)
     deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
 
 
@@ -145,7 +145,7 @@ def turn_over(corners: list[int]) -> list[int]:
     return [corners[i] for i in (0, 2, 1, *range(3, len(corners)))]
 
 
-def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, corners: list[int]) -> None:
+def add_solid(deck: KeywordDeck, place: Place, part: int, id: int, corners: list[int]) -> None:
     """A hexahedron, or what is left of one with collapsed edges; or a refusal by what it is."""
     different = len(set(corners))
     found = elements_of(deck, part, place)

@@ -33,11 +33,11 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
         row.finish(deck.ledger)
         part.is_adaptive = row.number("ADPOPT") != 0
         deck.parts[id] = part
-        read_part_options(deck, card, reader, part, options)
+        read_part_options(deck, reader, part, options)
         deck.ledger.translated(card.keyword, row.place, "a part for each thickness, its blocks share nodes with others")
 
 
-def read_part_options(deck: KeywordDeck, card: Card, reader: Lines, part: PartCard, options: list[str]) -> None:
+def read_part_options(deck: KeywordDeck, reader: Lines, part: PartCard, options: list[str]) -> None:
     """Further lines of a part."""
     for option in options:
         if option == "CONTACT":

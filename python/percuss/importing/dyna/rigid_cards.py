@@ -34,7 +34,7 @@ def read_inertia_lines(deck: KeywordDeck, reader: Lines, card: str) -> Inertia:
     xx, xy, xz, yy, yz, zz = inertia.numbers("IXX", "IXY", "IXZ", "IYY", "IYZ", "IZZ")
     tensor: tuple[Vector, ...] = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     if mass.integer("IRCS"):
-        tensor = turn_tensor(tensor, read_axes(deck, reader.row("XL YL ZL XLIP YLIP ZLIP CID"), card))
+        tensor = turn_tensor(tensor, read_axes(deck, reader.row("XL YL ZL XLIP YLIP ZLIP CID")))
     center = mass.numbers("XC", "YC", "ZC")
     if node := mass.integer("NODEID"):
         deck.center_rows.append((node, mass, center))
@@ -51,7 +51,7 @@ def find_centers(deck: KeywordDeck) -> None:
         center[:] = deck.nodes[node]
 
 
-def read_axes(deck: KeywordDeck, row: Row, card: str) -> tuple[Vector, Vector, Vector]:
+def read_axes(deck: KeywordDeck, row: Row) -> tuple[Vector, Vector, Vector]:
     """Axes of the local tensor: by two vectors from the origin, or a coordinate system."""
     if id := row.integer("CID"):
         if id not in deck.systems:

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "kernels/core/common_record.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
 #include "kernels/element/failure_criteria.hpp"
-#include "kernels/element/hex8/hex_record.hpp"
 #include "kernels/element/hex8/point_mean.hpp"
 #include "src/step/results/fields/beam_fields.hpp"
 #include "src/step/results/fields/shell_fields.hpp"
@@ -73,8 +73,8 @@ struct ReadStress {
       read_beam_stress(beams, chunks, c, e, record, row);
       return;
     }
-    const ElementRecord s = record.from(HexRecord::stress);
-    const ElementRecord r = record.from(HexRecord::rotation);
+    const ElementRecord s = record.from(SolidRecord::stress);
+    const ElementRecord r = record.from(SolidRecord::rotation);
     const int points = chunks.points(c);
     const bool is_one = is_of_solids && point >= 0 && point < points;
     double mean[6];

@@ -80,7 +80,7 @@ TEST_P(CutShape, HasFacesThatMatchAndSidesOutside) {
 TEST_P(CutShape, HasPositiveElementsThatFillTheCells) {
   const Mesh mesh = build_mesh(make_deck({deck()}));
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
+    const ElementCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     const Topology& topology = mesh.topology_of(e);
     for (int c = 0; c < topology.corner_count; ++c) {
       const CornerJacobian jacobian = find_corner_jacobian(topology, x, c);

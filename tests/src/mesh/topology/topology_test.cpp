@@ -140,7 +140,7 @@ TEST_P(EveryTopology, IsToldFromAllOthersByItsNames) {
 
 TEST_P(EveryTopology, OfASolidHasAVolumeWhichIsPositiveAtEachCorner) {
   if (!topology().is_solid()) return;
-  HexCorners x;
+  ElementCorners x;
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = place_corner(topology(), topology().kernel_corners[i]);
   EXPECT_GT(find_solid_volume(topology(), x), 0);
   for (int corner = 0; corner < topology().corner_count; ++corner) {
@@ -170,7 +170,7 @@ TEST_P(EveryTopology, HasEachOfItsCornersOnceInTheOrderOfVtk) {
 // A pyramid: 3/16 of its mass at each corner of the base, 1/4 at the apex. Its centre is the mean of what kernels see.
 TEST(Pyramid5Topology, HasItsCentreAndItsMassWhereTheyAre) {
   double base = 0, apex = 0;
-  HexCorners x;
+  ElementCorners x;
   for (std::size_t i = 0; i < kernel_corner_count; ++i) {
     const int corner = pyramid5_topology.kernel_corners[i];
     (corner == 4 ? apex : base) += pyramid5_topology.find_mass_share(i);

@@ -17,7 +17,7 @@ namespace percuss::test {
 namespace {
 
 /// The place that weights give.
-Vec3 sum_corners(const MaterialPlace& place, const HexCorners& x) {
+Vec3 sum_corners(const MaterialPlace& place, const ElementCorners& x) {
   Vec3 sum{};
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) sum[k] += place.weights[i] * x[i][k];
@@ -48,7 +48,7 @@ const std::string five_points =
 }  // namespace
 
 TEST(MaterialPlace, IsFoundInADistortedHexahedron) {
-  const HexCorners x{
+  const ElementCorners x{
       {{0, 0, 0}, {1.2, 0.1, 0}, {1, 0.9, 0.2}, {-0.1, 1, 0.1}, {0.1, 0, 1}, {1, 0, 1.3}, {1.1, 1, 0.9}, {0, 1.1, 1}}};
   for (const Vec3& place : {Vec3{0.5, 0.5, 0.5}, Vec3{0.9, 0.2, 0.3}, Vec3{0.1, 0.9, 0.9}}) {
     const MaterialPlace found = find_material_place(x, false, place);
@@ -62,7 +62,7 @@ TEST(MaterialPlace, IsFoundInADistortedHexahedron) {
 }
 
 TEST(MaterialPlace, OfAShellIsTheNearestOfItsMiddle) {
-  const HexCorners x{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {}, {}, {}, {}}};
+  const ElementCorners x{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {}, {}, {}, {}}};
   const MaterialPlace found = find_material_place(x, true, {0.5, 0.75, 0.125});
   EXPECT_NEAR(found.distance, 0.125, 1e-15);
   EXPECT_NEAR(found.weights[0], 0.75 * 0.25, 1e-15);

@@ -29,7 +29,7 @@ def fu_chang_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if id <= 0:
         deck.ledger.refuse(f"{card.keyword}.TBID", row.place, "constants of a fit (TBID not above 0)", LEFT_OUT)
         return None
-    pulls = read_tension(row, more)
+    pulls = read_tension(more)
     curves, is_log = list_curves(deck, row, id, pulls)
     law: Deck = {"model": "rate_table_foam", "density": row.positive("RO"), "youngs_modulus": row.positive("E"),
                  "compression_at_rates": thin(deck, card, row, curves, is_log)}  # fmt: skip
@@ -48,7 +48,7 @@ def fu_chang_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     return law
 
 
-def read_tension(row: Row, more: Row) -> bool:
+def read_tension(more: Row) -> bool:
     """Whether the curves have tension."""
     flag = more.integer("TFLAG")
     if flag not in (0, 1):

@@ -51,7 +51,7 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     limit_tension(deck, heat, law, find_bulk_modulus(law), stays=heat.integer("SPALL") == 1)
     read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
     set_failure(law, step=row.number("DTF"))
-    read_layers(deck, card, law, last, use)
+    read_layers(law, last, use)
     note_rate(deck, row)
     for found in (row, flow, heat, last):
         found.finish(deck.ledger)

@@ -52,7 +52,7 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
         law["kinematic_share"] = 0.0
     else:
         law["kinematic_share"] = min(max(1 - isotropic_share, 0.0), 1.0)
-    add_rate(law, deck, card, rate, exponent, more)
+    add_rate(law, deck, rate, exponent, more)
     if law["kinematic_share"] == 0 and "cowper_symonds_rate" not in law:
         del law["kinematic_share"]
         law["model"] = "j2_plasticity"
@@ -131,7 +131,7 @@ def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck,
     if more.integer("LCSR"):
         add_scaled(deck, card, more, law, points)
         return
-    add_rate(law, deck, card, more.number("C"), more.number("P"), more)
+    add_rate(law, deck, more.number("C"), more.number("P"), more)
     if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
         law["model"] = "j2_plasticity"
         del law["kinematic_share"]
@@ -172,7 +172,7 @@ def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use)
         set_failure(law, mean_thinning=-thinning)
     if use.is_shell and thinning:
         deck.ledger.approximated(f"{card.keyword}.EPSTHIN", more.place, "a logarithmic strain, of the layers or (below 0) of the whole thickness")
-    read_layers(deck, card, law, more, use)
+    read_layers(law, more, use)
 
 
 def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
@@ -191,7 +191,7 @@ def damaged(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if 0 < start < end < NEVER:
         deck.ledger.approximated(f"{card.keyword}.EPPF", row.place, "the table falls from EPPF to EPPFR, as the damage has it; unloading keeps Young's modulus")
     set_failure(law, plastic_strain=end, step=row.number("TDEL"))
-    read_layers(deck, card, law, more, use)
+    read_layers(law, more, use)
     row.finish(deck.ledger)
     more.finish(deck.ledger, "the damage grows in proportion to the plastic strain")
     finish_lines(deck, card, reader)
@@ -333,7 +333,7 @@ def power_law(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if start > 0.02:
         law["hardening"][0][1] = start  # the offset may be too small for a number
     deck.ledger.approximated(card.keyword, card.place, "the power law by 31 rows up to a plastic strain of 2")
-    add_rate(law, deck, card, row.number("SRC"), row.number("SRP"), more)
+    add_rate(law, deck, row.number("SRC"), row.number("SRP"), more)
     more.skip("VP")
     set_failure(law, plastic_strain=more.number("EPSF"))
     row.finish(deck.ledger)

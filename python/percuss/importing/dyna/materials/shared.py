@@ -107,7 +107,7 @@ def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
             deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a data line that is not read", "it is left out")
 
 
-def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: float, row: Row) -> None:
+def add_rate(law: Deck, deck: KeywordDeck, rate: float, exponent: float, row: Row) -> None:
     """Cowper and Symonds' dependence on the rate."""
     if rate <= 0 or exponent <= 0:
         return
@@ -121,7 +121,7 @@ def note_rate(deck: KeywordDeck, row: Row) -> None:
         deck.ledger.approximated(f"{row.card}.VP", row.place, "the rate of plastic strain counts, as with VP=1")
 
 
-def read_layers(deck: KeywordDeck, card: Card, law: Deck, row: Row, use: Use, name: str = "NUMINT") -> None:
+def read_layers(law: Deck, row: Row, use: Use, name: str = "NUMINT") -> None:
     """How many points through the thickness must fail; below 0 their share in percent; 0: all of them."""
     count = row.number(name)
     if use.is_shell and count and "failure" in law:
