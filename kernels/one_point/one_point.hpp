@@ -69,10 +69,10 @@ PERCUSS_FORCE_INLINE OnePointMotion<T, Shape> follow_one_point(const CornerField
 /// kappa of Q_dot = kappa u for modes of unit length, 2 k mu B:B / V with k the `coefficient`: that of the hexahedron,
 /// whose modes have the length sqrt(8).
 template <class T, class Shape>
-PERCUSS_FORCE_INLINE T find_mode_stiffness(const CornerGradient<T, Shape>& g, double mu, double coefficient) {
+PERCUSS_FORCE_INLINE T find_mode_stiffness(const CornerGradient<T, Shape>& g, const T& mu, double coefficient) {
   T square(0);
   repeat<Shape::corners>([&](auto i) { square = square + dot(g.b[i], g.b[i]); });
-  return T(2 * coefficient * mu) * square / g.volume;
+  return T(2 * coefficient) * mu * square / g.volume;
 }
 
 /// Q from n to n+1, turned with the material and relaxed by the plastic return; returns its work in the step.
@@ -149,21 +149,10 @@ struct OnePointPoint {
   CornerGradient<T, Shape> geometry;
   HourglassVectors<T, Shape> gamma;
   GradientSizes<T> size;
-  Symmetric3<T> stress;      // Cauchy, in space axes, without viscosity and guard
-  OnePointStiffness<T> own;  // of the material
+  Symmetric3<T> stress;      // Cauchy, in space axes, without viscosity and guard, in the volume of the element
+  OnePointStiffness<T> own;  // of the material, likewise
   OnePointWork<T> work;
 };
-
-/// The pressure against a collapse that the averages do not see: state and work of the step.
-template <class T, class Material, class Shape>
-PERCUSS_FORCE_INLINE T advance_guard(const SolidParameters<Material>& par, const T& difference, const T& half_volume,
-                                     const T& dt, OnePointState<T, Material, Shape>& state) {
-  state.gap = state.gap + dt * difference;
-  const T guard = find_guard(state.gap, par.lambda + 2.0 / 3.0 * par.mu);
-  const T work = half_volume * (state.guard + guard) * dt * difference;
-  state.guard = guard;
-  return work;
-}
 
 /// Advances stress, hourglass forces and history from n to n+1. material_rate: the rate of deformation that the
 /// material sees, with Mixed one that is averaged, else m.d. Its integral is then the volume of the material, too. With
@@ -195,15 +184,24 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
   const auto response = update_stress(par.material, state.stress, no_rest, state.history, 0, point);
   const auto moduli = find_moduli(par, response);
 
-  const T kappa = find_mode_stiffness(out.geometry, par.mu, par.hourglass), half_volume = T(0.5) * m.volume;
+  const T shear = larger(T(par.mu), T(moduli.mu)),
+          half_volume = T(0.5) * m.volume;  // of rubber it grows with the stretch
+  const T kappa = find_mode_stiffness(out.geometry, shear, par.hourglass);
   out.work.hourglass = advance_modes<Material>(m, turn, kappa, dt, response, state.hourglass);
   out.work.internal = half_volume * contract(old_stress + state.stress, de);
   out.work.viscous = -half_volume * (state.viscous_pressure + viscous.q.pressure) * dt * trace_d;
   out.work.guard = T(0);
   state.viscous_pressure = viscous.q.pressure;
-  if constexpr (Mixed) out.work.guard = advance_guard(par, trace_d - trace(material_rate), half_volume, dt, state);
   out.stress = push_forward(state.polar.rotation, state.stress);
   out.own = {T(moduli.lambda), T(moduli.mu), kappa, viscous.q.tangent};
+  if constexpr (Mixed) {
+    const T change = dt * (trace_d - trace(material_rate));
+    const MaterialVolume<T> ratio = advance_gap(par, change, half_volume, state, out.work.guard);
+    out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
+    out.stress = ratio.now * out.stress;
+    out.own.lambda = ratio.now * out.own.lambda;
+    out.own.mu = ratio.now * out.own.mu;
+  }
   return out;
 }
 
@@ -227,10 +225,10 @@ PERCUSS_FORCE_INLINE ElementResult<OnePointWork<T>, T> advance_solid(const Solid
 template <class T, class Material, class Shape>
 PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_mixed(const SolidParameters<Material>& par,
                                                            const CornerField<T, Shape>& x,
-                                                           const CornerField<T, Shape>& v, const Symmetric3<T>& mean,
+                                                           const CornerField<T, Shape>& v, const MeanRate<T>& mean,
                                                            const T& dt, OnePointState<T, Material, Shape>& state) {
   const OnePointMotion<T, Shape> own = follow_one_point(x, v, dt);
-  return advance_point<true>(par, x, own, blend(own.d, mean), dt, state);
+  return advance_point<true>(par, x, own, blend(own.d, mean.rate, mean.deviator_share), dt, state);
 }
 template <class T, class Shape>
 PERCUSS_FORCE_INLINE TetStiffness<T> find_stiffness(const OnePointPoint<T, Shape>& point) {

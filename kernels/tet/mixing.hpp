@@ -13,8 +13,23 @@
 
 namespace percuss {
 
-/// Share of the averaged deviator.
+/// Share of the averaged deviator, of laws whose stress stays far below their moduli. Its average follows from no
+/// energy of the deformation: under stresses as large as moduli it would feed vibrations. Other laws have none.
 inline constexpr double tet_deviator_share = 0.3;
+
+/// Volume that the material has seen, which is averaged, over that of the element, at n and n+1.
+template <class T>
+struct MaterialVolume {
+  T before, now;
+};
+
+/// gap: integral of the element's volume rate less the averaged one, at n+1; change: of it in the step. Stresses act in
+/// this volume: the power of the forces is then that of an energy of the deformation (docs/theory_tetrahedra.md).
+template <class T>
+PERCUSS_FORCE_INLINE MaterialVolume<T> find_material_volume(const T& gap, const T& change) {
+  const T one(1), now = exponential(T(0) - gap);
+  return {now * (one + change * (one + T(0.5) * change * (one + T(1.0 / 3.0) * change))), now};
+}
 
 /// Averages are blind to a single element that collapses while its neighbours grow. Beyond the difference of
 /// logarithmic volume `start` a pressure of its own resists, with the share `stiffness` of the bulk modulus.
@@ -27,10 +42,10 @@ PERCUSS_FORCE_INLINE Symmetric3<T> add_to_diagonal(const Symmetric3<T>& a, const
   return {a.xx + p, a.yy + p, a.zz + p, a.xy, a.yz, a.zx};
 }
 
-/// (1 - gamma) dev own + gamma dev mean + tr mean / 3 I.
+/// (1 - share) dev own + share dev mean + tr mean / 3 I.
 template <class T>
-PERCUSS_FORCE_INLINE Symmetric3<T> blend(const Symmetric3<T>& own, const Symmetric3<T>& mean) {
-  const T share = T(tet_deviator_share), rest = T(1 - tet_deviator_share), third = T(1.0 / 3.0);
+PERCUSS_FORCE_INLINE Symmetric3<T> blend(const Symmetric3<T>& own, const Symmetric3<T>& mean, const T& share) {
+  const T rest = T(1) - share, third = T(1.0 / 3.0);
   return add_to_diagonal(rest * own + share * mean, third * rest * (trace(mean) - trace(own)));
 }
 
@@ -39,6 +54,18 @@ PERCUSS_FORCE_INLINE Symmetric3<T> blend(const Symmetric3<T>& own, const Symmetr
 template <class T>
 PERCUSS_FORCE_INLINE T find_guard(const T& gap, double bulk_modulus) {
   return T(TetGuard::stiffness * bulk_modulus) * smaller(gap + T(TetGuard::start), T(0));
+}
+
+/// What an element and its material differ by in volume, and the guard against too much of it. change: of the gap in
+/// the step; guard_work: out.
+template <class T, class Parameters, class State>
+PERCUSS_FORCE_INLINE MaterialVolume<T> advance_gap(const Parameters& par, const T& change, const T& half_volume,
+                                                   State& state, T& guard_work) {
+  state.gap = state.gap + change;
+  const T guard = find_guard(state.gap, par.lambda + 2.0 / 3.0 * par.mu);
+  guard_work = half_volume * (state.guard + guard) * change;
+  state.guard = guard;
+  return find_material_volume(state.gap, change);
 }
 
 /// Numbers that elements give to a node, in groups of four of which the last of a row is unused.
@@ -50,6 +77,13 @@ struct TetSums {
   static constexpr int average_row = 8;
   static constexpr int volume_of_rates = 3;
   static constexpr int volume = 8, mass = 9, square = 10;  // of stresses
+};
+
+/// What an element takes from the averages of the rates at its nodes.
+template <class T>
+struct MeanRate {
+  Symmetric3<T> rate;
+  T deviator_share;
 };
 
 /// What a node has on average: the stress and the moduli.

@@ -45,8 +45,8 @@ struct TetWork {
 template <class T>
 struct TetPoint {
   TetGeometry<T> geometry;
-  Symmetric3<T> stress;  // Cauchy, in space axes, without viscosity and guard
-  TetStiffness<T> own;   // moduli of the material, tangent of the viscosity
+  Symmetric3<T> stress;  // Cauchy, in space axes, without viscosity and guard, in the volume of the element
+  TetStiffness<T> own;   // moduli of the material, likewise; tangent of the viscosity
   TetWork<T> work;
 };
 
@@ -123,10 +123,10 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& p
   out.work.guard = T(0);
   state.viscous_pressure = viscous.pressure;
   if constexpr (Mixed) {
-    state.gap = state.gap + dt * difference;
-    const T guard = find_guard(state.gap, par.lambda + 2.0 / 3.0 * par.mu);
-    out.work.guard = half_volume * (state.guard + guard) * dt * difference;
-    state.guard = guard;
+    const auto ratio = advance_gap(par, dt * difference, half_volume, state, out.work.guard);
+    out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
+    out.stress = ratio.now * out.stress;
+    out.own = {ratio.now * out.own.bulk, ratio.now * out.own.shear, out.own.tangent};
   }
   return out;
 }
@@ -140,11 +140,11 @@ PERCUSS_FORCE_INLINE TetCorners<T> find_tet_forces(const TetGeometry<T>& g, cons
 }
 
 /// The stress whose forces act, with Mixed: own: that of the element, mean: of the nodes' averages, which have none of
-/// the guard's pressure.
+/// the guard's pressure; share: of the averaged deviator; pressure: of guard and viscosity, positive in tension.
 template <class T>
 PERCUSS_FORCE_INLINE Symmetric3<T> find_mixed_stress(const Symmetric3<T>& own, const Symmetric3<T>& mean,
-                                                     const T& guard, const T& viscous_pressure) {
-  return add_to_diagonal(blend(own, mean), guard - viscous_pressure);
+                                                     const T& share, const T& pressure) {
+  return add_to_diagonal(blend(own, mean, share), pressure);
 }
 
 /// Stable step of a plain element: each corner has a quarter of its mass.
@@ -160,10 +160,9 @@ PERCUSS_FORCE_INLINE T find_plain_step(const TetGeometry<T>& g, const T& mass, c
 /// of the guard's what can act on it. A guard's power is that of tr D less its mean, of which the square is at most
 /// twice the sum of both squares.
 template <class T>
-PERCUSS_FORCE_INLINE TetStiffness<T> mix_moduli(const TetStiffness<T>& own, const TetMeans<T>& means,
+PERCUSS_FORCE_INLINE TetStiffness<T> mix_moduli(const TetStiffness<T>& own, const TetMeans<T>& means, const T& share,
                                                 const T& guard_modulus) {
-  const T share = T(tet_deviator_share), rest = T(1 - tet_deviator_share);
-  return {means.bulk + guard_modulus, rest * own.shear + share * means.shear, own.tangent};
+  return {means.bulk + guard_modulus, (T(1) - share) * own.shear + share * means.shear, own.tangent};
 }
 
 /// Bulk modulus of an acting guard, twice, as it counts in the bound.
@@ -198,10 +197,10 @@ PERCUSS_FORCE_INLINE ElementResult<TetWork<T>, T> advance_solid(const SolidParam
 /// Advances stress and history of one that averages. mean: of the nodes' rates.
 template <class T, class Material>
 PERCUSS_FORCE_INLINE TetPoint<T> advance_mixed(const SolidParameters<Material>& par, const TetCorners<T>& x,
-                                               const TetCorners<T>& v, const Symmetric3<T>& mean, const T& dt,
+                                               const TetCorners<T>& v, const MeanRate<T>& mean, const T& dt,
                                                TetState<T, Material>& state) {
   const TetMotion<T> own = follow_tet(x, v, dt);
-  return advance_tet4<true>(par, x, own, blend(own.d, mean), dt, state);
+  return advance_tet4<true>(par, x, own, blend(own.d, mean.rate, mean.deviator_share), dt, state);
 }
 template <class T>
 PERCUSS_FORCE_INLINE const TetStiffness<T>& find_stiffness(const TetPoint<T>& point) {

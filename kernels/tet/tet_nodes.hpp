@@ -22,7 +22,8 @@ struct TetNodes {
   Array<std::uint16_t> corners;      // [rows][group_size] 8 i + k for the slot's corner k of element i of the chunk, in
                                      // ascending order; past its last one the element past the lanes of the chunk
   static constexpr int no_slot = 65535;
-  int largest_lane_count = 0;  // lanes of the packs of the chunk that has most
+  Array<double> deviator_share;  // [chunks] share of the averaged deviator that their material takes
+  int largest_lane_count = 0;    // lanes of the packs of the chunk that has most
 };
 
 }  // namespace percuss

@@ -272,7 +272,8 @@ struct StressBody : SolidMaterial<Block_> {
     scratch.gather(1, pack.corners, v.at);
     pack.fetch_third(size, 2);
     auto& state = *reinterpret_cast<typename Block::State*>(pack.record);
-    const Symmetric3<Lanes> mean = TetGather{scratch.means}.template find_mean<corners>(pack.corners);
+    const MeanRate<Lanes> mean{TetGather{scratch.means}.template find_mean<corners>(pack.corners),
+                               Lanes(of.launch.nodes.deviator_share(chunk.c))};
     auto point = advance_mixed(parameters, x, v, mean, Lanes(of.motion.dt), state);
     Lanes share(1.0);
     if (lives.can_fail()) {
@@ -403,8 +404,9 @@ struct ForcePass : PassStep<ChunkList> {
     const double* const scalars = find_scalars(launch.passes, chunk, pack);
     const auto load = [&](int k) { return load_pack(scalars + k * solid_width); };
     OwnStress own(scalars);
+    const Lanes deviator_share(launch.nodes.deviator_share(chunk.c));
     Lanes step = element.find_step(mix_moduli({Lanes(0.0), load(TetPasses::shear), load(TetPasses::tangent)}, means,
-                                              load(TetPasses::guard_modulus)),
+                                              deviator_share, load(TetPasses::guard_modulus)),
                                    scalars);
     Lanes volume = element.volume(), share(1.0);
     if (living.can_fail()) {
@@ -413,7 +415,8 @@ struct ForcePass : PassStep<ChunkList> {
       element.scale(share);
     }
     Field f;
-    element.find_forces(find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure), f);
+    element.find_forces(find_mixed_stress(own.stress, means.stress, deviator_share, own.guard - own.viscous_pressure),
+                        f);
     if (living.can_fail()) {
       settle_forces(select(share < Lanes(0.0), share, Lanes(1.0)), f.at);
       settle_step(share, step, volume);

@@ -62,7 +62,7 @@ void split_block(const std::vector<char>& sends, Block& block, Block& sending) {
   block.chunks = to_view("percuss::chunks_of_block", rest);
 }
 
-void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& model) {
+void build_halo(const Deck& deck, const ChunkedMesh& chunked, const LocalSlots& slots, Model& model) {
   UnstructuredExchange exchange(model.ranks);
   SharedNodes shared{{}, {0}, {}, std::vector<int>(chunked.mesh.nodes.size(), 0)};
   if (model.ranks.size() > 1) shared = find_shared_nodes(exchange, chunked.mesh.node_numbers);
@@ -76,7 +76,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();
   model.halo = std::move(halo.plan);
-  if (model.mixes_solids) build_tet_nodes(chunked, halo.nodes_to_slots, model);
+  if (model.mixes_solids) build_tet_nodes(deck, chunked, halo.nodes_to_slots, model);
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_nodal_loads(deck, chunked, slots, model);
   build_springs(deck, chunked, slots, model);
   build_glue(deck, chunked, slots, model);
-  build_halo(chunked, slots, model);
+  build_halo(deck, chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);

@@ -13,7 +13,9 @@
 #include "kernels/element/element_records.hpp"
 #include "kernels/one_point/shapes.hpp"
 #include "kernels/tet/geometry.hpp"
+#include "kernels/tet/mixing.hpp"
 #include "kernels/tet/tet_nodes.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -138,6 +140,17 @@ void list_corners(const ElementChunks& of, TetNodes& nodes) {
   groups.store(nodes);
 }
 
+/// Shares of the averaged deviator by chunk: 0 of laws whose stress may be as large as their moduli.
+Array<double> list_deviator_shares(const Deck& deck, const ChunkedMesh& chunked) {
+  std::vector<double> shares;
+  shares.reserve(chunked.chunks.size());
+  for (const Chunk& chunk : chunked.chunks) {
+    const auto material = static_cast<std::size_t>(find_block(chunked, chunk).material);
+    shares.push_back(find_traits(deck.materials[material]).grows_in_increments ? tet_deviator_share : 0.0);
+  }
+  return to_view("percuss::tet_deviator_shares", shares);
+}
+
 }  // namespace
 
 void check_small_solids(const Deck& deck, const Mesh& mesh) {
@@ -153,7 +166,7 @@ void check_small_solids(const Deck& deck, const Mesh& mesh) {
   }
 }
 
-void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model) {
+void build_tet_nodes(const Deck& deck, const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model) {
   const auto materials = to_host(find_slot_materials(chunked, model));
   const auto first_slot = to_host(model.chunks.first_slot);
   const int own_slots = first_slot(chunked.chunks.size());
@@ -181,6 +194,7 @@ void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots
   nodes.first = to_view("percuss::first_tet_slot", first);
   nodes.slots = to_view("percuss::tet_slots", slots);
   nodes.slots_to_records = to_view("percuss::tet_records", slots_to_records);
+  nodes.deviator_share = list_deviator_shares(deck, chunked);
   list_corners(model.chunks, nodes);
 }
 

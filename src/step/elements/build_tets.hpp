@@ -14,6 +14,6 @@ void check_small_solids(const Deck& deck, const Mesh& mesh);
 
 /// The records of nodes, over which the mixed form averages: one for each material of such elements around a node.
 /// Collective; model.halo and the slots of its chunks are there already.
-void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model);
+void build_tet_nodes(const Deck& deck, const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model);
 
 }  // namespace percuss

@@ -100,7 +100,7 @@ struct MixedBlock {
     std::vector<OnePointPoint<double, Shape>> points;
     const double k = par.lambda + 2.0 / 3.0 * par.mu;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Symmetric3<double> seen = blend(motions[i].d, find_mean(rates, elements[i], tensor));
+      const Symmetric3<double> seen = blend(motions[i].d, find_mean(rates, elements[i], tensor), tet_deviator_share);
       points.push_back(advance_point<true>(par, gather(x, elements[i]), motions[i], seen, dt, states[i]));
       const auto& p = points.back();
       out.work += p.work.internal + p.work.hourglass + p.work.viscous + p.work.guard;
@@ -124,14 +124,15 @@ struct MixedBlock {
     means.bulk = find_mean(stresses, elements[i], [](const Sums& s) { return s.bulk; });
     means.shear = find_mean(stresses, elements[i], [](const Sums& s) { return s.shear; });
     Places<Shape> f;
-    find_corner_forces(find_mixed_stress(p.stress, means.stress, states[i].guard, states[i].viscous_pressure),
-                       states[i].hourglass, p.geometry, p.gamma, f);
+    find_corner_forces(
+        find_mixed_stress(p.stress, means.stress, tet_deviator_share, states[i].guard - states[i].viscous_pressure),
+        states[i].hourglass, p.geometry, p.gamma, f);
     for (std::size_t c = 0; c < count; ++c) {
       Vector3<double>& sum = out.force[at(elements[i][c])];
       sum = sum + f[static_cast<int>(c)];
     }
-    const TetStiffness<double> felt =
-        mix_moduli<double>({0, p.own.mu, p.own.tangent}, means, find_guard_modulus(states[i].guard, k));
+    const TetStiffness<double> felt = mix_moduli<double>({0, p.own.mu, p.own.tangent}, means, tet_deviator_share,
+                                                         find_guard_modulus(states[i].guard, k));
     const double lambda = std::max(felt.bulk - 2.0 / 3.0 * felt.shear, 0.0);
     out.step = std::min(out.step, find_one_point_step<double>(p.size, p.geometry.volume, states[i].mass,
                                                               {lambda, felt.shear, p.own.hourglass, felt.tangent}));

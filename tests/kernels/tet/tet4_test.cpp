@@ -116,13 +116,13 @@ TEST(Tet4Force, ARigidTurnStrainsNothing) {
 TEST(Tet4Force, BlendKeepsTheMeanTraceAndAShareOfTheDeviator) {
   Random random(7);
   const Symmetric3<double> own = random_tensor(random), mean = random_tensor(random);
-  const Symmetric3<double> both = blend(own, mean);
+  const Symmetric3<double> both = blend(own, mean, 0.3);
   EXPECT_NEAR(trace(both), trace(mean), 1e-15);
   EXPECT_NEAR(both.xy, 0.7 * own.xy + 0.3 * mean.xy, 1e-15);
   EXPECT_NEAR(both.xx - trace(both) / 3, 0.7 * (own.xx - trace(own) / 3) + 0.3 * (mean.xx - trace(mean) / 3), 1e-15);
   // the transpose: blend is symmetric in what it takes its power from
   const Symmetric3<double> s = random_tensor(random);
-  const auto take_mean = [&](const Symmetric3<double>& a) { return blend(Symmetric3<double>{}, a); };
+  const auto take_mean = [&](const Symmetric3<double>& a) { return blend(Symmetric3<double>{}, a, 0.3); };
   EXPECT_NEAR(contract(s, take_mean(own)), contract(take_mean(s), own), 1e-15);
 }
 

@@ -112,7 +112,7 @@ struct TetPatch {
       Symmetric3<double> mean{};
       for (const int node : e) mean = mean + (0.25 / rates[at(node)].volume) * rates[at(node)].a;
       const TetMotion<double> m = follow_tet(gather(x, e), gather(v, e), dt);
-      points.push_back(advance_tet4<true>(par, gather(x, e), m, blend(m.d, mean), dt, states[i]));
+      points.push_back(advance_tet4<true>(par, gather(x, e), m, blend(m.d, mean, tet_deviator_share), dt, states[i]));
       const TetPoint<double>& p = points.back();
       out.work += p.work.internal + p.work.viscous + p.work.guard;
       for (int corner = 0; corner < 4; ++corner) {
@@ -138,13 +138,15 @@ struct TetPatch {
       }
       const TetPoint<double>& p = points[i];
       const TetCorners<double> f = find_tet_forces(
-          p.geometry, find_mixed_stress(p.stress, means.stress, states[i].guard, states[i].viscous_pressure));
+          p.geometry,
+          find_mixed_stress(p.stress, means.stress, tet_deviator_share, states[i].guard - states[i].viscous_pressure));
       for (int corner = 0; corner < 4; ++corner) {
         Vector3<double>& sum = out.force[at(elements[i][at(corner)])];
         sum = sum + f[corner];
       }
       const double guard = find_guard_modulus(states[i].guard, k);
-      out.step = std::min(out.step, find_mixed_step(p.geometry, share, mix_moduli(p.own, means, guard)));
+      out.step =
+          std::min(out.step, find_mixed_step(p.geometry, share, mix_moduli(p.own, means, tet_deviator_share, guard)));
     }
     return out;
   }

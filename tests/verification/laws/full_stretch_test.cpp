@@ -1,5 +1,5 @@
-// Fully integrated cells that are stretched, drawn in two directions or sheared far stay uniform, whatever disturbs
-// them.
+// Fully integrated cells, tetrahedra, wedges and pyramids that are stretched, drawn in two directions or sheared far
+// stay uniform, whatever disturbs them.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -114,11 +114,11 @@ std::string grow(double change) {
   return fmt::format("{{expression: \"{:.17g} * sin(pi * min(t, 20) / 40)^2\"}}", change);
 }
 
-HistoryTable run(const Law& law, int cells, const std::string& conditions) {
+HistoryTable run(const Law& law, int cells, const std::string& conditions, const char* elements) {
   return run_deck(fmt::format(R"(
 title: cells drawn far
 time: {{end: 25}}
-parts: {{b: {{box: {{size: [1, 1, 1], cells: [{0}, {0}, {0}]}}, integration: full, material: m}}}}
+parts: {{b: {{box: {{size: [1, 1, 1], cells: [{0}, {0}, {0}]}}, {6}, material: m}}}}
 materials: {{m: {1}}}
 damping: [{{coefficient: 2}}]
 {2}conditions:
@@ -126,16 +126,18 @@ damping: [{{coefficient: 2}}]
   history: {{every: 0.5, nodes: [{{name: c, near: [1, 1, 1]}}, {{name: e, near: [1, 1, 0]}}, {{name: i, near: [{4}, {4}, {4}]}}], forces: [{{name: f, support: {5}}}]}}
 )",
                               cells, law.text, make_noise(cells), conditions, cells > 1 ? 0.5 : 1,
-                              conditions.find("x_max") == std::string::npos ? "b/y_max" : "b/x_max"))
+                              conditions.find("x_max") == std::string::npos ? "b/y_max" : "b/x_max", elements))
       .history;
 }
 
-HistoryTable draw(const Law& law, int cells, double stretch, int driven) {
+constexpr const char* fully = "integration: full";
+
+HistoryTable draw(const Law& law, int cells, double stretch, int driven, const char* elements) {
   std::string conditions =
       "  - {nodes: b/x_min, symmetry: x}\n  - {nodes: b/y_min, symmetry: y}\n  - {nodes: b/z_min, symmetry: z}\n";
   conditions += fmt::format("  - {{nodes: b/x_max, displacement: {{x: {}}}}}\n", grow(stretch - 1));
   if (driven == 2) conditions += fmt::format("  - {{nodes: b/y_max, displacement: {{y: {}}}}}\n", grow(stretch - 1));
-  return run(law, cells, conditions);
+  return run(law, cells, conditions, elements);
 }
 
 /// u_x = shear y at all nodes of the surface.
@@ -146,7 +148,7 @@ HistoryTable shear(const Law& law, int cells, double shear) {
     if (!is_end(p[0]) && !is_end(p[1]) && !is_end(p[2])) return;
     conditions += fmt::format("  - {{nodes: {}, displacement: {{x: {}, y: 0, z: 0}}}}\n", at(p), grow(shear * p[1]));
   });
-  return run(law, cells, conditions);
+  return run(law, cells, conditions, fully);
 }
 
 TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
@@ -154,7 +156,7 @@ TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
     for (const int driven : {1, 2}) {
       for (const int cells : {1, 2, 4}) {
         const double stretch = law.most, free = find_free_stretch(law.stress, stretch, driven);
-        const HistoryTable h = draw(law, cells, stretch, driven);
+        const HistoryTable h = draw(law, cells, stretch, driven, fully);
         const double l[3] = {stretch, driven == 2 ? stretch : free, free};
         const double force = law.stress(l, 0) * l[1] * l[2];
         fmt::print("{} cells, {} driven: force {:.5f} ({:.5f}), free stretch {:.5f} ({:.5f})\n", cells, driven,
@@ -167,6 +169,31 @@ TEST(FullStretch, StaysUniformAlongOneDirectionAndTwo) {
       }
     }
   }
+}
+
+TEST(AveragedStretch, StaysUniform) {
+  for (const Law& law : laws) {
+    if (law.most < 3) continue;  // elastic: rates are no law of large strain
+    for (const char* elements : {"elements: six_tetrahedra", "elements: wedges", "elements: pyramids"}) {
+      for (const int cells : {1, 4}) {
+        const double free = find_free_stretch(law.stress, law.most, 1);
+        const HistoryTable h = draw(law, cells, law.most, 1, elements);
+        const double l[3] = {law.most, free, free}, force = law.stress(l, 0) * l[1] * l[2];
+        fmt::print("{}, {} cells: force {:.5f} ({:.5f}), free stretch {:.5f} ({:.5f})\n", elements, cells,
+                   h.last("fx:f"), force, h.last("c_z"), free);
+        EXPECT_NEAR(h.last("fx:f"), force, 1e-3 * force);
+        EXPECT_NEAR(h.last("c_z"), free, 1e-3);
+      }
+    }
+  }
+}
+
+// The energy of the law, which averages would not conserve if stresses acted in the volume of the element.
+TEST(AveragedStretch, HoldsTheEnergyOfTheLaw) {
+  const double l = laws[0].most, free = find_free_stretch(neo_hookean, l, 1), log_j = std::log(l * free * free);
+  const double energy = 0.5 * mu * (l * l + 2 * free * free - 3) - mu * log_j + 0.5 * lambda * log_j * log_j;
+  for (const char* elements : {"elements: six_tetrahedra", "elements: wedges", "elements: pyramids"})
+    EXPECT_NEAR(draw(laws[0], 3, l, 1, elements).last("internal"), energy, 1e-3 * energy) << elements;
 }
 
 TEST(FullStretch, StaysUniformInShear) {
