@@ -301,8 +301,8 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION inline void make_face_rows(const TouchPack& pack
     for (int slot = 0; slot < row_nodes; ++slot) row.place[slot] = pack.place[slot][lane];
     row.depth_tolerance = inputs.depth_tolerance;
     row.held = pack.held[lane];
-    row.to_push = pack.to_push[lane];
     filled.store(lane, row);
+    row.to_push = find_to_push(pack.to_push[lane], row.reference);
   }
 }
 

@@ -109,6 +109,11 @@ KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row)
   if (reachable < row.target) row.target = reachable;
 }
 
+/// What is to be pushed out, of what a record says: in its first step a row may find more.
+KOKKOS_INLINE_FUNCTION double find_to_push(double of_record, double reference) {
+  return of_record > 0 && of_record < reference ? reference : of_record;
+}
+
 /// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
 KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
   const Point3 last = inputs.impulse_scale * record.impulse;
@@ -116,7 +121,7 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   row.impulse.normal = push > 0 ? push : 0;
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = record.reference < overlap ? record.reference : overlap;
-  row.to_push = record.to_push;
+  row.to_push = find_to_push(record.to_push, row.reference);
   row.held = record.held;
   if (!(row.friction > 0)) return;
   const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);

@@ -7,6 +7,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
+#include "kernels/contact/check/end_pack.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/history/edge_records.hpp"
@@ -93,9 +94,13 @@ struct SeededRecords {
     reference(record) = depth;
     if (to_push.extent(0) > 0) to_push(record) = depth;
   }
+  /// A row measures along its push, and finds more than the distance from the face. All that it finds in its first step
+  /// is accepted: it takes the lesser of its own depth and the reference.
   void hold(int record, std::int64_t by_face, double depth) const {
+    constexpr double most_of_row = 1 / (least_push_cosine * least_push_cosine);
     face(record) = by_face;
     hold(record, depth);
+    reference(record) = most_of_row * depth;
   }
   void write_to(const ContactHistory& history) const {
     Kokkos::deep_copy(history.face, face);
