@@ -1,27 +1,20 @@
 // Bodies that rest on each other: rigid ones with many nodes, and those that friction is to hold.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "src/checks/flight.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/who_touches.hpp"
-#include "src/deck/rigid_bodies.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
 
-/// Whether a part is of a rigid body that something can push: contact then couples all of its nodes.
-bool is_pushed_as_one(const Deck& deck, const RigidNames& names, std::size_t part) {
-  if (names.body_of_part[part] < 0 || is_driven(deck, deck.parts[part])) return false;
-  std::array<bool, 6> fixed{};
-  for (std::size_t p = 0; p < deck.parts.size(); ++p)
-    for (std::size_t k = 0; k < fixed.size(); ++k)
-      fixed[k] = fixed[k] || (names.body_of_part[p] == names.body_of_part[part] && deck.parts[p].rigid->fixed[k]);
-  return !std::all_of(fixed.begin(), fixed.end(), [](bool is_fixed) { return is_fixed; });
+/// Whether the nodes of a part have no motion of their own: it is rigid, or held or driven as a whole.
+bool moves_as_one(const Deck& deck, std::size_t part) {
+  return deck.parts[part].rigid.has_value() || is_driven(deck, deck.parts[part]);
 }
 
 /// Whom parts meet in a run or touch at its start, by their boxes.
@@ -146,15 +139,16 @@ std::vector<Warning> check_lagrange_rigid(const CheckedScene& scene) {
   if (deck.contact.enforcement != ContactDeck::Enforcement::lagrange || deck.parts.size() > most_compared_parts)
     return {};
   const Neighbours neighbours(scene);
-  const RigidNames names = name_rigid_bodies(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    if (!is_pushed_as_one(deck, names, p)) continue;
+    if (!moves_as_one(deck, p)) continue;
     const std::string other = neighbours.find(p, deck.time.end);
     if (other.empty()) continue;
-    return {warn_at(deck, "lagrange_rigid", "contact.enforcement",
-                    fmt::format("rigid part '{}' meets {} (where more of its nodes touch than hold it, the rows of "
-                                "lagrange depend on each other and do not converge): use enforcement: kinematic",
-                                deck.parts[p].name, other))};
+    return {
+        warn_at(deck, "lagrange_rigid", "contact.enforcement",
+                fmt::format("{} part '{}' meets {} (where more of its nodes touch than the motion of the other side "
+                            "needs, the rows of lagrange depend on each other and do not converge): use "
+                            "enforcement: kinematic",
+                            deck.parts[p].rigid ? "rigid" : "held", deck.parts[p].name, other))};
   }
   return {};
 }
