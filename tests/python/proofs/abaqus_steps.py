@@ -3,7 +3,7 @@
 import math
 
 from . import ALL, LAST, Proof
-from .pieces import CUBE_MASS, abaqus, abaqus_cube
+from .pieces import CORNERS, CUBE_MASS, abaqus, abaqus_cube
 
 END = 1e-3
 DRIVEN = "*BOUNDARY, TYPE=VELOCITY, AMPLITUDE=a\nall, 1, 1, 30.\nall, 2, 3, 0.\n"
@@ -24,6 +24,24 @@ def two_steps(before: str, first: str, second: str, lengths: tuple[float, float]
 PUSHED = "*CLOAD\nall, 1, 0.5\n"
 RIGID = "*NODE\n9, 5., 5., 15.\n*RIGID BODY, REF NODE=9, ELSET=cube\n"
 ALONG = "*BOUNDARY\n9, 2, 6\n"  # free along x
+FREE_X = "*BOUNDARY\nall, 2, 3\n"
+RISES = "*BOUNDARY, TYPE=ACCELERATION\nall, 1, 1, {!r}\n"
+BODY_RISES = "*BOUNDARY, TYPE=ACCELERATION\n9, 1, 1, {!r}\n"
+
+
+LED = "*NODE\n9, 5., 5., 35.\n*SURFACE, NAME=skin, TYPE=NODE\nall,\n*COUPLING, CONSTRAINT NAME=c, REF NODE=9, SURFACE=skin\n*KINEMATIC\n1, 2\n"
+SECOND = ("*NODE, NSET=second\n" + "".join(f"{i}, {30.0 + 10.0 * x}, {10.0 * y}, {10.0 * z}\n" for i, (x, y, z) in enumerate(CORNERS, 21))
+          + "*ELEMENT, TYPE=C3D8R, ELSET=second\n2, 21, 22, 23, 24, 25, 26, 27, 28\n*SOLID SECTION, ELSET=second, MATERIAL=steel\n,\n")  # fmt: skip
+
+
+def begins(*rows: str) -> str:
+    """Velocities at the start."""
+    return "*INITIAL CONDITIONS, TYPE=VELOCITY\n" + "".join(row + "\n" for row in rows)
+
+
+def speeds(*values: float) -> list:
+    """Of the cube along x at 2e-4, 4e-4, 7e-4 and the end; momenta are those of half a step before."""
+    return [("momentum_x", when, value * CUBE_MASS, 2e-2) for when, value in zip((2e-4, 4e-4, 7e-4, LAST), values, strict=True)]
 
 PROOFS = [
     Proof("AMPLITUDE: NAME; BOUNDARY: TYPE AMPLITUDE; STEP; DYNAMIC: EXPLICIT",
@@ -69,6 +87,34 @@ PROOFS = [
     Proof("BOUNDARY: TYPE",
           driven("*AMPLITUDE, NAME=a\n0., 1., 1., 1.\n", "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 5.\n*BOUNDARY, TYPE=ACCELERATION, AMPLITUDE=a\nall, 1, 1, 2e4\nall, 2, 3\n"),
           [("momentum_x", LAST, 25.0 * CUBE_MASS, 1e-2)], "5 mm/s and 1e-3 s of 2e4 mm/s^2"),
+    *[Proof("BOUNDARY: TYPE; INITIAL CONDITIONS: TYPE", two_steps(RIGID + ALONG + begins(*rows), BODY_RISES.format(-2e4), ""), speeds(11.0, 7.0, 1.0, -5.0), "15 mm/s of a rigid body, and 1e-3 s of -2e4 mm/s^2")
+      for rows in (("9, 1, 15.",), ("all, 1, 15.",), ("9, 1, 15.", "all, 1, 15."), ("9, 1, 15.", "all, 1, 3."))],
+    Proof("BOUNDARY: TYPE; INITIAL CONDITIONS: TYPE", two_steps(RIGID.replace("cube\n", "cube, POSITION=CENTER OF MASS\n") + "*BOUNDARY\n9, 1, 5\n" + begins("9, 6, 15."), "*BOUNDARY, TYPE=ACCELERATION\n9, 6, 6, -2e4\n", ""),
+          [("angular_z", when, (15.0 - 2e4 * when) * CUBE_MASS * 200.0 / 12.0, 2e-2) for when in (2e-4, 4e-4, 1e-3)], "the moment of inertia is m (a^2 + a^2) / 12; 15 rad/s and -2e4 rad/s^2"),
+    Proof("BOUNDARY: TYPE; INITIAL CONDITIONS: TYPE", two_steps(RIGID + ALONG + begins("all, 1, 15.", "7, 1, 3."), BODY_RISES.format(-2e4), ""), refused="whose velocity at the start is not known"),
+    Proof("BOUNDARY: TYPE", two_steps(FREE_X + begins("all, 1, 15."), RISES.format(-2e4), RISES.format(-4e4)), speeds(11.0, 7.0, -5.0, -17.0), "15, then 15 - 8, then 7 - 24 mm/s"),
+    Proof("BOUNDARY: TYPE OP", two_steps(begins("all, 1, 15."), RISES.format(-2e4) + FREE_X.replace("*BOUNDARY\n", ""), RISES.format(-4e4).replace("*BOUNDARY", "*BOUNDARY, OP=NEW") + FREE_X),
+          speeds(11.0, 7.0, -5.0, -17.0), "with OP=NEW the velocity of the moment stays"),
+    Proof("BOUNDARY: TYPE", two_steps(RIGID + ALONG + begins("9, 1, 15."), BODY_RISES.format(-2e4), BODY_RISES.format(-4e4)), speeds(11.0, 7.0, -5.0, -17.0), "a rigid body likewise"),
+    Proof("BOUNDARY: TYPE AMPLITUDE", two_steps(FREE_X + begins("all, 1, 15.") + "*AMPLITUDE, NAME=a\n0., 0., 4e-4, 1.\n", RISES.format(-2e4).replace("ON\n", "ON, AMPLITUDE=a\n"), RISES.format(-4e4)),
+          speeds(14.0, 11.0, -1.0, -13.0), "a ramp from 0 to -2e4 mm/s^2 takes 4 mm/s"),
+    Proof("BOUNDARY: TYPE AMPLITUDE", two_steps(FREE_X + "*AMPLITUDE, NAME=a\n0., 1., 4e-4, 0.4\n", "*BOUNDARY, TYPE=VELOCITY, AMPLITUDE=a\nall, 1, 1, 30.\n", RISES.format(-4e4)),
+          speeds(21.0, 12.0, 0.0, -12.0), "from the 12 mm/s with which the step before ended"),
+    Proof("BOUNDARY: TYPE AMPLITUDE", two_steps(FREE_X + "*AMPLITUDE, NAME=a\n0., 0., 3e-4, 0.2, 4e-4, 1.\n", "*BOUNDARY, AMPLITUDE=a\nall, 1, 1, 2e-3\n", RISES.format(-4e4)),
+          [("momentum_x", 7e-4, 4.0 * CUBE_MASS, 2e-2), ("momentum_x", LAST, -8.0 * CUBE_MASS, 2e-2)], "a displacement ends with 0.8 of 2e-3 mm in 1e-4 s, 16 mm/s"),
+    Proof("BOUNDARY: TYPE", two_steps(FREE_X + "*BOUNDARY\nall, 1\n", "", RISES.format(-4e4)), speeds(0.0, 0.0, -12.0, -24.0)[2:], "held through a step, it begins at rest"),
+    Proof("BOUNDARY: TYPE", two_steps("*NSET, NSET=up\n5, 6, 7, 8\n" + FREE_X + begins("all, 1, 5.", "up, 1, 9."), RISES.format(-2e4), RISES.format(-4e4)),
+          speeds(3.0, -1.0, -13.0, -25.0), "four nodes begin with 5 mm/s, four with 9"),
+    Proof("BOUNDARY: TYPE; INITIAL CONDITIONS: TYPE", two_steps("*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\nall, 3., 15., 0., 0.\n5., 5., 0., 6., 5., 0.\n", RISES.format(-2e4), ""),
+          speeds(11.0, 7.0, 1.0, -5.0), "15 mm/s along the axis about which it turns"),
+    Proof("BOUNDARY: TYPE; INITIAL CONDITIONS: TYPE; KINEMATIC", two_steps(LED + begins("all, 1, 15.") + "*BOUNDARY\nall, 3\n9, 2, 6\n", BODY_RISES.format(-2e4), BODY_RISES.format(-4e4)), speeds(11.0, 7.0, -5.0, -17.0),
+          "a node without elements begins with the velocity of those that follow it"),
+    Proof("INITIAL CONDITIONS: TYPE", two_steps(RIGID + SECOND + begins("second, 1, 15.", "all, 1, 3.", "9, 1, 15."), "", ""), [("momentum_x", ALL, 2 * 15.0 * CUBE_MASS, 1e-9)],
+          "that of the reference node is the one of the body, whatever others have"),
+    Proof("BOUNDARY: TYPE OP", two_steps(FREE_X + begins("all, 1, 15."), PUSHED, RISES.format(-2e4)), refused="from a velocity that is not known"),
+    Proof("BOUNDARY: TYPE OP", two_steps(RIGID + begins("9, 1, 15."), ALONG, BODY_RISES.format(-2e4)), refused="from a velocity that is not known"),
+    Proof("BOUNDARY: TYPE AMPLITUDE", two_steps(FREE_X + "*AMPLITUDE, NAME=a, DEFINITION=SMOOTH STEP\n0., 0., 5e-4, 1.\n", "*BOUNDARY, AMPLITUDE=a\nall, 1, 1, 2e-3\n", RISES.format(-4e4)),
+          refused="from a velocity that is not known"),
     Proof("BOUNDARY",
           abaqus(abaqus_cube(), "*BOUNDARY\nall, XSYMM\nall, 2, 2\n", PUSHED.replace("*CLOAD", "*INITIAL CONDITIONS, TYPE=VELOCITY").replace("0.5", "3."),
                  step="*CLOAD\nall, 1, 1.\nall, 2, 1.\nall, 3, 1.\n"),

@@ -1,6 +1,6 @@
 """*BOUNDARY: nodes that are held or moved, in each step."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..curves import integrate, order_points
 from ..fields import clip
@@ -11,6 +11,7 @@ from .deck import AbaqusDeck, RigidGroup
 from .equations import add_driven
 from .followers import follow, list_leaders
 from .lines import Block
+from .speeds import Speeds
 from .timeline import DISPLACEMENT, FIXED, VELOCITY, Action, Window, is_whole, make_motion, split_groups
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
@@ -18,6 +19,7 @@ NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYM
          "XASYMM": ("y", "z", "rx"), "YASYMM": ("x", "z", "ry"), "ZASYMM": ("x", "y", "rz")}  # fmt: skip
 KINDS = ("DISPLACEMENT", "VELOCITY", "ACCELERATION")
 LEFT_OUT = "it is left out"
+MOST_SPEEDS = 20  # from which an acceleration of one line may begin
 
 Line = tuple[int, list[str]]
 
@@ -30,6 +32,7 @@ class ConditionLine:
     nodes: list[int]
     directions: list[str]
     action: Action
+    has_all: bool = True  # the nodes of its name that are moved at all
 
 
 def read_boundary(deck: AbaqusDeck, block: Block) -> None:
@@ -65,15 +68,45 @@ def act(deck: AbaqusDeck, block: Block, line: Line, directions: list[str], value
         deck.ledger.ignored("BOUNDARY", place, "its nodes have no element")
         return
     refuse_other_axes(deck, nodes, place)
-    action = make_action(deck, block, place, nodes, directions, value)
+    action = make_action(deck, block, place, value)
     if action is None:
         return
     deck.keywords_of_lines[place] = block.keyword
     for group, ways in split_turned(deck, nodes, directions):
-        for node in group:
-            for direction in ways:
-                deck.motions.act((node, direction), action)
-        deck.condition_lines.append(ConditionLine(name, group, ways, action))
+        if block.option("TYPE") == "ACCELERATION":
+            accelerate(deck, action, name, group, ways)
+        else:
+            add_action(deck, ConditionLine(name, group, ways, action))
+
+
+def add_action(deck: AbaqusDeck, line: ConditionLine) -> None:
+    for node in line.nodes:
+        for direction in line.directions:
+            deck.motions.act((node, direction), line.action)
+    deck.condition_lines.append(line)
+
+
+def accelerate(deck: AbaqusDeck, rise: Action, name: str, nodes: list[int], ways: list[str]) -> None:
+    """Adds what the velocity rises by to that at the start of the step, of which each value has a line of its own."""
+    speeds = Speeds(deck, rise.start)
+    groups: dict[tuple[float, tuple[str, ...]], list[int]] = {}
+    for node in nodes:
+        of_node: dict[float, list[str]] = {}
+        for way in ways:
+            speed = speeds.find(node, way)
+            if speed is None:
+                why = "an acceleration that begins later, from a velocity that is not known" if rise.start > 0 else "an acceleration of nodes whose velocity at the start is not known"
+                deck.ledger.refuse("BOUNDARY.TYPE", rise.place, why, LEFT_OUT)
+                return
+            of_node.setdefault(speed, []).append(way)
+        for speed, its_ways in of_node.items():
+            groups.setdefault((speed, tuple(its_ways)), []).append(node)
+    if len({speed for speed, _ in groups}) > MOST_SPEEDS:
+        deck.ledger.refuse("BOUNDARY.TYPE", rise.place, f"an acceleration of nodes that begin with more than {MOST_SPEEDS} different velocities", LEFT_OUT)
+        return
+    for (speed, same_ways), members in groups.items():
+        action = replace(rise, points=tuple((x, y + speed) for x, y in rise.points))
+        add_action(deck, ConditionLine(name, members, list(same_ways), action, len(members) == len(nodes)))
 
 
 def refuse_other_axes(deck: AbaqusDeck, nodes: list[int], place: Place) -> None:
@@ -82,8 +115,8 @@ def refuse_other_axes(deck: AbaqusDeck, nodes: list[int], place: Place) -> None:
         deck.ledger.refuse("TRANSFORM", place, "conditions or loads along the axes of *TRANSFORM", "they act along the axes of space")
 
 
-def make_action(deck: AbaqusDeck, block: Block, place: Place, nodes: list[int], directions: list[str], value: float) -> Action | None:
-    """What a line does; None where it is refused."""
+def make_action(deck: AbaqusDeck, block: Block, place: Place, value: float) -> Action | None:
+    """What a line does; None where it is refused. Of an acceleration by how much the velocity rises."""
     kind = block.option("TYPE") or "DISPLACEMENT"
     start = deck.step_of(block).start
     amplitude = deck.amplitude(block.option("AMPLITUDE"), place)
@@ -101,21 +134,10 @@ def make_action(deck: AbaqusDeck, block: Block, place: Place, nodes: list[int], 
     if points is None:
         return None
     if kind == "ACCELERATION":
-        velocity = find_start(deck, nodes, directions)
-        if velocity is None:
-            deck.ledger.refuse("BOUNDARY.TYPE", place, "an acceleration of nodes that start with different velocities", LEFT_OUT)
-            return None
-        points = [(x, y + velocity) for x, y in integrate(order_points(points))]
-        kind = "VELOCITY"
+        points = integrate(order_points(points))
     elif kind == "DISPLACEMENT" and points[0][1] != 0:
         deck.ledger.approximated("BOUNDARY.jump", place, "a displacement that begins with a jump: the jump is left out, as in Abaqus/Explicit")
-    return Action(DISPLACEMENT if kind == "DISPLACEMENT" else VELOCITY, start, tuple(points), place)
-
-
-def find_start(deck: AbaqusDeck, nodes: list[int], directions: list[str]) -> float | None:
-    """The velocity at time 0 that all these nodes have in all directions."""
-    found = {deck.velocities.get(node, [0.0, 0.0, 0.0])[AXES.index(d)] if d in AXES[:3] else 0.0 for node in nodes for d in directions}
-    return found.pop() if len(found) == 1 else None
+    return Action(DISPLACEMENT if kind == "DISPLACEMENT" else VELOCITY, start, tuple(points), place, bool(amplitude and amplitude.error))
 
 
 def finish_conditions(deck: AbaqusDeck) -> None:
@@ -150,7 +172,7 @@ def add_line(deck: AbaqusDeck, line: ConditionLine, turning: set[int], done: set
             groups.setdefault(nodes, []).append(direction)
             done |= {(node, direction) for node in nodes}
     for nodes, directions in groups.items():
-        name = deck.node_set_name(line.name, place) if len(nodes) == len(line.nodes) and not deck.is_ring else deck.model.add_node_set(line.name, nodes)
+        name = deck.node_set_name(line.name, place) if line.has_all and len(nodes) == len(line.nodes) and not deck.is_ring else deck.model.add_node_set(line.name, nodes)
         window = [Window(line.action, 0.0, deck.end_time)]
         motions = [make_motion(window, deck.end_time, direction) for direction in directions]
         deck.model.add("conditions", {"nodes": name, **join_motions(motions)})

@@ -9,7 +9,7 @@ from ..cohesive_layers import Layer
 from ..curves import Points
 from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place, missing
-from ..model import Deck, Model
+from ..model import Deck, Model, Vector
 from ..unique import Unique
 from .amplitudes import Amplitude
 from .lines import Block
@@ -45,6 +45,16 @@ class RigidGroup:
     wall: Deck | None = None  # of an analytical surface, by its name
     card: BodyCard | None = None  # of such a surface
     profile: str = ""
+
+
+@dataclass
+class Rotation:
+    """A velocity and a spin of nodes at the start."""
+
+    nodes: set[int]
+    velocity: Vector
+    spin: Vector
+    center: Vector
 
 
 @dataclass
@@ -114,6 +124,7 @@ class AbaqusDeck:
         self.used_materials: set[str] = set()  # that sections name
         self.glues: dict[str, list[Block]] = {}  # likewise, of bonds
         self.velocities: dict[int, list[float]] = {}  # of nodes at the start
+        self.rotations: list[Rotation] = []  # likewise
         self.body_velocities: dict[int, list[float]] = {}  # of reference nodes: of translation, and of rotation
         self.temperatures: dict[int, float] = {}  # likewise
         self.temperature_place: Place | None = None  # the last card of them

@@ -6,7 +6,7 @@ from ..model import Deck
 from ..shapes import normalise, subtract
 from .axisymmetric import refuse_in_ring
 from .conditions import refuse_other_axes
-from .deck import AbaqusDeck
+from .deck import AbaqusDeck, Rotation
 from .heat import read_temperature
 from .lines import Block
 from .stresses import read_hardening, read_stresses
@@ -65,6 +65,7 @@ def read_rotation(deck: AbaqusDeck, block: Block) -> None:
         velocity = [block.number(line, i) for i in (2, 3, 4)]
         entry: Deck = {"nodes": name_nodes(deck, used, "turning"), "velocity": velocity, "angular_velocity": spin, "center": list(a)}
         deck.model.add("initial", entry)
+        deck.rotations.append(Rotation(set(used), tuple(velocity), tuple(spin), a))  # type: ignore[arg-type]
         deck.ledger.translated("INITIAL CONDITIONS", block.at(line[0]), "initial: velocity and spin")
 
 
@@ -72,8 +73,9 @@ def add_velocities(deck: AbaqusDeck) -> None:
     """A node set for each velocity; bodies come last."""
     turning = deck.model.deck.pop("initial", [])
     groups: dict[tuple[float, ...], list[int]] = {}
+    of_bodies = {node for ref in deck.body_velocities for node in deck.group_of_ref[ref].nodes}
     for node, velocity in deck.velocities.items():
-        if node in deck.used_nodes():
+        if node in deck.used_nodes() and node not in of_bodies:
             groups.setdefault(tuple(velocity), []).append(node)
     for node, velocity in deck.body_velocities.items():
         group = deck.group_of_ref[node]

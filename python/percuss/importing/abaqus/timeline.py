@@ -30,6 +30,7 @@ class Action:
     start: float
     points: tuple[tuple[float, float], ...]  # over the time of the run, from the start on; empty: at rest
     place: Place
+    is_sampled: bool = False  # from a curve, by straight lines
 
 
 @dataclass
