@@ -185,6 +185,8 @@ METALS = [
     Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: C P VP",
           stretched(m24("40.0,5.0,0,0,1", "0.0,0.05", "300.0,300.0"), UP),
           [(MISES, LAST, 300.0 * cowper(RATE / 1.01, 40.0, 5.0), 4e-3)], "as of MAT_003"),
+    *[Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: C P", stretched(m24(rates, "0.0,0.05", "300.0,400.0"), UP), [(MISES, LAST, table_stress(STRAIN), 2e-3)], "one constant alone: no dependence on the rate")
+      for rates in ("40.0,0,0,0,1", "0,5.0,0,0,1")],
     Proof("MAT_PIECEWISE_LINEAR_PLASTICITY: FAIL",
           stretched(m24(fail="0.008"), UP, rows=1000),
           [(erosion_time, LAST, time_of(UP, (0.008 * (3 * SHEAR + HARDENING) + 300.0) / (2 * SHEAR)), 1e-2)], "the plastic strain reaches 0.008"),

@@ -271,17 +271,30 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
     line = require_line(block)
     kind = block.option("TYPE") or "POWER LAW"
     if kind == "JOHNSON COOK" and law["model"] == "johnson_cook":
-        law |= {"c": block.number(line, 0), "reference_rate": block.number(line, 1) or 1.0}
+        if not block.text(line, 0):
+            raise BadInput(block.at(line[0]), "C of *RATE DEPENDENT, TYPE=JOHNSON COOK is blank (it has no default): give it, or remove the keyword")
+        if block.number(line, 0):
+            law |= {"c": block.number(line, 0), "reference_rate": require_positive(block, line, 1, "the reference rate")}
     elif kind == "POWER LAW" and law["model"] != "johnson_cook":
         if law["model"] == "j2_plasticity":
             law |= {"model": "combined_hardening", "kinematic_share": 0.0}
-        law |= {"cowper_symonds_rate": block.number(line, 0), "cowper_symonds_exponent": block.number(line, 1) or 1.0}
+        law |= {"cowper_symonds_rate": require_positive(block, line, 0, "D"), "cowper_symonds_exponent": require_positive(block, line, 1, "n")}
     elif kind == "YIELD RATIO" and law["model"] in ("j2_plasticity", "tabulated_plasticity"):
         base = [(row[0], row[1]) for row in law["hardening"]] if "hardening" in law else [(0.0, law["yield_stress"])]
         factors = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
         add_rates(deck.ledger, block.place, law, order_curves(block.place, scale_curve(base, factors)), "RATE DEPENDENT")
     else:
         deck.ledger.refuse("RATE DEPENDENT", block.place, f"a dependence on the rate of the kind {kind}", "there is none")
+
+
+def require_positive(block: Block, line: tuple[int, list[str]], index: int, name: str) -> float:
+    """A constant of *RATE DEPENDENT that has no default."""
+    value = block.number(line, index)
+    if value <= 0:
+        given = f"is {value:g}" if block.text(line, index) else "is blank"
+        kind = block.option("TYPE") or "POWER LAW"
+        raise BadInput(block.at(line[0]), f"{name} of *RATE DEPENDENT, TYPE={kind} {given} (it must be positive, and has no default): correct it, or remove the keyword")
+    return value
 
 
 def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:

@@ -4,7 +4,7 @@ from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import Use, finish_lines, start_law
+from .shared import Use, add_rate, finish_lines, start_law
 
 
 def damage_3(deck: KeywordDeck, card: Card, use: Use) -> Deck:
@@ -26,9 +26,7 @@ def damage_3(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     law |= {"cyclic_stress": hardening / rate, "cyclic_rate": rate} if rate else {"hardening_modulus": hardening}
     if rate < 0 or hardening < 0 and (rate == 0 or law["yield_stress"] + hardening / rate <= 0):
         raise BadInput(row.place, "HARDI and BETA take all strength: correct them")
-    speed, exponent = more.numbers("SRC", "SRP")
-    if speed > 0 and exponent > 0:
-        law |= {"cowper_symonds_rate": speed, "cowper_symonds_exponent": exponent}
+    add_rate(law, deck, more, ("SRC", "SRP"))
     if not terms:
         law = make_voce(law)
     if damage.number("IDAMAGE"):

@@ -46,13 +46,13 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     law = start_law(row, "combined_hardening")
     hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
     law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": hardening}
-    rate, exponent = more.numbers("SRC", "SRP")
     isotropic_share = row.number("BETA")
     if hardening == 0 or isotropic_share == 1:
         law["kinematic_share"] = 0.0
     else:
         law["kinematic_share"] = min(max(1 - isotropic_share, 0.0), 1.0)
-    add_rate(law, deck, rate, exponent, more)
+    if add_rate(law, deck, more, ("SRC", "SRP")):
+        note_rate(deck, more)
     if law["kinematic_share"] == 0 and "cowper_symonds_rate" not in law:
         del law["kinematic_share"]
         law["model"] = "j2_plasticity"
@@ -129,9 +129,12 @@ def add_hardening(deck: KeywordDeck, card: Card, row: Row, more: Row, law: Deck,
             "kinematic_share": 0.0,
         }
     if more.integer("LCSR"):
+        if any(more.numbers("C", "P")):
+            deck.ledger.ignored(f"{card.keyword}.C", more.place, "C and P beside LCSR: the curve counts alone")
         add_scaled(deck, card, more, law, points)
         return
-    add_rate(law, deck, more.number("C"), more.number("P"), more)
+    if add_rate(law, deck, more, ("C", "P")):
+        note_rate(deck, more)
     if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
         law["model"] = "j2_plasticity"
         del law["kinematic_share"]
@@ -333,7 +336,8 @@ def power_law(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if start > 0.02:
         law["hardening"][0][1] = start  # the offset may be too small for a number
     deck.ledger.approximated(card.keyword, card.place, "the power law by 31 rows up to a plastic strain of 2")
-    add_rate(law, deck, row.number("SRC"), row.number("SRP"), more)
+    if add_rate(law, deck, row, ("SRC", "SRP")):
+        note_rate(deck, more)
     more.skip("VP")
     set_failure(law, plastic_strain=more.number("EPSF"))
     row.finish(deck.ledger)

@@ -6,7 +6,7 @@ from ..cards import Card
 from ..deck import KeywordDeck
 from ..dimensions import scale
 from .orthotropic import POINT, add_axes
-from .shared import FAR, Use, finish_lines, make_hardening, tangent_to_hardening
+from .shared import FAR, Use, add_rate, finish_lines, make_hardening, tangent_to_hardening
 
 VECTORS = "V1 V2 V3 D1~unused D2~unused D3~unused"  # D is of solids
 SWIFT_ROWS, SWIFT_END = 4000, 2.0  # of a power law as a table, up to this plastic strain
@@ -98,20 +98,13 @@ def barlat(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law["barlat"] = [c, h, options.number("PB")]
     else:
         add_ratios(more, law)
-    add_cowper_symonds(deck, card, options, law)
+    if add_rate(law, deck, options, ("C", "P")):
+        deck.ledger.approximated(f"{card.keyword}.C", options.place, "the rate of plastic strain counts")
     add_axes(deck, card, use, law, (options, point, vectors), vectors.number("BETA"))
     for found in (row, more, options, point, vectors):
         found.finish(deck.ledger, "it is left out")
     finish_lines(deck, card, reader)
     return law
-
-
-def add_cowper_symonds(deck: KeywordDeck, card: Card, row: Row, law: Deck) -> None:
-    """C and P of a card without VP."""
-    rate, exponent = row.numbers("C", "P")
-    if rate > 0 and exponent > 0:
-        law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
-        deck.ledger.approximated(f"{card.keyword}.C", row.place, "the rate of plastic strain counts")
 
 
 def hill(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:

@@ -107,12 +107,18 @@ def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
             deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a data line that is not read", "it is left out")
 
 
-def add_rate(law: Deck, deck: KeywordDeck, rate: float, exponent: float, row: Row) -> None:
-    """Cowper and Symonds' dependence on the rate."""
-    if rate <= 0 or exponent <= 0:
-        return
-    law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
-    note_rate(deck, row)
+def add_rate(law: Deck, deck: KeywordDeck, row: Row, names: tuple[str, str]) -> bool:
+    """Cowper and Symonds' dependence on the rate, by two constants of these names; False: there is none."""
+    values = row.numbers(*names)
+    if min(values) > 0:
+        law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = values
+        return True
+    given = [name for name, value in zip(names, values) if value]
+    if given:
+        other = next((name for name in names if name not in given), "")
+        text = f"{given[0]} without {other}" if other else f"{names[0]} or {names[1]} below 0"
+        deck.ledger.ignored(f"{row.card}.{given[0]}", row.place, f"{text}: Cowper and Symonds' law needs both above 0, so the stress does not depend on the rate")
+    return False
 
 
 def note_rate(deck: KeywordDeck, row: Row) -> None:
