@@ -210,6 +210,101 @@ class Cards(InFolder):
         self.assertIn([0.0, 1.0, 0.0], [block.keys.get("toward") for block in model.blocks])
 
 
+# Cards that may have a title or an id in a line of their own, beside those of decks.FULL.
+WITH_TITLES = """\
+*HOURGLASS
+6,5,0.05
+*DEFINE_BOX
+4,-1.0,9.0,-1.0,9.0,-1.0,9.0
+*DEFINE_VECTOR
+5,0,0,0,1.0,0,0
+*DEFINE_COORDINATE_SYSTEM
+7,0,0,0,1.0,0,0
+0,1.0,0
+*DEFINE_TABLE
+90
+0
+1
+*DEFINE_CURVE
+91
+0,3e8
+0.5,3e8
+*DEFINE_CURVE
+92
+0,4e8
+0.5,4e8
+*CONSTRAINED_NODAL_RIGID_BODY
+33,0,60
+*CONSTRAINED_SPOTWELD
+24,14
+*CONSTRAINED_NODE_SET
+61,1
+*SET_NODE_LIST
+61
+2,3
+*MAT_ADD_EROSION
+3,0
+0,9e9
+*RIGIDWALL_GEOMETRIC_SPHERE
+0
+0,0,9
+1.5
+*CONTACT_TIED_NODES_TO_SURFACE
+61,8,4,3
+
+
+*DATABASE_CROSS_SECTION_SET
+61,88
+*SET_SOLID_LIST
+88
+500
+"""
+TITLED = (
+    "SECTION_SOLID MAT_PIECEWISE_LINEAR_PLASTICITY SECTION_SHELL HOURGLASS DEFINE_BOX DEFINE_VECTOR DEFINE_COORDINATE_SYSTEM DEFINE_TABLE DEFINE_CURVE SET_PART_LIST SET_NODE_LIST SET_SOLID_LIST "
+    "MAT_ADD_EROSION CONSTRAINED_NODAL_RIGID_BODY CONTACT_AUTOMATIC_SURFACE_TO_SURFACE CONTACT_TIED_NODES_TO_SURFACE"
+).split()
+WITH_ID = (
+    "BOUNDARY_SPC_SET BOUNDARY_PRESCRIBED_MOTION_NODE LOAD_SEGMENT LOAD_NODE_SET CONSTRAINED_SPOTWELD CONSTRAINED_NODE_SET RIGIDWALL_GEOMETRIC_SPHERE CONTACT_AUTOMATIC_SURFACE_TO_SURFACE "
+    "CONTACT_TIED_NODES_TO_SURFACE DATABASE_CROSS_SECTION_SET"
+).split()
+
+
+class Titles(InFolder):
+    def describe(self, text):
+        model, ledger = self.read(text, "all")
+        return {**model.deck, "materials": model.materials, "sets": model.node_sets}, [(row.card, row.status, row.text, row.count) for row in ledger.list_rows()]
+
+    def test_a_blank_line_of_a_title_or_an_id_is_that_line(self):
+        """Without the option and with it the model and the report are one."""
+        text = decks.FULL.replace("*END", WITH_TITLES + "*END")
+        right = self.describe(text)
+        for option, names in (("TITLE", TITLED), ("ID", WITH_ID)):
+            for name in names:
+                for blank in ("", "     "):
+                    with self.subTest(name=name, option=option, blank=blank):
+                        self.assertIn(f"*{name}\n", text)
+                        self.assertEqual(self.describe(text.replace(f"*{name}\n", f"*{name}_{option}\n{blank}\n")), right)
+
+    def test_one_constant_of_cowper_and_symonds_is_in_the_report(self):
+        for card, field, text in (
+            ("*MAT_024\n1,7850.0,2.0e11,0.3,2e8,2e10\n40.4,0\n0\n0\n", "MAT_PIECEWISE_LINEAR_PLASTICITY.C", "C without P"),
+            ("*MAT_024\n1,7850.0,2.0e11,0.3,2e8,2e10\n,5.0\n0\n0\n", "MAT_PIECEWISE_LINEAR_PLASTICITY.P", "P without C"),
+            ("*MAT_123\n1,7850.0,2.0e11,0.3,2e8,2e10\n40.4,-5.0\n0\n0\n", "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY.C", "C or P below 0"),
+            ("*MAT_081\n1,7850.0,2.0e11,0.3,2e8,2e10\n40.4\n0\n0\n", "MAT_PLASTICITY_WITH_DAMAGE.C", "C without P"),
+            ("*MAT_003\n1,7850.0,2.0e11,0.3,2e8,2e10,0.5\n40.4\n", "MAT_PLASTIC_KINEMATIC.SRC", "SRC without SRP"),
+            ("*MAT_018\n1,7850.0,2.0e11,0.3,6e8,0.2,,5.0\n3e8\n", "MAT_POWER_LAW_PLASTICITY.SRP", "SRP without SRC"),
+            ("*MAT_153\n1,7850.0,2.0e11,0.3,2e8,1e8,10.0\n1e9,5.0,0,0,40.4\n0\n0\n", "MAT_DAMAGE_3.SRC", "SRC without SRP"),
+            ("*MAT_036\n1,7850.0,2.0e11,0.3,1,1e9,2e8\n2,1.0,1.0,1.0\n0,40.4\n\n\n", "MAT_3-PARAMETER_BARLAT.C", "C without P"),
+        ):
+            with self.subTest(card=card):
+                model, ledger = self.read(decks.make_block(card, "", True))
+                rows = [row for row in ledger.list_rows() if row.card == field]
+                self.assertEqual([(row.status, row.text.split(":")[0]) for row in rows], [(Status.IGNORED, text)])
+                self.assertNotIn("cowper_symonds_rate", next(iter(model.materials.values())))
+        both = decks.make_block("*MAT_024\n1,7850.0,2.0e11,0.3,2e8,2e10\n40.4,5.0,0,54\n0\n0\n*DEFINE_CURVE\n54\n0,1\n100,1.5\n", "", True)
+        self.assertIn("MAT_PIECEWISE_LINEAR_PLASTICITY.C", outcomes(self.read(both)[1], Status.IGNORED))
+
+
 class Instances(InFolder):
     def test_a_mesh_within_an_instance_is_its_own(self):
         start = decks.ABAQUS_RATES.index("*MATERIAL")

@@ -1,7 +1,7 @@
 """Nodes, elements and their masses."""
 
 from . import ALL, FIRST, Proof
-from .pieces import CUBE_MASS, DENSITY, cube, deck, elastic, force, node_set, nodes, part, shell, shell_section, solid_section, square, two_cubes, velocity
+from .pieces import CUBE_MASS, DENSITY, POISSON, YOUNG, cube, deck, elastic, force, node_set, nodes, part, shell, shell_section, solid_section, square, two_cubes, velocity
 
 CORNERS = (0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0), (0, 0, 10), (10, 0, 10), (10, 10, 10), (0, 10, 10)
 SHELL_MASS = DENSITY * 100.0  # 1 mm thick
@@ -49,6 +49,10 @@ PROOFS = [
           deck(cube(), velocity(100.0, 20.0, -30.0)),
           [("momentum_x", ALL, 100.0 * CUBE_MASS, 1e-9), ("momentum_y", FIRST, 20.0 * CUBE_MASS, 1e-9), ("momentum_z", FIRST, -30.0 * CUBE_MASS, 1e-9)],
           "momentum of 7.8e-6 t"),
+    Proof("MAT_ELASTIC: RO; SECTION_SOLID: SECID", deck(two_cubes().replace(elastic(), "").replace(solid_section(), "").replace("part_2\n2,1,1", "part_2\n2,4,3"), velocity(2.0),
+                                                        f"*MAT_ELASTIC_TITLE\n\n1,{DENSITY!r},{YOUNG!r},{POISSON!r}\n   \n3,{2 * DENSITY!r},{YOUNG!r},{POISSON!r}\n\n", "*SECTION_SOLID_TITLE\n\n1,1\n\n4,1\n"),
+          mass(3.0 * CUBE_MASS), "the line of a title may be blank, for each of two cards behind one keyword"),
+    Proof("MAT_ELASTIC: RO", deck(cube(f"*MAT_ELASTIC_TITLE\n1,2\n1,{2 * DENSITY!r},{YOUNG!r},{POISSON!r}\n"), velocity(2.0)), mass(2.0 * CUBE_MASS), "a title of numbers is a title"),
     *(Proof("NODE: TC", held(code), pushed(code), f"TC {code} holds {HELD[code]}") for code in HELD),
     Proof("ELEMENT_SOLID", solid("1,1\n1,2,3,4,5,6,7,8\n"), volume(1.0), "on two lines"),
     Proof("ELEMENT_SOLID", solid("1,1,1,2,3,4,5,5,8,8\n"), volume(1.0 / 2), "a wedge is half the cube: its triangles are 1 2 5 and 4 3 8"),

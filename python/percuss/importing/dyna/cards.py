@@ -128,7 +128,11 @@ class Lines:
 
     def holds_more(self) -> bool:
         """Whether a line with something is left; passes over none."""
-        return any(text.strip() for _, text in self.card.lines[self._next :])
+        return any(self.card.lines[index][1].strip() for index in range(self._next, len(self.card.lines)))
+
+    def next_card(self) -> bool:
+        """Whether a card follows. With _TITLE or _ID its first line is the next one, whatever that holds; without them empty lines are passed over."""
+        return self.holds_more() if self.card.has_title or self.card.has_id else self.skip_blank()
 
     def skip_blank(self) -> bool:
         """Passes over empty lines; whether there is one with something."""

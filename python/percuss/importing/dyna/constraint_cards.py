@@ -57,7 +57,7 @@ def add_equation(deck: KeywordDeck, card: Card) -> None:
 def add_node_set(deck: KeywordDeck, card: Card) -> None:
     """NSID DOF TF; with _ID a line before."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         id = reader.row("CNSID").integer("CNSID") if card.has_id else 0
         row = reader.row("NSID DOF TF")
         directions = DIRECTIONS.get(row.integer("DOF"), "")

@@ -99,7 +99,7 @@ def read_contact(deck: KeywordDeck, card: Card) -> None:
         return
     kinds = {TIE: "CONTACT_TIED", TRANSDUCER: "CONTACT_FORCE_TRANSDUCER"}
     reader = replace(card, keyword=kinds.get(FAMILIES[family], "CONTACT")).reader()  # what its fields are called
-    if not reader.skip_blank():
+    if not reader.next_card():
         return
     contact = read_cards(card, reader, family, options)
     lost = [(option, *OPTIONS[option][1:]) for option in options if OPTIONS[option][1]]
@@ -112,7 +112,8 @@ def read_cards(card: Card, reader: Lines, family: str, options: list[str]) -> Co
     title = ""
     if card.has_id or card.has_title:
         head = reader.row("CID HEADING", (10, 70))
-        title = head.text("HEADING") or f"contact_{head.integer('CID')}"
+        title, id = head.text("HEADING"), head.integer("CID")
+        title = title or (f"contact_{id}" if id else "")
     if "MPP" in options:
         reader.take()
         if reader.peek().startswith("&"):

@@ -20,7 +20,7 @@ HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: 
 
 def read_hourglass(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_title:
             reader.take()
         row = reader.row("HGID IHQ=1 QM=0.1 IBQ~unused Q1=1.5 Q2=0.06 QB~shells QW~shells")

@@ -36,7 +36,7 @@ def read_nodal_body(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, f"options {' '.join(sorted(options))}", "the body is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         title = reader.text() if card.has_title else ""
         row = reader.row("PID CID~output NSID PNODE IPRT~output DRFLAG RRFLAG")
         id, nodes, center = row.integer("PID"), row.integer("NSID"), abs(row.integer("PNODE"))
@@ -90,7 +90,7 @@ def read_joints(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a joint of another kind, or with options", LEFT_OUT)
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         title, id = "", 0
         if card.has_id:
             head = reader.row("ID TITLE~", (10, 70))

@@ -87,7 +87,7 @@ def read_node_load(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a load whose function is evaluated once, or another form of loads on nodes", "it is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_id:
             reader.take()
         row = reader.row("ID DOF LCID SF=1 CID M1~unused M2~unused M3~unused")
@@ -171,7 +171,7 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
     groups: dict[tuple[int, float, float], list[Face]] = {}
     shells = list_shells(deck) if "SHELL" in card.keyword else {}
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_id:
             reader.take()
         if card.keyword == "LOAD_SEGMENT":

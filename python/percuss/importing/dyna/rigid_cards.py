@@ -194,7 +194,7 @@ def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "this form of the card", "it is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_id:
             reader.take()
         row = reader.row(LAYOUT)

@@ -120,7 +120,7 @@ def resolve_segments(deck: KeywordDeck) -> None:
 def read_box(deck: KeywordDeck, card: Card) -> None:
     """*DEFINE_BOX, and _LOCAL with the axes and the origin of its limits."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_title:
             reader.take()
         row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
@@ -137,7 +137,7 @@ def read_box(deck: KeywordDeck, card: Card) -> None:
 def read_system(deck: KeywordDeck, card: Card) -> None:
     """*DEFINE_COORDINATE_SYSTEM, _NODES and _VECTOR: three axes that stay as they are at the start."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_title:
             reader.take()
         read_axes(deck, card, reader)
@@ -197,7 +197,7 @@ def make_axes(row: Row, x: Vector, xy: Vector) -> tuple[Vector, Vector, Vector]:
 
 def read_vector(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         if card.has_title:
             reader.take()
         row = reader.row("VID XT YT ZT XH YH ZH CID")

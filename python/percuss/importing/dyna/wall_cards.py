@@ -27,7 +27,7 @@ def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is not a plane", "it is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         name = read_name(deck, card, reader)
         row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~penalty")
         plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
@@ -42,7 +42,8 @@ def read_name(deck: KeywordDeck, card: Card, reader: Lines) -> str:
     name = ""
     if card.has_id:
         head = reader.row("ID~label TITLE~label", (10, 70))
-        name = head.text("TITLE") or f"wall_{head.integer('ID')}"
+        name, id = head.text("TITLE"), head.integer("ID")
+        name = name or (f"wall_{id}" if id else "")
     return name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}"
 
 
@@ -53,7 +54,7 @@ def read_geometric_wall(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is a prism, hollow, or deforms", "it is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         name = read_name(deck, card, reader)
         row = reader.row("NSID NSIDEX BOXID BIRTH DEATH=1e20")
         wall = make_wall(deck, reader.row("XT YT ZT XH YH ZH FRIC"), name, shape)

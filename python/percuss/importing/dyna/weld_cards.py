@@ -31,7 +31,7 @@ def add_pairs(deck: KeywordDeck, card: Card) -> None:
     """N1 N2 SN SS N M TF EP, of a rivet N1 N2 TF; with _ID a line before."""
     is_rivet = "RIVET" in card.keyword
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         id = read_id(reader) if card.has_id else 0
         row = reader.row("N1 N2 TF" if is_rivet else "N1 N2 SN SS N M TF EP")
         failure: Deck = {} if is_rivet else read_strengths(row)
@@ -47,7 +47,7 @@ def add_pairs(deck: KeywordDeck, card: Card) -> None:
 def add_general(deck: KeywordDeck, card: Card) -> None:
     """NSID CID FILTER WINDOW NPR NPRT, then TFAIL EPSF SN SS N M: the nodes of a set, by pairs."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card():
         id = read_id(reader) if card.has_id else 0
         row = reader.row("NSID CID FILTER WINDOW NPR~absent NPRT~output")
         if row.integer("CID"):
