@@ -176,8 +176,13 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
   const T trace_d = trace(m.d);
   const OnePointViscosity<T> viscous = find_viscosity(par, state, out.size, out.geometry.volume, trace_d);
   PointMotion<T> point = make_point_motion(par, de, dt, viscous, out.geometry.volume, state);
-  point.change = find_volume_change(stretch_before, state.polar.stretch);
-  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(material_rate);
+  MaterialVolume<T> ratio{T(1), T(1)};
+  out.work.guard = T(0);
+  if constexpr (Mixed) {
+    state.log_volume = state.log_volume + dt * trace(material_rate);
+    ratio = advance_gap(par, dt * (trace_d - trace(material_rate)), T(0.5) * m.volume, state, out.work.guard);
+  }
+  point.change = find_volume_change(ratio, stretch_before, state.polar.stretch);
   if constexpr (Mixed && is_called<Material>) point.volume_ratio = exponential(state.log_volume);
   const Symmetric3<T> old_stress = state.stress;
   NoStressRests<T> no_rest;
@@ -188,20 +193,11 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
           half_volume = T(0.5) * m.volume;  // of rubber it grows with the stretch
   const T kappa = find_mode_stiffness(out.geometry, shear, par.hourglass);
   out.work.hourglass = advance_modes<Material>(m, turn, kappa, dt, response, state.hourglass);
-  out.work.internal = half_volume * contract(old_stress + state.stress, de);
+  out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
   out.work.viscous = -half_volume * (state.viscous_pressure + viscous.q.pressure) * dt * trace_d;
-  out.work.guard = T(0);
   state.viscous_pressure = viscous.q.pressure;
-  out.stress = push_forward(state.polar.rotation, state.stress);
-  out.own = {T(moduli.lambda), T(moduli.mu), kappa, viscous.q.tangent};
-  if constexpr (Mixed) {
-    const T change = dt * (trace_d - trace(material_rate));
-    const MaterialVolume<T> ratio = advance_gap(par, change, half_volume, state, out.work.guard);
-    out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
-    out.stress = ratio.now * out.stress;
-    out.own.lambda = ratio.now * out.own.lambda;
-    out.own.mu = ratio.now * out.own.mu;
-  }
+  out.stress = ratio.now * push_forward(state.polar.rotation, state.stress);
+  out.own = {ratio.now * T(moduli.lambda), ratio.now * T(moduli.mu), kappa, viscous.q.tangent};
   return out;
 }
 

@@ -8,14 +8,25 @@
 // bending (in the way of the alpha-FEM of Nguyen-Thoi et al. 2010). What the stresses give to the nodes is averaged by
 // the transpose, so that the power of the forces is that of the stresses. docs/theory_tetrahedra.md has it all.
 
+#include "kernels/material/point_step.hpp"
 #include "kernels/material/polar.hpp"
 #include "kernels/tet/geometry.hpp"
 
 namespace percuss {
 
-/// Share of the averaged deviator, of laws whose stress stays far below their moduli. Its average follows from no
-/// energy of the deformation: under stresses as large as moduli it would feed vibrations. Other laws have none.
+/// Share of the averaged deviator. Its average follows from no energy of the deformation: under stresses as large as
+/// the moduli it would feed vibrations. So laws of rubber and foam (is_stretched_far()) have none.
 inline constexpr double tet_deviator_share = 0.3;
+
+/// e^x of small numbers, to 1e-14 up to 4: the series at x / 32 and five squarings, without a call by lane.
+template <class T>
+PERCUSS_FORCE_INLINE T find_power_of_e(const T& x) {
+  const T r = T(1.0 / 32) * x;
+  T sum = T(1);
+  for (int k = 8; k > 0; --k) sum = T(1) + T(1.0 / k) * r * sum;
+  for (int k = 0; k < 5; ++k) sum = sum * sum;
+  return sum;
+}
 
 /// Volume that the material has seen, which is averaged, over that of the element, at n and n+1.
 template <class T>
@@ -27,7 +38,7 @@ struct MaterialVolume {
 /// this volume: the power of the forces is then that of an energy of the deformation (docs/theory_tetrahedra.md).
 template <class T>
 PERCUSS_FORCE_INLINE MaterialVolume<T> find_material_volume(const T& gap, const T& change) {
-  const T one(1), now = exponential(T(0) - gap);
+  const T one(1), now = find_power_of_e(T(0) - gap);
   return {now * (one + change * (one + T(0.5) * change * (one + T(1.0 / 3.0) * change))), now};
 }
 
@@ -78,6 +89,15 @@ struct TetSums {
   static constexpr int volume_of_rates = 3;
   static constexpr int volume = 8, mass = 9, square = 10;  // of stresses
 };
+
+/// Change of volume in the step, for laws whose Kirchhoff stress grows: that of the material. before, after: V of the
+/// element at n and n+1.
+template <class T>
+PERCUSS_FORCE_INLINE VolumeChange<T> find_volume_change(const MaterialVolume<T>& ratio, const Symmetric3<T>& before,
+                                                        const Symmetric3<T>& after) {
+  const T j = ratio.now * determinant(full(after));
+  return {j - ratio.before * determinant(full(before)), T(1) / j};
+}
 
 /// What an element takes from the averages of the rates at its nodes.
 template <class T>

@@ -103,8 +103,14 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& p
   const T speed = square_root(find_modulus_before<T>(par, state) / density);
   const ViscousPressure<T> viscous = find_viscous_pressure(par.viscosity, density, length, speed, trace_d);
   PointMotion<T> point{de, dt, T(1), T(1), T(0), par.time};
-  point.change = find_volume_change(stretch_before, state.polar.stretch);
-  if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(material_rate);
+  MaterialVolume<T> ratio{T(1), T(1)};
+  out.work.guard = T(0);
+  const T half_volume = half * m.middle.volume;
+  if constexpr (Mixed) {
+    state.log_volume = state.log_volume + dt * trace(material_rate);
+    ratio = advance_gap(par, dt * difference, half_volume, state, out.work.guard);
+  }
+  point.change = find_volume_change(ratio, stretch_before, state.polar.stretch);
   if constexpr (is_called<Material>) {
     point.length = length;
     point.viscosity = half * (state.viscous_pressure + viscous.pressure);
@@ -113,21 +119,12 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const SolidParameters<Material>& p
   const Symmetric3<T> old_stress = state.stress;
   NoStressRests<T> no_rest;
   const auto response = update_stress(par.material, state.stress, no_rest, state.history, 0, point);
-  out.own = find_tet_moduli<T>(par, response);
-  out.own.tangent = viscous.tangent;
-  out.stress = push_forward(state.polar.rotation, state.stress);
-
-  const T half_volume = half * m.middle.volume;
-  out.work.internal = half_volume * contract(old_stress + state.stress, de);
+  const TetStiffness<T> own = find_tet_moduli<T>(par, response);
+  out.own = {ratio.now * own.bulk, ratio.now * own.shear, viscous.tangent};
+  out.stress = ratio.now * push_forward(state.polar.rotation, state.stress);
+  out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
   out.work.viscous = -half_volume * (state.viscous_pressure + viscous.pressure) * dt * trace_d;
-  out.work.guard = T(0);
   state.viscous_pressure = viscous.pressure;
-  if constexpr (Mixed) {
-    const auto ratio = advance_gap(par, dt * difference, half_volume, state, out.work.guard);
-    out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);
-    out.stress = ratio.now * out.stress;
-    out.own = {ratio.now * out.own.bulk, ratio.now * out.own.shear, out.own.tangent};
-  }
   return out;
 }
 

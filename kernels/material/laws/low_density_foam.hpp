@@ -14,6 +14,7 @@ namespace percuss {
 /// hysteresis W_max.
 struct LowDensityFoam {
   static constexpr const char* name = "low_density_foam";
+  static constexpr bool is_stretched_far = true;  // as what stores energy is
   using Constants = LowDensityFoam;
   double youngs_modulus = 0;
   double hysteretic_unloading = 1, unloading_shape = 1;

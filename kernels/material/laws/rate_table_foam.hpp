@@ -19,6 +19,7 @@ namespace percuss {
 /// History: U, the tensor with the values q, W_max, whether tension has failed.
 struct RateTableFoam {
   static constexpr const char* name = "rate_table_foam";
+  static constexpr bool is_stretched_far = true;  // as what stores energy is
   using Constants = RateTableFoam;
   double youngs_modulus = 0;
   double hysteretic_unloading = 1, unloading_shape = 1, unloading_exponent = 1;

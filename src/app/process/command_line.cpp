@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "src/app/process/help_texts.hpp"
+#include "src/app/process/tools.hpp"
 #include "src/app/process/version.hpp"
 #include "src/deck/text/nearest_name.hpp"
 
@@ -224,8 +225,9 @@ Answer refuse_command(const std::vector<std::string>& words) {
                  "run");
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
     return wrong(fmt::format("unknown command '{0}' (to run a deck: percuss run {0})", word));
-  std::vector<std::string> commands = {"run", "check", "plan", "info", "schema", "help", "version"};
+  std::vector<std::string> commands = {"run", "check", "plan", "info", "schema"};
   commands.insert(commands.end(), tool_names().begin(), tool_names().end());
+  commands.insert(commands.end(), {"help", "version"});
   return wrong(fmt::format("unknown command '{}'{}", word, name_hint(word, commands)));
 }
 

@@ -97,10 +97,11 @@ struct SeededRecords {
   /// A row measures along its push, and finds more than the distance from the face. All that it finds in its first step
   /// is accepted: it takes the lesser of its own depth and the reference.
   void hold(int record, std::int64_t by_face, double depth) const {
+    // The depth is that of the closest point along the push, cos(angle) of its distance; a row finds 1 / cos of this.
     constexpr double most_of_row = 1 / (least_push_cosine * least_push_cosine);
     face(record) = by_face;
-    hold(record, depth);
     reference(record) = most_of_row * depth;
+    if (to_push.extent(0) > 0) to_push(record) = depth;
   }
   void write_to(const ContactHistory& history) const {
     Kokkos::deep_copy(history.face, face);

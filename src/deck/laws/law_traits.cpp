@@ -70,6 +70,18 @@ const LawTraits& find_traits(const std::string& model) {
 
 const LawTraits& find_traits(const MaterialDeck& material) { return find_traits(material.law.model); }
 
+bool is_stretched_far(const MaterialDeck& material) {
+  bool is = false;
+  visit_law(material, [&]<class Law>(const Law& law) {
+    if constexpr (requires { law.made.entry; })
+      is = law.made.entry->stores_energy;
+    else
+      is = requires { requires Law::stores_energy; }
+    || requires { requires Law::is_stretched_far; };
+  });
+  return is;
+}
+
 std::string name_laws(bool LawTraits::*trait) {
   std::vector<std::string> names;
   for (const LawTraits& law : list_law_traits())

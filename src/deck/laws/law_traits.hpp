@@ -36,6 +36,10 @@ bool is_uncomputed(const Deck& deck, std::size_t part);
 const LawTraits& find_traits(const std::string& model);
 const LawTraits& find_traits(const MaterialDeck& material);
 
+/// Whether its stress follows from the stretch, so that it may be as large as the moduli: rubber and foam, and laws of
+/// a library that store energy.
+bool is_stretched_far(const MaterialDeck& material);
+
 /// "elastic, j2_plasticity and johnson_cook": those with a trait.
 std::string name_laws(bool LawTraits::*trait);
 

@@ -146,7 +146,7 @@ Array<double> list_deviator_shares(const Deck& deck, const ChunkedMesh& chunked)
   shares.reserve(chunked.chunks.size());
   for (const Chunk& chunk : chunked.chunks) {
     const auto material = static_cast<std::size_t>(find_block(chunked, chunk).material);
-    shares.push_back(find_traits(deck.materials[material]).grows_in_increments ? tet_deviator_share : 0.0);
+    shares.push_back(is_stretched_far(deck.materials[material]) ? 0.0 : tet_deviator_share);
   }
   return to_view("percuss::tet_deviator_shares", shares);
 }

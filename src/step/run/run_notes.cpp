@@ -42,11 +42,13 @@ constexpr double noted_depth = 0.1;
 constexpr double motions_in_tolerance = 10;
 
 Warning describe_hourglass(const PartHourglass& part, double time) {
+  const std::string share =
+      part.hourglass > part.stored ? "more than" : fmt::format("{:.0f} % of", 100 * part.hourglass / part.stored);
   return {"hourglass_energy",
-          fmt::format("hourglass modes hold {:.0f} % of the strain energy, most of it near {} (not that of smooth "
+          fmt::format("hourglass modes hold {} the strain energy, most of it near {} (not that of smooth "
                       "bending: single nodes carry the load, or the mesh is too coarse there): refine the mesh there, "
                       "spread the load, or with hexahedra use elements: {{integration: full}}",
-                      100 * part.hourglass / part.stored, part.element),
+                      share, part.element),
           "part '" + part.part + "'", time, 1};
 }
 

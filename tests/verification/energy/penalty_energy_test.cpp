@@ -118,7 +118,7 @@ TEST(PenaltyEnergy, OfSheetsAndBlocksThatMeetAndRubOnlyFalls) {
       "  b: {box: {size: [0.02, 0.02, 0.01], cells: [4, 5, 3]}, material: m}\n";
   for (const std::string& parts : {sheets, blocks}) {
     for (const double friction : {0.2, 1.0}) {
-      for (const std::string& velocity : {"[7, 0, -10]", "[2, 3, -10]", "[20, -5, -10]"}) {
+      for (const char* velocity : {"[7, 0, -10]", "[2, 3, -10]", "[20, -5, -10]"}) {
         const Outcome run = run_deck(fmt::format(R"(
 time: {{end: 1e-4}}
 parts:
