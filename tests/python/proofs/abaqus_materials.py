@@ -162,6 +162,9 @@ PROOFS = [
           [("internal", LAST, plastic_work(450.0), 2e-2)], "the last ratio holds beyond its rate"),
     *[Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + f"*RATE DEPENDENT\n{row}\n"), refused=f"{name} of *RATE DEPENDENT, TYPE=POWER LAW is {what} (it must be positive", messages=1)
       for row, name, what in (("40.4", "n", "blank"), ("40.4, 0.", "n", "0"), (", 5.", "D", "blank"), ("-1., 5.", "D", "-1"))],
+    *[Proof("PLASTIC: HARDENING", stretched(ELASTIC + f"*PLASTIC, HARDENING=JOHNSON COOK\n{row}\n"), refused=words, messages=1)
+      for row, words in (("300., 800., , 1., 1e5, 0.", "n of *PLASTIC, HARDENING=JOHNSON COOK is blank"), ("300., 800., 0.5, 0., 1e5, 0.", "m of *PLASTIC, HARDENING=JOHNSON COOK is 0"))],
+    Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + "*RATE DEPENDENT\n40., 5., 0.\n20., 4., 100.\n"), refused="constants for several temperatures", messages=1),
     *[Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + "*PLASTIC, HARDENING=JOHNSON COOK\n300., 0., 1., 1., 1e5, 0.\n" + f"*RATE DEPENDENT, TYPE=JOHNSON COOK\n{row}\n"), refused=words, messages=1)
       for row, words in (("0.1", "the reference rate of *RATE DEPENDENT, TYPE=JOHNSON COOK is blank"), (", 1.", "C of *RATE DEPENDENT, TYPE=JOHNSON COOK is blank"))],
     Proof("RATE DEPENDENT: TYPE", stretched(ELASTIC + PLASTIC + "*RATE DEPENDENT, TYPE=USER\n1., 0.\n"), refused="of the kind USER"),

@@ -206,8 +206,10 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block, cyclic: Block | None 
     kind = block.option("HARDENING")
     line = require_line(block)
     if kind == "JOHNSON COOK":
-        a, b, n, m, melt, room = (block.number(line, i) for i in range(6))
-        law |= {"model": "johnson_cook", "a": a, "b": b, "n": n or 1.0, "m": m or 1.0,
+        a, b, melt, room = (block.number(line, i) for i in (0, 1, 4, 5))
+        n = require_positive(block, line, 2, "n") if b else block.number(line, 2) or 1.0
+        m = require_positive(block, line, 3, "m") if melt > room else block.number(line, 3) or 1.0
+        law |= {"model": "johnson_cook", "a": a, "b": b, "n": n, "m": m,
                 "melt_temperature": melt if melt > room else room + NEVER, "room_temperature": room, "start_temperature": room,
                 "specific_heat": NEVER}  # fmt: skip
         deck.ledger.translated("PLASTIC", block.place, "johnson_cook; heat needs an ADIABATIC step and *INELASTIC HEAT FRACTION")
@@ -270,6 +272,8 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
         return
     line = require_line(block)
     kind = block.option("TYPE") or "POWER LAW"
+    if kind != "YIELD RATIO" and len(block.lines) > 1:
+        deck.ledger.refuse("RATE DEPENDENT.TEMPERATURE", block.place, "constants for several temperatures", "those of the first row are used")
     if kind == "JOHNSON COOK" and law["model"] == "johnson_cook":
         if not block.text(line, 0):
             raise BadInput(block.at(line[0]), "C of *RATE DEPENDENT, TYPE=JOHNSON COOK is blank (it has no default): give it, or remove the keyword")
@@ -288,12 +292,13 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
 
 
 def require_positive(block: Block, line: tuple[int, list[str]], index: int, name: str) -> float:
-    """A constant of *RATE DEPENDENT that has no default."""
+    """A constant of a law that has no default."""
     value = block.number(line, index)
     if value <= 0:
         given = f"is {value:g}" if block.text(line, index) else "is blank"
-        kind = block.option("TYPE") or "POWER LAW"
-        raise BadInput(block.at(line[0]), f"{name} of *RATE DEPENDENT, TYPE={kind} {given} (it must be positive, and has no default): correct it, or remove the keyword")
+        option = "HARDENING" if block.keyword == "PLASTIC" else "TYPE"
+        kind = f"*{block.keyword}, {option}={block.option(option) or 'POWER LAW'}"
+        raise BadInput(block.at(line[0]), f"{name} of {kind} {given} (it must be positive, and has no default): correct it, or remove the keyword")
     return value
 
 
