@@ -113,6 +113,7 @@ void build_stiffness_damping(const Deck& deck, const ChunkedMesh& chunked, Model
   bool is_asked_for = false;
   for (std::size_t p = 0; p < deck.parts.size(); ++p)
     is_asked_for = is_asked_for || find_factor(deck, static_cast<int>(p)) > 0;
+  model.damps_stiffness = is_asked_for;
   if (!is_asked_for) return;
   DampedLists lists(chunked.chunks.size());
   const auto points = to_host(model.chunks.points);

@@ -47,7 +47,7 @@ class SolidBounds {
  private:
   /// What shells and beams need beside follows from the scaled masses.
   static Model without_others(Model model) {
-    model.has_rotations = model.has_beams = false;
+    model.has_rotations = model.has_beams = model.damps_stiffness = false;
     model.stiffness_damping = {};
     return model;
   }

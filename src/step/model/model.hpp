@@ -155,7 +155,8 @@ struct Model {
   ConstraintModel constraints;
   EmbeddedModel embedded;
 
-  Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty: no chunk of any rank is damped
+  bool damps_stiffness = false;     // on any rank: one without chunks has the arrays of such damping, too
+  Array<double> stiffness_damping;  // [chunks] beta [time], 0: none; empty without damps_stiffness
 };
 
 /// "spring 'strap_3'" of StepBound::spring; empty: it is none.

@@ -123,7 +123,7 @@ void start_shells(const Model& model, const Array<Real>& elements) {
 }
 
 void start_damping(const Model& model, State& s) {
-  if (model.stiffness_damping.extent(0) == 0) return;
+  if (!model.damps_stiffness) return;
   const auto slots = static_cast<std::size_t>(model.slot_count);
   s.damping_force = Rows3<double>("percuss::stiffness_damping_force", slots);
   if (model.has_rotations) s.damping_moment = Rows3<double>("percuss::stiffness_damping_moment", slots);

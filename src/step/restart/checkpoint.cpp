@@ -176,9 +176,10 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_elements(archive, model, state);
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
-  for (const auto& [name, slots] : {std::pair("elements/damping_force", state.damping_force),
-                                    std::pair("elements/damping_moment", state.damping_moment)})
-    if (slots.extent(0) > 0) archive_slots(archive, name, model, slots);
+  if (model.damps_stiffness) {
+    archive_slots(archive, "elements/damping_force", model, state.damping_force);
+    if (model.has_rotations) archive_slots(archive, "elements/damping_moment", model, state.damping_moment);
+  }
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);
