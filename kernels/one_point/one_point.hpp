@@ -189,8 +189,8 @@ PERCUSS_FORCE_INLINE OnePointPoint<T, Shape> advance_point(const SolidParameters
   const auto response = update_stress(par.material, state.stress, no_rest, state.history, 0, point);
   const auto moduli = find_moduli(par, response);
 
-  const T shear = larger(T(par.mu), T(moduli.mu)),
-          half_volume = T(0.5) * m.volume;  // of rubber it grows with the stretch
+  const T half_volume = T(0.5) * m.volume;
+  const T shear = larger(T(par.mu), T(moduli.mu));  // that of rubber grows with the stretch
   const T kappa = find_mode_stiffness(out.geometry, shear, par.hourglass);
   out.work.hourglass = advance_modes<Material>(m, turn, kappa, dt, response, state.hourglass);
   out.work.internal = half_volume * contract(ratio.before * old_stress + ratio.now * state.stress, de);

@@ -18,7 +18,8 @@ namespace percuss {
 /// the moduli it would feed vibrations. So laws of rubber and foam (is_stretched_far()) have none.
 inline constexpr double tet_deviator_share = 0.3;
 
-/// e^x of small numbers, to 1e-14 up to 4: the series at x / 32 and five squarings, without a call by lane.
+/// e^x, relative to 1e-14 for |x| <= 2, 1e-12 to 4 and 1e-9 to 8: the series at x / 32 and five squarings, without a
+/// call by lane.
 template <class T>
 PERCUSS_FORCE_INLINE T find_power_of_e(const T& x) {
   const T r = T(1.0 / 32) * x;

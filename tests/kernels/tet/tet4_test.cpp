@@ -113,6 +113,20 @@ TEST(Tet4Force, ARigidTurnStrainsNothing) {
   }
 }
 
+TEST(Tet4Force, ActsInTheVolumeThatTheMaterialHasSeen) {
+  for (const double x : {-2.0, -1.0, -0.5, -1e-9, 0.0, 1e-3, 0.7, 2.0})
+    EXPECT_NEAR(find_power_of_e(x), std::exp(x), 1e-14 * std::exp(x)) << x;
+  for (const double x : {-4.0, 4.0}) EXPECT_NEAR(find_power_of_e(x), std::exp(x), 1e-12 * std::exp(x)) << x;
+  // over a step in which the gap grows from 0.3 to 0.31: e^-0.3 and e^-0.31; the series of the step ends with its cube
+  const MaterialVolume<double> ratio = find_material_volume(0.31, 0.01);
+  EXPECT_NEAR(ratio.before, std::exp(-0.3), 1e-9);
+  EXPECT_NEAR(ratio.now, std::exp(-0.31), 1e-14);
+  const Symmetric3<double> before{1.1, 0.9, 1, 0, 0, 0}, after{1.2, 0.9, 1, 0, 0, 0};
+  const VolumeChange<double> change = find_volume_change(ratio, before, after);
+  EXPECT_NEAR(change.growth, 1.08 * ratio.now - 0.99 * ratio.before, 1e-15);
+  EXPECT_NEAR(change.inverse, 1 / (1.08 * ratio.now), 1e-15);
+}
+
 TEST(Tet4Force, BlendKeepsTheMeanTraceAndAShareOfTheDeviator) {
   Random random(7);
   const Symmetric3<double> own = random_tensor(random), mean = random_tensor(random);
