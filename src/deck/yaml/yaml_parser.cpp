@@ -167,7 +167,7 @@ class TreeBuilder final : public YAML::EventHandler {
 std::string explain(const std::string& reason, const TreeBuilder& builder) {
   const Node* node = builder.innermost();
   const auto unclosed = [&](const char* bracket) {
-    if (node == nullptr || node->spot.place.line == 0) return fmt::format("a '{}' is not closed", bracket);
+    if (node == nullptr || node->spot.place.line <= 0) return fmt::format("a '{}' is not closed", bracket);
     return fmt::format("the '{}' of line {}, column {} is not closed", bracket, node->spot.place.line,
                        node->spot.place.column);
   };

@@ -90,6 +90,7 @@ TEST(Overrides, RefuseWhatIsNoSetting) {
   EXPECT_THAT(refusal({"=1"}), testing::HasSubstr("is not a setting"));
   EXPECT_THAT(refusal({"time..end=1"}), testing::HasSubstr("a key between the dots is empty"));
   EXPECT_THAT(refusal({"time.end=[1"}), testing::HasSubstr("--set time.end: error: not valid YAML"));
+  EXPECT_THAT(refusal({"time.end=[1"}), testing::HasSubstr("a '[' is not closed"));
   EXPECT_THAT(refusal({"time.end=*a"}), testing::HasSubstr("aliases are not supported"));
   EXPECT_THAT(refusal({"time.end=\xff"}), testing::HasSubstr("not UTF-8"));
   EXPECT_THAT(refusal({"time.end="}), testing::HasSubstr("time.end is empty"));
