@@ -1,5 +1,5 @@
 #pragma once
-// Which nodes are damped in proportion to their mass (damping.hpp).
+// Which nodes are damped in proportion to their mass (damping.hpp), and how they answer impulses then.
 
 #include "kernels/core/views.hpp"
 
@@ -7,10 +7,17 @@ namespace percuss {
 
 /// Which coefficient damps each node; const after set-up.
 struct DampedNodes {
-  Array<int> entry;  // [nodes] row of the coefficients; -1: not damped; empty: no node of this rank is
+  Array<int> entry;  // [nodes] row of the coefficients; -1: not damped; empty: nothing is damped in the scene
 };
 
-/// What the damping of a step acts on: the mean of v(n-1/2) and v(n+1/2), or v(n-1/2) alone.
-enum class DampedVelocity { mean, old };
+/// What answers the impulses that act after the damping of a step, as those of contact. These change the velocity that
+/// is damped, too: a node answers them like one with 1 + h times its mass (damping.hpp).
+struct DampedMasses {
+  Array<double> growth;           // [nodes] 1 + h, 1: not damped, or held; empty: nothing is damped in the step
+  Rows3<double> inverse_mass;     // [nodes] over 1 + h; 0 in held directions
+  Rows3<double> inverse_inertia;  // likewise; empty without rotations
+
+  KOKKOS_INLINE_FUNCTION double find_growth(int n) const { return growth.extent(0) > 0 ? growth(n) : 1; }
+};
 
 }  // namespace percuss

@@ -10,6 +10,7 @@ struct BodyResponse {
   Vector3<double> center{};              // at n
   Vector3<double> inverse_mass{};        // 0 in held directions
   Symmetric3<double> inverse_inertia{};  // about the centre, at n; 0 about held axes
+  double growth = 1;                     // of its masses by damping (DampedMasses), which both have in them
 };
 
 /// An impulse on a body and its moment about the centre.

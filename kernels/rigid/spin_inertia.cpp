@@ -75,10 +75,14 @@ void follow_held_spins(const ExecSpace& space, const SpinInertia& inertia, const
   });
 }
 
-void complete_damping(const ExecSpace& space, const SpinInertia& inertia, const Rows3<double>& impulse) {
+void complete_damping(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes,
+                      const Rows3<double>& impulse) {
+  const TurningNodes of = nodes;
   for_each_tensor("percuss::complete_damping", space, inertia, [=] KOKKOS_FUNCTION(int, int n) {
-    const Vector3<double> lost = (1 / inertia.number(n)) * load_spin(impulse, n);
-    const Vector3<double> whole = inertia.find_momentum(n, lost);
+    const double half = -0.5 * of.dt;
+    const Vector3<double> spin = load_spin(of.spin, n);
+    const Vector3<double> before = spin - (1 / inertia.number(n)) * load_spin(impulse, n);
+    const Vector3<double> whole = inertia.find_momentum(n, spin, half) - inertia.find_momentum(n, before, half);
     for (int k = 0; k < 3; ++k)
       if (inertia.inverse(n, k) > 0) impulse(n, k) = get(whole, k);
   });

@@ -93,8 +93,10 @@ void predict_tensor_spins(const ExecSpace& space, const SpinInertia& inertia, co
 /// Of nodes that are held in some directions: what the motion there asks of the others, whose momentum stays.
 void follow_held_spins(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);
 
-/// What damping has taken of the momentum of nodes with a tensor. impulse: in, of the number; out, of both.
-void complete_damping(const ExecSpace& space, const SpinInertia& inertia, const Rows3<double>& impulse);
+/// What damping has taken of the momentum of nodes with a tensor, whose spins are those after it: the difference of
+/// both momenta. impulse: in, of the number; out, of both.
+void complete_damping(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes,
+                      const Rows3<double>& impulse);
 
 /// Turns the tensors from n to n+1, as their nodes turn.
 void turn_tensors(const ExecSpace& space, const SpinInertia& inertia, const TurningNodes& nodes);

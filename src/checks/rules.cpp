@@ -94,7 +94,6 @@ const std::vector<CheckRule>& check_rules() {
       {"flat_membrane", check_flat_membranes, Needs::mesh},
       {"symmetry_plane", check_symmetry_planes, Needs::mesh},
       {"damping_size", check_damping_size, Needs::mesh},
-      {"damped_forces", check_damped_forces, Needs::start},
       {"wall_place", check_wall_place, Needs::mesh},
       {"wall_radius", check_wall_radius, Needs::mesh},
       {"wall_thickness", check_wall_thickness, Needs::mesh},

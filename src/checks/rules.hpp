@@ -119,7 +119,6 @@ std::vector<Warning> check_idle_loads(const CheckedScene& scene);
 std::vector<Warning> check_flat_membranes(const CheckedScene& scene);
 std::vector<Warning> check_symmetry_planes(const CheckedScene& scene);
 std::vector<Warning> check_damping_size(const CheckedScene& scene);
-std::vector<Warning> check_damped_forces(const CheckedScene& scene);
 std::vector<Warning> check_idle_forces(const CheckedScene& scene);
 std::vector<Warning> check_wall_place(const CheckedScene& scene);
 std::vector<Warning> check_wall_radius(const CheckedScene& scene);

@@ -105,8 +105,8 @@ void ContactStage::Impl::refuse_ties_held_apart(const ContactReport& report) con
                   find_user_id(report.held_apart_node), report.held_apart));
 }
 
-/// What damping takes in a relaxation, and what the first step after it changes of the stiffness of springs, which
-/// follows the step, is no energy that they give back: the next step begins with what Hooke's law holds.
+/// A relaxation looks for rest, and the first step after it changes the stiffness of springs, which follows the step:
+/// neither is energy that they give back. The next step begins with what Hooke's law holds.
 void ContactStage::Impl::forget_spring_energy() {
   forgets_springs = is_relaxing;
   for (const Array<double>& held : {history.held, history.edges.held})

@@ -71,7 +71,6 @@ const std::vector<WarningRule>& warning_rules() {
       {"flat_membrane", "flat membrane without tension that is loaded across"},
       {"symmetry_plane", "symmetry of nodes that do not lie in a plane across its normal"},
       {"damping_size", "damping that stops the motion"},
-      {"damped_forces", "damping that takes a share of the forces of contact"},
       {"gravity_direction", "gravity that pulls away from all walls"},
       {"wall_place", "wall far away from all parts"},
       {"wall_radius", "cylinder or sphere that is small against the elements beside it"},

@@ -145,6 +145,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const StepTimes times{state.time, dt, 0.5 * (state.dt + dt)};
   const bool is_free = are_nodes_free();
+  state.damped = {};
   for (Action* const action : order_) action->begin_step(state, times);
   if (is_free)
     integrate_free_motion(state, times);  // (1.2) with the positions at n+1
@@ -247,18 +248,20 @@ void Stepper::turn_inertia(State& state, double dt) {
 void Stepper::resolve_contact(State& state, double dt) {
   if (!contact_.is_active()) return;
   const Vec3& center = model_.mass_center;
-  const ContactMotion motion{state.x,
-                             state.v_before,
-                             state.v,
-                             state.inverse_mass,
-                             state.impulse,
-                             dt,
-                             {center[0], center[1], center[2]},
-                             actions_.rigid != nullptr ? actions_.rigid->inputs() : BodyInputs{},
-                             state.time,
-                             {state.w, state.w_before, state.inverse_inertia, state.inertia, state.tie_moment},
-                             bound_speed(predicted_component_),
-                             bound_speed(moved_component_)};
+  const ContactMotion motion{
+      state.x,
+      state.v_before,
+      state.v,
+      state.answering_inverse_mass(),
+      state.impulse,
+      dt,
+      {center[0], center[1], center[2]},
+      actions_.rigid != nullptr ? actions_.rigid->inputs() : BodyInputs{},
+      state.time,
+      {state.w, state.w_before, state.answering_inverse_inertia(), state.inertia, state.tie_moment},
+      bound_speed(predicted_component_),
+      bound_speed(moved_component_),
+      state.damped.growth};
   report_ = contact_.apply(motion);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;

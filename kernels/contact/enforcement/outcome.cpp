@@ -63,6 +63,16 @@ KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, 
   sums.add_held_apart(row.held_apart / row.size, row.key);
 }
 
+/// Bound of the square of the frequency that the springs of a row add: by masses without damping, which leaves the
+/// largest stable step as it is.
+KOKKOS_INLINE_FUNCTION double find_rate(const ContactRow& row, const RowNodes& at) {
+  double growth = 1;
+  for (const int place : row.place)
+    if (place >= 0 && at.growth(place) > growth) growth = at.growth(place);
+  const bool is_slip = row.friction > 0 && row.tangential_stiffness > row.stiffness;
+  return row.spring * growth * (is_slip ? row.tangential_stiffness : row.stiffness);
+}
+
 /// The gap at n+1.
 KOKKOS_INLINE_FUNCTION double find_gap(const ContactRow& row, const Rows3<const double>& dv, double dt) {
   return row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
@@ -85,9 +95,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
     const double slip = find_friction_energy(row, at, dv, dt);
     sums.stored.add(row.held + slip);
     if (slip != 0) sums.stored_slip.add(slip);
-    const double rate =
-        row.spring *
-        (row.friction > 0 && row.tangential_stiffness > row.stiffness ? row.tangential_stiffness : row.stiffness);
+    const double rate = find_rate(row, at);
     sums.rate = rate > sums.rate ? rate : sums.rate;
   }
   const double residual = row.target > gap ? (row.target - gap) / row.size : 0;

@@ -90,6 +90,7 @@ void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& syste
         if (body < 0) return;
         const BodyResponse& response = in.responses(body);
         store_row(at.inverse_mass, a, find_compliance(response, load_row(at.x, a) - response.center));
+        if (at.growth.extent(0) > 0) at.growth(a) = response.growth;
       });
 }
 

@@ -114,7 +114,10 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
   for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_checked, &all.inverse_mass})
     reserve(*rows, system.num_places() + 1);
   const bool has_springs = inputs.spring.extent(0) > 0, has_impulses = inputs.last_impulse.extent(0) > 0;
-  if (has_springs) reserve(system.at.spring, system.num_places());
+  if (has_springs) {
+    reserve(system.at.spring, system.num_places());
+    reserve(system.at.growth, system.num_places());
+  }
   const RowNodes at = system.at;
   const RowInputs in = inputs;
   const Array<const int> nodes = system.nodes;
@@ -127,7 +130,9 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
         const bool goes_on = has_impulses && was_pushed(in.last_impulse, n);
         store_row(at.v_checked, a, load_row(goes_on ? in.v_before : in.motion.v, n));
         store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
-        if (has_springs) at.spring(a) = in.spring(n);
+        if (!has_springs) return;
+        at.spring(a) = in.spring(n);
+        at.growth(a) = in.growth.extent(0) > 0 ? in.growth(n) : 1;
       });
 }
 

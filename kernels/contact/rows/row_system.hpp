@@ -130,6 +130,7 @@ struct RowNodes {
   Rows3<double> v_checked = Rows3<double>("contact::row_v_checked", 0);        // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
   Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
+  Array<double> growth = Array<double>("contact::row_growth", 0);              // of masses by damping; penalty only
 };
 
 /// What a row that ties a rotation knows of the node's own rotation, which no other row touches. Spins times the lever.
@@ -167,6 +168,7 @@ struct RowInputs {
   // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
   double depth_tolerance = 0;
   Array<const double> spring{};        // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const double> growth{};        // [mesh nodes] by how much damping raises the masses; empty: nowhere
   Array<const TieGeometry> ties{};     // of this rank; their touches come last
   Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
   bool looks_inside = true;            // whether walls are to stop nodes inside bodies too

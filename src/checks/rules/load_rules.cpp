@@ -27,14 +27,6 @@ double integrate(const Curve& curve, double end) {
   return sum;
 }
 
-/// Its largest value in a run.
-double find_largest(const Curve& curve, double end) {
-  constexpr int pieces = 512;
-  double largest = curve(0);
-  for (int i = 1; i <= pieces; ++i) largest = std::max(largest, curve(end * i / pieces));
-  return largest;
-}
-
 /// Whether contact or a tie can act between any of two lists of parts and surfaces; empty: all.
 class PossibleContact {
  public:
@@ -225,27 +217,6 @@ std::vector<Warning> check_damping_size(const CheckedScene& scene) {
     }
   }
   return warnings;
-}
-
-// The impulse of mass damping is that of the velocity without contact (docs/theory.md), of which a body at rest has
-// some.
-std::vector<Warning> check_damped_forces(const CheckedScene& scene) {
-  constexpr double most = 0.01;  // of the force
-  const Deck& deck = scene.deck;
-  if (deck.contact.surfaces == ContactDeck::Surfaces::none && deck.contact.ties.empty() && deck.walls.empty() &&
-      deck.welds.empty() && deck.joints.empty())
-    return {};
-  for (std::size_t i = 0; i < deck.dampings.size(); ++i) {
-    const double rate = find_largest(deck.dampings[i].coefficient, deck.time.end);
-    const double half = 0.5 * rate * deck.time.step_scale * scene.stable_step, lost = half / (1 + half);
-    if (!(lost > most)) continue;
-    return {warn_at(deck, "damped_forces", join_path("damping", i) + ".coefficient",
-                    fmt::format("forces of contact, walls, ties, welds and joints are {:.2g} % too small (in a step "
-                                "damping acts before them, and carries its share): lower the coefficient, or find rest "
-                                "by start.relaxation",
-                                100 * lost))};
-  }
-  return {};
 }
 
 std::vector<Warning> check_idle_forces(const CheckedScene& scene) {

@@ -27,6 +27,7 @@ struct ContactMotion {
   SpinInputs spins{};                // rotations of nodes
   // Bounds of the speeds of this rank's nodes: as predicted at n+1/2, and as they came to n; negative: not known.
   double fastest = -1, fastest_before = -1;
+  Array<const double> growth{};  // by how much damping raises the masses of nodes, in inverse_mass; empty: nowhere
 };
 
 /// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the

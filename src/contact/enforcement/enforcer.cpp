@@ -262,6 +262,7 @@ RowInputs Enforcer::make_inputs(const ContactMotion& motion) const {
           count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
           depth_tolerance_,
           spring_,
+          motion.growth,
           ties_,
           motion.impulse,
           last_pushes_ != 0,

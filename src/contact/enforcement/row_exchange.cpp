@@ -56,7 +56,8 @@ void answer_rank(int rank, const RowNotice* first, const RowNotice* end, const s
     wanted.node = notice->node;
     const auto [low, high] = std::equal_range(entries.begin(), entries.end(), wanted, has_lower_node);
     NodeAnswer node = nodes.get(low->place);
-    node.entries = std::count_if(low, high, [rank](const SharedEntry& entry) { return entry.rank != rank; });
+    node.entries = static_cast<std::int32_t>(
+        std::count_if(low, high, [rank](const SharedEntry& entry) { return entry.rank != rank; }));
     append(node, words);
     for (auto entry = low; entry != high; ++entry)
       if (entry->rank != rank) append(EntryAnswer{entry->key, entry->rank}, words);

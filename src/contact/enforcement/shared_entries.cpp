@@ -141,6 +141,7 @@ HostRowNodes::HostRowNodes(const RowSystem& system)
       v_checked_(to_host(system.at.v_checked)),
       inverse_mass_(to_host(system.at.inverse_mass)),
       spring_(to_host(system.at.spring)),
+      growth_(to_host(system.at.growth)),
       body_(to_host(system.bodies.of_place)),
       has_springs_(spring_.extent(0) > 0),
       has_bodies_(system.bodies.count() > 0) {}
@@ -156,6 +157,7 @@ NodeAnswer HostRowNodes::get(int place) const {
     answer.inverse_mass[d] = inverse_mass_(a, d);
   }
   answer.spring = has_springs_ ? spring_(a) : 0;
+  answer.growth = has_springs_ ? growth_(a) : 1;
   answer.body = has_bodies_ ? body_(a) : -1;
   return answer;
 }
@@ -169,8 +171,11 @@ void HostRowNodes::set(int place, const NodeAnswer& answer) {
     v_checked_(a, d) = answer.v_checked[d];
     inverse_mass_(a, d) = answer.inverse_mass[d];
   }
-  if (has_springs_) spring_(a) = answer.spring;
-  if (has_bodies_) body_(a) = static_cast<int>(answer.body);
+  if (has_springs_) {
+    spring_(a) = answer.spring;
+    growth_(a) = answer.growth;
+  }
+  if (has_bodies_) body_(a) = answer.body;
 }
 
 void HostRowNodes::write(RowSystem& system) const {
@@ -179,7 +184,10 @@ void HostRowNodes::write(RowSystem& system) const {
   Kokkos::deep_copy(system.at.v_before, v_before_);
   Kokkos::deep_copy(system.at.v_checked, v_checked_);
   Kokkos::deep_copy(system.at.inverse_mass, inverse_mass_);
-  if (has_springs_) Kokkos::deep_copy(system.at.spring, spring_);
+  if (has_springs_) {
+    Kokkos::deep_copy(system.at.spring, spring_);
+    Kokkos::deep_copy(system.at.growth, growth_);
+  }
   if (has_bodies_) Kokkos::deep_copy(system.bodies.of_place, body_);
 }
 

@@ -60,9 +60,9 @@ std::vector<SharedEntry> list_own_entries(const ContactRanks& ranks, const RowSo
 /// Data of a node and how many entries follow, in the answer to a rank that touches it; and such an entry.
 struct NodeAnswer {
   double x[3], v[3], v_before[3], v_checked[3], inverse_mass[3];
-  double spring;
-  std::int64_t body;  // rigid, -1: none
-  std::int64_t entries;
+  double spring, growth;
+  std::int32_t body;  // rigid, -1: none
+  std::int32_t entries;
 };
 struct EntryAnswer {
   std::int64_t key, rank;
@@ -85,7 +85,7 @@ class HostRowNodes {
 
  private:
   HostMirror<Rows3<double>> x_, v_, v_before_, v_checked_, inverse_mass_;
-  HostMirror<Array<double>> spring_;
+  HostMirror<Array<double>> spring_, growth_;
   HostMirror<Array<int>> body_;
   bool has_springs_, has_bodies_;
 };

@@ -53,8 +53,8 @@ void ConstraintStage::join_group(const int* first, const int* last, std::size_t 
     if (!(value(n, NodeRow::mass) > 0)) continue;
     if (base < 0) base = *i;
     if (held < 0 && value(n, NodeRow::inverse_mass, k) == 0) held = *i;
-    mass += value(n, NodeRow::mass);
-    momentum += value(n, NodeRow::mass) * (value(n, NodeRow::velocity, k) - value(at(base), NodeRow::velocity, k));
+    mass += find_answering_mass(n);
+    momentum += find_answering_mass(n) * (value(n, NodeRow::velocity, k) - value(at(base), NodeRow::velocity, k));
   }
   if (base < 0) return;
   const double common =
@@ -63,7 +63,7 @@ void ConstraintStage::join_group(const int* first, const int* last, std::size_t 
   for (const int* i = first; i < last; ++i) {
     const std::size_t n = at(*i);
     if (!(value(n, NodeRow::mass) > 0) || *i == held) continue;
-    const double impulse = value(n, NodeRow::mass) * (common - value(n, NodeRow::velocity, k));
+    const double impulse = find_answering_mass(n) * (common - value(n, NodeRow::velocity, k));
     outcome(*i, k) = {common, impulse};
     given += impulse;
   }

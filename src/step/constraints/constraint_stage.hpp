@@ -27,6 +27,9 @@ class ConstraintStage : public Action {
 
  private:
   double value(std::size_t node, std::size_t what, std::size_t k = 0) const { return rows_.value(node, what, k); }
+  double find_answering_mass(std::size_t node) const {
+    return value(node, NodeRow::mass) * value(node, NodeRow::growth);
+  }
   JoinedMotion& outcome(int node, std::size_t k) { return outcomes_[3 * static_cast<std::size_t>(node) + k]; }
   void solve_groups();
   void solve_rows(double time, double dt);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "kernels/node/damping.hpp"
 #include "kernels/node/motion.hpp"
 #include "src/step/model/impulses.hpp"
 
@@ -13,8 +12,12 @@ DampingStage::DampingStage(const Model& model)
       values_(model.dampings.size(), 0),
       coefficients_("percuss::damping_coefficients", model.dampings.size()),
       impulse_("percuss::damping_impulse", static_cast<std::size_t>(model.node_count)) {
-  if (model.has_rotations)
-    spin_impulse_ = Rows3<double>("percuss::damping_spin_impulse", static_cast<std::size_t>(model.node_count));
+  const std::size_t nodes = impulse_.extent(0);
+  masses_.growth = Array<double>("percuss::mass_growth", nodes);
+  masses_.inverse_mass = Rows3<double>("percuss::damped_inverse_mass", nodes);
+  if (!model.has_rotations) return;
+  masses_.inverse_inertia = Rows3<double>("percuss::damped_inverse_inertia", nodes);
+  spin_impulse_ = Rows3<double>("percuss::damping_spin_impulse", nodes);
 }
 
 void DampingStage::begin_step(const State& /*state*/, const StepTimes& times) {
@@ -26,10 +29,18 @@ void DampingStage::begin_step(const State& /*state*/, const StepTimes& times) {
   Kokkos::deep_copy(coefficients_, host);
 }
 
+DampedMotion DampingStage::find_motion(const State& state) const {
+  return {state.v_before, state.mass, state.inverse_mass, state.v, masses_.inverse_mass};
+}
+
+DampedMotion DampingStage::find_spins(const State& state) const {
+  return {state.w_before, state.inertia, state.inverse_inertia, state.w, masses_.inverse_inertia};
+}
+
 void DampingStage::change_velocities(State& state, const StepTimes& times) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean, model_.damped_velocity},
-                  {state.v_before, state.inverse_mass, state.mass, state.v, impulse_});
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean}, find_motion(state), masses_.growth);
+  state.damped = masses_;
 }
 
 double DampingStage::bound_component(const State& state, double /*predicted*/) const {
@@ -38,13 +49,22 @@ double DampingStage::bound_component(const State& state, double /*predicted*/) c
 
 void DampingStage::change_spins(State& state, const StepTimes& times) {
   if (!is_active_) return;
-  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean, model_.damped_velocity},
-                  {state.w_before, state.inverse_inertia, state.inertia, state.w, spin_impulse_});
-  if (state.spin_tensors.any()) complete_damping(ExecSpace(), state.spin_inertia(), spin_impulse_);
+  damp_velocities(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean}, find_spins(state), {});
+  if (!state.spin_tensors.any()) return;
+  find_damping_impulses(ExecSpace(), model_.damped_nodes, {coefficients_, times.dt_mean}, find_spins(state),
+                        spin_impulse_);
+  complete_damping(ExecSpace(), state.spin_inertia(), state.turning_nodes(times.dt), spin_impulse_);
 }
 
-void DampingStage::book_motion(State& state, const StepTimes& /*times*/) {
+void DampingStage::book_motion(State& state, const StepTimes& times) {
   if (!is_active_) return;
+  const DampingStep step{coefficients_, times.dt_mean};
+  find_damping_impulses(ExecSpace(), model_.damped_nodes, step, find_motion(state), impulse_);
+  if (model_.has_rotations) {
+    DampedMotion spins = find_spins(state);
+    spins.tensor_row = state.spin_tensors.row;
+    find_damping_impulses(ExecSpace(), model_.damped_nodes, step, spins, spin_impulse_);
+  }
   const auto x = state.x, v = state.v, v_before = state.v_before, w = state.w, w_before = state.w_before;
   const auto impulse = impulse_, spin_impulse = spin_impulse_;
   const bool has_spins = model_.has_rotations;

@@ -139,9 +139,8 @@ struct Model {
   NodalLoads nodal_loads;
   std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
   std::vector<Curve> dampings;                     // by entry of the deck: coefficient [1 / time]
-  DampedVelocity damped_velocity = DampedVelocity::mean;
-  DampedNodes damped_nodes;        // by the same
-  std::vector<int> damped_bodies;  // [rigid bodies] entry of each, -1: none; empty without damping
+  DampedNodes damped_nodes;                        // by the same
+  std::vector<int> damped_bodies;                  // [rigid bodies] entry of each, -1: none; empty without damping
   HeldDirections held;
   Array<int> owned_held;  // entries of `held` whose nodes this rank owns
   SwitchModel switches;

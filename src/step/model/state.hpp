@@ -75,6 +75,7 @@ struct State {
   Rows3<double> v_before;    // velocity one step earlier; scratch of the step
   Rows3<double> force;       // assembled force, at n
   Rows3<double> impulse;     // contact impulse of the last step
+  DampedMasses damped;       // of the step that goes on, once velocities are damped
   Array<Real> elements;      // element records, at n
   Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
   ChunkResults results;      // by chunk, at n; work since the start
@@ -122,6 +123,13 @@ struct State {
   /// What an evaluation of the elements reads and writes.
   ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
   SpinInertia spin_inertia() const { return {inertia, inverse_inertia, spin_tensors}; }
+  /// What impulses after the damping of a step are multiplied by: 1/m, or 1/(m (1 + h)) of damped nodes.
+  const Rows3<double>& answering_inverse_mass() const {
+    return damped.growth.extent(0) > 0 ? damped.inverse_mass : inverse_mass;
+  }
+  const Rows3<double>& answering_inverse_inertia() const {
+    return damped.inverse_inertia.extent(0) > 0 ? damped.inverse_inertia : inverse_inertia;
+  }
   /// Whose inertia turns in a step from n on.
   TurningNodes turning_nodes(double step_dt) const { return {w_before, w, moment, step == 0 ? 0 : dt, step_dt}; }
   /// Those that can fail, of the model.

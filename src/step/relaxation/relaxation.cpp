@@ -35,8 +35,6 @@ constexpr double least_progress = 0.01;
 constexpr long progress_steps = 5000, progress_checks = 20;
 /// Of the length of a layer: what is less is no motion; what has lost more closes no gap.
 constexpr double least_shortening = 1e-6, largest_shortening = 0.5;
-/// Of the bound, with penalty contact: what largest_old_share is stable with.
-constexpr double largest_step_scale = 0.9;
 
 bool has_contact_springs(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
@@ -46,7 +44,6 @@ Deck make_relaxed_deck(const Deck& deck) {
   relaxed.time.end = std::numeric_limits<double>::infinity();
   relaxed.time.step_estimate = TimeDeck::StepEstimate::element;
   relaxed.output.forces.clear();
-  if (has_contact_springs(deck)) relaxed.time.step_scale = std::min(deck.time.step_scale, largest_step_scale);
   return relaxed;
 }
 
@@ -120,7 +117,6 @@ void Relaxation::make_model(const Deck& deck) {
   for (CohesiveLaw& law : relaxed_.glue.laws) law.normal_strength = law.shear_strength = CohesiveLaw::unbreakable;
   for (Motion& motion : relaxed_.motions) motion = {Curve::constant(0), false, {}};
   relaxed_.dampings = {Curve::constant(rules_.damping.value_or(0))};
-  relaxed_.damped_velocity = has_contact_springs(deck) ? DampedVelocity::old : DampedVelocity::mean;
   relaxed_.damped_nodes.entry = Array<int>("percuss::relaxed_nodes", at(model_.node_count));
   relaxed_.damped_bodies.assign(model_.rigid.bodies.size(), 0);
   relaxed_.gravity_varies = rules_.ramp > 0 && deck.gravity.any();

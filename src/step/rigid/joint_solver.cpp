@@ -88,13 +88,14 @@ JointSolver::JointSolver(const Model& model) : model_(model) {
   }
 }
 
-void JointSolver::begin_step(const State& state) {
+void JointSolver::begin_step(const State& state, const std::vector<double>& growths) {
   const RigidModel& rigid = model_.rigid;
   frames_.clear();
   responses_.clear();
+  growths_ = growths;
   for (const Joint& joint : rigid.joints) frames_.push_back(find_joint_frame(joint, state.bodies));
   for (std::size_t b = 0; b < rigid.bodies.size(); ++b)
-    responses_.push_back(find_response(rigid.bodies[b], state.bodies[b]));
+    responses_.push_back(find_response(rigid.bodies[b], state.bodies[b], growths[b]));
   for (Chain& chain : chains_) {
     chain.rows.clear();
     for (const int j : chain.joints) add_joint_rows(rigid.joints[at(j)], frames_[at(j)], state.bodies, chain.rows);
@@ -107,10 +108,9 @@ void JointSolver::begin_step(const State& state) {
 /// The momenta of bodies with the impulses of a chain.
 void JointSolver::push(const Chain& chain, const std::vector<RigidState>& free, std::vector<RigidState>& next) const {
   for (const int b : chain.bodies) {
-    const Wrench sum = sum_on_body(chain.rows, chain.multipliers, b);
     next[at(b)] = free[at(b)];
-    next[at(b)].velocity = free[at(b)].velocity + (1 / model_.rigid.bodies[at(b)].mass) * sum.impulse;
-    next[at(b)].spin_momentum = free[at(b)].spin_momentum + sum.moment;
+    give_wrench(model_.rigid.bodies[at(b)], sum_on_body(chain.rows, chain.multipliers, b), growths_[at(b)],
+                next[at(b)]);
   }
 }
 
@@ -231,7 +231,7 @@ std::vector<Wrench> find_joint_forces(JointSolver& joints, const Model& model, c
   if (!joints.any()) return {};
   const double dt = state.next_dt > 0 ? state.next_dt : state.dt, dt_mean = 0.5 * (state.dt + dt);
   std::vector<RigidState> next = predict_momenta(model, state, forces, dt_mean);
-  joints.begin_step(state);
+  joints.begin_step(state, std::vector<double>(next.size(), 1));
   joints.solve(state, dt, next);
   std::vector<Wrench> found;
   for (const Wrench& on : joints.on_bodies()) found.push_back({(1 / dt_mean) * on.impulse, (1 / dt_mean) * on.moment});

@@ -18,8 +18,8 @@ class JointSolver {
 
   bool any() const { return !model_.rigid.joints.empty(); }
 
-  /// Looks at the bodies at n; before solve().
-  void begin_step(const State& state);
+  /// Looks at the bodies at n; before solve(). growths: [bodies] as find_response() takes them.
+  void begin_step(const State& state, const std::vector<double>& growths);
 
   /// Moves the bodies of joints. next: momenta of all bodies without joints, before; with them, and places at n+1,
   /// after. Returns the joint that bodies cannot keep, -1: they keep all.
@@ -58,6 +58,7 @@ class JointSolver {
   std::vector<int> bodies_;
   std::vector<JointFrame> frames_;
   std::vector<BodyResponse> responses_;
+  std::vector<double> growths_;
   std::vector<Wrench> on_bodies_, of_joints_;
   std::vector<double> gaps_;  // of a chain: what is left
 };

@@ -28,6 +28,13 @@ double find_kinetic_energy(const Model& model, const std::vector<RigidState>& bo
   return energy;
 }
 
+/// In all directions.
+bool is_held(const RigidBody& body, const RigidState& state) {
+  bool held = true;
+  for (std::size_t k = 0; k < 6; ++k) held = held && holds(body, state, k);
+  return held;
+}
+
 [[noreturn]] void refuse_step(const Joint& joint, const State& state) {
   throw RunError(
       fmt::format("joint '{}' is torn apart in step {} at t = {:.6g} (what holds or moves its bodies is not what it "
@@ -44,6 +51,8 @@ RigidStage::RigidStage(const Model& model, const std::vector<double>& damping, d
     for (const int condition : body.switched_by) is_moved_ = is_moved_ || condition != RigidBody::free;
   }
   const std::size_t count = model.rigid.bodies.size();
+  damping_.assign(count, 0);
+  growths_.assign(count, 1);
   steps_ = Array<BodyStep>("percuss::body_steps", count);
   responses_ = Array<BodyResponse>("percuss::body_responses", count);
   inputs_ = {static_cast<int>(count), model.rigid.body_of_node, responses_};
@@ -72,7 +81,7 @@ void RigidStage::start(State& state) {
     now.spin_momentum = find_inertia(body, now) * now.spin;
   }
   if (joints_.any()) {
-    joints_.begin_step(state);
+    joints_.begin_step(state, growths_);
     const double before = find_kinetic_energy(model_, state.bodies);
     const int parting = joints_.settle(state, state.bodies);
     if (parting >= 0)
@@ -107,41 +116,67 @@ void RigidStage::upload(const State& state, double dt) {
   Kokkos::deep_copy(steps_, steps);
 }
 
-/// Damps what next_ moves freely of a body.
-void RigidStage::damp(const State& state, std::size_t index, double dt_mean) {
+/// The bodies at n-1/2; in the first step, as those of nodes, the mirror image at time 0 of what next_ is undamped.
+std::vector<RigidState> RigidStage::find_bodies_before(const State& state) const {
+  std::vector<RigidState> before = state.bodies;
+  if (state.step > 0) return before;
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    const RigidState &now = state.bodies[b], &next = next_[b];
+    before[b].velocity = 2.0 * now.velocity - next.velocity;
+    before[b].spin_momentum = 2.0 * now.spin_momentum - next.spin_momentum;
+    before[b].spin = 2.0 * now.spin - next.spin;
+  }
+  return before;
+}
+
+/// By the velocities of before_ and next_, in directions that are not held.
+Wrench RigidStage::find_damping_impulse(const State& state, std::size_t index) const {
   const RigidBody& body = model_.rigid.bodies[index];
-  const int entry = model_.damped_bodies[index];
-  const DampedVelocity damped = model_.damped_velocity;
-  const double share =
-      entry < 0 ? 0 : find_damped_share(damping_coefficients_[static_cast<std::size_t>(entry)], dt_mean, damped);
-  const RigidState& now = state.bodies[index];
-  RigidState& next = next_[index];
-  const RigidState& after = damped == DampedVelocity::old ? now : next;
-  Wrench lost{(-0.5 * share * body.mass) * (now.velocity + after.velocity),
-              (-0.5 * share) * (now.spin_momentum + after.spin_momentum)};
+  const RigidState &now = state.bodies[index], &before = before_[index], &next = next_[index];
+  const double h = damping_[index];
+  Wrench lost{(-h * body.mass) * (before.velocity + next.velocity), -h * (before.spin_momentum + next.spin_momentum)};
   for (int k = 0; k < 3; ++k) {
     if (holds(body, now, static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
     if (holds(body, now, 3 + static_cast<std::size_t>(k))) set(lost.moment, k, 0);
   }
-  next.velocity = next.velocity + (1 / body.mass) * lost.impulse;
-  next.spin_momentum = next.spin_momentum + lost.moment;
-  damping_.push_back(lost);
+  return lost;
+}
+
+/// Damps what next_ moves freely of a body: its impulse by velocities without damping is 1 + h times as large.
+void RigidStage::damp(const State& state, std::size_t index, double dt_mean) {
+  const RigidBody& body = model_.rigid.bodies[index];
+  const int entry = is_held(body, state.bodies[index]) ? -1 : model_.damped_bodies[index];
+  damping_[index] = entry < 0 ? 0 : find_damping(damping_coefficients_[static_cast<std::size_t>(entry)], dt_mean);
+  growths_[index] = 1 + damping_[index];
+  give_wrench(body, find_damping_impulse(state, index), growths_[index], next_[index]);
 }
 
 void RigidStage::predict(State& state, const StepTimes& times) {
   forces_ = find_forces_(model_, state);
   contact_.clear();
-  damping_.clear();
+  if (!damping_coefficients_.empty() && state.step > 0) return;
+  growths_.assign(state.bodies.size(), 1);
   next_ = predict_momenta(model_, state, forces_, times.dt_mean);
+  place_bodies(state, times.dt);
+}
+
+void RigidStage::change_velocities(State& state, const StepTimes& times) {
+  if (damping_coefficients_.empty()) return;
+  before_ = find_bodies_before(state);
+  next_ = predict_momenta(model_, state, forces_, times.dt_mean);
+  for (std::size_t b = 0; b < next_.size(); ++b) damp(state, b, times.dt_mean);
+  place_bodies(state, times.dt);
+}
+
+/// By the momenta of next_, which nothing has joined yet; their velocities go to the nodes.
+void RigidStage::place_bodies(State& state, double dt) {
   const auto responses = Kokkos::create_mirror_view(responses_);
-  for (std::size_t b = 0; b < next_.size(); ++b) {
-    if (!damping_coefficients_.empty()) damp(state, b, times.dt_mean);
-    responses(b) = find_response(model_.rigid.bodies[b], state.bodies[b]);
-  }
+  for (std::size_t b = 0; b < next_.size(); ++b)
+    responses(b) = find_response(model_.rigid.bodies[b], state.bodies[b], growths_[b]);
   Kokkos::deep_copy(responses_, responses);
-  if (joints_.any()) joints_.begin_step(state);
-  move_bodies(state, times.dt);
-  upload(state, times.dt);
+  if (joints_.any()) joints_.begin_step(state, growths_);
+  move_bodies(state, dt);
+  upload(state, dt);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
 }
 
@@ -182,8 +217,7 @@ void RigidStage::correct(State& state, const std::vector<Wrench>& contact, doubl
       next_[b].velocity = free_[b].velocity;
       next_[b].spin_momentum = free_[b].spin_momentum;
     }
-    next_[b].velocity = next_[b].velocity + (1 / model_.rigid.bodies[b].mass) * contact[b].impulse;
-    next_[b].spin_momentum = next_[b].spin_momentum + contact[b].moment;
+    give_wrench(model_.rigid.bodies[b], contact[b], growths_[b], next_[b]);
   }
   move_bodies(state, dt);
   if (joints_.any()) book_joined_contact(state, predicted);
@@ -210,9 +244,9 @@ void RigidStage::set_spins(const State& state) const {
 
 /// Work and moment of the damping of a body; adds its impulse to j.
 void RigidStage::book_damping(State& state, std::size_t index, double (&j)[3]) const {
-  const Wrench& lost = damping_[index];
-  const RigidState &now = state.bodies[index], &next = next_[index];
-  const double work = dot(lost.impulse, now.velocity + next.velocity) + dot(lost.moment, now.spin + next.spin);
+  const Wrench lost = find_damping_impulse(state, index);
+  const RigidState &before = before_[index], &next = next_[index];
+  const double work = dot(lost.impulse, before.velocity + next.velocity) + dot(lost.moment, before.spin + next.spin);
   state.books.damping_work.add(0.5 * work);
   state.books.damping_work.normalize();
   for (int k = 0; k < 3; ++k) {
@@ -279,7 +313,7 @@ void RigidStage::book_motion(State& state, const StepTimes& times) {
       state.books.moment_impulse[k].add(turned - dt_mean * t);
       work += 0.5 * turned * (w0 + w1) - 0.5 * dt * w1 * t;
     }
-    if (!damping_.empty()) book_damping(state, b, j);
+    if (!damping_coefficients_.empty()) book_damping(state, b, j);
     book_loads(state, b, dt, dt_mean);
     const double r[3] = {now.center.x - model_.mass_center[0], now.center.y - model_.mass_center[1],
                          now.center.z - model_.mass_center[2]};

@@ -25,9 +25,12 @@ class RigidStage : public Action {
   /// at a joint begin with the velocities after its impulse, which is reported.
   void start(State& state) override;
 
-  /// Velocities of bodies and their nodes at n+1/2 without contact. Throws RunError, the same on all ranks, where a
-  /// joint is torn apart.
+  /// Velocities of bodies and their nodes at n+1/2 without contact, where nothing is damped. With damping only those of
+  /// the first step, without damping, which are mirrored. Throws RunError, the same on all ranks, where a joint is torn
+  /// apart, as the next does.
   void predict(State& state, const StepTimes& times) override;
+  /// The same of scenes with damping.
+  void change_velocities(State& state, const StepTimes& times) override;
   double bound_component(const State& state, double predicted) const override;
 
   /// The bodies as contact sees them in this step.
@@ -56,11 +59,14 @@ class RigidStage : public Action {
   void correct(State& state, const std::vector<Wrench>& contact, double dt);
   void set_spins(const State& state) const;
   void damp(const State& state, std::size_t index, double dt_mean);
+  std::vector<RigidState> find_bodies_before(const State& state) const;
+  Wrench find_damping_impulse(const State& state, std::size_t index) const;
   void book_damping(State& state, std::size_t index, double (&j)[3]) const;
   void book_loads(State& state, std::size_t index, double dt, double dt_mean) const;
   void book_grounded_joints(State& state) const;
   void book_joined_contact(State& state, const std::vector<RigidState>& predicted) const;
   void move_bodies(State& state, double dt);
+  void place_bodies(State& state, double dt);
   void warn_of_start(const Joint& joint, double before, double after);
   void upload(const State& state, double dt);
 
@@ -69,12 +75,14 @@ class RigidStage : public Action {
   double end_;
   RigidForces find_forces_;
   JointSolver joints_;
-  bool is_moved_ = false;         // whether a prescribed motion does work on a body
-  std::vector<Wrench> forces_;    // at n, without gravity
-  std::vector<Wrench> contact_;   // impulses of this step; empty: none
-  std::vector<Wrench> damping_;   // likewise
-  std::vector<RigidState> free_;  // momenta without joints
-  std::vector<RigidState> next_;  // places at n+1, velocities at n+1/2
+  bool is_moved_ = false;           // whether a prescribed motion does work on a body
+  std::vector<Wrench> forces_;      // at n, without gravity
+  std::vector<Wrench> contact_;     // impulses of this step; empty: none
+  std::vector<double> damping_;     // [bodies] h of this step (kernels/node/damping.hpp)
+  std::vector<double> growths_;     // [bodies] 1 + h
+  std::vector<RigidState> free_;    // momenta without joints
+  std::vector<RigidState> before_;  // velocities at n-1/2, for damping
+  std::vector<RigidState> next_;    // places at n+1, velocities at n+1/2
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;
   BodyInputs inputs_;

@@ -14,13 +14,19 @@ double evaluate(const Motion& motion, double time, double dt) {
 
 }  // namespace
 
-BodyResponse find_response(const RigidBody& body, const RigidState& state) {
+BodyResponse find_response(const RigidBody& body, const RigidState& state, double growth) {
   BodyResponse response;
   response.center = state.center;
   for (std::size_t k = 0; k < 3; ++k)
-    set(response.inverse_mass, static_cast<int>(k), holds(body, state, k) ? 0 : 1 / body.mass);
-  response.inverse_inertia = find_free_inverse(body, state);
+    set(response.inverse_mass, static_cast<int>(k), holds(body, state, k) ? 0 : 1 / (body.mass * growth));
+  response.growth = growth;
+  response.inverse_inertia = (1 / growth) * find_free_inverse(body, state);
   return response;
+}
+
+void give_wrench(const RigidBody& body, const Wrench& wrench, double growth, RigidState& next) {
+  next.velocity = next.velocity + (1 / (body.mass * growth)) * wrench.impulse;
+  next.spin_momentum = next.spin_momentum + (1 / growth) * wrench.moment;
 }
 
 RigidGoal find_rigid_goal(const Model& model, const State& state, std::size_t index, double dt) {

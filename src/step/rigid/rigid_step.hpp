@@ -23,7 +23,10 @@ void move_body(const Model& model, const State& state, std::size_t index, double
 std::vector<RigidState> predict_momenta(const Model& model, const State& state, const std::vector<Wrench>& forces,
                                         double dt_mean);
 
-/// How a body answers impulses at n.
-BodyResponse find_response(const RigidBody& body, const RigidState& state);
+/// How a body answers impulses at n. growth: 1 + h of a damped one (DampedMasses), else 1.
+BodyResponse find_response(const RigidBody& body, const RigidState& state, double growth);
+
+/// Gives a body an impulse and its moment about the centre; of those that it is held in, move_body() decides.
+void give_wrench(const RigidBody& body, const Wrench& wrench, double growth, RigidState& next);
 
 }  // namespace percuss

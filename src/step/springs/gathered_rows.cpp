@@ -22,9 +22,10 @@ void share_rows(const Communicator& ranks, const OwnRows& own, const Array<const
 
 void NodeRow::fill(const Model& model, const State& state, const Array<const int>& node, const OwnRows& own) {
   const auto x = state.x, v = state.v, v_before = state.v_before, contact = state.impulse;
-  const auto inverse_mass = state.inverse_mass, w = state.w, w_before = state.w_before,
-             inverse_inertia = state.inverse_inertia;
+  const auto inverse_mass = state.answering_inverse_mass(), w = state.w, w_before = state.w_before,
+             inverse_inertia = state.answering_inverse_inertia();
   const auto mass = state.mass, inertia = state.inertia;
+  const DampedMasses damped = state.damped;
   const OwnRows out = own;
   const Array<const int> nodes = node;
   const bool turns = model.has_rotations;
@@ -44,6 +45,7 @@ void NodeRow::fill(const Model& model, const State& state, const Array<const int
         }
         out(i, NodeRow::inertia) = turns ? inertia(n) : 0;
         out(i, NodeRow::mass) = mass(n);
+        out(i, NodeRow::growth) = damped.find_growth(n);
       });
 }
 

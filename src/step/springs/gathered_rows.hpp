@@ -12,6 +12,7 @@ namespace percuss {
 using OwnRows = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
 
 /// What the owner of a node tells of it where nodes are joined; the place of each in a row of `count` numbers.
+/// Inverse masses and inertias are those by which it answers impulses (State::answering_inverse_mass).
 struct NodeRow {
   enum : std::size_t {
     place,
@@ -24,6 +25,7 @@ struct NodeRow {
     inverse_inertia = spin_before + 3,
     inertia = inverse_inertia + 3,
     mass,
+    growth,  // DampedMasses::growth
     count
   };
 

@@ -137,6 +137,23 @@ output: {{history: {{every: 0, forces: [{{name: held, support: b/start}}]}}}}
   }
 }
 
+// Damping takes as much of the momentum of its nodes as it books, also where their spins are held in part.
+TEST(Torsion, DampedObliqueBeamLosesTheMomentumThatIsBooked) {
+  const Outcome run = run_deck(R"yaml(
+time: {end: 2e-3}
+parts:
+  b: {line: {from: [0, 0, 0], to: [0.3, 0.2, 0.1], cells: 4}, section: {box: {size: [0.04, 0.02], wall: 0.004}}, toward: y, material: steel}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+conditions: [{nodes: b/start, velocity: {rz: {table: [[0, 0], [1e-3, 300], [2e-3, 0]]}}}]
+initial: [{part: b, angular_velocity: [50, 20, 0], center: [0, 0, 0]}]
+damping: [{nodes: b, coefficient: 20000}]
+output: {history: {every: 0}}
+)yaml");
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  EXPECT_LT(run.history.last("damping"), -0.5 * run.summary.energy.initial);
+}
+
 namespace {
 
 using Matrix6 = std::array<std::array<double, 6>, 6>;

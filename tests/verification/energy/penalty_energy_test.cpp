@@ -148,7 +148,7 @@ TEST(PenaltyEnergy, OfABlockThatRestsOnASlopeStaysNone) {
 time: {end: 0.01}
 parts: {block: {box: {size: [0.04, 0.04, 0.02], cells: [2, 2, 1]}, material: steel}}
 materials: {steel: {model: elastic, density: 8000, youngs_modulus: 2e11, poissons_ratio: 0.3}}
-start: {relaxation: {tolerance: 1e-8}}
+start: {relaxation: {tolerance: 1e-16}}
 loads: {gravity: [4.905, 0, -8.495709]}
 walls: [{normal: z, friction: 0.7}]
 contact: {enforcement: penalty}
