@@ -5,7 +5,7 @@
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/parser.h>
+#include <yaml-cpp/yaml.h>  // whole: its parts declare a Node, which clang-tidy misses otherwise
 
 #include <sstream>
 #include <unordered_map>
