@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "comm/agreement.hpp"
+#include "kernels/shell/thickness_points.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/mesh/reading/results_reader.hpp"
@@ -21,7 +22,6 @@ namespace {
 
 /// Squares of more are no numbers.
 constexpr double largest_value = 1e100;
-constexpr int most_layers = 16;
 
 /// What a file may have of a quantity.
 struct NamedQuantity {
@@ -74,8 +74,8 @@ class MeshTables {
     for (const NamedQuantity& of : named_quantities) {
       if (!is_taken(of) || is_of_nodes(of) != (place == StartPlace::nodes)) continue;
       auto& names = is_of_nodes(of) ? wish.of_nodes : wish.of_elements;
-      for (int layer = 0; layer <= (of.quantity == StartQuantity::temperature || is_of_nodes(of) ? 0 : most_layers);
-           ++layer)
+      for (int layer = 0;
+           layer <= (of.quantity == StartQuantity::temperature || is_of_nodes(of) ? 0 : most_thickness_points); ++layer)
         for (std::string& name : list_components(of, layer)) names.push_back(std::move(name));
     }
     if (place == StartPlace::elements) wish.of_nodes = list_displacement_names();
@@ -167,7 +167,8 @@ class MeshTables {
     table.*of.column = 0;
     const bool is_shell = block.topology && find_topology(*block.topology).is_surface();
     int layers = 0;
-    while (is_shell && layers < most_layers && find_columns(b, list_components(of, layers + 1)).size() > 0) ++layers;
+    while (is_shell && layers < most_thickness_points && !find_columns(b, list_components(of, layers + 1)).empty())
+      ++layers;
     table.has_layers = layers > 0;
     for (int layer = layers > 0 ? 1 : 0; layer <= layers; ++layer) {
       const auto columns = find_columns(b, list_components(of, layer));
