@@ -92,7 +92,6 @@ void JointSolver::begin_step(const State& state, const std::vector<double>& grow
   const RigidModel& rigid = model_.rigid;
   frames_.clear();
   responses_.clear();
-  growths_ = growths;
   for (const Joint& joint : rigid.joints) frames_.push_back(find_joint_frame(joint, state.bodies));
   for (std::size_t b = 0; b < rigid.bodies.size(); ++b)
     responses_.push_back(find_response(rigid.bodies[b], state.bodies[b], growths[b]));
@@ -109,7 +108,7 @@ void JointSolver::begin_step(const State& state, const std::vector<double>& grow
 void JointSolver::push(const Chain& chain, const std::vector<RigidState>& free, std::vector<RigidState>& next) const {
   for (const int b : chain.bodies) {
     next[at(b)] = free[at(b)];
-    give_wrench(model_.rigid.bodies[at(b)], sum_on_body(chain.rows, chain.multipliers, b), growths_[at(b)],
+    give_wrench(model_.rigid.bodies[at(b)], sum_on_body(chain.rows, chain.multipliers, b), responses_[at(b)].growth,
                 next[at(b)]);
   }
 }

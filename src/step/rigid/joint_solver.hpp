@@ -58,7 +58,6 @@ class JointSolver {
   std::vector<int> bodies_;
   std::vector<JointFrame> frames_;
   std::vector<BodyResponse> responses_;
-  std::vector<double> growths_;
   std::vector<Wrench> on_bodies_, of_joints_;
   std::vector<double> gaps_;  // of a chain: what is left
 };
