@@ -93,7 +93,7 @@ target_compile_options(percuss_unity_options INTERFACE -Wno-shadow $<$<CXX_COMPI
 # 126 sources of src/step are parsed in twice the time of six. Names in all sources of a target differ.
 function(percuss_unite target)
   if(PERCUSS_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 32)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${PERCUSS_UNITY_BATCH})
     target_link_libraries(${target} PRIVATE percuss_unity_options) # after percuss_options, whose warning this takes back
   endif()
 endfunction()
