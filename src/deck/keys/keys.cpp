@@ -21,7 +21,25 @@ std::string find_key_without_colon(const std::string& name) {
   return last == std::string::npos || !is_name(name.substr(0, last + 1)) ? std::string() : name.substr(0, last + 1);
 }
 
+/// A key of a member as one of its owner.
+class LiftedValue final : public KeyValue {
+ public:
+  LiftedValue(std::shared_ptr<const KeyValue> value, std::ptrdiff_t part) : value_(std::move(value)), part_(part) {}
+  bool read(const Reader& reader, const Node& node, void* owner) const override {
+    return value_->read(reader, node, static_cast<char*>(owner) + part_);
+  }
+  Form form() const override { return value_->form(); }
+
+ private:
+  std::shared_ptr<const KeyValue> value_;
+  std::ptrdiff_t part_;
+};
+
 }  // namespace
+
+AnyKey lift_any_key(const AnyKey& key, std::ptrdiff_t part) {
+  return {key.name, key.required, key.takes, std::make_shared<LiftedValue>(key.value, part)};
+}
 
 bool is_there(const Node& node, const std::string& name) {
   return std::any_of(node.entries.begin(), node.entries.end(), [&](const Entry& entry) {
@@ -53,6 +71,36 @@ std::string refuse_key(const Reader& reader, const Entry& entry, const std::vect
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes) {
   if (node.broken) return;
   reader.error(node.key, fmt::format("{} is missing{} (required: {})", reader.name_of(name), reader.in(), takes));
+}
+
+bool read_any_keys(const Reader& reader, const Node& node, const std::vector<AnyKey>& keys, void* owner,
+                   const OtherKeys& others) {
+  std::vector<std::string> known = others.names;
+  for (const AnyKey& key : keys) known.push_back(key.name);
+  std::vector<std::string> hinted;  // what unknown keys are probably meant to be
+  bool good = true;
+  for (const Entry& entry : node.entries) {
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const AnyKey& k) { return k.name == entry.name; });
+    if (key != keys.end()) {
+      good = !entry.value.broken && key->value->read(reader, entry.value, owner) && good;
+    } else if (std::find(others.names.begin(), others.names.end(), entry.name) == others.names.end()) {
+      hinted.push_back(refuse_key(reader, entry, known, others));
+      good = false;
+    }
+  }
+  for (const AnyKey& key : keys) {
+    if (!key.required || is_there(node, key.name)) continue;
+    good = false;
+    if (std::find(hinted.begin(), hinted.end(), key.name) == hinted.end())
+      refuse_missing(reader, node, key.name, key.takes);
+  }
+  return good;
+}
+
+Form form_of(const std::vector<AnyKey>& keys) {
+  Form form = map_form({});
+  for (const AnyKey& key : keys) form.keys.push_back({key.name, key.required, key.takes, key.value->form()});
+  return form;
 }
 
 }  // namespace percuss

@@ -3,8 +3,10 @@
 // From the same tables come unknown-key hints, missing-key errors, the list that docs/deck.md is checked against and
 // the schema for editors.
 
-#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,43 +18,49 @@
 
 namespace percuss {
 
-/// How the value of a key is read, and its form. Tables hold hundreds of kinds: virtual functions, not std::function,
-/// of which each kind would compile a manager as well.
-template <class Owner>
+/// How the value of a key is read into its owner, and its form. The owner's type is known to the table alone: keys of
+/// all owners whose values are of one kind share one class, since tables have hundreds of keys.
 class KeyValue {
  public:
   virtual ~KeyValue() = default;
-  virtual bool read(const Reader& reader, const Node& node, Owner& owner) const = 0;
+  virtual bool read(const Reader& reader, const Node& node, void* owner) const = 0;
   virtual Form form() const = 0;
 };
 
-template <class Owner>
-struct Key {
+/// A row of a table, whatever it belongs to.
+struct AnyKey {
   std::string name;
   bool required = false;
   std::string takes;
-  std::shared_ptr<const KeyValue<Owner>> value;
+  std::shared_ptr<const KeyValue> value;
+};
 
-  bool read(const Reader& reader, const Node& node, Owner& owner) const { return value->read(reader, node, owner); }
-  Form form() const { return value->form(); }
+/// A row of a table of the owner's.
+template <class Owner>
+struct Key : AnyKey {};
+
+/// The rows that fill an owner.
+template <class Owner>
+struct Keys : std::vector<AnyKey> {
+  Keys() = default;
+  Keys(std::initializer_list<Key<Owner>> rows) {
+    for (const Key<Owner>& row : rows) push_back(row);
+  }
 };
 
 template <class Owner>
-using Keys = std::vector<Key<Owner>>;
-
-template <class Owner>
-Key<Owner> own_key(std::string name, bool required, std::string takes, const KeyValue<Owner>* value) {
-  return {std::move(name), required, std::move(takes), std::shared_ptr<const KeyValue<Owner>>(value)};
+Key<Owner> own_key(std::string name, bool required, std::string takes, const KeyValue* value) {
+  return {{std::move(name), required, std::move(takes), std::shared_ptr<const KeyValue>(value)}};
 }
 
 /// A row whose value is read by `read(value, reader, name, node, owner)`.
 template <class Owner, class Value, class Read>
 Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
-  class Row final : public KeyValue<Owner> {
+  class Row final : public KeyValue {
    public:
     Row(std::string n, Value v, Read r) : name_(std::move(n)), value_(std::move(v)), read_(std::move(r)) {}
-    bool read(const Reader& reader, const Node& node, Owner& owner) const override {
-      return read_(value_, reader, reader.name_of(name_), node, owner);
+    bool read(const Reader& reader, const Node& node, void* owner) const override {
+      return read_(value_, reader, reader.name_of(name_), node, *static_cast<Owner*>(owner));
     }
     Form form() const override { return value_.form(); }
 
@@ -62,42 +70,54 @@ Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
     Read read_;
   };
   std::string takes = value.takes();
-  const KeyValue<Owner>* const row = new Row(name, std::move(value), std::move(read));
-  return own_key(std::move(name), required, std::move(takes), row);
+  const KeyValue* const row = new Row(name, std::move(value), std::move(read));
+  return own_key<Owner>(std::move(name), required, std::move(takes), row);
 }
 
-/// A key of a member of the owner as one of the owner itself.
+/// Where a member lies in its owner [bytes]. The C++ ABI of GCC and Clang defines a pointer to a data member as that.
+template <class Owner, class Member>
+std::ptrdiff_t find_offset(Member Owner::*member) {
+  static_assert(sizeof(member) == sizeof(std::ptrdiff_t));
+  return std::bit_cast<std::ptrdiff_t>(member);
+}
+
+/// A key of a member of the owner as one of the owner itself. part: offset of the member.
+AnyKey lift_any_key(const AnyKey& key, std::ptrdiff_t part);
 template <class Owner, class Part>
-Key<Owner> lift_key(const Key<Part>& key, Part Owner::*part) {
-  class Row final : public KeyValue<Owner> {
-   public:
-    Row(Key<Part> k, Part Owner::*p) : key_(std::move(k)), part_(p) {}
-    bool read(const Reader& reader, const Node& node, Owner& owner) const override {
-      return key_.read(reader, node, owner.*part_);
-    }
-    Form form() const override { return key_.form(); }
-
-   private:
-    Key<Part> key_;
-    Part Owner::*part_;
-  };
-  return own_key<Owner>(key.name, key.required, key.takes, new Row(key, part));
+Key<Owner> lift_key(const AnyKey& key, Part Owner::*part) {
+  return {lift_any_key(key, find_offset(part))};
 }
+
+/// Reads a value into a member.
+template <class Member, class Value>
+class MemberValue final : public KeyValue {
+ public:
+  MemberValue(std::string name, Value value, std::ptrdiff_t offset)
+      : name_(std::move(name)), value_(std::move(value)), offset_(offset) {}
+  bool read(const Reader& reader, const Node& node, void* owner) const override {
+    Member& member = *reinterpret_cast<Member*>(static_cast<char*>(owner) + offset_);
+    if constexpr (requires { member.has_value(); }) {
+      typename Member::value_type inner{};
+      if (!value_.read(reader, reader.name_of(name_), node, inner)) return false;
+      member = std::move(inner);
+      return true;
+    } else {
+      return value_.read(reader, reader.name_of(name_), node, member);
+    }
+  }
+  Form form() const override { return value_.form(); }
+
+ private:
+  std::string name_;
+  Value value_;
+  std::ptrdiff_t offset_;
+};
 
 template <class Owner, class Member, class Value>
 Key<Owner> member_key(std::string name, bool required, Member Owner::*member, Value value) {
-  return make_key<Owner>(
-      std::move(name), required, std::move(value),
-      [member](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
-        if constexpr (requires { (owner.*member).has_value(); }) {
-          typename Member::value_type inner{};
-          if (!v.read(reader, full, node, inner)) return false;
-          owner.*member = std::move(inner);
-          return true;
-        } else {
-          return v.read(reader, full, node, owner.*member);
-        }
-      });
+  std::string takes = value.takes();
+  const KeyValue* const row = new MemberValue<Member, Value>(name, std::move(value), find_offset(member));
+  return own_key<Owner>(std::move(name), required, std::move(takes), row);
 }
 
 /// A key that must be there, and the member that it fills.
@@ -134,39 +154,17 @@ void refuse_missing(const Reader& reader, const Node& node, const std::string& n
 /// Whether a map has the key, be it without the colon behind it.
 bool is_there(const Node& node, const std::string& name);
 
-/// Reads a map by its table: unknown keys get a hint, missing ones an error, unless a hint names them. Returns whether
-/// all went well.
+/// Reads a map by its table: unknown keys get a hint, missing ones an error, unless a hint names them. owner: what the
+/// rows fill. Returns whether all went well.
+bool read_any_keys(const Reader& reader, const Node& node, const std::vector<AnyKey>& keys, void* owner,
+                   const OtherKeys& others);
 template <class Owner>
 bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out,
                const OtherKeys& others = {}) {
-  std::vector<std::string> known = others.names;
-  for (const Key<Owner>& key : keys) known.push_back(key.name);
-  std::vector<std::string> hinted;  // what unknown keys are probably meant to be
-  bool good = true;
-  for (const Entry& entry : node.entries) {
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<Owner>& k) { return k.name == entry.name; });
-    if (key != keys.end()) {
-      good = !entry.value.broken && key->read(reader, entry.value, out) && good;
-    } else if (std::find(others.names.begin(), others.names.end(), entry.name) == others.names.end()) {
-      hinted.push_back(refuse_key(reader, entry, known, others));
-      good = false;
-    }
-  }
-  for (const Key<Owner>& key : keys) {
-    if (!key.required || is_there(node, key.name)) continue;
-    good = false;
-    if (std::find(hinted.begin(), hinted.end(), key.name) == hinted.end())
-      refuse_missing(reader, node, key.name, key.takes);
-  }
-  return good;
+  return read_any_keys(reader, node, keys, &out, others);
 }
 
-template <class Owner>
-Form form_of(const Keys<Owner>& keys) {
-  Form form = map_form({});
-  for (const Key<Owner>& key : keys) form.keys.push_back({key.name, key.required, key.takes, key.form()});
-  return form;
-}
+Form form_of(const std::vector<AnyKey>& keys);
 
 /// A map read by its table; `check` then sees to what concerns several keys, if each was read without error.
 template <class T>

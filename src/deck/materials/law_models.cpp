@@ -132,9 +132,44 @@ struct CountValue {
   Form form() const { return IntegerValue{0, most}.form(); }
 };
 
-/// A choice of true or false.
+/// Constants of any law: a member of each kind that a key may name.
+struct AnyConstants {
+  double number;
+  MaterialTable table;
+  double vector[3];
+  RateCurves curves;
+  bool choice;
+  int integer;
+  MaterialNumbers list;
+  MaterialText word;
+  UserCode code;
+  MadeLaw law;
+};
+using AnyLawKey = MaterialKey<AnyConstants>;
+
+/// A key without the law that it belongs to, so that the rows of all laws are made by the same functions.
 template <class C>
-Key<LawDeck> make_switch(const MaterialKey<C>& key) {
+AnyLawKey forget_law(const MaterialKey<C>& key) {
+  AnyLawKey any = name_key<AnyConstants>(key.name, key.required, key.meaning);
+  any.range = key.range;
+  std::copy_n(key.words, 2, any.words);
+  any.most = key.most;
+  any.is_of_library = key.is_of_library;
+  if (key.number != nullptr) any.number = &AnyConstants::number;
+  if (key.table != nullptr) any.table = &AnyConstants::table;
+  if (key.vector != nullptr) any.vector = &AnyConstants::vector;
+  if (key.curves != nullptr) any.curves = &AnyConstants::curves;
+  if (key.choice != nullptr) any.choice = &AnyConstants::choice;
+  if (key.integer != nullptr) any.integer = &AnyConstants::integer;
+  if (key.list != nullptr) any.list = &AnyConstants::list;
+  if (key.word != nullptr) any.word = &AnyConstants::word;
+  if (key.code != nullptr) any.code = &AnyConstants::code;
+  if (key.law != nullptr) any.law = &AnyConstants::law;
+  return any;
+}
+
+/// A choice of true or false.
+Key<LawDeck> make_switch(const AnyLawKey& key) {
   return make_key<LawDeck>(key.name, key.required, BooleanValue{},
                            [name = std::string(key.name)](const BooleanValue& value, const Reader& reader,
                                                           const std::string& full, const Node& node, LawDeck& law) {
@@ -146,8 +181,7 @@ Key<LawDeck> make_switch(const MaterialKey<C>& key) {
 }
 
 /// A row of the deck's table from one of a law's.
-template <class C>
-Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
+Key<LawDeck> make_law_key(const AnyLawKey& key) {
   const auto into = [name = std::string(key.name)](auto LawDeck::*map) {
     return [name, map](const auto& value, const Reader& reader, const std::string& full, const Node& node,
                        LawDeck& law) { return value.read(reader, full, node, (law.*map)[name]); };
@@ -227,7 +261,7 @@ LawModel make_model() {
     }
     return std::string();
   };
-  for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
+  for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(forget_law(key)));
   if constexpr (std::is_same_v<Law, UserLaw>) add_keys_of_code(model.keys);
   return model;
 }

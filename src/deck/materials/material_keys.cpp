@@ -21,12 +21,12 @@ ChoiceValue<const LawModel*> choose_model(const std::vector<LawModel>& models) {
 }
 
 /// Adds a key of a model; one that several have is there once, in every form that one of them takes.
-void add_key(const Key<LawDeck>& key, std::vector<FormKey>& all) {
+void add_key(const AnyKey& key, std::vector<FormKey>& all) {
   const auto known = std::find_if(all.begin(), all.end(), [&](const FormKey& k) { return k.name == key.name; });
   if (known == all.end())
-    all.push_back({key.name, key.required, key.takes, key.form(), true});
+    all.push_back({key.name, key.required, key.takes, key.value->form(), true});
   else if (known->takes != key.takes)
-    known->form = any_form({std::move(known->form), key.form()});
+    known->form = any_form({std::move(known->form), key.value->form()});
 }
 
 /// A map that has the keys of `common` and those of the model that its key `chooser` names.
@@ -42,7 +42,7 @@ Form form_of_models(const std::vector<LawModel>& models, const char* chooser, Fo
       if (!is_state || model.state != LawModel::State::none) its.keys.push_back(key.name);
       if (is_state && model.state == LawModel::State::must) its.required.push_back(key.name);
     }
-    for (const Key<LawDeck>& key : model.keys) {
+    for (const AnyKey& key : model.keys) {
       add_key(key, all.keys);
       its.keys.push_back(key.name);
       if (key.required) its.required.push_back(key.name);
@@ -55,7 +55,7 @@ Form form_of_models(const std::vector<LawModel>& models, const char* chooser, Fo
 std::string find_other_model(const std::vector<LawModel>& models, const char* kind, const std::string& key,
                              const LawModel& own) {
   for (const LawModel& model : models) {
-    for (const Key<LawDeck>& other : model.keys) {
+    for (const AnyKey& other : model.keys) {
       if (other.name == key) return fmt::format(" (a key of {} {}, not of {})", kind, model.name, own.name);
     }
   }
@@ -194,7 +194,7 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   if (model == nullptr) return false;
   // One pass over the map finds unknown keys, in the order of the deck.
   Keys<MaterialDeck> keys = common_keys();
-  for (const Key<LawDeck>& key : model->keys) keys.push_back(lift_key(key, &MaterialDeck::law));
+  for (const AnyKey& key : model->keys) keys.push_back(lift_key(key, &MaterialDeck::law));
   const OtherKeys others{
       {"model"}, [model](const std::string& key) { return find_other_model(law_models(), "model", key, *model); }};
   const bool is_read = read_keys(reader, node, keys, out, others);

@@ -15,7 +15,7 @@ namespace {
 
 Keys<HistoryPoint> make_point_keys() {
   Keys<HistoryPoint> keys = {need("name", &HistoryPoint::name, NameValue{})};
-  for (Key<HistoryPoint>& key : point_keys()) keys.push_back(std::move(key));
+  for (const AnyKey& key : point_keys()) keys.push_back(key);
   return keys;
 }
 

@@ -125,7 +125,7 @@ bool BeamSectionValue::read(const Reader& reader, const std::string& name, const
   const bool good = read_keys(reader.inside(name), node, beam_section_keys(), out);
   if (node.entries.size() == 1 || !good) return good;
   std::vector<std::string> known;
-  for (const Key<BeamSectionDeck>& key : beam_section_keys()) known.push_back(key.name);
+  for (const AnyKey& key : beam_section_keys()) known.push_back(key.name);
   reader.error(node.spot, fmt::format("{} has {} kinds{} (must be one of {})", name, node.entries.size(), reader.in(),
                                       fmt::join(known, ", ")));
   return false;
@@ -133,7 +133,7 @@ bool BeamSectionValue::read(const Reader& reader, const std::string& name, const
 
 Form BeamSectionValue::form() const {
   Form form = form_of(beam_section_keys());
-  for (const Key<BeamSectionDeck>& key : beam_section_keys()) form.exactly_one.push_back(key.name);
+  for (const AnyKey& key : beam_section_keys()) form.exactly_one.push_back(key.name);
   return form;
 }
 

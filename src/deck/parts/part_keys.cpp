@@ -120,7 +120,7 @@ struct ThicknessValue {
   Form form() const { return any_form({NumberValue{positive}.form(), map().form()}); }
 };
 
-/// Which surface of the shells the mesh is. What it is of the thickness is known when that is read.
+/// The surface of the shells that the mesh is. Its offset is known when the thickness is read.
 struct ReferenceValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
     if (node.kind == Node::Kind::scalar && !node.quoted && is_surface(node.text)) {
@@ -187,7 +187,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(may("at", &PartDeck::at, vector3()));
     all.push_back(may("mass_scaling", &PartDeck::mass_scaling, mass_scaling_value()));
     all.push_back(make_key<PartDeck>("rigid", false, RigidValue{}, read_rigid));
-    for (const Key<PartElementDeck>& key : part_element_keys()) all.push_back(lift_key(key, &PartDeck::own_elements));
+    for (const AnyKey& key : part_element_keys()) all.push_back(lift_key(key, &PartDeck::own_elements));
     return all;
   }();
   return keys;
@@ -195,7 +195,7 @@ const Keys<PartDeck>& part_keys() {
 
 bool check_one_shape(const Reader& reader, const Node& node) {
   std::vector<std::string> given, known;
-  for (const Key<PartDeck>& key : shape_keys()) {
+  for (const AnyKey& key : shape_keys()) {
     known.push_back(key.name);
     if (node.find(key.name) != nullptr) given.push_back(key.name);
   }
@@ -319,7 +319,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
 
 Form PartValue::form() const {
   Form form = form_of(part_keys());
-  for (const Key<PartDeck>& key : shape_keys()) form.exactly_one.push_back(key.name);
+  for (const AnyKey& key : shape_keys()) form.exactly_one.push_back(key.name);
   return form;
 }
 
