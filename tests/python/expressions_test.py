@@ -66,6 +66,36 @@ class Expressions(unittest.TestCase):
         self.assertEqual((history.unit("pull"), history.unit("plain")), ("g", "mm"))
         np.testing.assert_allclose(history["pull"], 1e6 * CRUSH / 9810)
 
+    def test_no_label_stands_beside_a_number_in_another_unit(self):
+        """The motion in SI units, and g of the standard: whatever units the deck has and whatever are shown."""
+        speed, pull = 4.0 * np.cos(80 * TIME), 1000 * CRUSH  # m/s; m/s2 of 1e6 N/m and a tonne
+        right = {"speed [m/s] = derivative(top_z)": ("m/s", -1e-3 * speed), "pace [km/h] = 2 * derivative(top_z)": ("km/h", -7.2e-3 * speed),
+                 "pull [g] = wall_force_z / {mass:a b}": ("g", pull / 9.80665), "own [g] = wall_force_z / {mass:a b} / 9810": ("g", pull / 9.81),
+                 "half [kN] = (wall_force_z + 3) / 2": ("kN", (1e3 * CRUSH + 1.5e-3)), "hit [kN] = max(wall_force_z) / 1e3": ("kN", 2e3 * CRUSH.max()),
+                 "ratio [%] = 100 * top_y / first(top_y)": ("%", 100.0), "stress [MPa] = wall_force_z / 400": ("MPa", 5e3 * CRUSH)}
+        for system in (None, "m, kg, s", "mm, kg, ms", "in, lbf s2/in, s"):
+            for word, (unit, values) in right.items():
+                history, options = make_history(), Options()
+                history = history.in_units(Units(system)) if system else history
+                (name,) = add_expressions([word], [history], options)
+                self.assertEqual(history.unit(name), unit, word)
+                np.testing.assert_allclose(history[name], values + 0 * TIME, rtol=2e-6, atol=2e-6 * np.abs(values).max(), err_msg=f"{word} {system}")
+                stays = system and word.startswith("stress")  # its number has a unit that nothing tells
+                self.assertEqual(len(options.notes), 1 if stays else 0, options.notes)
+
+    def test_numbers_of_an_expression_are_in_the_units_of_the_deck(self):
+        history = make_history().in_units(Units("m, kg, s"))
+        add_expressions(["late = top_y + 5", "more = late * 2"], [history], Options())  # 5 mm
+        np.testing.assert_allclose(history["late"], 0.008)
+        np.testing.assert_allclose(history["more"], 0.016)
+
+    def test_a_label_with_the_wrong_unit_loses_it_and_says_so(self):
+        for word, unit in (("pull [g] = wall_force_z / {mass:a b} / 9.81", "mm/s\u00b2"), ("way [N] = top_z", "mm"), ("hit [kN] = wall_force_z / 50", "N")):
+            history, options = make_history(), Options()
+            (name,) = add_expressions([word], [history], options)
+            self.assertEqual(history.unit(name), unit)
+            self.assertIn("the label loses its unit", options.notes[0])
+
     def test_wrong_ones_are_refused_with_the_nearest_name(self):
         for text, words in (("wall_forc_z * 2", "there is no column 'wall_forc_z'; did you mean wall_force_z?"), ("fx:hot + 1", "did you mean fx:hit?"),
                             ("intgral(time)", "did you mean integral?"), ("wall_force_z + top_z", "different dimensions"), ("exp(top_z)", "no dimension"),

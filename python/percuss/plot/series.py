@@ -1,11 +1,12 @@
 """Curves as they are drawn: in the units that are wanted, filtered, cut to a range of time, thinned."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from percuss.results.expressions import evaluate, is_expression, split_label, split_unit
+from percuss.results.expressions import is_expression, split_label, spread
 from percuss.results.filters import filter_cfc, resample
+from percuss.results.labels import read_labelled
 
 MOST_POINTS = 2000  # of a curve: about two for each pixel of its width
 
@@ -18,6 +19,7 @@ class Options:
     units: object = None         # a Units, to convert to
     start: float = -np.inf       # range of time, in the units of the deck
     end: float = np.inf
+    notes: list = field(default_factory=list)  # what the user is told of the units of expressions
 
 
 def prepare_history(run, options):
@@ -78,7 +80,7 @@ class _Filtered:
 
 def add_expressions(words, histories, options, known=()):
     """The words, with the name of a new column in place of each expression, which may have a label: 'crush = integral(fx:a, top_x)',
-    with a unit: 'acceleration [g] = sensor_az / 9.81'.
+    with a unit: 'acceleration [g] = sensor_az'.
     known: what is no expression whatever it looks like. BadExpression where one cannot be computed in any history."""
     named = []
     for word in words:
@@ -88,11 +90,21 @@ def add_expressions(words, histories, options, known=()):
         if is_column or word.startswith("=") or (label == text and not is_expression(text, names)):
             named.append(word)
             continue
-        name, unit = split_unit(label) if label != text else (label, None)
         for history in histories:
-            history.add(name, *evaluate(_Filtered(history, options) if options.channel_class else history, text), unit)
-        named.append(name)
+            found = add_expression(history, word, options)
+        named.append(found.name)
     return named
+
+
+def add_expression(history, word, options):
+    """Adds it to the history, and to that in the units of the deck, of which later expressions are computed."""
+    deck = history.of_deck
+    found = read_labelled(history, word, _Filtered(deck, options) if options.channel_class else None)
+    for one, values in {id(deck): (deck, found.deck_values), id(history): (history, found.values)}.values():
+        one.add(found.name, spread(values, len(one)), found.powers, found.unit)
+    if found.note and found.note not in options.notes:
+        options.notes.append(found.note)
+    return found
 
 
 def choose_abscissa(word, histories, options):

@@ -116,6 +116,8 @@ def plot(arguments, runs, words):
     known = list_panels(histories)
     words = add_expressions(words, histories, options, known)
     options.x = choose_abscissa(arguments.x, histories, options)
+    for note in options.notes:
+        print_text(f"plot: {note}", sys.stderr)
     panels = choose_panels(words, histories)
     shown = drawing.Plot(list(zip(labels, runs, histories)), options)
     if arguments.test:

@@ -48,10 +48,15 @@ def compute(history: History, text: str) -> Value:
         return _Reader(history, columns, text).read(tree, 0)
 
 
+def spread(values: Any, rows: int) -> Array:
+    """[rows] of a number or of an array."""
+    return np.broadcast_to(np.asarray(values, dtype=float), (rows,)).copy()
+
+
 def evaluate(history: History, text: str) -> tuple[Array, Powers | None]:
     """(values [rows], powers of length, mass and time, or None). BadExpression with the reason."""
     value = compute(history, text)
-    return np.broadcast_to(np.asarray(value.values, dtype=float), (len(history),)).copy(), value.powers
+    return spread(value.values, len(history)), value.powers
 
 
 def split_label(text: str) -> tuple[str, str]:
@@ -81,6 +86,51 @@ def is_expression(text: str, names: Iterable[str]) -> bool:
     except BadExpression:
         return False
     return not isinstance(tree, (ast.Name, ast.Constant, ast.Tuple))
+
+
+def find_multiplier(text: str, names: Iterable[str]) -> float | None:
+    """What the numbers of an expression multiply its columns by: 1e-3 of 'max(a) / 1000'. None where its terms differ by more than a
+    half or a mean makes them."""
+    return _multiply(_parse(text, names)[0])
+
+
+def _multiply(node: ast.expr) -> float | None:
+    if isinstance(node, ast.Constant):
+        return abs(float(node.value)) if isinstance(node.value, (int, float)) else 1.0
+    if isinstance(node, ast.UnaryOp):
+        return _multiply(node.operand)
+    if isinstance(node, ast.BinOp):
+        return _multiply_two(node, _multiply(node.left), _multiply(node.right))
+    if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name) or not node.args:
+        return 1.0
+    name, factors = node.func.id, [_multiply(argument) for argument in node.args]
+    first = factors[0]
+    if first is None or name in ("resultant", "distance", "exp", "log", "sin", "cos", "tan"):
+        return first and 1.0
+    if name == "sqrt":
+        return first**0.5
+    if name in ("integral", "derivative") and len(factors) > 1:
+        return factors[1] and (first * factors[1] if name == "integral" else first / factors[1])
+    return first if name == "cfc" else _agree_on_factor([x for x, node in zip(factors, node.args) if not isinstance(node, ast.Constant)])
+
+
+def _multiply_two(node: ast.BinOp, left: float | None, right: float | None) -> float | None:
+    if isinstance(node.op, (ast.Add, ast.Sub)):
+        return _agree_on_factor([x for x, term in ((left, node.left), (right, node.right)) if not isinstance(term, ast.Constant)])
+    if left is None or right is None:
+        return None
+    if isinstance(node.op, ast.Pow):
+        try:
+            return left**right if left else None
+        except OverflowError:
+            return None
+    return left * right if isinstance(node.op, ast.Mult) else left / right if right else None
+
+
+def _agree_on_factor(factors: list[float | None]) -> float | None:
+    """Of terms that are added."""
+    known = [factor for factor in factors if factor]
+    return known[0] if known and len(known) == len(factors) and max(known) <= 5 * min(known) else None if factors else 1.0
 
 
 def check_syntax(text: str, names: Iterable[str]) -> None:

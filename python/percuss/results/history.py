@@ -32,12 +32,18 @@ class History:
         self.units = units
         self._sidecar = sidecar or {}
         self.computed: set[str] = set()
+        self._deck: History | None = None
         self._columns: dict[str, Array] = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
         self._velocities = list_accelerations(self._columns) if "time" in self._columns and "dt" in self._columns else {}
 
     @property
     def derived(self) -> list[str]:
         return list(self._velocities)
+
+    @property
+    def of_deck(self) -> History:
+        """The same history in the units of the deck: itself, or what in_units() has converted."""
+        return self._deck or self
 
     @property
     def everything(self) -> list[str]:
@@ -122,6 +128,7 @@ class History:
         """The same history, to add() to."""
         copied = copy.copy(self)
         copied._columns, copied.computed = dict(self._columns), set(self.computed)
+        copied._deck = self._deck and self._deck.copy()
         return copied
 
     def in_units(self, units: Units) -> History:
@@ -130,7 +137,9 @@ class History:
             raise ValueError("the deck has no `units`, so that its numbers cannot be turned into others")
         table = np.column_stack([self._convert(name, units) for name in self.names])
         kept = {name: {"dimension": self.dimension(name), "meaning": self.meaning(name)} for name in self.names}
-        return History(self.names, table, units, kept)
+        converted = History(self.names, table, units, kept)
+        converted._deck = self.of_deck.copy()
+        return converted
 
     def _convert(self, name: str, units: Units) -> Array:
         dimension = self.dimension(name)

@@ -26,6 +26,10 @@ NAMED: list[tuple[str, str, float, bool]] = [("force", "N", 1, True), ("force", 
          ("energy", "in\u00b7lbf", POUND_FORCE * INCH, False), ("energy", "ft\u00b7lbf", POUND_FORCE * FOOT, False)]
 OWN_PREFIXES: list[tuple[str, float]] = [("", 1), ("k", 1e3), ("M", 1e6), ("G", 1e9), ("T", 1e12), ("m", 1e-3), ("\u00b5", 1e-6), ("n", 1e-9)]
 
+# What labels may name besides.
+MORE_UNITS: dict[str, tuple[float, str]] = {"Hz": (1, "frequency"), "bar": (1e5, "pressure"), "min": (60, "time"), "h": (3600, "time")}
+GRAVITY = 9.80665  # [m/s2] what g is of an acceleration
+
 PREFIXES: list[tuple[float, str]] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
 PREFIXED = {"Pa": ("Pa", 1.0), "N": ("N", 1.0), "J": ("J", 1.0), "mJ": ("J", 1e-3), "kJ": ("J", 1e3)}  # units whose prefix suits the
 # numbers, and what they are without one; others stay as the deck has them
@@ -82,7 +86,11 @@ class Units:
 
     def in_si(self, quantity: str) -> float:
         """What one of a quantity is in SI: 1e9 of 'pressure' in mm, kg, ms. 1 of a temperature."""
-        return float(math.prod(unit[1] ** power for unit, power in zip((self.length, self.mass, self.time), _expect_powers(quantity))))
+        return self.size_of(_expect_powers(quantity))
+
+    def size_of(self, powers: Powers) -> float:
+        """The same of powers of length, mass and time."""
+        return float(math.prod(unit[1] ** power for unit, power in zip((self.length, self.mass, self.time), powers)))
 
     def name_of(self, quantity: str) -> str:
         """The unit of a quantity: 'GPa' of 'pressure' in mm, kg, ms; empty of a number without a dimension."""
@@ -113,6 +121,47 @@ class Units:
             return "\u00b7".join(above)
         under = "\u00b7".join(below)
         return ("\u00b7".join(above) or "1") + "/" + (f"({under})" if len(below) > 1 else under)
+
+
+def measure_unit(text: str, powers: Powers | None) -> float | None:
+    """The size in SI of a unit such as 'kN', 'km/h', 'mm/s^2', or 'g' of an acceleration; None where it is not known, or has other powers
+    of length, mass and time."""
+    if powers == DIMENSIONS["acceleration"] and text in ("g", "G"):
+        return GRAVITY
+    known = _read_product(text)
+    return known[0] if known and powers is not None and known[1] == tuple(powers) else None
+
+
+def is_unit(text: str) -> bool:
+    """Whether it is such a unit, of whatever dimension."""
+    return _read_product(text) is not None
+
+
+def _read_product(text: str) -> tuple[float, Powers] | None:
+    size, found = 1.0, [0.0, 0.0, 0.0]
+    above, *below = text.replace("\u00b2", "2").replace("\u00b3", "3").split("/")
+    for sign, side in ((1, above), *((-1, side) for side in below)):
+        for word in re.split(r"[\s*()\u00b7]+", side.strip(" ()")):
+            match = re.fullmatch(r"([A-Za-z\u00b5]+)\^?(-?\d)?", word)
+            known = _find_base(match[1]) if match else (1.0, DIMENSIONS["-"]) if word == "1" else None
+            if known is None:
+                return None
+            power = sign * int(match[2] or 1 if match else 1)
+            size *= known[0] ** power
+            found = [total + power * own for total, own in zip(found, known[1])]
+    return size, tuple(found)
+
+
+def _find_base(word: str) -> tuple[float, Powers] | None:
+    for quantity, table in (("length", LENGTHS), ("mass", MASSES), ("time", TIMES)):
+        if word in table:
+            return table[word], DIMENSIONS[quantity]
+    units = [*NAMED, *((quantity, name, size, name == "Hz") for name, (size, quantity) in MORE_UNITS.items())]
+    for quantity, name, size, takes_prefixes in units:
+        for prefix, factor in OWN_PREFIXES if takes_prefixes else OWN_PREFIXES[:1]:
+            if word == prefix + name:
+                return size * factor, DIMENSIONS[quantity]
+    return None
 
 
 def find_units(text: str | None) -> Units | None:
