@@ -27,11 +27,11 @@ class Refused(NotResults):
 
 
 def read_text(path: str | os.PathLike[str]) -> str:
-    """The text of a regular file; bytes that are no UTF-8 become U+FFFD."""
+    """The text of a regular file, without a byte order mark; bytes that are no UTF-8 become U+FFFD."""
     try:
         if os.path.exists(path) and not os.path.isfile(path):
             raise NotResults(f"{path}: this is no regular file")
-        with open(path, encoding="utf-8", errors="replace", newline="") as file:
+        with open(path, encoding="utf-8-sig", errors="replace", newline="") as file:
             return file.read()
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         raise NotResults(f"{path}: cannot be read ({getattr(error, 'strerror', None) or error})") from error

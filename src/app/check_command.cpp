@@ -170,6 +170,12 @@ std::vector<FieldOutputSize> find_sizes(const Deck& deck, const ChunkedMesh& chu
   return sizes;
 }
 
+/// What a run would write. Collective.
+void add_output(const HistoryScene& of, const Communicator& ranks, SceneReport& scene) {
+  scene.field_outputs = find_sizes(of.deck, of.chunked, ranks);
+  if (of.deck.output.history_every) scene.columns = History::list_columns(of);
+}
+
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
@@ -202,7 +208,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.controlling_element = name_controller(chunked, model, state, stepper);
   scene.undamped_step = find_undamped_step(deck, state, stepper);
   add_notes(chunked, model, stepper, scene);
-  scene.field_outputs = find_sizes(deck, chunked, ranks);
+  add_output({deck, chunked, stepper}, ranks, scene);
   add_contact(contact, overlap, scene);
   stage.show("looking for suspicious input");
   scene.warnings = list_warnings(deck, chunked, model, stepper, contact, start);

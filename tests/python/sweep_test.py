@@ -75,10 +75,11 @@ class Designs(unittest.TestCase):
     def test_a_table_of_designs(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "designs.csv")
-            with open(path, "w", encoding="utf-8") as file:
-                file.write('# of a test\na.b,"c,d"\n1,"[2, 3]"\n4,5\n')
-            designs = read_designs(path)
-            self.assertEqual([d.settings for d in designs], [["a.b=1", "c=[2, 3]", "d=[2, 3]"], ["a.b=4", "c=5", "d=5"]])
+            for encoding, first in (("utf-8", "# of a test\n"), ("utf-8-sig", "# of a test\n"), ("utf-8-sig", "")):  # as spreadsheets write it
+                with open(path, "w", encoding=encoding, newline="") as file:
+                    file.write(first + 'a.b,"c,d"\r\n1,"[2, 3]"\r\n4,5\r\n')
+                designs = read_designs(path)
+                self.assertEqual([d.settings for d in designs], [["a.b=1", "c=[2, 3]", "d=[2, 3]"], ["a.b=4", "c=5", "d=5"]])
 
 
 class Statistics(unittest.TestCase):
@@ -178,6 +179,26 @@ class Sweep(unittest.TestCase):
         self.assertEqual(sorted(percuss_status(os.path.join(folder, name)) for name in os.listdir(folder)), ["completed", "interrupted"])
         self.sweep(*words)
         self.assertEqual([row["state"] for row in self.read()], ["completed"] * 2)
+
+    def test_warnings_of_a_design_stand_in_table_page_and_terminal(self):
+        """Osmium, the densest of metals, has 22 600 kg/m3."""
+        words = ("--vary", "materials.steel.density=1000,50000,2000,60000", "--vary", "initial.0.velocity.0=1", "--set", "silence=[end_time, wave_speed]")
+        for _ in ("run", "found again"):
+            done = self.sweep(*words)
+            self.assertEqual([row["warnings"] for row in self.read()], ["", "density", "", "density"])
+            self.assertEqual(done.stdout.count("warnings: density)"), 2)
+            self.assertIn("2 of 4 designs warn of density (design 2: density 50000 of material", done.stdout)
+            with open(os.path.join(self.folder, "cube_sweep/sweep.html"), encoding="utf-8") as file:
+                page = file.read()
+            for text in ("4 completed, 2 with warnings", "<td>density</td>", "<td>2 of 4</td>", "<td>2, 4</td>", "density 50000 of material"):
+                self.assertIn(text, page)
+
+    def test_outputs_are_judged_before_the_first_run(self):
+        for output, words, text in (("kinetik", (), "did you mean kinetic?"), ("kinetic + momentum_x", (), "different dimensions"),
+                                    ("max(kinetic", (), "is no expression"), ("max(kinetic)", ("--set", "output.history=~"), "output.history")):
+            done = self.sweep("--vary", "initial.0.velocity.0=1,2", "--output", output, *words, code=2)
+            self.assertIn(text, done.stderr)
+            self.assertEqual(os.listdir(os.path.join(self.folder, "cube_sweep")), [], output)
 
     def test_wrong_words_end_with_2_before_all_runs_are_made(self):
         for words, text in ((("--vary", "initial.0.velocity.0=1", "--output", "kinetik"), "did you mean kinetic?"),

@@ -108,7 +108,7 @@ def _multiply(node: ast.expr) -> float | None:
     if first is None or name in ("resultant", "distance", "exp", "log", "sin", "cos", "tan"):
         return first and 1.0
     if name == "sqrt":
-        return first**0.5
+        return float(first**0.5)
     if name in ("integral", "derivative") and len(factors) > 1:
         return factors[1] and (first * factors[1] if name == "integral" else first / factors[1])
     return first if name == "cfc" else _agree_on_factor([x for x, node in zip(factors, node.args) if not isinstance(node, ast.Constant)])

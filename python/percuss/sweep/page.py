@@ -11,16 +11,17 @@ from percuss.plot.drawing import COLORS, SETTINGS, write_svg
 from percuss.report.markup import Markup, escape, format_number, make_table
 from percuss.report.page import wrap_page
 from percuss.sweep.statistics import correlate, find_main_effect, place_inputs, rank
+from percuss.sweep.table import name_rules
 
 MOST_FIGURES, MOST_INPUTS = 24, 8  # outputs and inputs that are drawn; the table and the file have all
-MOST_LABELS, LONGEST_LABEL = 12, 18
+MOST_LABELS, LONGEST_LABEL, MOST_NUMBERS = 12, 18, 20
 
 
 def make_page(deck, table, links):
     """links: {number of a design: path of its report}."""
     done = [row for row in table.rows if row.state == "completed"]
-    sections = [("table", "Designs", _make_table(table, links)), ("effects", "Designs and main effects", _draw_effects(table, done)),
-                ("correlation", "Correlation", _make_correlation(table, done))]
+    sections = [("table", "Designs", _make_table(table, links)), ("warnings", "Warnings", _list_warnings(table)),
+                ("effects", "Designs and main effects", _draw_effects(table, done)), ("correlation", "Correlation", _make_correlation(table, done))]
     parts = [f"<h1>{escape('Sweep of ' + deck)}</h1>", _tell(table, done)]
     parts.append("<nav>" + "".join(f"<a href='#{name}'>{escape(title)}</a>" for name, title, text in sections if text) + "</nav>")
     parts += [f"<section id={name}><h2>{escape(title)}</h2>{text}</section>" for name, title, text in sections if text]
@@ -31,20 +32,37 @@ def _tell(table, done):
     clock = time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
     rest = {state: sum(row.state == state for row in table.rows) for state in ("failed", "refused", "interrupted", "elsewhere", "waiting")}
     words = "".join(f", {count} {state}" for state, count in rest.items() if count)
+    warned = sum(bool(row.warnings) for row in table.rows)
+    if warned:
+        words += f", {warned} with warnings"
     return f"<p class=soft>{len(table.rows)} designs: {len(done)} completed{escape(words)}. Written {clock}.</p>"
+
+
+def _list_warnings(table):
+    """Each rule with its designs, and what it says of the first of them."""
+    warned = table.list_warned()
+    if not warned:
+        return ""
+    rows = [[rule, f"{len(numbers)} of {len(table.rows)}", shorten(numbers), text] for rule, numbers, text in warned]
+    return make_table(["rule", "count", "designs", "in the first of them"], rows)
+
+
+def shorten(numbers):
+    """The first of many numbers."""
+    return ", ".join(map(str, numbers[:MOST_NUMBERS])) + (", ..." if len(numbers) > MOST_NUMBERS else "")
 
 
 def _make_table(table, links):
     """Numbers are shown with six digits; the file sweep.csv has all."""
     named = [f"{name} [{unit}]" if unit else name for name, unit in table.outputs.items()]
-    heading = ["design", *table.inputs, *named, "state", "energy error", "time [s]"]
+    heading = ["design", *table.inputs, *named, "state", "energy error", "time [s]", "warnings"]
     rows = []
     for row in table.rows:
         name = Markup(f"<a href='{escape(links[row.number])}'>{row.number}</a>") if row.number in links else str(row.number)
         numbers = [format_number(row.outputs[name][0]) if name in row.outputs else "" for name in table.outputs]
         state = f"{row.state}: {row.error}" if row.error else row.state
         rest = ["" if value is None else f"{value:.3g}" for value in (row.energy_error, row.seconds)]
-        rows.append([name, *(row.inputs.get(name, "") for name in table.inputs), *numbers, state, *rest])
+        rows.append([name, *(row.inputs.get(name, "") for name in table.inputs), *numbers, state, *rest, name_rules(row.warnings)])
     first = 1 + len(table.inputs)
     return "<div style='overflow-x:auto'>" + make_table(heading, rows, (*range(1, first + len(named)),)) + "</div>"
 

@@ -36,15 +36,22 @@ class Result:
     def run(self):
         return Run(self.folder) if self.folder and os.path.isdir(self.folder) and self.state in ("completed", "failed") else None
 
+    @property
+    def warnings(self):
+        """Those of its run, as summary.json has them."""
+        return self.run.warnings if self.run else []
+
 
 class Study:
     """deck: its path. folder: where the runs go. settings: what --set gives all designs. jobs, threads: 0 for as many as cores and
-    memory allow. retry: whether failed runs are run again. follow(result): called when a design has ended."""
+    memory allow. retry: whether failed runs are run again. follow(result): called when a design has ended. judge(scene): called with what
+    percuss check --json says of the first design, before anything runs; an exception of it ends the study."""
 
-    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None, libraries=()):
+    def __init__(self, deck, folder, settings=(), jobs=0, threads=0, retry=False, follow=None, libraries=(), judge=None):
         self.deck, self.folder, self.settings = os.fspath(deck), os.fspath(folder), list(settings)
         self.libraries = list(libraries)  # with laws of the user, which may be loaded
         self.jobs, self.threads, self.retry, self.follow = jobs, threads, retry, follow
+        self.judge = judge
         self.program, self.cores = find_program(), count_cores()
         self.peak = 0  # bytes that the largest run so far has taken
         if not os.path.isfile(self.deck):
@@ -173,6 +180,9 @@ class _Work:
             values, elements = scene["values"], scene["elements"]
         except (ValueError, KeyError) as error:
             return self._finish("failed", f"percuss check gives no values ({error})")
+        if self.study.judge:
+            self.study.judge(scene)
+            self.study.judge = None
         self.threads = self.study.threads or max(1, min(self.share, elements // ELEMENTS_A_THREAD))
         self.folder = os.path.join(self.study.folder, f"run_{digest_deck(values, self.study.deck)[:DIGITS]}")
         return self._start_run(values)

@@ -9,12 +9,19 @@ from ..files import make_mark
 from .outputs import read_outputs
 
 
+def name_rules(warnings):
+    """'deep_overlap, part_size': the rules of warnings, each once."""
+    return ", ".join(dict.fromkeys(warning["rule"] for warning in warnings))
+
+
 class Row:
-    """inputs {factor: text}, outputs {column: (number, unit)}, and of the run: state, error, energy_error, seconds, folder."""
+    """inputs {factor: text}, outputs {column: (number, unit)}, and of the run: state, error, warnings (as summary.json has
+    them), energy_error, seconds, folder."""
 
     def __init__(self, result, outputs, base):
         self.number, self.inputs, self.state, self.error = result.design.number, result.design.inputs, result.state, result.error
         self.outputs, self.energy_error, self.seconds, run = {}, None, None, result.run
+        self.warnings = result.warnings
         self.folder = os.path.relpath(result.folder, base) if result.folder else ""
         if run is None or not run.summary:
             return
@@ -37,14 +44,25 @@ class Table:
 
     def heading(self):
         named = [f"{name} [{unit}]" if unit else name for name, unit in self.outputs.items()]
-        return ["design", *self.inputs, *named, "state", "energy_error", "seconds", "folder", "error"]
+        return ["design", *self.inputs, *named, "state", "energy_error", "seconds", "folder", "error", "warnings"]
 
     def cells(self, row):
         """Texts; empty where there is no value."""
         values = [row.outputs[name][0] if name in row.outputs else None for name in self.outputs]
         numbers = ["" if value is None else f"{value:.10g}" for value in values]
-        rest = [row.state, *("" if value is None else f"{value:.4g}" for value in (row.energy_error, row.seconds)), row.folder, row.error]
+        rest = [row.state, *("" if value is None else f"{value:.4g}" for value in (row.energy_error, row.seconds)), row.folder, row.error,
+                name_rules(row.warnings)]
         return [str(row.number), *(row.inputs.get(name, "") for name in self.inputs), *numbers, *rest]
+
+    def list_warned(self):
+        """[(rule, numbers of the designs that it warns of, text of the first)]."""
+        found = {}
+        for row in self.rows:
+            for warning in row.warnings:
+                numbers, _ = found.setdefault(warning["rule"], ([], warning["text"]))
+                if row.number not in numbers:
+                    numbers.append(row.number)
+        return [(rule, numbers, text) for rule, (numbers, text) in found.items()]
 
     def write_csv(self):
         stream = io.StringIO()

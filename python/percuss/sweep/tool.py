@@ -90,22 +90,28 @@ def choose_designs(arguments):
 
 
 class Teller:
-    """Tells of each design that has ended, and stops at the first result that an output cannot be computed of."""
+    """Tells of each design that has ended, with its warnings. Stops before the first run where outputs cannot be computed of its history."""
 
     def __init__(self, count, outputs):
         self.count, self.outputs, self.ended = count, outputs, 0
-        self.are_checked = False
+
+    def judge(self, scene):
+        from percuss.sweep.outputs import judge_outputs
+        from percuss.terminal import print_text
+
+        judge_outputs(self.outputs, scene)
+        for output in self.outputs:
+            if output.note:
+                print_text(f"sweep: {output.note}", sys.stderr)
 
     def follow(self, result):
-        from percuss.sweep.outputs import read_outputs
+        from percuss.sweep.table import name_rules
         from percuss.terminal import print_text
 
         self.ended += 1
         words = f"{result.state} before" if result.was_there else result.state
-        print_text(f"sweep: {self.ended}/{self.count} {words}: {result.design}" + (f" ({result.error})" if result.error else ""), flush=True)
-        if result.state == "completed" and not self.are_checked and result.run.has_history:
-            read_outputs(result.run, self.outputs)
-            self.are_checked = True
+        notes = [result.error] * bool(result.error) + [f"warnings: {name_rules(result.warnings)}"] * bool(result.warnings)
+        print_text(f"sweep: {self.ended}/{self.count} {words}: {result.design}" + (f" ({'; '.join(notes)})" if notes else ""), flush=True)
 
 
 def write_results(arguments, folder, results, outputs):
@@ -124,6 +130,8 @@ def write_results(arguments, folder, results, outputs):
     csv, page = (os.path.join(folder, name) for name in ("sweep.csv", "sweep.html"))
     write_file(csv, table.write_csv(), "sweep", arguments.force)
     write_file(page, make_page(os.path.basename(arguments.deck), table, links), "sweep", arguments.force)
+    for rule, numbers, text in table.list_warned():
+        print_text(f"sweep: {len(numbers)} of {len(table.rows)} designs warn of {rule} (design {numbers[0]}: {text})")
     print_text(f"sweep: {csv}, {page}")
     if not any(row.state == "completed" for row in table.rows):
         fail("no design has completed", 3)
@@ -163,7 +171,8 @@ def sweep(arguments):
             fail(f"there is no design {arguments.only} (there are {len(designs)})")
         designs = [designs[arguments.only - 1]]
     teller = Teller(len(designs), outputs)
-    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow, arguments.allow_library)
+    study = Study(arguments.deck, folder, arguments.set, arguments.jobs, arguments.threads, arguments.retry, teller.follow,
+                  arguments.allow_library, teller.judge)
     print_text(f"sweep: {len(designs)} design{'s' * (len(designs) > 1)} of {arguments.deck} into {folder}", flush=True)
     results = study.run(designs)
     if all(result.state == "refused" for result in results):

@@ -293,6 +293,7 @@ std::string format_scene_json(const SceneReport& scene, const ChunkedMesh& chunk
                      {"selections", list_selections(deck, chunked)},
                      {"walls", list_walls(deck)},
                      {"field_outputs", list_field_outputs(scene)},
+                     {"columns", Json::parse(format_columns(scene.columns, deck.units))["columns"]},
                      {"values", Json::parse(deck.resolved)},
                      {"overlap", describe(overlap, chunked.mesh, deck)},
                      {"warnings", to_json(scene.warnings)}};
