@@ -45,6 +45,8 @@ void visit_energy(S& s, Visitor&& v) {
   v.value("damping", s.damping);
   v.value("external", s.external);
   v.value("error", s.error);
+  v.later_value("contact_taken", s.contact_taken);
+  v.later_value("largest", s.largest);
 }
 
 template <class S, class Visitor>

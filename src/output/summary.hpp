@@ -24,6 +24,8 @@ struct EnergySummary {
   double initial = 0, kinetic = 0;
   std::array<double, work_kinds> work{};  // of elements, by WorkKind
   double contact = 0, friction = 0, damping = 0, external = 0, error = 0;
+  double contact_taken = 0;  // by normal contact, for good: all but what its springs hold; 0: no more than round-off
+  double largest = 0;        // that was held in any state
 
   double internal() const { return work[WorkKind::internal]; }
   double hourglass() const { return work[WorkKind::hourglass]; }

@@ -12,7 +12,7 @@ import tempfile
 import numpy as np
 
 from percuss.render.colors import PART_COLORS
-from percuss.report.findings import BAD, GOOD, LOOK, Finding
+from percuss.report.findings import BAD, GOOD, LOOK, Finding, find_contact_loss
 from percuss.report.markup import Markup, escape, format_number, make_table, with_unit
 from percuss.report.page import note, wrap_page
 from percuss.report.scene import make_deck_section, make_loads_table, make_materials_table
@@ -125,6 +125,8 @@ class Preview:
         found += [Finding(LOOK, _describe(warning) + " In the first steps.") for warning in later
                   if (warning["rule"], warning["place"], warning["text"]) not in known and warning["time"] > 0
                   and warning["rule"] not in OF_THE_END]
+        if self.trial.run is not None and self.trial.run.status == "completed":
+            found += [Finding(LOOK, finding.text + " In the first steps.", finding.remedy) for finding in find_contact_loss(self.trial.run)]
         found += self._judge_resources() + self._judge_overlap()
         if all(finding.level == GOOD for finding in found):
             found.append(Finding(GOOD, "No errors in the deck or its meshes, and no warnings."))

@@ -105,10 +105,19 @@ def _judge_energies(run, summary):
     if largest > 0 and -lost > CONTACT_SHARE * largest:
         found.append(Finding(LOOK, f"Normal contact has added {100 * -lost / largest:.3g} % of the largest energy: "
                                    "look at overlaps at the start.", "remove overlaps at the start, or set contact.overlap: push_out"))
-    if largest > 0 and lost > CONTACT_LOSS * largest:
-        found.append(Finding(LOOK, f"Normal contact has taken {100 * lost / largest:.3g} % of the largest energy: bodies rebound the more slowly.",
-                             "use smaller elements where bodies that deform meet, and contact.restitution for rigid ones"))
-    return found
+    return found + find_contact_loss(run)
+
+
+def find_contact_loss(run):
+    """A Finding where normal contact has taken more than is usual, in a list."""
+    energy = run.summary["energy"]
+    largest = max(abs(energy[name]) for name in ("initial", "kinetic", "internal", "external"))
+    lost = -energy["contact"] - find_energy_in_contact_springs(run)
+    if not lost > CONTACT_LOSS * largest:
+        return []
+    return [Finding(LOOK, f"Normal contact has taken {100 * lost / largest:.3g} % of the largest energy: bodies rebound the more slowly.",
+                    "use smaller elements where bodies that deform meet, or contact.enforcement: penalty, and check contact.restitution "
+                    "of rigid ones")]
 
 
 def _has_warning(summary, rule):

@@ -18,6 +18,7 @@ OF_SUMMARY = {"time": "time", "end_time": "time", "dt.min": "time", "dt.max": "t
               "mass.energy": "energy", "relaxation.scale": "energy", "relaxation.frequency": "frequency", "relaxation.energy": "energy",
               "relaxation.contact_stored": "energy", "energy.initial": "energy", "energy.kinetic": "energy", "energy.internal": "energy",
               "energy.hourglass": "energy", "energy.viscous": "energy", "energy.folding": "energy", "energy.contact": "energy",
+              "energy.contact_taken": "energy", "energy.largest": "energy",
               "energy.friction": "energy", "energy.damping": "energy", "energy.external": "energy", "momentum.linear": "momentum",
               "momentum.angular": "angular momentum", "eroded.mass": "mass", "eroded.energy": "energy", "eroded.vanished_mass": "mass"}
 MOST_POWER = 4  # of length, mass and time in the unit of a field

@@ -48,6 +48,17 @@ std::string format_eroded(const Summary& s) {
   return text;
 }
 
+std::string format_contact_loss(const Summary& s) {
+  constexpr double noted_share = 0.05;
+  const double share = s.energy.largest > 0 ? s.energy.contact_taken / s.energy.largest : 0;
+  if (!(share > noted_share)) return "";
+  return fmt::format(
+      "normal contact took {:.4g}, {:.3g} % of the largest energy (a node that meets a face stops, and a rigid body "
+      "keeps what contact.restitution says): use smaller elements where bodies that deform meet, or "
+      "contact.enforcement: penalty, and check contact.restitution of rigid ones",
+      s.energy.contact_taken, 100 * share);
+}
+
 std::string format_added_mass(const Summary& s) {
   std::string text =
       fmt::format("mass scaling added {:.4g}, {:.2g} % of the original mass", s.mass.added, 100 * s.mass.share);
@@ -89,6 +100,7 @@ std::string format_summary(const Summary& s) {
   text += format_line("energy", fmt::format("initial {:.6g}, kinetic {:.6g}{}", e.initial, e.kinetic, of_elements));
   text += format_line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}",
                                       e.contact, e.friction, e.damping, e.external, e.error));
+  if (const std::string loss = format_contact_loss(s); !loss.empty()) text += format_line("", loss);
   text += format_line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
                                               s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                               s.momentum.linear_error, s.momentum.angular_error));

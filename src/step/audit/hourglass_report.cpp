@@ -9,6 +9,7 @@
 #include "comm/agreement.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/laws/law_traits.hpp"
 #include "src/step/audit/hourglass_pattern.hpp"
 #include "src/step/audit/part_energies.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -140,6 +141,12 @@ class CountedEnergy {
   std::vector<int> own_elements_;  // [parts] of this rank's worst chunk
 };
 
+bool is_of_fluid(const Deck& deck, std::size_t part) {
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const MaterialDeck& m) { return m.name == deck.parts[part].material; });
+  return material != deck.materials.end() && find_traits(*material).needs_equation_of_state;
+}
+
 }  // namespace
 
 std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
@@ -164,7 +171,8 @@ std::vector<PartHourglass> find_hourglassed_parts(const Deck& deck, const Chunke
     const bool is_whole = is_much(whole, find_stored(p, whole), limits.whole_share);
     if (!is_whole && !is_much(alternating, find_stored(p, alternating), limits.share)) continue;
     const double energy = is_whole ? std::max(whole, alternating) : alternating;
-    found.push_back({chunked.mesh.parts[p].name, find_stored(p, energy), energy, counted.describe_worst(p)});
+    found.push_back(
+        {chunked.mesh.parts[p].name, find_stored(p, energy), energy, counted.describe_worst(p), is_of_fluid(deck, p)});
   }
   double hourglass = 0;
   for (const PartHourglass& part : found) hourglass += part.hourglass;

@@ -17,7 +17,8 @@ struct PartHourglass {
   // That of motion which alternates from element to element; the rest is that of bending and twist. Or all of it, where
   // another control than the stiffness of the material bends the elements, and holds more than `whole_share`.
   double hourglass = 0;
-  std::string element;  // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
+  std::string element;    // "element 7 of part 'bar' at (1, 2, 3)": where most of it is
+  bool is_fluid = false;  // it has no shear stiffness
 };
 
 /// From where on hourglass energy is reported: shares of what a part stores besides, and energies.

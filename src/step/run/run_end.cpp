@@ -96,6 +96,8 @@ void Run::finish(const std::string& status, const std::string& error) {
     warnings_.renew_gain(given, scales, deck_.units);
   else if (warnings_.found_gain() != nullptr && is_gain(given, find_tolerated_gain(deck_.audit), scales))
     warnings_.add_gain(given, scales, deck_.units);  // the run has failed meanwhile
+  result_.energy.largest = scales.largest;
+  result_.energy.contact_taken = find_taken(result_.energy.contact, summary_.relaxation.contact_stored, scales);
   if (status == "completed") warnings_.add(find_idle_warnings());
   warnings_.add(find_end_warnings(
       result_, scales, find_hourglassed_parts(deck_, chunked_, model_, state_, find_hourglass_limits(scales))));

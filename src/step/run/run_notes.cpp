@@ -44,6 +44,14 @@ constexpr double motions_in_tolerance = 10;
 Warning describe_hourglass(const PartHourglass& part, double time) {
   const std::string share =
       part.hourglass > part.stored ? "more than" : fmt::format("{:.0f} % of", 100 * part.hourglass / part.stored);
+  if (part.is_fluid)
+    return {
+        "hourglass_energy",
+        fmt::format("hourglass modes hold {} the strain energy of a fluid, most of it near {} (its pressure does not "
+                    "resist them, and what its control holds resists the flow): check elements.hourglass of this "
+                    "part, or refine the mesh there",
+                    share, part.element),
+        "part '" + part.part + "'", time, 1};
   return {"hourglass_energy",
           fmt::format("hourglass modes hold {} the strain energy, most of it near {} (not that of smooth "
                       "bending: single nodes carry the load, or the mesh is too coarse there): refine the mesh there, "
@@ -106,6 +114,11 @@ HourglassLimits find_hourglass_limits(const EnergyScales& scales) {
 
 double find_given(double work, double friction, const EnergyScales& scales) {
   return std::max(work + scales.stored - scales.stored_slip, friction + scales.stored_slip) - scales.granted;
+}
+
+double find_taken(double work, double stored_at_start, const EnergyScales& scales) {
+  const double taken = stored_at_start - work - (scales.stored - scales.stored_slip);
+  return taken > scales.resolved ? taken : 0;
 }
 
 bool is_gain(double given, double share, const EnergyScales& scales) {

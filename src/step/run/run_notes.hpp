@@ -52,6 +52,10 @@ HourglassLimits find_hourglass_limits(const EnergyScales& scales);
 /// its normal and tangential impulses so far.
 double find_given(double work, double friction, const EnergyScales& scales);
 
+/// Energy that normal contact has taken and does not give back; 0: round-off. stored_at_start: in its springs at time
+/// 0.
+double find_taken(double work, double stored_at_start, const EnergyScales& scales);
+
 /// Whether that is more than a share of the largest energy, and than round-off.
 bool is_gain(double given, double share, const EnergyScales& scales);
 

@@ -16,7 +16,9 @@ namespace percuss {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 // A cube that hits a wall; some tens of steps.
 const char* const cube = R"yaml(title: A cube hits a wall
@@ -190,6 +192,28 @@ TEST(PercussCheck, TellsEverySelectionThatFindsNothing) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr(file + ":8:22"));
   EXPECT_THAT(result.err, HasSubstr(file + ":9:28"));
+}
+
+/// Two rigid cubes of one mass, one at rest, that meet with a coefficient of restitution e: (1 - e^2) / 2 of the energy
+/// is lost.
+TEST(PercussRun, EndsWithWhatContactTook) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", R"yaml(time: {end: 2, max_step: 0.01}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: soft, rigid: true}
+  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [1.1, 0, 0], material: soft, rigid: true}
+materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{part: a, velocity: [0.1, 0, 0]}]
+contact: {surfaces: all, restitution: 0.5}
+)yaml");
+  const auto run = [&](const std::string& e) {
+    const std::string out = folder.path() + "/" + e;
+    return run_percuss({"run", file, "--out", out, "--set", "contact.restitution=" + e}).err +
+           run_percuss({"info", out}).out;
+  };
+  EXPECT_THAT(run("0.5"), AllOf(HasSubstr("contact: normal contact took 0.00375, 37.5 % of the largest energy ("),
+                                HasSubstr("\n          normal contact took 0.00375, 37.5 %")));
+  EXPECT_THAT(run("0.96"), Not(HasSubstr("contact took")));  // 3.9 %
 }
 
 TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {

@@ -20,6 +20,15 @@ TEST(SummaryReport, TellsOfErodedElementsWhereThereAreAny) {
               HasSubstr("\neroded    123 of 8400 elements failed and were eroded, mass 4.5, energy 6789\n"));
 }
 
+TEST(SummaryReport, TellsWhatContactTookAboveFivePercent) {
+  Summary summary;
+  summary.energy.contact_taken = 0.49;
+  summary.energy.largest = 10;
+  EXPECT_THAT(format_summary(summary), Not(HasSubstr("contact took")));
+  summary.energy.contact_taken = 5;
+  EXPECT_THAT(format_summary(summary), HasSubstr("normal contact took 5, 50 % of the largest energy ("));
+}
+
 TEST(SummaryReport, SaysThatTheNumberOfStepsHasEndedARun) {
   Summary summary;
   summary.status = "completed";

@@ -18,6 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
@@ -110,6 +111,18 @@ TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
       ElementsAre(AllOf(StartsWith("part 'bar': warning: hourglass modes hold 25 % of the strain energy, most of "
                                    "it near element 7 of part 'bar' at (1, 2, 3) ("),
                         HasSubstr("[hourglass_energy]"))));
+}
+
+TEST(EndWarnings, SayOfAFluidWhatItsControlHolds) {
+  EXPECT_THAT(format_all(find_end_warnings({}, {.largest = 100}, {{"water", 10, 2.5, "element 7", true}})),
+              ElementsAre(AllOf(HasSubstr("25 % of the strain energy of a fluid"), HasSubstr("elements.hourglass"),
+                                Not(HasSubstr("single nodes")), HasSubstr("[hourglass_energy]"))));
+}
+
+TEST(ContactLoss, IsTheWorkLessWhatSpringsHold) {
+  EXPECT_EQ(find_taken(-30, 2, {.largest = 100, .stored = 5, .stored_slip = 1}), 28);
+  EXPECT_EQ(find_taken(3, 0, {.largest = 100}), 0);
+  EXPECT_EQ(find_taken(-3, 0, {.largest = 100, .resolved = 4}), 0);
 }
 
 TEST(HourglassLimits, LeaveAloneWhatRingsAfterAnImpact) {
