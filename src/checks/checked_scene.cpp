@@ -5,6 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/material/laws/rate_table_plasticity.hpp"
+#include "kernels/material/laws/tabulated_plasticity.hpp"
+#include "src/deck/laws/make_law.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/deck/rigid_bodies.hpp"
 
@@ -76,6 +80,17 @@ bool is_driven(const Deck& deck, const PartDeck& part) {
 const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
   return *std::find_if(deck.materials.begin(), deck.materials.end(),
                        [&](const MaterialDeck& material) { return material.name == part.material; });
+}
+
+std::optional<NamedValue> find_first_yield(const LawDeck& law) {
+  constexpr const char* rate_curves = "hardening_at_rates";
+  if (law.model == TabulatedPlasticity::name) return NamedValue{"hardening", law.tables.at("hardening").front()[1]};
+  if (law.model == RateTablePlasticity::name)
+    return NamedValue{rate_curves, law.tables.at(name_curve(rate_curves, 0)).front()[1]};
+  const std::string key = law.model == JohnsonCook::name ? "a" : "yield_stress";
+  const auto found = law.numbers.find(key);
+  if (found == law.numbers.end()) return std::nullopt;
+  return NamedValue{key, found->second};
 }
 
 double find_wave_modulus(const MaterialDeck& material) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,15 @@ bool is_driven(const Deck& deck, const PartDeck& part);
 
 /// The material of a part.
 const MaterialDeck& find_material(const Deck& deck, const PartDeck& part);
+
+/// A constant of a law by its key in the deck.
+struct NamedValue {
+  std::string key;
+  double value = 0;
+};
+
+/// The stress at first yield of a material that yields [pressure].
+std::optional<NamedValue> find_first_yield(const LawDeck& law);
 
 /// Stiffness against a plane pressure wave at the start, lambda + 2 mu [pressure].
 double find_wave_modulus(const MaterialDeck& material);

@@ -100,9 +100,16 @@ std::vector<Warning> check_held_parts(const CheckedScene& scene);
 std::vector<Warning> check_loose_skins(const CheckedScene& scene);
 std::vector<Warning> check_join_glue(const CheckedScene& scene);
 std::vector<Warning> check_failure_size(const CheckedScene& scene);
+std::vector<Warning> check_softening_strain(const CheckedScene& scene);
+
+// Supports, and what hangs on nothing (support_rules.cpp)
+std::vector<Warning> check_velocity_part(const CheckedScene& scene);
+std::vector<Warning> check_point_support(const CheckedScene& scene);
+std::vector<Warning> check_loose_beams(const CheckedScene& scene);
 
 // Velocities, conditions and loads (condition_rules.cpp)
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene);
+std::vector<Warning> check_velocity_jump(const CheckedScene& scene);
 std::vector<Warning> check_unused_velocity(const CheckedScene& scene);
 std::vector<Warning> check_fast_velocity(const CheckedScene& scene);
 std::vector<Warning> check_prescribed_speed(const CheckedScene& scene);
@@ -153,6 +160,7 @@ std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
 
 // The steps of parts (step_rules.cpp)
 std::vector<Warning> check_slow_parts(const CheckedScene& scene);
+std::vector<Warning> check_sharp_elements(const CheckedScene& scene);
 std::vector<Warning> check_idle_mass_scaling(const CheckedScene& scene);
 
 // Time and output (output_rules.cpp)

@@ -12,6 +12,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
+#include "src/mesh/element_height.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -43,6 +44,18 @@ void measure_edges(const Mesh& mesh, std::size_t element, PartMeasures& part) {
     part.shortest_edge = std::min(part.shortest_edge, length);
     part.longest_edge = std::max(part.longest_edge, length);
   }
+}
+
+void measure_height(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  if (mesh.topology_of(element).is_line()) return;
+  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  double longest = 0;
+  for (const auto& [a, b] : mesh.topology_of(element).edges())
+    longest = std::max(longest, find_distance(x[at(a)], x[at(b)]));
+  const double height = find_element_height(mesh.topology_of(element), x);
+  part.thinnest = std::min(part.thinnest, height);
+  part.sharpest = std::max(part.sharpest, longest / height);
+  if (longest >= least_sharp * height) part.thinnest_sliver = std::min(part.thinnest_sliver, height);
 }
 
 /// Two faces of a hexahedron that lie opposite to each other, and the edge between them.
@@ -130,6 +143,7 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
     PartMeasures& part = parts[at(mesh.part_of(e))];
     const Topology& topology = mesh.topology_of(e);
     measure_edges(mesh, e, part);
+    measure_height(mesh, e, part);
     ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
     if (topology.is_surface() && topology.corner_count == 3) ++part.triangles;
     if (topology.family == ElementFamily::hexahedra) {
@@ -301,24 +315,38 @@ class InitialCounts {
     }
   }
 
-  /// The first condition that keeps each node from its velocity at the start, by more than a share of its speed.
+  /// The first condition, or else the rigid part, that keeps each node from its velocity at the start.
   void find_stopping() {
-    constexpr double share = 0.5;
     stopping_.assign(mesh_.nodes.size(), InitialMeasures::no_condition);
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const ConditionDeck& condition = deck_.conditions[c];
       if (condition.kind == ConditionDeck::Kind::displacement || condition.turn || !condition.when.from.empty())
         continue;
       for (const int node : select_nodes(mesh_, deck_, condition.where)) {
-        const Vec3 velocity = find_velocity(velocities_, node);
-        const double least = share * std::sqrt(dot(velocity, velocity));
-        for (std::size_t k = 0; k < 3 && stopping_[at(node)] == InitialMeasures::no_condition; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
           const double held = condition.kind == ConditionDeck::Kind::velocity ? condition.value[k](0) : 0;
-          if (condition.active[k] && least > 0 && std::abs(velocity[k] - held) > least)
-            stopping_[at(node)] = static_cast<int>(c);
+          if (condition.active[k]) stop(node, k, held, static_cast<int>(c));
         }
       }
     }
+    for (std::size_t p = 0; p < deck_.parts.size(); ++p) {
+      const auto& rigid = deck_.parts[p].rigid;
+      for (std::size_t k = 0; rigid && k < 3; ++k) {
+        if (!rigid->fixed[k]) continue;
+        for (const int node : mesh_.node_sets.at(deck_.parts[p].name))
+          stop(node, k, 0, static_cast<int>(deck_.conditions.size() + p));
+      }
+    }
+  }
+
+  /// Notes what keeps a node at a velocity along an axis, if that takes more than a share of its speed, and nothing
+  /// else did before.
+  void stop(int node, std::size_t axis, double held, int by) {
+    constexpr double share = 0.5;
+    const Vec3 velocity = find_velocity(velocities_, node);
+    const double least = share * std::sqrt(dot(velocity, velocity));
+    if (stopping_[at(node)] == InitialMeasures::no_condition && least > 0 && std::abs(velocity[axis] - held) > least)
+      stopping_[at(node)] = by;
   }
 
   const Deck& deck_;
@@ -341,6 +369,9 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
       value(part.longest_edge, 1);
+      value(part.thinnest, -1);
+      value(part.thinnest_sliver, -1);
+      value(part.sharpest, 1);
       value(part.smallest_element, -1);
       value(part.largest_element, 1);
       value(part.layer_thickness, 1);

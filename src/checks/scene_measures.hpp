@@ -15,6 +15,9 @@
 
 namespace percuss {
 
+/// Length over thickness from which on an element counts as a sliver: sheets of one layer and adhesive have 50.
+inline constexpr double least_sharp = 100;
+
 /// A part at time 0, of all ranks together.
 struct PartMeasures {
   Vec3 low{}, high{};                    // box of its nodes [length]
@@ -25,6 +28,10 @@ struct PartMeasures {
   double mass = 0;                       // of its elements, by their density [mass]
   // Of its smallest and largest element: edge of a cube or a square as large, or the length of a beam [length].
   double smallest_element = 0, largest_element = 0;
+  // Across the thinnest direction of its thinnest element, and of that of its elements that are 100 times as long as
+  // thin, of solids and shells [length].
+  double thinnest = std::numeric_limits<double>::infinity(), thinnest_sliver = thinnest;
+  double sharpest = 0;     // length over this of the sharpest of its elements
   std::int64_t nodes = 0;  // nodes
   // Sums over its nodes of x, y and z, then of their squares, as shares of the box of the scene in units of 2^-30:
   // whole numbers, whose sum has no order.
@@ -49,11 +56,12 @@ struct PartMeasures {
 struct InitialMeasures {
   static constexpr int no_condition = std::numeric_limits<int>::max();
 
-  std::int64_t selected = 0;     // nodes that it names
-  std::int64_t governed = 0;     // of these, nodes that no later entry names
-  std::int64_t moving = 0;       // of these, nodes that it gives a velocity that is not zero
-  std::int64_t stopped = 0;      // of these, nodes that a condition keeps from moving so
-  int condition = no_condition;  // the first entry of `conditions` that does
+  std::int64_t selected = 0;  // nodes that it names
+  std::int64_t governed = 0;  // of these, nodes that no later entry names
+  std::int64_t moving = 0;    // of these, nodes that it gives a velocity that is not zero
+  std::int64_t stopped = 0;   // of these, nodes that a condition keeps from moving so
+  // The first entry of `conditions` that does, or behind them the first rigid part by its `fixed`.
+  int condition = no_condition;
   friend bool operator==(const InitialMeasures&, const InitialMeasures&) = default;
 };
 

@@ -24,8 +24,14 @@ void mark(const Deck& deck, const Selector& where, Marks& marks) {
 }
 
 Marks mark_touching(const Deck& deck, double time) {
+  if (deck.contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1)
+    return Marks(deck.parts.size(), true);
+  return mark_named_surfaces(deck, time);
+}
+
+Marks mark_named_surfaces(const Deck& deck, double time) {
   const ContactDeck& contact = deck.contact;
-  Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
+  Marks marks(deck.parts.size(), false);
   const auto mark_both = [&](const auto& pair) {
     mark(deck, pair.a, marks);
     mark(deck, pair.b, marks);
@@ -33,6 +39,38 @@ Marks mark_touching(const Deck& deck, double time) {
   for (const SurfacePairDeck& pair : contact.pairs)
     if (may_act_after(deck, pair.when, time)) mark_both(pair);
   std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
+  return marks;
+}
+
+void mark_jointed(const Deck& deck, Marks& marks) {
+  Selector body;
+  for (const JointDeck& joint : deck.joints) {
+    for (const std::string& name : joint.bodies) {
+      body.name = body_prefix + name;
+      mark(deck, body, marks);
+    }
+  }
+}
+
+Marks mark_connected(const Deck& deck) {
+  Marks marks(deck.parts.size(), false);
+  const auto mark_end = [&](const SpringEndDeck& end) {
+    for (std::size_t p = 0; p < marks.size(); ++p) marks[p] = marks[p] || is_at(deck, end, p);
+  };
+  for (const TieDeck& tie : deck.contact.ties) {
+    mark(deck, tie.a, marks);
+    mark(deck, tie.b, marks);
+  }
+  for (const WeldDeck& weld : deck.welds) std::for_each(weld.between.begin(), weld.between.end(), mark_end);
+  for (const SpringDeck& spring : deck.springs) std::for_each(spring.between.begin(), spring.between.end(), mark_end);
+  for (const ConstraintDeck& constraint : deck.constraints) {
+    if (constraint.between) std::for_each(constraint.between->begin(), constraint.between->end(), mark_end);
+    if (constraint.nodes) mark(deck, *constraint.nodes, marks);
+    for (const EquationTermDeck& term : constraint.equation) mark_end(term.of);
+  }
+  for (const EmbeddedDeck& embedded : deck.embedded) mark(deck, embedded.nodes, marks);
+  for (const RigidSetDeck& set : deck.rigid_sets) mark(deck, set.where, marks);
+  mark_jointed(deck, marks);
   return marks;
 }
 

@@ -17,6 +17,16 @@ void mark(const Deck& deck, const Selector& where, Marks& marks);
 /// The parts that have someone to touch after a time, by the deck: a surface or a tie.
 Marks mark_touching(const Deck& deck, double time = 0);
 
+/// The parts that entries of `contact.surfaces` and ties name.
+Marks mark_named_surfaces(const Deck& deck, double time = 0);
+
+/// The parts that something but contact may connect to others or to the ground, by the deck: ties, welds, springs,
+/// constraints, joints, rigid sets and embedded nodes.
+Marks mark_connected(const Deck& deck);
+
+/// Adds the parts of the bodies that joints hold.
+void mark_jointed(const Deck& deck, Marks& marks);
+
 /// The parts that a wall stops.
 Marks mark_stopped(const Deck& deck, const WallDeck& wall);
 

@@ -22,6 +22,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"cowper_symonds", "constants of Cowper and Symonds that are swapped, or an exponent without its rate"},
       {"damage_sign", "constant d3 of Johnson and Cook's failure with the sign of another convention"},
       {"softening_size", "damage that takes the force faster than an element springs back"},
+      {"softening_strain", "softening over a strain that no size of the elements scales"},
       {"late_softening", "coupling of damage whose start lies beyond the failure strain"},
       {"failure_size", "limit of strain or stress of elements of very different size"},
       {"poissons_ratio", "Poisson's ratio below 0, or so near 0.5 that the bulk modulus dominates"},
@@ -56,8 +57,12 @@ const std::vector<WarningRule>& warning_rules() {
       {"angle_in_radians", "angle that looks like radians"},
       // velocities, conditions and loads (src/checks/rules/condition_rules.cpp, motion_rules.cpp)
       {"stopped_velocity", "initial velocity of nodes that a condition holds"},
+      {"velocity_part", "initial velocity of a held part, beside a free part at rest"},
+      {"velocity_jump", "prescribed velocity that jumps so far that the material yields at once"},
       {"unused_velocity", "initial velocity that later entries override on all nodes"},
       {"held_part", "deformable part of which all nodes are held"},
+      {"point_support", "support of a few nodes, which is all that holds a part"},
+      {"loose_beam", "beams that nothing joins, ties or holds"},
       {"loose_skin", "skin with nodes that nothing holds together"},
       {"fast_velocity", "initial velocity above the wave speed"},
       {"prescribed_speed", "prescribed motion faster than the wave speed"},
@@ -103,6 +108,7 @@ const std::vector<WarningRule>& warning_rules() {
       // time and output (src/checks/rules/output_rules.cpp)
       {"end_time", "run of a few steps, or of far too many"},
       {"slow_part", "part whose step is far below that of all others"},
+      {"sharp_element", "elements far longer than thin that set the step"},
       {"step_scale", "step far below the stable one"},
       {"no_output", "long run that leaves nothing but a summary"},
       {"output_interval", "output interval longer than the run"},

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "src/checks/rules.hpp"
+#include "src/checks/unit_systems.hpp"
 #include "src/deck/laws/material_properties.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -50,6 +51,18 @@ double find_distance(const Vec3& place, const BodyMeasures& body) {
 double find_section_size(const BeamSection& section) {
   const double inertia = std::max(section.inertia_y, section.inertia_z);
   return std::max(std::sqrt(section.area), std::sqrt(12 * inertia / section.area));
+}
+
+/// Whether a section is thinner than a hair in all units that the deck can be meant in, and far thinner than its beams
+/// are long: that of a strut in metres beside lengths in millimetres, and no wire.
+bool is_hair(const CheckedScene& scene, double size, const PartMeasures& part) {
+  constexpr double hair = 3e-4;                        // [m] its largest size in SI ...
+  constexpr double slender = 3e-4, of_element = 0.01;  // ... its shares of the part and of an element
+  if (size > slender * part.extent() || size > of_element * part.longest_edge) return false;
+  const std::vector<Units> systems = find_meant_units(scene.deck);
+  return !systems.empty() && std::all_of(systems.begin(), systems.end(), [&](const Units& units) {
+    return size * units.in_si(dimensions::length) < hair;
+  });
 }
 
 /// The softest of the parts that an end of a weld may name [pressure].
@@ -137,7 +150,8 @@ std::vector<Warning> check_beam_section(const CheckedScene& scene) {
     const PartDeck& part = scene.deck.parts[p];
     if (!part.section) continue;
     const double size = find_section_size(make_beam_section(*part.section)), length = scene.measures->parts[p].extent();
-    if (size <= most * length && size >= least * length) continue;
+    const bool is_fit = size <= most * length && size >= least * length;
+    if (is_fit && !is_hair(scene, size, scene.measures->parts[p])) continue;
     warnings.push_back(warn_at(scene.deck, "beam_section", "parts." + part.name + ".section",
                                fmt::format("the section of part '{}' is about {:.2g} across, its beams reach over "
                                            "{:.3g} (beams are slender, and thicker than a hair): check its unit",

@@ -114,7 +114,73 @@ void warn_of_fast_turns(const CheckedScene& scene, std::vector<Warning>& warning
   }
 }
 
+/// What keeps nodes from their velocity: InitialMeasures::condition.
+std::string describe_holding(const Deck& deck, int condition) {
+  const auto c = static_cast<std::size_t>(condition);
+  if (c < deck.conditions.size()) return "the condition at " + deck.where(deck.places.find(join_path("conditions", c)));
+  const std::string& part = deck.parts[c - deck.conditions.size()].name;
+  return "rigid.fixed at " + deck.where(deck.places.find("parts." + part + ".rigid.fixed"));
+}
+
+/// What a pressure would do to a sheet that it acts on, were it free, by its impulse; empty: no more than waves do.
+std::string describe_thrust(const CheckedScene& scene, const PressureDeck& load, double largest) {
+  if (scene.measures == nullptr) return "";
+  double impulse = 0;  // by area
+  for (int i = 0; i < samples; ++i)
+    impulse += scene.deck.time.end / samples * std::abs(load.value(scene.deck.time.end * (i + 0.5) / samples));
+  for (const std::size_t p : find_named_parts(scene.deck, load.where)) {
+    const PartDeck& part = scene.deck.parts[p];
+    const MaterialDeck& material = find_material(scene.deck, part);
+    const PartMeasures& measures = scene.measures->parts[p];
+    if (part.rigid || material.equation_of_state || measures.shells == 0) continue;
+    const double mass = material.density * measures.shell_thickness;  // by area
+    const double speed = mass > 0 ? impulse / mass : 0, wave = find_wave_speed(material);
+    if (speed <= wave) continue;
+    return fmt::format("part '{}' yields far below {:.3g}; free, it would reach {:.2g} times its wave speed {:.4g}",
+                       part.name, largest, speed / wave, wave);
+  }
+  return "";
+}
+
+/// How far the velocity of a condition along an axis is from that of the nodes beside it when a wave has crossed an
+/// element; a table may rise until then.
+double find_jump(const ConditionDeck& condition, std::size_t axis, const PartMeasures& part, double crossing) {
+  const double value = condition.value[axis](crossing);
+  return std::max(std::abs(value - part.velocity_low[axis]), std::abs(value - part.velocity_high[axis]));
+}
+
 }  // namespace
+
+std::vector<Warning> check_velocity_jump(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
+    const ConditionDeck& condition = deck.conditions[c];
+    if (condition.kind != ConditionDeck::Kind::velocity || condition.turn || condition.when.any()) continue;
+    const std::vector<std::size_t> parts = find_named_parts(deck, condition.where);
+    if (parts.size() != 1 || deck.parts[parts.front()].rigid || is_driven(deck, deck.parts[parts.front()])) continue;
+    const MaterialDeck& material = find_material(deck, deck.parts[parts.front()]);
+    const PartMeasures& part = scene.measures->parts[parts.front()];
+    const auto yield = find_first_yield(material.law);
+    const double wave = find_wave_speed(material);
+    if (!yield || part.shortest_edge >= part.extent()) continue;
+    const double most = yield->value / (material.density * wave);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double jump = condition.active[k] ? find_jump(condition, k, part, part.shortest_edge / wave) : 0;
+      if (jump <= most) continue;
+      warnings.push_back(
+          warn_at(deck, "velocity_jump", join_path("conditions", c) + ".velocity." + direction_names[k],
+                  fmt::format("these nodes of part '{}' jump to {:.4g} along {} at the start (above {:.3g} = yield "
+                              "stress / (density x wave speed) the elements beside them yield at once, by the jump "
+                              "alone): raise the velocity by a table over some passages of a wave, or give the whole "
+                              "part its velocity at the start",
+                              deck.parts[parts.front()].name, condition.value[k](part.shortest_edge / wave),
+                              direction_names[k], most)));
+      break;
+    }
+  }
+  return warnings;
+}
 
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
   constexpr double least = 0.5;  // of the nodes: the foot of a bar that is held where it hits is meant
@@ -122,11 +188,11 @@ std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
   for (std::size_t i = 0; i < scene.deck.initial.size(); ++i) {
     const InitialMeasures& entry = scene.measures->initial[i];
     if (entry.stopped == 0 || static_cast<double>(entry.stopped) < least * static_cast<double>(entry.moving)) continue;
-    const Place holding = scene.deck.places.find(join_path("conditions", static_cast<std::size_t>(entry.condition)));
-    warnings.push_back(warn_at(scene.deck, "stopped_velocity", join_path("initial", i),
-                               fmt::format("{} of {} nodes with this initial velocity are held in its direction (by "
-                                           "the condition at {}): remove one of the two entries",
-                                           entry.stopped, entry.moving, scene.deck.where(holding))));
+    warnings.push_back(
+        warn_at(scene.deck, "stopped_velocity", join_path("initial", i),
+                fmt::format("{} of {} nodes with this initial velocity are held in its direction (by "
+                            "{}): remove one of the two entries, or name the part that is to move",
+                            entry.stopped, entry.moving, describe_holding(scene.deck, entry.condition))));
   }
   return warnings;
 }
@@ -191,6 +257,8 @@ std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
 
 std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
   constexpr double most = 0.5;  // of lambda + 2 mu, which resists both pressure and crushing of a sheet: far beyond use
+  constexpr double much =
+      0.01;  // of it: sheets are formed by a fifth of that, and detonations are over in microseconds
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.pressures.size(); ++i) {
     const PressureDeck& load = scene.deck.pressures[i];
@@ -198,7 +266,16 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
     for (const std::size_t p : find_named_parts(scene.deck, load.where))
       stiffness = std::max(stiffness, find_wave_modulus(find_material(scene.deck, scene.deck.parts[p])));
     const double largest = find_largest(load.value, scene.deck.time.end, false);
-    if (stiffness == 0 || largest <= most * stiffness) continue;  // a cold gas has none
+    if (stiffness == 0 || largest <= much * stiffness) continue;  // a cold gas has none
+    if (largest <= most * stiffness) {
+      const std::string flight = describe_thrust(scene, load, largest);
+      if (!flight.empty())
+        warnings.push_back(warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
+                                   fmt::format("the pressure reaches {:.3g}, {:.2g} of the stiffness {:.3g} of the "
+                                               "material that it acts on ({}): check its unit",
+                                               largest, largest / stiffness, stiffness, flight)));
+      continue;
+    }
     warnings.push_back(warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
                                fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of the "
                                            "material that it acts on (solids are crushed long before): check its unit",

@@ -61,6 +61,18 @@ class PossibleContact {
   const Deck& deck_;
 };
 
+/// Whether both sides of a force are the same whole parts.
+bool is_of_itself(const ForceDeck& force) {
+  const auto list = [](const std::vector<Selector>& sides) {
+    std::vector<std::string> names;
+    for (const Selector& side : sides) names.push_back(side.inside ? "" : side.name);
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  const std::vector<std::string> on = list(force.on);
+  return !on.empty() && !on.front().empty() && on == list(force.from);
+}
+
 /// Distance of a box from a cylinder or a sphere, at least: its centre's, less half its diagonal.
 double find_distance_of_round(const WallDeck& wall, const Vec3& middle, const Vec3& half) {
   Vec3 away = middle;
@@ -224,7 +236,16 @@ std::vector<Warning> check_idle_forces(const CheckedScene& scene) {
   const PossibleContact contact(deck);
   std::vector<Warning> warnings;
   for (const ForceDeck& force : deck.output.forces) {
-    if (force.kind != ForceDeck::Kind::contact || contact.between(force)) continue;
+    if (force.kind != ForceDeck::Kind::contact) continue;
+    if (is_of_itself(force)) {
+      warnings.push_back({"idle_force",
+                          fmt::format("the resultant of force '{}' stays 0 (both of its sides are '{}', and the forces "
+                                      "of a body on itself cancel; only their magnitudes do not): name another part",
+                                      force.name, force.on.front().name),
+                          deck.where(force.place), 0, 1});
+      continue;
+    }
+    if (contact.between(force)) continue;
     warnings.push_back({"idle_force",
                         fmt::format("force '{}' stays 0 (no contact, pair or tie of the deck acts between its parts): "
                                     "add a pair to contact.surfaces, or name other parts",

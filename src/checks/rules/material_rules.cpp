@@ -5,8 +5,6 @@
 #include <optional>
 
 #include "kernels/material/laws/johnson_cook.hpp"
-#include "kernels/material/laws/rate_table_plasticity.hpp"
-#include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/unit_systems.hpp"
 #include "src/deck/laws/lost_force.hpp"
@@ -17,22 +15,6 @@ namespace percuss {
 namespace {
 
 constexpr const char* rate_curves = "hardening_at_rates";
-
-struct NamedValue {
-  std::string key;
-  double value = 0;
-};
-
-/// The stress at first yield of a material that yields.
-std::optional<NamedValue> find_yield_stress(const LawDeck& law) {
-  if (law.model == TabulatedPlasticity::name) return NamedValue{"hardening", law.tables.at("hardening").front()[1]};
-  if (law.model == RateTablePlasticity::name)
-    return NamedValue{rate_curves, law.tables.at(name_curve(rate_curves, 0)).front()[1]};
-  const std::string key = law.model == JohnsonCook::name ? "a" : "yield_stress";
-  const auto found = law.numbers.find(key);
-  if (found == law.numbers.end()) return std::nullopt;
-  return NamedValue{key, found->second};
-}
 
 /// Young's modulus that the law names, as that of the compacted solid of a honeycomb, or else that of its start.
 double find_youngs_modulus(const MaterialDeck& material) {
@@ -58,18 +40,20 @@ double find_largest_element(const CheckedScene& scene, const MaterialDeck& mater
 }  // namespace
 
 std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
-  constexpr double most = 0.1,
-                   least = 1e-6;  // of Young's modulus: the strongest fibres and glasses, and softest solder
+  // Of Young's modulus: the strongest fibres and glasses, and half of the softest of pure metals, which have 1e-4. What
+  // has an equation of state may flow at any stress.
+  constexpr double most = 0.1, least = 5e-5, least_of_fluid = 1e-6;
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
-    const auto yield = find_yield_stress(material.law);
+    const auto yield = find_first_yield(material.law);
     const double stiffness = find_youngs_modulus(material);
-    if (!yield || (yield->value <= most * stiffness && yield->value >= least * stiffness)) continue;
+    const double lowest = material.equation_of_state ? least_of_fluid : least;
+    if (!yield || (yield->value <= most * stiffness && yield->value >= lowest * stiffness)) continue;
     warnings.push_back(warn_at(
         scene.deck, "yield_stress", find_key_path(material, yield->key),
         fmt::format(
-            "material '{}' yields at {:g}, which is {:.2g} times its Young's modulus {:g} (materials have 1e-6 to "
-            "0.1): check the units of both",
+            "material '{}' yields at {:g}, which is {:.2g} times its Young's modulus {:g} (materials have 1e-4 to "
+            "0.1; GPa beside MPa are a thousandth): check the units of both",
             material.name, yield->value, yield->value / stiffness, stiffness)));
   }
   return warnings;
@@ -141,7 +125,7 @@ std::vector<Warning> check_softening_size(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     if (!material.failure || !material.failure->evolution || material.failure->evolution->plastic_strain) continue;
-    const auto yield = find_yield_stress(material.law);
+    const auto yield = find_first_yield(material.law);
     if (!yield) continue;
     const DamageEvolutionDeck& evolution = *material.failure->evolution;
     const double share = find_mean_share(evolution),
@@ -345,7 +329,7 @@ std::vector<Warning> check_shell_points(const CheckedScene& scene) {
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
     if (!part.points || *part.points >= least || part.rigid || scene.measures->parts[p].shells == 0) continue;
-    if (!find_yield_stress(find_material(scene.deck, part).law)) continue;
+    if (!find_first_yield(find_material(scene.deck, part).law)) continue;
     warnings.push_back(
         warn_at(scene.deck, "shell_points", "parts." + part.name + ".points",
                 fmt::format("the shells of part '{}' have {} point{} through their thickness and yield "

@@ -110,6 +110,26 @@ bool fails_by_strain(const FailureDeck& failure) {
 /// Likewise by a stress.
 bool fails_by_stress(const FailureDeck& failure) { return failure.principal_stress || failure.pressure; }
 
+/// The key by which a material loses force over a strain that no size of its elements scales; empty: none does.
+std::string find_softening(const MaterialDeck& material) {
+  constexpr double fall = 0.01;  // of the largest stress of a table: less is noise of a test
+  const auto& failure = material.failure;
+  if (failure && failure->size.empty()) {
+    if (failure->evolution && failure->evolution->plastic_strain) return "failure.evolution.plastic_strain";
+    if (failure->coupling && failure->coupling->exponent_of_size.empty()) return "failure.coupling";
+  }
+  for (const auto& [name, rows] : material.law.tables) {
+    const bool is_at_rates = name.starts_with("hardening_at_rates");
+    if (name != "hardening" && !is_at_rates) continue;
+    double largest = 0;
+    for (const auto& [strain, stress] : rows) {
+      if (stress < (1 - fall) * largest) return is_at_rates ? "hardening_at_rates" : "hardening";
+      largest = std::max(largest, stress);
+    }
+  }
+  return "";
+}
+
 /// The smallest and the largest element of a material, and their parts.
 struct ElementRange {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
@@ -186,6 +206,22 @@ std::vector<Warning> check_join_glue(const CheckedScene& scene) {
                                fmt::format("this entry glues '{}' and '{}' by {} faces with {} nodes (they cannot open "
                                            "or slide there{}): {}",
                                            a, b, joint.faces, joint.nodes, why, remedy)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_softening_strain(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const std::string key = find_softening(material);
+    if (key.empty() || find_elements(scene, material).largest == 0) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "softening_strain", "materials." + material.name + "." + key,
+        fmt::format("material '{}' softens over a strain, with nothing that has the size of its elements (the "
+                    "strain gathers in one row of elements, so that the energy of a crack grows with their size, "
+                    "and goes to zero as the mesh is refined): give failure.evolution an energy or a "
+                    "displacement, or failure.size factors for the size",
+                    material.name)));
   }
   return warnings;
 }

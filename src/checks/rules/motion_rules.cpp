@@ -240,7 +240,9 @@ std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   if (!has_motion(scene) || deck.gravity.any() || has_connections(deck) || has_moving_wall(deck)) return warnings;
   const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
-              loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
+              loaded = mark_named(deck, deck.nodal_loads);
+  Marks touching = mark_touching(deck);
+  mark_jointed(deck, touching);  // other bodies move them
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
     if (scene.measures->parts[p].speed > 0 || held[p] || pressed[p] || loaded[p] || touching[p]) continue;
     if (scene.measures->is_joined(p)) continue;  // others move it

@@ -1,6 +1,7 @@
 // What each part asks of the step.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,6 +19,14 @@ std::vector<std::size_t> list_by_step(const CheckedScene& scene) {
   std::stable_sort(parts.begin(), parts.end(),
                    [&](std::size_t a, std::size_t b) { return (*scene.part_steps)[a] < (*scene.part_steps)[b]; });
   return parts;
+}
+
+/// Whether elements fill a part across: a column of slices, as of a wave in one dimension.
+bool is_column(const PartMeasures& part) {
+  std::array<double, 3> size{};
+  for (std::size_t k = 0; k < 3; ++k) size[k] = part.high[k] - part.low[k];
+  std::sort(size.begin(), size.end());
+  return part.longest_edge >= (1 - 1e-9) * size[1];
 }
 
 }  // namespace
@@ -45,6 +54,24 @@ std::vector<Warning> check_slow_parts(const CheckedScene& scene) {
                     name, others, own, next, cost, 100.0 * static_cast<double>(slow) / static_cast<double>(all)))};
   }
   return {};
+}
+
+std::vector<Warning> check_sharp_elements(const CheckedScene& scene) {
+  constexpr double round_off = 1e-9, much = 1.5;  // much: times longer, without these elements
+  const std::vector<std::size_t> parts = list_by_step(scene);
+  if (parts.empty()) return {};
+  const std::size_t p = parts.front();
+  const PartMeasures& part = scene.measures->parts[p];
+  if (!(part.thinnest_sliver <= (1 + round_off) * part.thinnest) || is_column(part)) return {};
+  const double own = (*scene.part_steps)[p];
+  if (scene.deck.time.max_step.value_or(HUGE_VAL) < own * scene.deck.time.step_scale / much) return {};
+  return {
+      warn_at(scene.deck, "sharp_element", "parts." + scene.deck.parts[p].name,
+              fmt::format("elements of part '{}' are up to {:.3g} times as long as thin, and the thinnest, {:.3g} "
+                          "across, sets the step of the whole run (elements of a ratio of 10 would allow a step {:.2g} "
+                          "times as long at their size): mesh it more evenly, take shells for a thin layer, or scale "
+                          "its mass",
+                          scene.deck.parts[p].name, part.sharpest, part.thinnest, part.sharpest / 10))};
 }
 
 std::vector<Warning> check_idle_mass_scaling(const CheckedScene& scene) {

@@ -194,8 +194,13 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
     return;
   }
+  const auto is_cut_into_tetrahedra = [](const PartDeck& part) {  // which have no hourglass modes
+    using Elements = PartDeck::Elements;
+    return part.elements == Elements::tetrahedra || part.elements == Elements::six_tetrahedra ||
+           part.elements == Elements::five_tetrahedra;
+  };
   const auto takes_default = [&](const PartDeck& part) {
-    return !part.own_elements.hourglass && !part.own_elements.integration;
+    return !part.own_elements.hourglass && !part.own_elements.integration && !is_cut_into_tetrahedra(part);
   };
   for (const MaterialDeck& material : deck.materials) {
     if (!find_traits(material).needs_equation_of_state) continue;

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "src/index.hpp"
-#include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/element_height.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 
 namespace percuss {
@@ -24,24 +24,8 @@ constexpr std::size_t few_least = 4;
 /// Elements that a warning names.
 constexpr std::size_t most_named = 5;
 
-/// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
-/// of a triangle, the length of a beam.
 double find_height(const PartMesh& mesh, std::size_t element) {
-  const ElementCorners x = gather_corners(mesh.elements, element, mesh.nodes);
-  const Topology& topology = mesh.elements.topology_of(element);
-  if (topology.is_line()) return find_distance(x[0], x[1]);
-  if (topology.is_surface()) {
-    double longest = 0;
-    for (const auto& [a, b] : topology.edges()) longest = std::max(longest, find_distance(x[at(a)], x[at(b)]));
-    return (topology.corner_count == 3 ? 2 : 1) * find_shell_area_size(x) / longest;
-  }
-  double largest = 0;
-  for (const FaceCorners& face : topology.faces()) {
-    const auto corner = [&](std::size_t i) { return x[at(face.four[i])]; };
-    const Vec3 twice = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));
-    largest = std::max(largest, 0.5 * std::sqrt(dot(twice, twice)));
-  }
-  return find_solid_volume(topology, x) / largest;
+  return find_element_height(mesh.elements.topology_of(element), gather_corners(mesh.elements, element, mesh.nodes));
 }
 
 void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {

@@ -236,6 +236,13 @@ std::vector<SuspiciousDeck> suspicious_parts() {
                  "2e-7}}, material: steel}")},
        {add_part("bar: {line: {from: [0, 0.05, 0.05], to: [0.1, 0.05, 0.05], cells: 4}, section: {round: {radius: "
                  "2e-5}}, material: steel}")}},
+      {"SectionInMetresBesideMillimetres",
+       "beam_section",
+       "section: {round",
+       {add_part("bar: {line: {from: [0, 0.05, 0.05], to: [1, 0.05, 0.05], cells: 4}, section: {round: {radius: "
+                 "2.5e-5}}, material: steel}")},
+       {add_part("bar: {line: {from: [0, 0.05, 0.05], to: [1, 0.05, 0.05], cells: 4}, section: {round: {radius: "
+                 "5e-4}}, material: steel}")}},
       {"ReferenceInMillimetres",
        "shell_reference",
        "reference: 1,",

@@ -139,7 +139,12 @@ const std::string shells_of_plate[] = {
 std::vector<SuspiciousDeck> material_decks() {
   const std::string start = "elements: {";
   return {
-      {"YieldStressInMegapascal", "yield_stress", "yield_stress: 120,", {{"120e6", "120"}}, {{"120e6", "120e3"}}},
+      {"YieldStressInMegapascal", "yield_stress", "yield_stress: 120,", {{"120e6", "120"}}, {{"120e6", "12e6"}}},
+      {"YieldStressInGigapascalBesideMegapascal",
+       "yield_stress",
+       "yield_stress: 120e3",
+       {{"120e6", "120e3"}},
+       {{"120e6", "7e6"}}},
       {"YieldStressAboveATenthOfTheModulus",
        "yield_stress",
        "yield_stress: 120e9",
@@ -331,6 +336,19 @@ std::vector<SuspiciousDeck> material_decks() {
        "evolution: {displacement: 1e-3",
        {{"400e6}", "400e6, failure: {plastic_strain: 0.3, evolution: {displacement: 1e-3, exponent: 50}}}"}},
        {{"400e6}", "400e6, failure: {plastic_strain: 0.3, evolution: {displacement: 1e-3}}}"}}},
+      {"DamageOverAStrain",
+       "softening_strain",
+       "plastic_strain: 0.1",
+       {{"400e6}", "400e6, failure: {plastic_strain: 0.3, evolution: {plastic_strain: 0.1}}}"}},
+       {{"400e6}",
+         "400e6, failure: {plastic_strain: 0.3, size: [[1e-3, 1], [0.1, 0.5]], evolution: {plastic_strain: 0.1}}}"}}},
+      {"HardeningThatFalls",
+       "softening_strain",
+       "hardening: [[0, 120e6]",
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120e6], [0.1, 160e6], [0.5, 40e6]]"}},
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120e6], [0.1, 160e6], [0.5, 159e6]]"}}},
       {"CouplingThatBeginsBehindFailure",
        "late_softening",
        "strain: [[0, 0.3], [1, 0.2]]",
@@ -356,6 +374,14 @@ std::vector<SuspiciousDeck> material_decks() {
        {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
          "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
         {"initial:", start + "hourglass: viscous}\ninitial:"}}},
+      {"FluidOfTetrahedra",
+       "fluid_hourglass",
+       "steel: {",
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"}},
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
+        {"block: {", "block: {elements: tetrahedra, "}}},
   };
 }
 
