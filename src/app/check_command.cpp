@@ -199,7 +199,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   StartState start = make_checked_state(deck, chunked, model, stepper);
   State& state = start.state;
   contact.set_switches(state.happened);
-  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
+  const std::string overlap = contact.prepare(state.x, state.v);
   stage.show("finding the first step");
   stepper.start(state);
 

@@ -114,6 +114,7 @@ const std::vector<CheckRule>& check_rules() {
       {"restitution", check_restitution, Needs::mesh},
       {"lagrange_rigid", check_lagrange_rigid, Needs::mesh},
       {"undamped_friction", check_undamped_friction, Needs::start},
+      {"crossing_parts", check_crossing_parts, Needs::start},
       {"deep_overlap", check_deep_overlap, Needs::start},
       {"behind_wall", check_behind_wall, Needs::start},
       {"inside_wall", check_inside_wall, Needs::start},

@@ -146,6 +146,7 @@ std::vector<Warning> check_lagrange_rigid(const CheckedScene& scene);
 std::vector<Warning> check_undamped_friction(const CheckedScene& scene);
 
 // Contact (contact_rules.cpp)
+std::vector<Warning> check_crossing_parts(const CheckedScene& scene);
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene);
 std::vector<Warning> check_penalty_speed(const CheckedScene& scene);
 std::vector<Warning> check_behind_wall(const CheckedScene& scene);

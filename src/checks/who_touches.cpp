@@ -80,17 +80,6 @@ Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
   return marks;
 }
 
-bool are_jointed(const Deck& deck, std::size_t part, std::size_t other) {
-  const auto holds = [&](const JointDeck& joint, std::size_t p) {
-    const PartDeck& one = deck.parts[p];
-    if (!one.rigid) return false;
-    const std::string& body = one.rigid->body.empty() ? one.name : one.rigid->body;
-    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
-  };
-  return std::any_of(deck.joints.begin(), deck.joints.end(),
-                     [&](const JointDeck& joint) { return holds(joint, part) && holds(joint, other); });
-}
-
 bool are_sprung(const Deck& deck, std::size_t part, std::size_t other) {
   return std::any_of(deck.springs.begin(), deck.springs.end(), [&](const SpringDeck& spring) {
     const auto& [a, b] = spring.between;

@@ -30,9 +30,6 @@ void mark_jointed(const Deck& deck, Marks& marks);
 /// The parts that a wall stops.
 Marks mark_stopped(const Deck& deck, const WallDeck& wall);
 
-/// Whether a joint holds two parts together. They are meant to touch there, and to have no contact.
-bool are_jointed(const Deck& deck, std::size_t part, std::size_t other);
-
 /// Whether a spring is between two parts: then neither flies freely.
 bool are_sprung(const Deck& deck, std::size_t part, std::size_t other);
 

@@ -139,14 +139,25 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
-  stage.start_overlap = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.history);
-  const StartOverlap& found = stage.start_overlap;
+  StartOverlap& found = stage.start_overlap;
+  if (stage.is_active) {
+    stage.flush = find_flush_ties(stage.ranks, stage.share, stage.ties);
+    found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.history);
+  }
+  found.crossings = stage.find_crossings(x);
+  if (stage.has_pairs()) complete_gaps(find_tied_gaps(stage.ranks, stage.share, stage.ties), found);
+  const std::string free = describe_crossings("crossing at the start, without contact: ", PartCrossing::Contact::never,
+                                              found.crossings, stage.mesh);
+  if (!free.empty()) stage.start_notes.push_back(free);
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
   std::string line = stage.describe(found, "at the start");
-  if (overlap == ContactDeck::Overlap::refuse && !line.empty())
-    throw InputError(fmt::format("{}: error: {}: move the parts apart, or set contact.overlap to accept or push_out",
-                                 stage.deck.where(stage.deck.places.find("contact.overlap")), line));
+  const std::string crossings = describe_refused_crossings(found.crossings, overlap, stage.mesh);
+  const std::string& refused = overlap == ContactDeck::Overlap::refuse && crossings.empty() ? line : crossings;
+  if (!refused.empty())
+    throw InputError(fmt::format("{}: error: {}: move the parts apart, or set contact.overlap to accept{}",
+                                 stage.deck.where(stage.deck.places.find("contact.overlap")), refused,
+                                 crossings.empty() ? " or push_out" : ""));
   stage.overlap_at_start = found.nodes + found.edge_pairs;
   return line;
 }

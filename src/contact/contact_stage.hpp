@@ -58,11 +58,13 @@ class ContactStage {
   std::vector<std::string> switch_now(const std::vector<char>& happened, Rows3<const double> x, Rows3<const double> v);
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
-  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Throws
-  /// InputError with it where the deck refuses overlap. Call once before the loop.
+  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Parts
+  /// that cross are found in any scene, whether they may touch or not. Throws InputError where the deck refuses what
+  /// overlaps or crosses. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
 
-  /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps.
+  /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps, and one of
+  /// parts that cross without contact.
   const std::vector<std::string>& start_notes() const;
 
   /// What prepare() found, of all ranks; empty before it.

@@ -116,6 +116,25 @@ std::string ContactStage::Impl::describe(const StartOverlap& found, const std::s
   return describe_overlap(found, contact.overlap, mesh, deepest, when);
 }
 
+/// The same of parts that cross where they may touch now, and could not at the start. Throws RunError where the deck
+/// refuses them. Collective.
+std::string ContactStage::Impl::describe_born_crossings(const Rows3<const double>& x) const {
+  std::vector<PartCrossing> born = find_crossings(x);
+  std::erase_if(born, [&](const PartCrossing& crossing) {
+    const auto is_known = [&](const PartCrossing& of) {
+      return of.part == crossing.part && of.other == crossing.other && of.contact == PartCrossing::Contact::now;
+    };
+    const std::vector<PartCrossing>& known = start_overlap.crossings;
+    return crossing.contact != PartCrossing::Contact::now || std::any_of(known.begin(), known.end(), is_known);
+  });
+  const std::string refused = describe_refused_crossings(born, contact.overlap, mesh);
+  if (!refused.empty())
+    throw RunError(
+        fmt::format("as contact begins, {}: move the parts apart, or set contact.overlap to accept", refused));
+  return describe_crossings("crossing as contact begins, which it does not separate: ", PartCrossing::Contact::now,
+                            born, mesh);
+}
+
 /// Loading: whether other pairs and walls act than at the start of the scene.
 bool ContactStage::Impl::archive_active(CheckpointArchive& archive) {
   const ActiveContact before = active;
@@ -155,6 +174,7 @@ std::vector<std::string> ContactStage::switch_now(const std::vector<char>& happe
   stage.redefine(here, lines.empty() ? nullptr : &released);
   const StartOverlap found =
       seed_born(stage.look_for_overlap(*stage.finder), here, stage.list_born(before), stage.history);
+  if (const std::string crossings = stage.describe_born_crossings(x); !crossings.empty()) lines.push_back(crossings);
   const std::string line = stage.describe(found, "as contact begins");
   if (line.empty()) return lines;
   if (stage.contact.overlap == ContactDeck::Overlap::refuse)

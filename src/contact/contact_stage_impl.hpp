@@ -76,7 +76,7 @@ struct ContactStage::Impl {
   std::unique_ptr<ContactFinder> make_look(const LookedAt& at) const {
     return make_look_finder(*finder, contact_ranks(), share, contact, at);
   }
-  OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
+  OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with, flush}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_ties_held_apart(const ContactReport& report) const;
   const AreaNodes& find_areas(const Rows3<const double>& x);
@@ -91,6 +91,10 @@ struct ContactStage::Impl {
   void restore_surface();
   BornContact list_born(const ActiveContact& before) const;
   std::string describe(const StartOverlap& found, const std::string& when) const;
+  std::string describe_born_crossings(const Rows3<const double>& x) const;
+  std::vector<PartCrossing> find_crossings(const Rows3<const double>& x) const {
+    return percuss::find_crossings({ranks, chunks, deck, share, ties}, x);
+  }
   bool archive_active(CheckpointArchive& archive);
   Rows3<const double> place_at_start() const;
   void measure_late_areas(const Rows3<const double>& x);
@@ -127,6 +131,7 @@ struct ContactStage::Impl {
   std::optional<NodeAreas> areas;  // of the surface as it is; none: not asked for since it was redefined
   ContactHistory history;
   std::vector<std::string> start_notes;
+  FlushTies flush;  // of the start
   StartOverlap start_overlap;
   std::int64_t overlap_at_start = 0;  // nodes and pairs of edges that began inside another
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);

@@ -93,6 +93,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"penalty_speed", "penalty contact that is too soft for the impact speed"},
       {"lagrange_rigid", "lagrange enforcement of rigid or held bodies that touch something"},
       {"undamped_friction", "load applied at once to a body that rings and that friction is to hold"},
+      {"crossing_parts", "parts that go through each other at the start"},
       {"deep_overlap", "overlap at the start that is deep compared with an element or a thickness"},
       {"behind_wall", "nodes that begin behind a wall"},
       {"inside_wall", "nodes that begin deep inside a cylinder that ends"},

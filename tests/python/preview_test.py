@@ -88,6 +88,17 @@ class Json(OfADeck):
         self.assertAlmostEqual(overlap["deepest"], 0.0001, places=12)
         self.assertEqual({p["part"] for p in overlap["parts"]} | {p["inside"] for p in overlap["parts"]}, {"block", "plate"})
 
+    def test_tells_parts_that_cross(self):
+        scene = self.check("--set", "parts.block.at=[0, 0, -0.006]")  # 20 mm high, so that 6 mm are below the middle of the plate
+        (crossing,) = scene["overlap"]["crossings"]
+        self.assertEqual((crossing["part"], crossing["other"], crossing["contact"]), ("block", "plate", "now"))
+        self.assertAlmostEqual(crossing["depth"], 0.006, places=12)
+        self.assertAlmostEqual(crossing["at"][2], -0.006, places=12)
+        np.testing.assert_allclose(np.array(crossing["places"])[:, 2], 0, atol=1e-12)
+        gap = next(g for g in scene["overlap"]["gaps"] if g["part"] != g["other"])
+        self.assertAlmostEqual(gap["gap"], -0.006, places=12)
+        self.assertIn("crossing_parts", {warning["rule"] for warning in scene["warnings"]})
+
     def test_has_the_warnings_of_the_text(self):
         options = ("--set", "parts.plate.thickness=0.05", "--set", "contact.friction=3")
         scene, text = self.check(*options), self.call("check", self.deck, *options).stdout
@@ -145,6 +156,10 @@ class Page(OfADeck):
         text, done = self.make("--set", "contact.overlap=refuse", "--set", "parts.block.at=[0, 0, 0.0009]", code=2)
         self.expect(text, "overlap at the start", "class=bad", "<h3>Overlaps</h3>")
         self.assertIn("overlap", done.stderr)
+
+    def test_draws_parts_that_cross(self):
+        text, _ = self.make("--set", "parts.block.at=[0, 0, -0.006]")
+        self.expect(text, "<h3>Parts that cross</h3>", "[crossing_parts]", "-0.006 m (they overlap)", "block crosses plate")
 
     def test_says_what_check_says_of_a_wrong_deck(self):
         text, done = self.make("--set", "parts.block.material=stel", code=2)

@@ -49,6 +49,8 @@ def make_layers(scene, fields, plates):
         layers.append(Layer(name, color_of(selection["what"]), "points", places[selection["nodes"]], shown=shown))
     if scene["overlap"]["nodes"]:
         layers.append(Layer("overlap at the start", RED, "points", places[scene["overlap"]["nodes"]], on_top=True))
+    for crossing in scene["overlap"]["crossings"]:
+        layers.append(Layer(f"{crossing['part']} crosses {crossing['other']}", RED, "points", np.array(crossing["places"]), on_top=True))
     gaps = find_gap_lines(scene, fields, places)
     if len(gaps):
         layers.append(Layer("smallest gaps", RED, "lines", gaps, on_top=True))

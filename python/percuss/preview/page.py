@@ -149,6 +149,8 @@ class Preview:
     def _judge_overlap(self):
         overlap = self.scene["overlap"]
         count = len(overlap["nodes"])
+        if not count and not overlap["edge_pairs"] and overlap["crossings"]:
+            return [Finding(LOOK, "Parts cross at the start; where their edges go through faces is red in the drawing.")]
         if not count and not overlap["edge_pairs"]:
             return [Finding(GOOD, "No surfaces overlap at the start.")] if self.scene["contact_faces"] else []
         deepest = with_unit(float(f"{max(overlap['deepest'], overlap['deepest_edges']):.3g}"), self.unit("length"))
@@ -181,9 +183,14 @@ class Preview:
         if overlap["parts"]:
             rows = [(p["part"], p["inside"], f"{p['nodes']:,}", length(p["deepest"])) for p in overlap["parts"]]
             text += "<h3>Overlaps</h3>" + make_table(("nodes of", "inside", "nodes", "deepest"), rows, (2, 3))
+        if overlap["crossings"]:
+            meaning = {"now": "yes", "later": "later", "never": "no"}
+            rows = [(c["part"], c["other"], f"{len(c['places']):,}", length(c["depth"]), format_number(c["at"]), meaning[c["contact"]])
+                    for c in sorted(overlap["crossings"], key=lambda crossing: -crossing["depth"])]
+            text += "<h3>Parts that cross</h3>" + make_table(("part", "other", "edges", "depth", "at", "contact"), rows, (2, 3))
         if overlap["gaps"]:
             gaps = sorted(overlap["gaps"], key=lambda gap: gap["gap"])
-            rows = [(g["part"], g["other"], length(g["gap"]) if g["gap"] > 0 else "they touch") for g in gaps[:40]]
+            rows = [(g["part"], g["other"], _describe_gap(g["gap"], length)) for g in gaps[:40]]
             text += "<h3>Smallest gaps</h3>" + make_table(("part", "other", "gap"), rows, (2,))
             text += "<p class=soft>Only parts within reach of each other, about an element, are listed.</p>"
         notes = self.scene["joints"] + [line for line in self.scene["notes"] if not line.startswith("smallest gaps")]
@@ -256,6 +263,10 @@ def draw_pictures(fields, layers):
                 image.convert("RGB").save(stream, "JPEG", quality=QUALITY, optimize=True)
             found.append(base64.b64encode(stream.getvalue()).decode("ascii"))
         return found
+
+
+def _describe_gap(gap, length):
+    return "they touch" if gap == 0 else length(gap) + (" (they overlap)" if gap < 0 else "")
 
 
 def _describe_wall(wall):

@@ -228,6 +228,16 @@ Json describe(const StartOverlap& overlap, const Mesh& mesh, const Deck& deck) {
   for (const PartGap& gap : overlap.gaps) {
     gaps.push_back({{"part", name(gap.part)}, {"other", name(gap.other)}, {"gap", gap.gap}});
   }
+  constexpr const char* contact_names[] = {"never", "later", "now"};
+  Json crossings = Json::array();
+  for (const PartCrossing& of : overlap.crossings)
+    if (of.is_deep())
+      crossings.push_back({{"part", name(of.part)},
+                           {"other", name(of.other)},
+                           {"contact", contact_names[static_cast<int>(of.contact)]},
+                           {"depth", of.depth},
+                           {"at", of.deepest},
+                           {"places", of.places}});
   std::vector<std::int64_t> inside = overlap.inside;
   std::sort(inside.begin(), inside.end());
   inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
@@ -237,7 +247,8 @@ Json describe(const StartOverlap& overlap, const Mesh& mesh, const Deck& deck) {
           {"edge_pairs", overlap.edge_pairs},
           {"deepest_edges", overlap.deepest_edges},
           {"parts", std::move(parts)},
-          {"gaps", std::move(gaps)}};
+          {"gaps", std::move(gaps)},
+          {"crossings", std::move(crossings)}};
 }
 
 Json list_walls(const Deck& deck) {

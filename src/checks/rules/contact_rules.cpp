@@ -54,6 +54,26 @@ std::string find_overlap_path(const CheckedScene& scene, const PartOverlap& pair
   return "parts." + name_part(scene.deck, a < b ? pair.other : pair.part) + ".thickness";
 }
 
+const PartCrossing* find_crossing(const StartOverlap& found, const PartOverlap& pair) {
+  const auto is_there = [&](const PartCrossing& of) { return of.part == pair.part && of.other == pair.other; };
+  const auto place = std::find_if(found.crossings.begin(), found.crossings.end(), is_there);
+  return place == found.crossings.end() ? nullptr : &*place;
+}
+
+/// Those of which crossing_parts warns: of solids only where nodes that contact finds inside do not tell the depth.
+std::vector<PartCrossing> list_crossings(const StartOverlap& found) {
+  constexpr double most = 0.9;  // of the depth
+  std::vector<PartCrossing> list;
+  for (const PartCrossing& crossing : found.crossings)
+    if (crossing.contact != PartCrossing::Contact::never && crossing.is_deep()) list.push_back(crossing);
+  for (const PartOverlap& pair : list_pairs(found))
+    std::erase_if(list, [&](const PartCrossing& of) {
+      const bool is_pair = of.part == pair.part && of.other == pair.other;
+      return is_pair && of.is_of_solids && pair.deepest >= most * of.depth;
+    });
+  return list;
+}
+
 /// Parts of both sides of a tie that deform.
 std::vector<std::size_t> find_deforming_sides(const Deck& deck, const TieDeck& tie) {
   std::vector<std::size_t> parts = find_named_parts(deck, tie.a);
@@ -65,20 +85,46 @@ std::vector<std::size_t> find_deforming_sides(const Deck& deck, const TieDeck& t
 
 }  // namespace
 
+std::vector<Warning> check_crossing_parts(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (const PartCrossing& crossing : list_crossings(*scene.overlap)) {
+    const std::string &part = name_part(scene.deck, crossing.part), &other = name_part(scene.deck, crossing.other);
+    const std::string parts = crossing.part == crossing.other
+                                  ? fmt::format("part '{}' crosses itself", part)
+                                  : fmt::format("parts '{}' and '{}' cross each other", part, other);
+    const std::size_t edges = crossing.places.size();
+    const bool is_later = crossing.contact == PartCrossing::Contact::later;
+    warnings.push_back(warn_at(
+        scene.deck, "crossing_parts", "parts." + part,
+        fmt::format(
+            "{} at the start: {} edge{} through faces, up to {:.4g} inside at {} (contact{} does not separate what "
+            "crosses): move the parts apart",
+            parts, edges, edges == 1 ? " goes" : "s go", crossing.depth, crossing.name_place(),
+            is_later ? " that begins later" : "")));
+  }
+  return warnings;
+}
+
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
   constexpr double most = 0.2;  // of an element or a thickness: round-off and chords of curved meshes are far less
   std::vector<Warning> warnings;
   const bool is_pushed = scene.deck.contact.overlap == ContactDeck::Overlap::push_out;
+  const std::vector<PartCrossing> crossings = list_crossings(*scene.overlap);
   for (const PartOverlap& pair : list_pairs(*scene.overlap)) {
+    const auto crosses = [&](const PartCrossing& of) { return of.part == pair.part && of.other == pair.other; };
+    if (std::any_of(crossings.begin(), crossings.end(), crosses)) continue;
     const double size = find_contact_size(scene, pair);
     if (pair.deepest <= most * size) continue;
+    const PartCrossing* const crossing = find_crossing(*scene.overlap, pair);
+    const bool is_known = crossing != nullptr && crossing->is_of_solids;
     warnings.push_back(
         warn_at(scene.deck, "deep_overlap", find_overlap_path(scene, pair),
                 fmt::format("parts '{}' and '{}' overlap at the start by {:.3g}, {:.3g} times an element edge or "
-                            "thickness, at {} node{} "
+                            "thickness, at {} node{}{} "
                             "({}): move them apart or check the thickness",
                             name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest,
                             pair.deepest / size, pair.nodes, pair.nodes == 1 ? "" : "s",
+                            is_known ? ", deepest at " + crossing->name_place() : "",
                             is_pushed ? "pushing out such a depth adds energy" : "contact does not remove it")));
   }
   return warnings;

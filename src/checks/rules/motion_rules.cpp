@@ -8,6 +8,7 @@
 #include "src/checks/rules.hpp"
 #include "src/checks/who_touches.hpp"
 #include "src/deck/embedded_parts.hpp"
+#include "src/deck/jointed_parts.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {

@@ -7,6 +7,7 @@
 #include "src/checks/flight.hpp"
 #include "src/checks/rules.hpp"
 #include "src/checks/who_touches.hpp"
+#include "src/deck/jointed_parts.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {

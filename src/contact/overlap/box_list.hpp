@@ -2,14 +2,19 @@
 // Boxes on the host, in which points are looked up a few times.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "kernels/contact/geometry/point3.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
+
+/// Places of nodes on the host.
+using HostPlaces = decltype(to_host(Rows3<const double>()));
 
 /// A box with the place of what it bounds.
 struct HostBox {
@@ -39,6 +44,15 @@ struct HostBox {
     for (int k = 0; k < 3; ++k)
       if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
     return true;
+  }
+  double find_distance(const Point3& p) const {
+    const double x[3] = {p.x, p.y, p.z};
+    double square = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double beyond = std::max({low[k] - x[k], x[k] - high[k], 0.0});
+      square += beyond * beyond;
+    }
+    return std::sqrt(square);
   }
   bool holds(const Point3& p) const {
     return p.x > low[0] && p.x < high[0] && p.y > low[1] && p.y < high[1] && p.z > low[2] && p.z < high[2];

@@ -26,6 +26,14 @@ class BoxTree {
     if (!nodes_.empty()) visit_below(0, box, visit);
   }
 
+  /// The least of `least` and of what measure(item) gives of the boxes, which is at least the distance of the point
+  /// from the box.
+  template <class Measure>
+  double find_least(const Point3& point, double least, const Measure& measure) const {
+    if (!nodes_.empty()) find_least_below(0, point, measure, least);
+    return least;
+  }
+
   /// Calls visit(box, other) for each box and each of the other tree that it meets. Counted here.
   template <class Visit>
   void visit_pairs(const BoxTree& others, const Visit& visit) {
@@ -93,6 +101,22 @@ class BoxTree {
     tests_ += static_cast<std::int64_t>(node.last - node.first);
     for (std::size_t i = node.first; i < node.last; ++i)
       if (boxes_[i].meets(box)) visit(boxes_[i].item);
+  }
+
+  template <class Measure>
+  void find_least_below(int place, const Point3& point, const Measure& measure, double& least) const {
+    const Node& node = nodes_[at(place)];
+    if (node.second < 0) {
+      for (std::size_t i = node.first; i < node.last; ++i)
+        if (boxes_[i].find_distance(point) < least) least = std::min(least, measure(boxes_[i].item));
+      return;
+    }
+    int halves[2] = {place + 1, node.second};
+    double distances[2];
+    for (int k = 0; k < 2; ++k) distances[k] = nodes_[at(halves[k])].box.find_distance(point);
+    const int nearer = distances[1] < distances[0] ? 1 : 0;
+    for (const int k : {nearer, 1 - nearer})
+      if (distances[k] < least) find_least_below(halves[k], point, measure, least);
   }
 
   template <class Visit>

@@ -21,7 +21,7 @@ std::string describe_gaps(std::vector<PartGap> gaps, const Mesh& mesh) {
   for (std::size_t i = 0; i < gaps.size() && i < most; ++i) {
     const PartGap& g = gaps[i];
     line += i == 0 ? "smallest gaps: " : ", ";
-    line += g.gap == 0 ? "0 (they touch)" : fmt::format("{:.4g}", g.gap);
+    line += g.gap == 0 ? "0 (they touch)" : fmt::format("{:.4g}{}", g.gap, g.gap < 0 ? " (they overlap)" : "");
     line += g.part == g.other ? fmt::format(" within '{}'", name(g.part))
                               : fmt::format(" between '{}' and '{}'", name(g.part), name(g.other));
   }

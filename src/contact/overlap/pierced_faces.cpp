@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
 #include "comm/gather_items.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/face_geometry.hpp"
-#include "kernels/core/host_copy.hpp"
-#include "src/contact/overlap/box_tree.hpp"
+#include "src/contact/overlap/face_index.hpp"
 #include "src/index.hpp"
 
 namespace percuss {
@@ -20,20 +19,6 @@ namespace {
 
 /// Places on an edge that differ by no more than this are one.
 constexpr double same_place = 1e-9;
-
-using HostPlaces = decltype(to_host(Rows3<const double>()));
-
-/// A side of a face, where it is looked for in the faces of a body.
-struct FaceSide {
-  std::int64_t ends[2];  // numbers of its nodes, ascending
-  int body, part, surface_class;
-  int in;  // the body that it is looked for in
-};
-
-/// The same with its place, as it goes to ranks with faces of that body.
-struct TravellingEdge : FaceSide {
-  Point3 x[2];
-};
 
 /// Where an edge meets a triangle of a face's fan.
 struct Piercing {
@@ -43,156 +28,15 @@ struct Piercing {
   double share = 0;  // of the way from end 0 to end 1
   double size = 0;   // shortest edge of the face
   double rim = 0;    // distance of the place from where the sheet ends, if that is a side of the face
+  std::int64_t corners[4]{};
+  int surface_class = 0;
+  bool is_of_solid = false, enters = false;  // of the face; against its normal
 
-  auto key() const { return std::tuple(edge.ends[0], edge.ends[1], edge.in, share, face, triangle); }
+  auto key() const { return std::tuple(edge.ends[0], edge.ends[1], edge.in, share, face, triangle, edge.part); }
   bool is_of_same(const Piercing& other) const {
     return edge.ends[0] == other.edge.ends[0] && edge.ends[1] == other.edge.ends[1] && edge.in == other.edge.in;
   }
 };
-
-/// What a rank has of a body's faces.
-struct BodyFaces {
-  int body = 0, rank = 0;
-  HostBox box;
-  int has_shells = 0;
-};
-
-/// The faces of a rank at the places of a moment; of the two sides of a shell one.
-class FaceIndex {
- public:
-  FaceIndex(const SurfaceShare& share, const HostPlaces& x) : share_(share), x_(x) {
-    std::map<int, std::vector<HostBox>> boxes;
-    for (std::size_t f = 0; f < share.faces.size(); ++f) {
-      if (is_second_side(f)) continue;
-      kept_.push_back(f);
-      HostBox box;
-      for (const Point3& corner : load(f, {}).corner) box.add(corner);
-      box.item = static_cast<int>(f);
-      boxes[share.faces[f].body].push_back(box);
-    }
-    for (auto& [body, list] : boxes) trees_.emplace(body, BoxTree(std::move(list)));
-    mark_rims();
-    choose_sides();
-  }
-
-  bool is_rim(std::size_t face, std::size_t side) const {
-    return std::binary_search(rims_.begin(), rims_.end(), list_side(face, side));
-  }
-
-  FacePoints load(std::size_t face, const Point3& origin) const {
-    FacePoints points;
-    for (std::size_t k = 0; k < 4; ++k) points.corner[k] = load_row(x_, share_.face_corners[face][k]) - origin;
-    return points;
-  }
-
-  /// Numbers of the ends of a side, ascending.
-  std::pair<std::int64_t, std::int64_t> list_side(std::size_t face, std::size_t side) const {
-    const auto& corners = share_.faces[face].corners;
-    return std::minmax(corners[side], corners[(side + 1) % 4]);
-  }
-
-  std::vector<BodyFaces> list_bodies(int rank) const {
-    std::map<int, BodyFaces> own;
-    for (const std::size_t f : kept_) {
-      BodyFaces& body = own[share_.faces[f].body];
-      body.body = share_.faces[f].body;
-      body.rank = rank;
-      for (const Point3& corner : load(f, {}).corner) body.box.add(corner);
-      if (share_.faces[f].offset > 0) body.has_shells = 1;
-    }
-    std::vector<BodyFaces> list;
-    list.reserve(own.size());
-    for (const auto& [number, body] : own) list.push_back(body);
-    return list;
-  }
-
-  /// Calls visit(side) for those of a face that no face of a lower number has.
-  template <class Visit>
-  void visit_sides(std::size_t face, const Visit& visit) const {
-    for (std::size_t k = 0; k < 4; ++k)
-      if ((sides_[face] & (1U << k)) != 0) visit(k);
-  }
-
-  FaceSide name(std::size_t face, std::size_t side, int in) const {
-    const auto [first, last] = list_side(face, side);
-    const FaceTopology& of = share_.faces[face];
-    return {{first, last}, of.body, of.part, of.surface_class, in};
-  }
-  TravellingEdge load_edge(std::size_t face, std::size_t side, int in) const {
-    TravellingEdge edge{name(face, side, in), {}};
-    const std::size_t next = (side + 1) % 4;
-    const bool is_forward = share_.faces[face].corners[side] == edge.ends[0];
-    edge.x[0] = load_row(x_, share_.face_corners[face][is_forward ? side : next]);
-    edge.x[1] = load_row(x_, share_.face_corners[face][is_forward ? next : side]);
-    return edge;
-  }
-  HostBox bound_side(std::size_t face, std::size_t side) const {
-    HostBox box;
-    for (const std::size_t k : {side, (side + 1) % 4}) box.add(load_row(x_, share_.face_corners[face][k]));
-    return box;
-  }
-
-  BoxTree* find_tree(int body) {
-    const auto tree = trees_.find(body);
-    return tree == trees_.end() ? nullptr : &tree->second;
-  }
-  std::int64_t tests() const {
-    std::int64_t sum = 0;
-    for (const auto& [body, tree] : trees_) sum += tree.tests();
-    return sum;
-  }
-
- private:
-  bool is_second_side(std::size_t face) const {
-    const std::vector<FaceTopology>& faces = share_.faces;
-    return face > 0 && faces[face].offset > 0 &&
-           find_element_of_face(faces[face].number) == find_element_of_face(faces[face - 1].number);
-  }
-
-  void mark_rims() {
-    for (const EdgeTopology& edge : share_.edges)
-      if (edge.elements[0] == edge.elements[1]) rims_.emplace_back(edge.ends[0], edge.ends[1]);
-    std::sort(rims_.begin(), rims_.end());
-  }
-
-  /// Of each two nodes the first side between them, by lists of such second nodes.
-  void choose_sides() {
-    struct Other {
-      int node, next;
-    };
-    std::vector<int> first(x_.extent(0), -1);
-    std::vector<Other> others;
-    others.reserve(2 * kept_.size());
-    sides_.assign(share_.faces.size(), 0);
-    for (const std::size_t f : kept_)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto& corners = share_.face_corners[f];
-        const auto [a, b] = std::minmax(corners[k], corners[(k + 1) % 4]);
-        int place = first[at(a)];
-        while (place >= 0 && others[at(place)].node != b) place = others[at(place)].next;
-        if (a == b || place >= 0) continue;
-        others.push_back({b, first[at(a)]});
-        first[at(a)] = static_cast<int>(others.size()) - 1;
-        sides_[f] |= 1U << k;
-      }
-  }
-
-  const SurfaceShare& share_;
-  const HostPlaces& x_;
-  std::vector<std::size_t> kept_;
-  std::vector<unsigned> sides_;  // [faces] bits of those of visit_sides()
-  std::map<int, BoxTree> trees_;
-  std::vector<std::pair<std::int64_t, std::int64_t>> rims_;  // ends of the edges where shells of this rank end
-};
-
-/// Whether an edge has an end in common with the element behind a face: where that turns inside out it goes through
-/// itself.
-bool are_joined(const FaceSide& edge, const FaceTopology& face) {
-  for (const std::int64_t end : edge.ends)
-    for (int k = 0; k < 4; ++k)
-      if (face.corners[k] == end || face.backs[k] == end) return true;
-  return false;
-}
 
 /// The share of the way from `from` at which a line meets a triangle, negative if it does not.
 /// Source: Moeller and Trumbore, Fast, Minimum Storage Ray-Triangle Intersection, J. Graphics Tools 2 (1997).
@@ -203,6 +47,29 @@ double find_meeting(const Point3& from, const Point3& way, const Point3 (&triang
   if (determinant == 0) return -1;
   const double u = dot(s, h) / determinant, v = dot(way, q) / determinant, t = dot(e2, q) / determinant;
   return u >= 0 && v >= 0 && u + v <= 1 && t <= 1 ? t : -1;
+}
+
+/// Where an edge goes through a triangle.
+struct Passage {
+  double share = -1;  // as of find_meeting()
+  bool enters = false;
+};
+
+/// The same for a line whose ends are on different sides of the triangle: an end behind it by no more than `band` is
+/// before it. What touches it from behind, or lies in it, does not go through.
+Passage find_passage(const Point3& way, const Point3 (&triangle)[3], double band) {
+  constexpr double rim = 1e-10;  // of the triangle: on a line between two it goes through both
+  const Point3 e1 = triangle[1] - triangle[0], e2 = triangle[2] - triangle[0], across = cross(e1, e2);
+  const double area = norm(across);
+  if (!(area > 0)) return {};
+  const Point3 normal = (1 / area) * across;
+  const double from = -dot(normal, triangle[0]), to = from + dot(normal, way);
+  if ((from >= -band) == (to >= -band)) return {};
+  const double share = std::clamp(from / (from - to), 0.0, 1.0);
+  const Point3 place = share * way - triangle[0];
+  const double u = dot(cross(place, e2), normal) / area, v = dot(cross(e1, place), normal) / area;
+  if (u < -rim || v < -rim || u + v > 1 + rim) return {};
+  return {share, to < from};
 }
 
 double find_rim_distance(const FaceIndex& index, std::size_t f, const FacePoints& face, const Point3& p) {
@@ -225,15 +92,25 @@ HostBox bound(const TravellingEdge& edge) {
 }
 
 /// Adds where an edge meets the fan of a face.
-void find_piercings(const FaceIndex& index, const FaceTopology& of, std::size_t f, const TravellingEdge& edge,
+void find_piercings(const FaceIndex& index, std::size_t f, const TravellingEdge& edge, PiercedPairs pairs,
                     std::vector<Piercing>& found) {
+  const FaceTopology& of = index.topology(f);
   const FacePoints face = index.load(f, edge.x[0]);
   const Point3 way = edge.x[1] - edge.x[0], middle = find_middle(face);
+  const double size = find_shortest_edge(face);
   for (int k = 0; k < 4; ++k) {
-    const double share = find_meeting({}, way, {middle, face.corner[k], face.corner[(k + 1) % 4]});
-    if (share < 0) continue;
-    found.push_back(
-        {edge, of.number, k, of.part, share, find_shortest_edge(face), find_rim_distance(index, f, face, share * way)});
+    const Point3 triangle[3] = {middle, face.corner[k], face.corner[(k + 1) % 4]};
+    const Passage passage = pairs == PiercedPairs::all_surfaces
+                                ? find_passage(way, triangle, contact_limits::overlap * size)
+                                : Passage{find_meeting({}, way, triangle)};
+    if (passage.share < 0) continue;
+    Piercing& piercing = found.emplace_back();
+    piercing = {
+        edge, of.number, k, of.part, passage.share, size, find_rim_distance(index, f, face, passage.share * way)};
+    std::copy_n(of.corners, 4, piercing.corners);
+    piercing.surface_class = of.surface_class;
+    piercing.is_of_solid = !(of.offset > 0);
+    piercing.enters = passage.enters;
   }
 }
 
@@ -249,7 +126,7 @@ class PiercingLook {
       const std::size_t f = at(own.item), of = at(other.item);
       index_.visit_sides(f, [&](std::size_t side) {
         if (index_.bound_side(f, side).meets(other) && may_pierce(index_.name(f, side, in), share_.faces[of]))
-          find_piercings(index_, share_.faces[of], of, index_.load_edge(f, side, in), found_);
+          find_piercings(index_, of, index_.load_edge(f, side, in), pairs_, found_);
       });
     });
   }
@@ -258,8 +135,7 @@ class PiercingLook {
   void look_at(const std::vector<TravellingEdge>& edges) {
     for (const TravellingEdge& edge : edges)
       index_.find_tree(edge.in)->visit_meeting(bound(edge), [&](int f) {
-        const FaceTopology& of = share_.faces[at(f)];
-        if (may_pierce(edge, of)) find_piercings(index_, of, at(f), edge, found_);
+        if (may_pierce(edge, share_.faces[at(f)])) find_piercings(index_, at(f), edge, pairs_, found_);
       });
   }
 
@@ -267,7 +143,7 @@ class PiercingLook {
 
  private:
   bool may_pierce(const FaceSide& edge, const FaceTopology& of) const {
-    if (edge.body != edge.in && !(of.offset > 0)) return false;
+    if (pairs_ != PiercedPairs::all_surfaces && edge.body != edge.in && !(of.offset > 0)) return false;
     if (pairs_ == PiercedPairs::that_may_touch &&
         !(friction_(edge.surface_class * share_.num_classes + of.surface_class) >= 0))
       return false;
@@ -281,9 +157,20 @@ class PiercingLook {
   std::vector<Piercing> found_;
 };
 
-/// Looks at the edges of this rank in their own body, and in shells in whose box they are: here, or where these are.
-std::vector<Piercing> look_through(const Communicator& ranks, const std::vector<BodyFaces>& bodies, FaceIndex& index,
-                                   BoxTree& boxes, PiercingLook& look) {
+/// What a look at the faces of all ranks works with.
+struct LookedThrough {
+  const Communicator& ranks;
+  const std::vector<BodyFaces>& bodies;
+  const std::vector<TravellingEdge>& beams;
+  const PiercedPairs pairs;
+  FaceIndex& index;
+  BoxTree& boxes;  // of the bodies
+};
+
+/// Looks at the edges of this rank in their own body, and in others in whose box they are: here, or where these are.
+std::vector<Piercing> look_through(const LookedThrough& with, PiercingLook& look) {
+  FaceIndex& index = with.index;
+  const int rank = with.ranks.rank();
   std::vector<TravellingEdge> edges;
   std::vector<int> to;
   const auto send = [&](const BodyFaces& faces, const BodyFaces& in) {
@@ -294,40 +181,40 @@ std::vector<Piercing> look_through(const Communicator& ranks, const std::vector<
         to.push_back(in.rank);
       });
   };
-  for (const BodyFaces& own : bodies) {
-    if (own.rank != ranks.rank()) continue;
-    boxes.visit_meeting(own.box, [&](int item) {
-      const BodyFaces& in = bodies[at(item)];
-      if (in.body != own.body && in.has_shells == 0) return;
-      if (in.rank == ranks.rank())
+  for (const BodyFaces& own : with.bodies) {
+    if (own.rank != rank) continue;
+    with.boxes.visit_meeting(own.box, [&](int item) {
+      const BodyFaces& in = with.bodies[at(item)];
+      if (in.body != own.body && in.has_shells == 0 && with.pairs != PiercedPairs::all_surfaces) return;
+      if (in.rank == rank)
         look.look_at(*index.find_tree(own.body), in.body);
       else
         send(own, in);
     });
   }
-  ItemExchange exchange(ranks);
+  for (const TravellingEdge& beam : with.beams)
+    with.boxes.visit_meeting(bound(beam), [&](int item) {
+      edges.push_back(beam);
+      edges.back().in = with.bodies[at(item)].body;
+      to.push_back(with.bodies[at(item)].rank);
+    });
+  ItemExchange exchange(with.ranks);
   look.look_at(exchange.send(to, edges));
-  return gather_items(ranks, look.found());
+  return gather_items(with.ranks, look.found());
 }
 
 /// The places of an edge by which its depth is known: its ends, where one of them is on the other side, else three
 /// between the first place at which it goes through and the next.
-struct EdgeSamples {
-  bool is_end_behind = false;
-  Point3 x[3];
-};
-
-EdgeSamples choose_samples(const std::vector<Piercing>& piercings, std::size_t first, std::size_t last) {
+std::array<Point3, 3> choose_samples(const std::vector<Piercing>& piercings, std::size_t first, std::size_t last) {
   const TravellingEdge& edge = piercings[first].edge;
   const auto place = [&](double share) { return edge.x[0] + share * (edge.x[1] - edge.x[0]); };
-  if ((last - first) % 2 == 1) return {true, {edge.x[0], edge.x[1], edge.x[1]}};
+  if ((last - first) % 2 == 1) return {edge.x[0], edge.x[1], edge.x[1]};
   const double from = piercings[first].share, to = piercings[first + 1].share;
-  return {false, {place(0.75 * from + 0.25 * to), place(0.5 * (from + to)), place(0.25 * from + 0.75 * to)}};
+  return {place(0.75 * from + 0.25 * to), place(0.5 * (from + to)), place(0.25 * from + 0.75 * to)};
 }
 
 /// The least distance of a place from the faces of this rank that an edge may go through, if it is less than `reach`.
-double find_distance(const SurfaceShare& share, FaceIndex& index, const TravellingEdge& edge, const Point3& x,
-                     double reach) {
+double find_distance(FaceIndex& index, const TravellingEdge& edge, const Point3& x, double reach, bool of_solids) {
   double least = reach;
   BoxTree* const tree = index.find_tree(edge.in);
   if (tree == nullptr) return least;
@@ -335,40 +222,55 @@ double find_distance(const SurfaceShare& share, FaceIndex& index, const Travelli
   around.add(x);
   around.widen(reach);
   tree->visit_meeting(around, [&](int f) {
-    const FaceTopology& of = share.faces[at(f)];
-    if (are_joined(edge, of) || (edge.body != edge.in && !(of.offset > 0))) return;
+    const FaceTopology& of = index.topology(at(f));
+    if (are_joined(edge, of) || (!of_solids && edge.body != edge.in && !(of.offset > 0))) return;
     least = std::min(least, find_closest_point(index.load(at(f), x)).distance);
   });
   return least;
 }
 
+/// The edge that goes through a body at some places, first to last; its depth is that of the rim of the sheet.
+PiercingEdge join(const std::vector<Piercing>& piercings, std::size_t first, std::size_t last) {
+  const Piercing& at_first = piercings[first];
+  const TravellingEdge& edge = at_first.edge;
+  const Point3 way = edge.x[1] - edge.x[0], x = edge.x[0] + at_first.share * way;
+  PiercingEdge joined{
+      {-1, {edge.ends[0], edge.ends[1]}, edge.part, at_first.part, at_first.rim, at_first.size, {x.x, x.y, x.z}},
+      edge.body,
+      edge.in};
+  for (std::size_t i = first; i < last; ++i) joined.edge.depth = std::min(joined.edge.depth, piercings[i].rim);
+  std::copy_n(at_first.corners, 4, joined.corners);
+  joined.classes[0] = edge.surface_class;
+  joined.classes[1] = at_first.surface_class;
+  joined.is_of_solid = at_first.is_of_solid;
+  joined.is_odd = (last - first) % 2 == 1;
+  joined.inner = at_first.enters ? 1 : 0;
+  joined.length = norm(way);
+  return joined;
+}
+
 /// Joins the places at which each edge goes through a body, and measures how deep. piercings: of all ranks, in order.
-std::vector<PiercingEdge> measure(const Communicator& ranks, const SurfaceShare& share, FaceIndex& index,
-                                  const std::vector<Piercing>& piercings) {
+std::vector<PiercingEdge> measure(const Communicator& ranks, FaceIndex& index, const std::vector<Piercing>& piercings,
+                                  PiercedPairs pairs) {
+  const bool of_solids = pairs == PiercedPairs::all_surfaces;
   std::vector<PiercingEdge> list;
   std::vector<double> distances;
-  std::vector<char> has_end_behind;
   for (std::size_t first = 0, last = 0; first < piercings.size(); first = last) {
-    last = first + 1;
-    double rim = piercings[first].rim;
-    for (; last < piercings.size() && piercings[last].is_of_same(piercings[first]); ++last)
-      rim = std::min(rim, piercings[last].rim);
-    const Piercing& at_first = piercings[first];
-    const TravellingEdge& edge = at_first.edge;
-    const EdgeSamples samples = choose_samples(piercings, first, last);
-    const Point3 x = edge.x[0] + at_first.share * (edge.x[1] - edge.x[0]);
-    for (const Point3& sample : samples.x)
-      distances.push_back(find_distance(share, index, edge, sample, norm(sample - x)));
-    has_end_behind.push_back(samples.is_end_behind ? 1 : 0);
-    list.push_back({{-1, {edge.ends[0], edge.ends[1]}, edge.part, at_first.part, rim, at_first.size, {x.x, x.y, x.z}},
-                    edge.body,
-                    edge.in});
+    for (last = first + 1; last < piercings.size() && piercings[last].is_of_same(piercings[first]);) ++last;
+    list.push_back(join(piercings, first, last));
+    const double* const x = list.back().edge.x;
+    for (const Point3& sample : choose_samples(piercings, first, last))
+      distances.push_back(
+          find_distance(index, piercings[first].edge, sample, norm(sample - Point3{x[0], x[1], x[2]}), of_solids));
   }
   all_reduce(ranks, Reduce::least, distances);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const double* const d = &distances[3 * i];
-    const double depth = has_end_behind[i] != 0 ? std::min(d[0], d[1]) : std::max({d[0], d[1], d[2]});
-    list[i].edge.depth = std::min(list[i].edge.depth, depth);
+    PiercingEdge& of = list[i];
+    const bool has_inside = of_solids && of.is_of_solid;
+    const double depth = !of.is_odd ? std::max({d[0], d[1], d[2]}) : has_inside ? d[of.inner] : std::min(d[0], d[1]);
+    of.edge.depth = std::min(of.edge.depth, depth);
+    if (of.is_odd) std::copy_n(d, 2, of.away);
   }
   return list;
 }
@@ -376,7 +278,8 @@ std::vector<PiercingEdge> measure(const Communicator& ranks, const SurfaceShare&
 }  // namespace
 
 PiercingEdges find_piercing_edges(const Communicator& ranks, const SurfaceShare& share,
-                                  const Rows3<const double>& places, PiercedPairs pairs) {
+                                  const Rows3<const double>& places, PiercedPairs pairs,
+                                  const std::vector<TravellingEdge>& beams) {
   const auto x = to_host(places);
   FaceIndex index(share, x);
   const std::vector<BodyFaces> bodies = gather_items(ranks, index.list_bodies(ranks.rank()));
@@ -387,14 +290,14 @@ PiercingEdges find_piercing_edges(const Communicator& ranks, const SurfaceShare&
   }
   BoxTree boxes(std::move(list));
   PiercingLook look(share, index, pairs);
-  std::vector<Piercing> piercings = look_through(ranks, bodies, index, boxes, look);
+  std::vector<Piercing> piercings = look_through({ranks, bodies, beams, pairs, index, boxes}, look);
   std::sort(piercings.begin(), piercings.end(), [](const Piercing& a, const Piercing& b) { return a.key() < b.key(); });
-  // On the line between two triangles an edge goes through both.
+  // On the line between two triangles an edge goes through both; over the ridge of a solid it goes in and out.
   const auto is_same = [](const Piercing& a, const Piercing& b) {
-    return a.is_of_same(b) && b.share - a.share < same_place;
+    return a.is_of_same(b) && b.share - a.share < same_place && (!a.is_of_solid || a.enters == b.enters);
   };
   piercings.erase(std::unique(piercings.begin(), piercings.end(), is_same), piercings.end());
-  PiercingEdges result{measure(ranks, share, index, piercings),
+  PiercingEdges result{measure(ranks, index, piercings, pairs),
                        boxes.tests() + index.tests() + static_cast<std::int64_t>(share.faces.size())};
   all_reduce(ranks, Reduce::largest, result.tests);
   return result;

@@ -96,12 +96,12 @@ struct SeededRecords {
   }
   /// A row measures along its push, and finds more than the distance from the face. All that it finds in its first step
   /// is accepted: it takes the lesser of its own depth and the reference.
-  void hold(int record, std::int64_t by_face, double depth) const {
+  void hold(int record, std::int64_t by_face, double depth, bool is_pushed = true) const {
     // The depth is that of the closest point along the push, cos(angle) of its distance; a row finds 1 / cos of this.
     constexpr double most_of_row = 1 / (least_push_cosine * least_push_cosine);
     face(record) = by_face;
     reference(record) = most_of_row * depth;
-    if (to_push.extent(0) > 0) to_push(record) = depth;
+    if (is_pushed && to_push.extent(0) > 0) to_push(record) = depth;
   }
   void write_to(const ContactHistory& history) const {
     Kokkos::deep_copy(history.face, face);
@@ -207,17 +207,21 @@ void add_records(const std::vector<EdgePenetration>& found, bool pushes, EdgeHis
 }
 
 /// Overlap of edges into an empty history.
-void seed_all_edges(const std::vector<EdgePenetration>& penetrations, bool pushes, StartOverlap& found,
-                    EdgeHistory& history) {
-  std::vector<EdgePenetration> held;
+void seed_all_edges(const OverlapSearch& search, const std::vector<EdgePenetration>& penetrations, bool pushes,
+                    StartOverlap& found, EdgeHistory& history) {
+  std::vector<EdgePenetration> held, tied;
   for (const EdgePenetration& p : penetrations) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
-    ++found.edge_pairs;
-    found.deepest_edges = std::max(found.deepest_edges, p.depth);
-    if (p.depth <= p.limit) held.push_back(p);
+    const bool is_tied = search.tied.has_edges(p.a, p.b);
+    if (!is_tied) {
+      ++found.edge_pairs;
+      found.deepest_edges = std::max(found.deepest_edges, p.depth);
+    }
+    if (p.depth <= p.limit) (is_tied ? tied : held).push_back(p);
   }
   history = {};
   add_records(held, pushes, history);
+  add_records(tied, false, history);
 }
 
 /// Of the pairs of edges that a history does not have, those with an end of `nodes`.
@@ -259,17 +263,30 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     if (p.depth <= contact_limits::overlap * p.size) continue;
     const bool held = p.depth <= p.limit;
     const auto n = static_cast<std::size_t>(p.node);
-    note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
-    if (held) records.hold(contact_limits::max_touches * p.node, p.face, p.depth);
+    const std::int64_t number = search.share.nodes.numbers[n];
+    const bool is_tied = search.tied.has_face(number, p.face);
+    if (!is_tied) note(found, number, {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
+    if (held) records.hold(contact_limits::max_touches * p.node, p.face, p.depth, !is_tied);
   }
   seed_walls(search, motion, {}, found, records);
   if (search.share.may_touch()) {
-    seed_all_edges(search.finder.find_edge_penetrations(motion), pushes_out(history), found, history.edges);
+    seed_all_edges(search, search.finder.find_edge_penetrations(motion), pushes_out(history), found, history.edges);
     found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
   }
   records.write_to(history);
   reduce(search.ranks, found);
   return found;
+}
+
+void complete_gaps(const std::vector<PartGap>& tied, StartOverlap& found) {
+  for (const PartGap& gap : tied) add_gap(gap, found.gaps);
+  const auto add = [&](int part, int other, double depth) {
+    add_gap({std::min(part, other), std::max(part, other), -depth}, found.gaps);
+  };
+  for (const PartOverlap& overlap : found.parts)
+    if (overlap.other >= 0) add(overlap.part, overlap.other, overlap.deepest);
+  for (const PartCrossing& crossing : found.crossings)
+    if (crossing.contact != PartCrossing::Contact::never) add(crossing.part, crossing.other, crossing.depth);
 }
 
 StartOverlap seed_born(const OverlapSearch& search, const SurfaceMotion& motion, const BornContact& born,

@@ -2,6 +2,8 @@
 // Overlap between surfaces: what a scene starts with, and what an audit finds.
 
 #include "src/contact/history/carried_history.hpp"
+#include "src/contact/overlap/flush_ties.hpp"
+#include "src/contact/overlap/start_crossings.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/reuse_bound.hpp"
 
@@ -17,15 +19,16 @@ struct PartOverlap {
 
 /// Overlap at the start: what was found, on all ranks, and taken into the history.
 struct StartOverlap {
-  std::int64_t nodes = 0;            // contact nodes inside another body or behind a wall
-  std::int64_t too_deep = 0;         // of these, deeper than contact can hold
-  double deepest = 0;                // [length]
-  std::int64_t deepest_node = -1;    // number of the node, lowest of equals
-  std::vector<PartOverlap> parts;    // by (part, other)
-  std::vector<PartOverlap> lost;     // likewise, of nodes in a cylinder that ends, too deep for it to stop them
-  std::int64_t edge_pairs = 0;       // pairs of edges inside one another
-  double deepest_edges = 0;          // [length]
-  std::vector<PartGap> gaps;         // of parts within reach of each other
+  std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
+  std::int64_t too_deep = 0;       // of these, deeper than contact can hold
+  double deepest = 0;              // [length]
+  std::int64_t deepest_node = -1;  // number of the node, lowest of equals
+  std::vector<PartOverlap> parts;  // by (part, other)
+  std::vector<PartOverlap> lost;   // likewise, of nodes in a cylinder that ends, too deep for it to stop them
+  std::int64_t edge_pairs = 0;     // pairs of edges inside one another
+  double deepest_edges = 0;        // [length]
+  std::vector<PartGap> gaps;       // of parts within reach of each other; negative: how far they are inside
+  std::vector<PartCrossing> crossings;
   std::vector<std::int64_t> inside;  // numbers of the nodes, of this rank alone, one for each that holds it
 };
 
@@ -37,6 +40,7 @@ struct OverlapSearch {
   const WallPairs& walls;
   const ReuseBound& bound;
   ContactFinder& finder;
+  const FlushTies& tied;  // what overlaps at a tie is accepted, and is not counted
 
   /// By how much boxes that find nodes half a face deep, with the reach of the check, are wider. Collective.
   double find_margin(const SurfaceMotion& motion) const;
@@ -75,6 +79,9 @@ struct EdgeChange {
   const std::vector<EdgeTopology>& now;
   const std::vector<std::int64_t>& released_nodes;  // as of SurfaceChange
 };
+
+/// Joins to the gaps those of tied parts, and of parts that overlap or cross.
+void complete_gaps(const std::vector<PartGap>& tied, StartOverlap& found);
 
 /// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
 /// deepest_id: the user's of deepest_node. when: "at the start".

@@ -9,7 +9,6 @@
 #include "comm/exchange/item_exchange.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/contact/geometry/face_geometry.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/contact/overlap/box_list.hpp"
 #include "src/index.hpp"
 
@@ -20,8 +19,6 @@ constexpr int points_of_piece = 3;
 /// Closest points that are as far but for round-off: the most opposed face has the side (it is the one that is not seen
 /// past an edge).
 constexpr double tie = 1 + 1e-9;
-
-using HostPlaces = decltype(to_host(Rows3<const double>()));
 
 /// What a rank has of the faces of a body of solids.
 struct BodyShare {

@@ -93,10 +93,8 @@ ChunkedMesh Run::load_scene() {
 void Run::begin() {
   start_sensors();
   warnings_.add(set_start_states(deck_, chunked_, model_, state_));
-  if (contact_.is_active()) {
-    if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
-    warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
-  }
+  if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
+  warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
   say(contact_.start_notes());
   relax();
   compute_start_ = compute_seconds();

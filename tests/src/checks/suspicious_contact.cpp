@@ -22,6 +22,28 @@ std::vector<SuspiciousDeck> suspicious_contact() {
   const std::string surfaces = "contact: {surfaces: all, friction: 0.2}";
   return {
       {"BlockInsideThePlate", "deep_overlap", "block: {", {{"0.0111", "0.006"}}, {{"0.0111", "0.0095"}}},
+      {"SheetInsideThePlate",
+       "crossing_parts",
+       "plate: {",
+       {{"at: [0, 0, -0.004]", "at: [0, 0, 0.004]"}},
+       {{"at: [0, 0, -0.004]", "at: [0, 0, -0.0001]"}}},
+      {"SheetThroughTheBlockWhoseContactBeginsLater",
+       "crossing_parts",
+       "block: {",
+       {{"at: [0, 0, -0.004]", "at: [0, 0, 0.015]"},
+        {surfaces,
+         "sensors: {late: {time: 1e-4}}\ncontact: {surfaces: [[block, plate], {a: block, b: sheet, from: late}]}"}},
+       {{"at: [0, 0, -0.004]", "at: [0, 0, 0.015]"}, {surfaces, "contact: {surfaces: [[block, plate]]}"}}},
+      {"BarThroughTheSheet",
+       "crossing_parts",
+       "bar: {line",
+       {add_part(
+            "bar: {line: {from: [0.05, 0.05, -0.003], to: [0.05, 0.05, -0.006], cells: 1}, section: {round: {radius: "
+            "0.0002}}, material: steel}"),
+        {surfaces, "contact: {surfaces: all, beams: true}"}},
+       {add_part("bar: {line: {from: [0.05, 0.05, -0.0055], to: [0.05, 0.05, -0.008], cells: 1}, section: {round: "
+                 "{radius: 0.0002}}, material: steel}"),
+        {surfaces, "contact: {surfaces: all, beams: true}"}}},
       {"SheetThickerThanItsGap",
        "deep_overlap",
        "thickness: 0.02",
