@@ -331,13 +331,15 @@ void Stepper::compute_forces(State& state, double dt) {
   if (moment_halo_) moment_halo_->end();
 }
 
+/// At the start, where dt is 0, all elements are evaluated and none counts as settled: what other steppers have left
+/// (those of a relaxation) is not what this one keeps, and laws that relax with time do not change yet.
 ElementMotion Stepper::find_motion(const State& state, double dt) const {
   const Action* const asker = find_asker();
   const ElementBounds* const asked = asker != nullptr ? asker->asked_bounds() : nullptr;
   const StepWatch watch = global_ ? global_->watch() : asked != nullptr ? asked->watch : StepWatch{};
   const Array<double> others = asked != nullptr ? asked->others : Array<double>();
-  return {state.x,     state.v, dt,    deck_.elements.skip_resting, state.time + dt, watch, model_.failing,
-          state.lives, state.w, others};
+  const bool skips_rest = deck_.elements.skip_resting && dt > 0;
+  return {state.x, state.v, dt, skips_rest, state.time + dt, watch, model_.failing, state.lives, state.w, others};
 }
 
 /// Who wants the bounds of all elements; null: nobody.
