@@ -30,6 +30,12 @@ examples:
   scripts/fuzz_scenes 1-200 --no-shrink                   a table of what fails
   scripts/fuzz_scenes 1-120 --no-shrink --set elements.resist_folding=true   the same with another default
   scripts/fuzz_scenes 1-20 --known FILE                   what FILE lists may fail, and must
+  scripts/fuzz_scenes 1-40 --bits                         bits of scenes over all keys
+
+With --bits the scenes are others: few elements of every family, joined in every way, that rest, are struck, driven, loaded or
+relaxed, with keys drawn from the schema of decks. Each fails unless state_hash, history.csv, the data of fields.vtkhdf, warnings and
+figures of summary.json are the same on 1 x 2, 2 x 1 and 3 x 1 ranks x threads, after a restart at a random step on another number of
+ranks, and with each switch by which the program does what it would skip (elements.skip_resting, contact.reuse_search, ...).
 
 FILE has a line for each seed that fails today: the seed, the kinds of failure (a comma between them), the cause.
 
@@ -50,6 +56,8 @@ def parse_arguments():
     add("--most", metavar="N", type=int, default=0, help="as many scenes may fail beyond those known (default 0)")
     add("--no-shrink", dest="shrink", action="store_false", help="leave failing scenes as they are")
     add("--deck", action="store_true", help="print the decks only")
+    add("--bits", action="store_true", help="compare bits, of scenes of all families and keys")
+    add("--ranks", metavar="N", type=int, default=3, help="with --bits: at most so many ranks (default 3)")
     arguments = parser.parse_args()
     try:
         arguments.seeds = [seed for text in arguments.seeds for seed in read_range(text)]
@@ -95,6 +103,27 @@ def examine(program, seed, shrinks):
     return failures, figures, shrink(deck, lambda smaller: kind in judge(program, smaller, with_bits)[0])
 
 
+def compare_seeds(program, arguments):
+    """The scenes of --bits; how many fail."""
+    from fuzzing.comparing import Scenes, compare_scene
+    from fuzzing.scene import write_deck
+
+    scenes, failed, counts = Scenes(program), 0, Counter()
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        results = pool.map(lambda seed: (seed, *compare_scene(program, scenes, seed, arguments.ranks)), arguments.seeds)
+        for seed, failures, figures, deck in results:
+            print(f"seed {seed}: {'FAILS' if failures else 'ok'}: " + " ".join(f"{key} {value:.3g}" for key, value in figures.items()))
+            for kind, text in failures.items():
+                print(f"  {kind}: {text}")
+            if failures:
+                print("  deck:\n    " + write_deck(deck).replace("\n", "\n    ").rstrip())
+            failed += bool(failures)
+            counts.update({"refused" if "refused" in figures else "rests" if figures["rests"] > 0 else "moves": 1})
+            sys.stdout.flush()
+    print(f"{len(arguments.seeds)} scenes, {failed} fail; {', '.join(f'{kind} {count}' for kind, count in sorted(counts.items()))}")
+    return failed
+
+
 def report_seed(seed, failures, figures, deck, known, shrinks):
     """Prints a seed; whether it is as it is known."""
     from fuzzing.judging import add_output
@@ -126,7 +155,7 @@ def main():
     from fuzzing.judging import Program
     from fuzzing.scene import make_scene, write_deck
 
-    if arguments.deck:
+    if arguments.deck and not arguments.bits:
         for seed in arguments.seeds:
             print(write_deck(make_scene(seed)))
         return
@@ -135,6 +164,8 @@ def main():
         sys.exit(2)
     known = read_known(arguments.known) if arguments.known else {}
     program = Program(arguments.percuss, find_mpirun(), arguments.settings)
+    if arguments.bits:
+        sys.exit(1 if compare_seeds(program, arguments) else 0)
     with ThreadPoolExecutor(arguments.jobs) as pool:
         results = pool.map(lambda seed: (seed, *examine(program, seed, arguments.shrink and seed not in known)), arguments.seeds)
         verdicts, counts = [], Counter()

@@ -38,6 +38,10 @@ class Program:
             return None, f"no end within {MOST_SECONDS} s"
         return done.returncode, done.stderr.strip()
 
+    def call(self, *words):
+        """What a command of the program prints."""
+        return subprocess.run([self.percuss, *words], capture_output=True, text=True, check=True, timeout=MOST_SECONDS).stdout
+
 
 def judge(program, deck, with_bits=True):
     """({kind: what and how much}, figures). Kinds: run, end, momentum, gain, depth, inverted, ranks, threads, restart."""

@@ -203,7 +203,7 @@ def write_deck(deck):
     for key, value in deck.items():
         if key in ("parts", "materials"):
             lines += [f"{key}:"] + [f"  {name}: {_flow(entry)}" for name, entry in value.items()]
-        elif key in ("initial", "walls"):
+        elif isinstance(value, list):
             lines += [f"{key}:"] + [f"  - {_flow(entry)}" for entry in value]
         else:
             lines.append(f"{key}: {_flow(value)}")
@@ -215,4 +215,4 @@ def _flow(value):
         return "{" + ", ".join(f"{key}: {_flow(entry)}" for key, entry in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_flow(entry) for entry in value) + "]"
-    return str(value)
+    return str(value).lower() if isinstance(value, bool) else str(value)

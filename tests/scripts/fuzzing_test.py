@@ -1,5 +1,6 @@
 """What scripts/fuzz_scenes makes and measures, without the program: fuzzing_test.py. Exit code 77 without NumPy or h5py."""
 
+import random as randoms
 import sys
 import unittest
 
@@ -10,7 +11,7 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-from fuzzing import geometry, scene, shapes, shrinking  # noqa: E402
+from fuzzing import comparing, drawing, families, geometry, scene, shapes, shrinking  # noqa: E402
 
 CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
 CELL = np.arange(8)[None, :]
@@ -71,6 +72,56 @@ class Scenes(unittest.TestCase):
                 self.assertTrue(all(a.gap_to(b) > 0 for b in hulls[i + 1 :]), f"seed {seed}")
             kinds |= {shapes.kind_of(part) for part in parts.values()}
         self.assertEqual(kinds, set(shapes.SOLIDS + shapes.SHELLS))
+
+
+def make_map(**properties):
+    return {"type": "object", "properties": properties}
+
+
+NUMBER = {"type": "number", "minimum": 0, "maximum": 1}
+# As percuss schema writes it, with few keys.
+SCHEMA = make_map(
+    time=make_map(end={"type": "number"}, step_scale={"type": "number"}, step_estimate={"enum": ["element", "global"]}),
+    parts={"type": "object", "patternProperties": {"x": make_map(points={"type": "integer"}, bulk_viscosity=make_map(linear=NUMBER))}},
+    contact=make_map(edges={"type": "boolean"}, restitution=NUMBER, friction={"anyOf": [{"type": "number"}, make_map(default=NUMBER)]},
+                     ties={"type": "array", "items": make_map(cohesive=make_map(plateau=NUMBER))}),
+    elements=make_map(hourglass={"anyOf": [{"enum": ["viscous"]}, make_map(kind={"enum": ["viscous"]}, coefficient=NUMBER)]}),
+    erosion=make_map(free_nodes={"enum": ["keep", "remove"]}), audit=make_map(),
+    start=make_map(relaxation=make_map(damping={"type": "number"})))
+
+
+class Drawing(unittest.TestCase):
+    def test_every_key_comes_but_those_that_the_scene_gives(self):
+        drawn = {key for seed in range(40) for key in drawing.draw_keys(SCHEMA, "contact", randoms.Random(seed), 0.5)}
+        self.assertEqual(drawn, {"edges", "restitution", "friction"})
+        self.assertEqual(drawing.draw_keys(SCHEMA, "contact", randoms.Random(1), 0), {})
+
+    def test_numbers_stay_within_their_range(self):
+        for seed in range(40):
+            drawn = drawing.draw_keys(SCHEMA, "contact.ties.N.cohesive", randoms.Random(seed), 1)
+            self.assertTrue(0 < drawn["plateau"] < 1)
+
+    def test_scenes_of_a_seed_are_the_same_and_have_every_family_and_connection(self):
+        text = ""
+        for seed in range(150):
+            deck = scene.write_deck(families.make_scene(seed, SCHEMA)[0])
+            self.assertEqual(deck, scene.write_deck(families.make_scene(seed, SCHEMA)[0]))
+            text += deck
+        for word in (*families.CUTS[2:], "thick_shell", "membrane", "plies", "line", "truss", "rigid: true", "springs", "welds", "cohesive",
+                     "constraints", "rigid_sets", "embedded", "joints", "turn_springs", "relaxation", "failure", "from: at", "until: at"):
+            self.assertIn(word, text)
+
+
+class Comparing(unittest.TestCase):
+    def test_a_warning_that_is_lost_or_has_another_time_is_told(self):
+        early, late = {"rule": "missed_contact", "text": "a", "time": 1.0}, {"rule": "missed_contact", "text": "a", "time": 2.0}
+        self.assertEqual(comparing.compare_warnings([early], [early, {"rule": "idle_ranks", "text": "b"}]), [])
+        self.assertEqual(len(comparing.compare_warnings([], [early])), 1)
+        self.assertEqual(len(comparing.compare_warnings([late], [early])), 2)
+
+    def test_numbers_that_differ_in_the_sign_of_a_zero_differ(self):
+        self.assertFalse(comparing._are_same(np.array([0.0]), np.array([-0.0])))
+        self.assertTrue(comparing._are_same(np.array([np.nan]), np.array([np.nan])))
 
 
 class Shrinking(unittest.TestCase):
