@@ -213,7 +213,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.forces.archive(archive);
   if (stage.deck.output.writes("contact_pressure"))
     stage.enforcer.archive_pushes(archive, stage.chunks, stage.share.nodes);
-  archive.number("contact/overlap_at_start", stage.overlap_at_start);
+  stage.archive_watch(archive);
   stage.approach.archive(archive);
   if (!archive.is_loading()) return;
   stage.forget_last_step();

@@ -72,6 +72,9 @@ struct ContactStage::Impl {
   void judge_ties(double time, ContactReport& report);
   std::optional<KnownContact> find_known() const;
   PiercingEdges find_piercings(const Rows3<const double>& x);
+  void archive_watch(CheckpointArchive& archive);
+  void archive_pierced(CheckpointArchive& archive);
+  void archive_inside(CheckpointArchive& archive);
   void warn_of_missed(const std::optional<MissedContact>& found, double time);
   std::unique_ptr<ContactFinder> make_look(const LookedAt& at) const {
     return make_look_finder(*finder, contact_ranks(), share, contact, at);

@@ -1,8 +1,12 @@
 // What the stage tells of what lies inside other bodies, or has gone through them, without a contact.
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,9 +15,8 @@
 
 namespace percuss {
 
-/// None: the scene began with overlap, and which nodes were inside another body is not known. Collective.
+/// None: the scene began with edges inside one another alone, and which ends these have is not known. Collective.
 std::optional<KnownContact> ContactStage::Impl::find_known() const {
-  // Which nodes began inside another body is not in a checkpoint.
   KnownContact known{start_overlap.inside, std::vector<char>(mesh.parts.size(), 0)};
   std::int64_t count = static_cast<std::int64_t>(known.inside.size());
   all_reduce(ranks, Reduce::sum, count);
@@ -46,6 +49,50 @@ void ContactStage::Impl::warn_of_missed(const std::optional<MissedContact>& foun
   if (!found || has_warned_missed) return;
   has_warned_missed = true;
   missed.push_back({"missed_contact", describe_missed_contact(*found, mesh, find_user_id(found->node)), "", time});
+}
+
+/// What is known of the start, and when the next looks are due, so that a run that goes on warns of what one that never
+/// stopped warns of.
+void ContactStage::Impl::archive_watch(CheckpointArchive& archive) {
+  archive.number("contact/overlap_at_start", overlap_at_start);
+  archive.integer("contact/watch/has_warned", has_warned_missed);
+  archive.integer("contact/watch/next_edge_look", next_edge_look);
+  archive.integer("contact/watch/next_piercing_look", next_piercing_look);
+  archive_pierced(archive);
+  if (overlap_at_start > 0) archive_inside(archive);
+}
+
+void ContactStage::Impl::archive_pierced(CheckpointArchive& archive) {
+  bool is_known = pierced_at_start.has_value();
+  archive.integer("contact/watch/knows_pierced", is_known);
+  if (!is_known) return pierced_at_start.reset();
+  const auto name = [](std::size_t i) { return fmt::format("contact/watch/pierced/{}", i); };
+  if (archive.is_loading()) {
+    pierced_at_start.emplace();
+    while (archive.has_number(name(pierced_at_start->size()))) pierced_at_start->emplace_back();
+  }
+  for (std::size_t i = 0; i < pierced_at_start->size(); ++i) {
+    auto& [body, in] = (*pierced_at_start)[i];
+    std::array<std::int64_t, 2> pair{body, in};
+    archive.words(name(i), pair);
+    body = static_cast<int>(pair[0]);
+    in = static_cast<int>(pair[1]);
+  }
+}
+
+/// The nodes that began inside another body, as a number for each node: 1 for these.
+void ContactStage::Impl::archive_inside(CheckpointArchive& archive) {
+  const std::vector<std::int64_t>& numbers = mesh.node_numbers;
+  std::vector<std::int64_t> began_inside(numbers.size(), 0);
+  for (const std::int64_t node : start_overlap.inside) {
+    const auto place = std::lower_bound(numbers.begin(), numbers.end(), node) - numbers.begin();
+    began_inside[static_cast<std::size_t>(place)] = 1;
+  }
+  archive.rows("contact/watch/began_inside", find_owned_node_rows(chunks), 1, std::span<std::int64_t>(began_inside));
+  if (!archive.is_loading()) return;
+  start_overlap.inside.clear();
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    if (began_inside[n] != 0) start_overlap.inside.push_back(numbers[n]);
 }
 
 void ContactStage::watch_depth(Rows3<const double> x, Rows3<const double> v, double time) {
