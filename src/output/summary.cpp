@@ -22,17 +22,17 @@ using Json = nlohmann::ordered_json;
 // The keys of summary.json, in their order: the one place that names them. `visit` gets key and member; `group` gets a
 // key and a function that visits the members of that object.
 template <class S, class Visitor>
-void visit_phases(S& s, Visitor&& v) {
-  v.value("internal_force", s.internal_force);
-  v.value("halo", s.halo);
-  v.value("integrate", s.integrate);
-  v.value("contact_rcb", s.contact_rcb);
-  v.value("contact_search", s.contact_search);
-  v.value("contact_check", s.contact_check);
-  v.value("contact_enforce", s.contact_enforce);
-  v.value("reduce", s.reduce);
-  v.value("estimate", s.estimate);
-  v.value("output", s.output);
+void visit_seconds(S& phases, Visitor&& v) {
+  visit_phases(phases, [&](const char* key, auto& seconds) { v.value(key, seconds); });
+}
+
+template <class S, class Visitor>
+void visit_earlier(S& s, Visitor&& v) {
+  v.value("runs", s.runs);
+  v.value("steps", s.steps);
+  v.value("setup_s", s.setup_s);
+  v.value("loop_s", s.loop_s);
+  v.group("phases_s", [&] { visit_seconds(s.phases_s, v); });
 }
 
 template <class S, class Visitor>
@@ -104,7 +104,8 @@ void visit_summary(S& s, Visitor&& v) {
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);
   v.value("grind_ns", s.grind_ns);
-  v.group("phases_s", [&] { visit_phases(s.phases_s, v); });
+  v.group("phases_s", [&] { visit_seconds(s.phases_s, v); });
+  v.later_group("earlier", [&] { visit_earlier(s.earlier, v); });
   v.group("skipped", [&] {
     v.value("chunk_updates", s.skipped.chunk_updates);
     v.value("searches", s.skipped.searches);
@@ -329,6 +330,21 @@ std::string describe_step_limit(const Summary& summary) {
 std::string describe_warnings(const Summary& summary, const std::string& directory) {
   const std::size_t count = summary.warnings.size();
   return count == 0 ? "" : fmt::format("{} warning{}: see {}/summary.json", count, count == 1 ? "" : "s", directory);
+}
+
+std::string write_earlier(const EarlierSummary& earlier) {
+  Writer writer;
+  visit_earlier(earlier, writer);
+  return writer.take().dump();
+}
+
+EarlierSummary read_earlier(const std::string& text, const std::string& path) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw InputError(fmt::format("{}: error: the cost of the runs before it is not JSON", path));
+  EarlierSummary earlier;
+  Reader reader(json, path);
+  visit_earlier(earlier, reader);
+  return earlier;
 }
 
 Summary read_summary(const std::string& path) {

@@ -18,6 +18,28 @@ struct PhaseSeconds {
          contact_enforce = 0, reduce = 0, estimate = 0, output = 0;
 };
 
+/// Calls take(key, seconds) for each phase.
+template <class Phases, class Take>
+void visit_phases(Phases& phases, const Take& take) {
+  take("internal_force", phases.internal_force);
+  take("halo", phases.halo);
+  take("integrate", phases.integrate);
+  take("contact_rcb", phases.contact_rcb);
+  take("contact_search", phases.contact_search);
+  take("contact_check", phases.contact_check);
+  take("contact_enforce", phases.contact_enforce);
+  take("reduce", phases.reduce);
+  take("estimate", phases.estimate);
+  take("output", phases.output);
+}
+
+/// Cost of the runs that a restarted run continues, up to its checkpoint.
+struct EarlierSummary {
+  std::int64_t runs = 0, steps = 0;
+  double setup_s = 0, loop_s = 0;  // sums of those of the runs
+  PhaseSeconds phases_s;           // likewise
+};
+
 /// Energies [energy unit] at the end of the run; `error` is relative to the largest energy held so far
 /// (docs/output.md).
 struct EnergySummary {
@@ -88,6 +110,7 @@ struct Summary {
   RelaxationSummary relaxation;
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;
+  EarlierSummary earlier;
   struct {
     double chunk_updates = 0, searches = 0, pair_checks = 0, wall_looks = 0, enforcements = 0, rebalances = 0;
   } skipped;
@@ -121,6 +144,11 @@ std::string describe_step_limit(const Summary& summary);
 
 /// "3 warnings: see DIR/summary.json", the last line of a run; empty: there were none.
 std::string describe_warnings(const Summary& summary, const std::string& directory);
+
+/// The cost of earlier runs as a text that a checkpoint keeps, and back. Throws InputError if it is another text; path:
+/// of the file that has it.
+std::string write_earlier(const EarlierSummary& earlier);
+EarlierSummary read_earlier(const std::string& text, const std::string& path);
 
 /// Reads one back. Throws InputError with the place if it is not a summary, SystemError if it cannot be read.
 Summary read_summary(const std::string& path);

@@ -13,7 +13,7 @@ from percuss.results.extremes import find_size, find_top
 from .markup import Markup, escape, fold, format_number, make_table
 from .scene import flatten
 
-MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "peak_bytes", "ranks", "threads", "messages", "balance", "decomposition",
+MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "earlier", "peak_bytes", "ranks", "threads", "messages", "balance", "decomposition",
            "skipped")
 FIRST_DIMENSIONS = ("force", "energy")
 ROUND_OFF = 1e-6  # of the largest column of a dimension: what stays below it is noise

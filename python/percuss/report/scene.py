@@ -21,13 +21,14 @@ def make_facts(run):
     if not summary:
         return ""
     unit, factor = choose_time_unit(unit_of(run, "time"), summary["time"])
+    loop = (summary["loop_s"] or 0) + ((summary.get("earlier") or {}).get("loop_s") or 0)
     facts = [
         (run.status, "status"),
         (with_unit(float(f"{summary['time'] * factor:.4g}"), unit), "simulated time"),
         (f"{summary['steps']:,}", "steps"),
         (f"{summary['elements']:,}", "elements"),
         (f"{summary['contact_faces']:,}", "contact faces"),
-        (f"{summary['loop_s']:.3g} s" if summary["loop_s"] < 60 else format_duration(summary["loop_s"]), f"computing time, {summary['ranks']} x {summary['threads']} cores"),
+        (f"{loop:.3g} s" if loop < 60 else format_duration(loop), f"computing time, {summary['ranks']} x {summary['threads']} cores"),
         (f"{summary['energy']['error'] or 0:.2g}", "energy error"),
         (Markup(f"<span class=mono>{escape(summary['state_hash'] or '-')}</span>"), "state hash"),
     ]
@@ -135,13 +136,18 @@ def make_cost_section(summary):
     phases = [(name.replace("_", " "), f"{seconds:.3g} s", f"{100 * seconds / loop:.1f} %")
               for name, seconds in sorted(summary["phases_s"].items(), key=lambda item: -item[1]) if seconds > 0]
     skipped = [(name.replace("_", " "), f"{100 * share:.1f} %") for name, share in summary["skipped"].items()]
-    rows = [("set-up, loop", f"{summary['setup_s']:.3g} s, {summary['loop_s']:.3g} s"),
-            ("per element and step", f"{summary['grind_ns']:.4g} ns of core time"),
-            ("largest memory of a rank", f"{summary['peak_bytes'] / 1e6:.4g} MB"),
-            ("busiest rank over the mean",
-             f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
-            ("messages per step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
-            ("program", f"percuss {summary['version']}, {summary['backend']}, {summary['precision']}")]
+    rows = [("set-up, loop", f"{summary['setup_s']:.3g} s, {summary['loop_s']:.3g} s")]
+    earlier = summary.get("earlier") or {"runs": 0}
+    if earlier["runs"]:
+        seconds = f"{earlier['setup_s']:.3g} s, {earlier['loop_s']:.3g} s"
+        rows.append(("runs before the restart", f"{earlier['runs']}, {earlier['steps']} steps; {seconds}"))
+    rows += [
+        ("per element and step", f"{summary['grind_ns']:.4g} ns of core time"),
+        ("largest memory of a rank", f"{summary['peak_bytes'] / 1e6:.4g} MB"),
+        ("busiest rank over the mean",
+         f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
+        ("messages per step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
+        ("program", f"percuss {summary['version']}, {summary['backend']}, {summary['precision']}")]
     return ("<div class=columns><div><h3>Work of the loop</h3>" + make_table(("phase", "time", "share"), phases, (1, 2)) +
             "</div><div><h3>Work that was not needed, and skipped</h3>" + make_table(("work", "share"), skipped, (1,)) +
             "</div><div><h3>Run</h3>" + make_table(None, rows) + "</div></div>")

@@ -19,6 +19,7 @@ SUMMARY: dict[str, Any] = {
     "mass": _numbers("added", "share", "in_run", "energy"),
     "relaxation": {"state": TEXT, "damped_steps": WHOLE, **_numbers("kinetic_ratio", "scale", "frequency", "energy", "preload_error")},
     **_numbers("setup_s", "loop_s", "grind_ns"),
+    "earlier": Optional({"runs": WHOLE, "steps": WHOLE, **_numbers("setup_s", "loop_s"), "phases_s": MapOf(NUMBER)}),
     "phases_s": MapOf(NUMBER), "skipped": MapOf(NUMBER),
     "energy": {**_numbers("initial", "kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external",
                           "error"), "contact_taken": Optional(NUMBER), "largest": Optional(NUMBER)},

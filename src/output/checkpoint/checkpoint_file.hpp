@@ -32,6 +32,7 @@ struct CheckpointHeader {
   std::string mesh;       // hash of the mesh
   std::string pieces;     // of the mesh, each with its hash, a line each (src/step/restart/mesh_pieces.hpp)
   std::string warnings;   // that the run has given (write_warnings())
+  std::string earlier;    // cost of the run so far (write_earlier()); empty: not known
   std::string written;    // UTC
   std::string content;    // hash of all that was given, 16 digits; empty: of a percuss that did not write it
   std::int64_t elements = 0, nodes = 0, step = 0;

@@ -11,6 +11,7 @@ inline constexpr std::int64_t format = 9;
 inline constexpr const char* header = "percuss_checkpoint";  // group whose attributes are the header
 inline constexpr const char* state = "state";                // group of the arrays
 inline constexpr const char* content = "content";            // attribute: hash of the content, 16 digits
+inline constexpr const char* earlier = "earlier";            // attribute: cost of the run so far
 inline constexpr const char* deck = "deck";                  // datasets of the header's group
 inline constexpr const char* values = "values";
 inline constexpr const char* pieces = "mesh_pieces";

@@ -97,6 +97,8 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   header.written = text("written");
   if (check(H5Aexists(group.get(), names::content), "look for the hash of the content") > 0)
     header.content = text(names::content);
+  if (check(H5Aexists(group.get(), names::earlier), "look for the cost of earlier runs") > 0)
+    header.earlier = text(names::earlier);
   header.elements = number("elements");
   header.nodes = number("nodes");
   header.step = number("step");

@@ -125,6 +125,7 @@ void CheckpointWriter::write_header() {
   text("title", header_.title);
   text("mesh", header_.mesh);
   text("written", header_.written);
+  text(names::earlier, header_.earlier);
   const auto long_text = [&](const char* name, const std::string& value) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(value.data());
     write_once<std::uint8_t>(std::string(names::header) + "/" + name, {bytes, value.size()});

@@ -123,6 +123,7 @@ void Run::restart() {
   summary_.restart_changes = list_changed_values(reader.header(), deck_);
   if (options_.goes_on_in_place) refuse_changed_regions(reader.header(), deck_, summary_.restart_changes);
   warnings_.restore(reader.header(), options_.restart);
+  if (!reader.header().earlier.empty()) summary_.earlier = read_earlier(reader.header().earlier, options_.restart);
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
     throw InputError(
         fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a restart cannot go back in time)",
@@ -204,8 +205,8 @@ void Run::loop() {
     if (is_finished())
       say(
           {fmt::format("note: nothing is left to compute (the checkpoint is of t = {:g} and step {}, the end of this "
-                       "run): raise time.end or time.max_steps to continue",
-                       state_.time, state_.step)});
+                       "run{}): raise time.end or time.max_steps to continue",
+                       state_.time, state_.step, keeps_summary_ ? "; summary.json stays as it is" : "")});
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.
@@ -420,6 +421,7 @@ void Run::save_checkpoint() {
   output_.note_lengths();
   CheckpointHeader header = make_checkpoint_header(deck_, mesh_pieces_, chunked_, state_);
   header.warnings = warnings_.write();
+  header.earlier = write_earlier(find_cost_so_far());
   checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
   forget_checkpoint_request();
 }
@@ -437,6 +439,7 @@ ProgressState Run::find_progress() const {
 RunResult Run::operator()() {
   loop_start_ = Clock::now();
   try {
+    keeps_summary_ = is_summary_whole();
     announce();
     ranks_.mark_profiled(true);
     loop();

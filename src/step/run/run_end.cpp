@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "comm/all_reduce.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
@@ -13,8 +15,28 @@
 
 namespace percuss {
 
+/// Whether a run that goes on in place has nothing left to do, and the folder's summary is of this very state: it tells
+/// what the computation has cost, which this run would not. Collective.
+bool Run::is_summary_whole() const {
+  if (!options_.goes_on_in_place || !is_finished()) return false;
+  const std::string hash = fmt::format("{:016x}", hash_state(model_, state_)),
+                    path = options_.out_dir + "/summary.json";
+  int is_whole = 0;
+  if (ranks_.rank() == 0 && std::filesystem::exists(path)) {
+    try {
+      const Summary found = read_summary(path);
+      is_whole = found.status == "completed" && found.steps == state_.step && found.state_hash == hash ? 1 : 0;
+    } catch (const std::exception&) {
+      is_whole = 0;  // one that cannot be read is written anew
+    }
+  }
+  all_reduce(ranks_, Reduce::largest, is_whole);
+  return is_whole != 0;
+}
+
 /// A folder whose summary says "running" and that no run holds is of a run that was killed. Collective.
 void Run::announce() {
+  if (keeps_summary_) return;
   Summary summary = summary_;
   summary.status = "running";
   summary.warnings = warnings_.list();
@@ -22,6 +44,24 @@ void Run::announce() {
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
   });
+}
+
+/// With that of the runs before the checkpoint of this one. Collective.
+EarlierSummary Run::find_cost_so_far() const {
+  Summary now = summary_;
+  now.loop_s = find_seconds(loop_start_);
+  now.phases_s = stepper_.read_clocks().wall();
+  take_largest(ranks_, now);
+  EarlierSummary sum = summary_.earlier;
+  sum.runs += 1;
+  sum.steps += steps_done();
+  sum.setup_s += now.setup_s;
+  sum.loop_s += now.loop_s;
+  std::vector<double> seconds;
+  visit_phases(now.phases_s, [&](const char*, double value) { seconds.push_back(value); });
+  auto next = seconds.begin();
+  visit_phases(sum.phases_s, [&](const char*, double& total) { total += *next++; });
+  return sum;
 }
 
 /// Collective.
@@ -103,7 +143,7 @@ void Run::finish(const std::string& status, const std::string& error) {
       result_, scales, find_hourglassed_parts(deck_, chunked_, model_, state_, find_hourglass_limits(scales))));
   result_.warnings = warnings_.list();
   fail_together(ranks_, [&] {
-    if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
+    if (ranks_.rank() != 0 || options_.out_dir.empty() || (keeps_summary_ && status == "completed")) return;
     write_summary(options_.out_dir + "/summary.json", result_);  // first: it tells how the run ended
     write_ranks(options_.out_dir + "/ranks.csv", rows);
   });

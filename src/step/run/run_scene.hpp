@@ -77,8 +77,10 @@ class Run {
   void archive(CheckpointArchive& archive);
   void save_checkpoint();
   void write_checkpoint();
+  bool is_summary_whole() const;
   void announce();
   long steps_done() const { return state_.step - start_step_; }
+  EarlierSummary find_cost_so_far() const;
   Summary make_summary(const std::string& status, const std::string& error) const;
   EnergyScales find_scales() const;
   std::vector<Warning> find_element_warnings() const;
@@ -115,6 +117,7 @@ class Run {
   const UserDatabases user_databases_;
   const SceneMeasures measures_;  // at time 0
   bool is_state_whole_ = true;    // false while a step is made
+  bool keeps_summary_ = false;    // that of the run which is continued: nothing is left to compute
   long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step

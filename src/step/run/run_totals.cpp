@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -42,23 +41,11 @@ int count_idle_ranks(const Numbering& numbering, int rank_count) {
 }
 
 void take_largest(const Communicator& ranks, Summary& summary) {
-  PhaseSeconds& p = summary.phases_s;
   auto peak = static_cast<double>(summary.peak_bytes);  // exact up to 2^53
-  const std::array<double*, 13> places{&summary.setup_s,
-                                       &summary.loop_s,
-                                       &p.internal_force,
-                                       &p.halo,
-                                       &p.integrate,
-                                       &p.contact_rcb,
-                                       &p.contact_search,
-                                       &p.contact_check,
-                                       &p.contact_enforce,
-                                       &p.reduce,
-                                       &p.estimate,
-                                       &p.output,
-                                       &peak};
-  std::array<double, places.size()> values{};
-  for (std::size_t i = 0; i < places.size(); ++i) values[i] = *places[i];
+  std::vector<double*> places{&summary.setup_s, &summary.loop_s, &peak};
+  visit_phases(summary.phases_s, [&](const char*, double& seconds) { places.push_back(&seconds); });
+  std::vector<double> values;
+  for (const double* const place : places) values.push_back(*place);
   all_reduce(ranks, Reduce::largest, values);
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = values[i];
   summary.peak_bytes = static_cast<std::int64_t>(peak);

@@ -46,6 +46,8 @@ Summary make_summary() {
   summary.dt.min = 1.0 / 3e6;
   summary.dt.element = 17;
   summary.phases_s.contact_check = 0.25;
+  summary.earlier = {2, 30, 0.5, 1.5, {}};
+  summary.earlier.phases_s.halo = 0.75;
   summary.energy.error = 1e-300;
   summary.momentum.linear[1] = -0.0;
   summary.momentum.angular[2] = 5e-324;
@@ -113,6 +115,20 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "phases_s.reduce",
                                           "phases_s.estimate",
                                           "phases_s.output",
+                                          "earlier.runs",
+                                          "earlier.steps",
+                                          "earlier.setup_s",
+                                          "earlier.loop_s",
+                                          "earlier.phases_s.internal_force",
+                                          "earlier.phases_s.halo",
+                                          "earlier.phases_s.integrate",
+                                          "earlier.phases_s.contact_rcb",
+                                          "earlier.phases_s.contact_search",
+                                          "earlier.phases_s.contact_check",
+                                          "earlier.phases_s.contact_enforce",
+                                          "earlier.phases_s.reduce",
+                                          "earlier.phases_s.estimate",
+                                          "earlier.phases_s.output",
                                           "skipped.chunk_updates",
                                           "skipped.searches",
                                           "skipped.pair_checks",
@@ -166,6 +182,10 @@ TEST(Summary, ReadsBackToTheSameValues) {
   EXPECT_EQ(read.dt.min, 1.0 / 3e6);
   EXPECT_EQ(read.dt.element, 17);
   EXPECT_EQ(read.phases_s.contact_check, 0.25);
+  EXPECT_EQ(read.earlier.steps, 30);
+  EXPECT_EQ(read.earlier.phases_s.halo, 0.75);
+  EXPECT_EQ(read_earlier(write_earlier(read.earlier), "checkpoint").loop_s, 1.5);
+  EXPECT_THROW(read_earlier("[]", "checkpoint"), InputError);
   EXPECT_EQ(read.energy.error, 1e-300);
   EXPECT_TRUE(std::signbit(read.momentum.linear[1]));
   EXPECT_EQ(read.momentum.angular[2], 5e-324);
