@@ -139,7 +139,8 @@ def compare_warnings(now, wanted):
         return tuple(str(warning.get(name)) for name in ("rule", "place", "text", "time", "count"))
 
     now, wanted = ({key(warning) for warning in warnings if warning["rule"] not in OWN_WARNINGS} for warnings in (now, wanted))
-    return [f"warning lost: {warning}" for warning in sorted(wanted - now)] + [f"warning only here: {warning}" for warning in sorted(now - wanted)]
+    return [*(f"warning lost: {warning}" for warning in sorted(wanted - now)),
+            *(f"warning only here: {warning}" for warning in sorted(now - wanted))]
 
 
 def compare_history(now, wanted, own_columns):

@@ -81,4 +81,5 @@ def _draw_number(node, kind, random):
                  for keys in (("minimum", "exclusiveMinimum"), ("maximum", "exclusiveMaximum")))
     if low is None or high is None:
         return None
-    return random.randint(low, high) if kind == "integer" else rounded(random.uniform(low + 0.01 * (high - low), high - 0.01 * (high - low)))
+    inside = 0.01 * (high - low)
+    return random.randint(low, high) if kind == "integer" else rounded(random.uniform(low + inside, high - inside))

@@ -107,7 +107,8 @@ class Scene:
     def add_beam(self, name, start, end, cells):
         random = self.random
         section = random.choice([{"round": {"radius": 0.004}}, {"truss": {"area": 3e-5}}, {"rectangle": {"size": [0.006, 0.01]}},
-                                 {"tube": {"outer_radius": 0.006, "inner_radius": 0.004}}, {"box": {"size": [0.008, 0.012], "wall": 0.001}}])
+                                 {"tube": {"outer_radius": 0.006, "inner_radius": 0.004}},
+                                 {"box": {"size": [0.008, 0.012], "wall": 0.001}}])
         part = {"line": {"from": start, "to": end, "cells": cells}, "section": section}
         if "rectangle" in section or "box" in section:
             part["toward"] = [0.3, 0.5, 1]
@@ -317,9 +318,11 @@ def _strike(scene, x, body):
     way = max(2e-4, speed * STEP * random.choice([2, 20, 40]))
     radius, y = 0.02, rounded(random.uniform(0.02, 0.08))
     if random.random() < 0.6:
-        part = {"sphere": {"radius": radius, "cells": random.choice([3, 4])}, "at": [rounded(x + random.uniform(0.02, 0.08), 4), y, rounded(body.top + way + radius, 6)]}
+        part = {"sphere": {"radius": radius, "cells": random.choice([3, 4])},
+                "at": [rounded(x + random.uniform(0.02, 0.08), 4), y, rounded(body.top + way + radius, 6)]}
     else:
-        part = {"box": {"size": [radius] * 3, "cells": [random.randint(1, 2)] * 3}, "at": [rounded(x + 0.04, 4), y, rounded(body.top + way, 6)]}
+        part = {"box": {"size": [radius] * 3, "cells": [random.randint(1, 2)] * 3},
+                "at": [rounded(x + 0.04, 4), y, rounded(body.top + way, 6)]}
     if random.random() < 0.3:
         part["elements"] = "tetrahedra"
     if random.random() < 0.2:
@@ -333,7 +336,8 @@ def _add_everywhere(scene, steps):
     random, deck = scene.random, scene.deck
     deck["time"] = {"end": rounded(STEP * steps * random.choice([0.5, 1, 1.5])), "max_steps": steps, **scene.draw("time")}
     if random.random() < 0.1:
-        deck["time"]["mass_scaling"] = {"step": random.choice([2e-6, 4e-6]), "max_added": 20, **random.choice([{}, {"every": 1}, {"every": 7}])}
+        deck["time"]["mass_scaling"] = {"step": random.choice([2e-6, 4e-6]), "max_added": 200,
+                                        **random.choice([{}, {"every": 1}, {"every": 7}])}
     if "contact" in deck or random.random() < 0.5:
         _get_contact(scene).update(scene.draw("contact"))
     for section in ("elements", "erosion", "audit"):

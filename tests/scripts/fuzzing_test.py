@@ -107,8 +107,9 @@ class Drawing(unittest.TestCase):
             deck = scene.write_deck(families.make_scene(seed, SCHEMA)[0])
             self.assertEqual(deck, scene.write_deck(families.make_scene(seed, SCHEMA)[0]))
             text += deck
-        for word in (*families.CUTS[2:], "thick_shell", "membrane", "plies", "line", "truss", "rigid: true", "springs", "welds", "cohesive",
-                     "constraints", "rigid_sets", "embedded", "joints", "turn_springs", "relaxation", "failure", "from: at", "until: at"):
+        for word in (*families.CUTS[2:], "thick_shell", "membrane", "plies", "line", "truss", "rigid: true", "springs", "welds",
+                     "cohesive", "constraints", "rigid_sets", "embedded", "joints", "turn_springs",
+                     "relaxation", "failure", "from: at", "until: at"):
             self.assertIn(word, text)
 
 
