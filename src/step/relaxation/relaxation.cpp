@@ -27,6 +27,9 @@ constexpr long look_steps = 10;
 constexpr double fading = 0.8;
 /// Least steps for which the motion must stay below its tolerance.
 constexpr long least_quiet_steps = 100;
+/// A body of a joint that has moved so many times half the diagonal of the scene is not supported. Much farther away
+/// the round-off of its place is more than what a joint keeps, and the joint would be torn apart.
+constexpr double falls_beyond = 100;
 /// Largest lack of a preload, relative to it, in a scene at rest.
 constexpr double tolerated_preload_error = 1e-3;
 /// A preload is stuck if in so many steps, or a share of the most steps, its least lack falls by less than this share,
@@ -215,6 +218,24 @@ void Relaxation::look(double dt, double dt_mean) {
   // What nothing brings back has no frequency; it is damped as what moves once in the whole time so far.
   if (!rules_.damping) relaxed_.dampings.front() = Curve::constant(2 * std::max(frequency_, 1 / elapsed_));
   judge(totals);
+  refuse_falling_joints();
+}
+
+/// In free fall nothing comes to rest.
+void Relaxation::refuse_falling_joints() const {
+  for (const Joint& joint : model_.rigid.joints) {
+    for (const JointEnd& end : joint.ends) {
+      if (end.body == Joint::ground) continue;
+      const RigidBody& body = model_.rigid.bodies[at(end.body)];
+      const double way = norm(state_.bodies[at(end.body)].center - body.center);
+      if (!(way > falls_beyond * model_.half_extent)) continue;
+      throw RunError(
+          fmt::format("body '{}' of joint '{}' has moved by {:.3g} after {} steps, more than {:g} times half "
+                      "the diagonal of the scene (nothing supports it): support it, or name it in "
+                      "start.relaxation.hold",
+                      body.name, joint.name, way, state_.step, falls_beyond));
+    }
+  }
 }
 
 /// The Rayleigh quotient of the spins alone; without spins endless.

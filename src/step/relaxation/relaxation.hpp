@@ -66,6 +66,7 @@ class Relaxation {
   double find_share(long step) const;
   void look(double dt, double dt_mean);
   void judge(const MotionTotals& totals);
+  void refuse_falling_joints() const;
   double find_spin_frequency() const;
   bool has_idle_spins() const;
   void watch_preloads();
