@@ -6,9 +6,12 @@
 #include <string>
 
 #include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/element_records.hpp"
+#include "kernels/element/failure_criteria.hpp"
 #include "src/index.hpp"
+#include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -59,7 +62,10 @@ FictitiousMasses::FictitiousMasses(const ChunkedMesh& chunked, const Model& mode
       model_(model),
       summer_(model),
       bounds_(model),
-      least_("percuss::relaxed_bounds", chunked.chunks.size()) {}
+      least_("percuss::relaxed_bounds", chunked.chunks.size()) {
+  const auto bodies = to_host(model.rigid.body_of_node);
+  bodies_of_nodes_.assign(bodies.data(), bodies.data() + bodies.extent(0));
+}
 
 /// growth: [elements] of their masses. Collective.
 FictitiousMasses::NodeMasses FictitiousMasses::find_masses(const State& state, const std::vector<double>& growth) {
@@ -85,6 +91,46 @@ double FictitiousMasses::find_growth(std::size_t element, const std::vector<doub
   return least;
 }
 
+/// Share of the masses that its nodes get which a rigid body has by itself, [bodies], at most 1. What elements give to
+/// the nodes of a body moves with the whole body, which keeps its own mass: a light one is less inert than they count
+/// on. Collective.
+std::vector<double> FictitiousMasses::find_body_shares(const NodeMasses& nodes) const {
+  const std::vector<RigidBody>& bodies = model_.rigid.bodies;
+  std::vector<double> ratios(bodies.size(), 1);
+  std::vector<ExactSum> sums(2 * bodies.size());  // mass, and its polar moment about the centre
+  for (std::size_t n = 0; n < nodes.mass.size(); ++n) {
+    const int b = bodies_of_nodes_.empty() ? -1 : bodies_of_nodes_[n];
+    if (b < 0 || !(nodes.mass_ratio[n] > 1) || !owns_node(chunked_, static_cast<int>(n))) continue;
+    const Vec3& x = chunked_.mesh.nodes[n];
+    const Vector3<double> arm = Vector3<double>{x[0], x[1], x[2]} - bodies[at(b)].center;
+    ratios[at(b)] = std::max({ratios[at(b)], nodes.mass_ratio[n], nodes.inertia_ratio[n]});
+    sums[2 * at(b)].add(nodes.mass[n]);
+    sums[2 * at(b) + 1].add(nodes.mass[n] * dot(arm, arm));
+  }
+  all_reduce(model_.ranks, Reduce::largest, ratios);
+  sum_over_ranks(model_.ranks, sums);
+  std::vector<double> shares;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Symmetric3<double>& i = bodies[b].inertia;
+    const double least_inertia = -find_largest_eigenvalue({-i.xx, -i.yy, -i.zz, -i.xy, -i.yz, -i.zx});
+    // A matrix with its off-diagonal blocks is at most twice its diagonal blocks.
+    const double more = std::max(sums[2 * b].round() / bodies[b].mass, 2 * sums[2 * b + 1].round() / least_inertia);
+    const bool is_bounded = !model_.has_rotations && least_inertia > 0;
+    shares.push_back(1 / (is_bounded ? std::min(ratios[b], 1 + 2 * more) : ratios[b]));
+  }
+  return shares;
+}
+
+/// Of the square of the stable step of an element that would be `growth` without rigid bodies.
+double FictitiousMasses::limit_by_bodies(std::size_t element, double growth, const std::vector<double>& shares) const {
+  if (bodies_of_nodes_.empty()) return growth;
+  double limited = growth;
+  for (const int n : chunked_.mesh.corners(element))
+    if (const int b = bodies_of_nodes_[at(n)]; b >= 0)
+      limited = std::min(limited, std::max(1.0, growth * shares[at(b)]));
+  return limited;
+}
+
 double FictitiousMasses::give(State& state) {
   const std::vector<double> bounds = bounds_.list();
   double target = 0;
@@ -107,10 +153,11 @@ double FictitiousMasses::give(State& state) {
     all_reduce(model_.ranks, Reduce::least, is_enough);
   }
   double least[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const std::vector<double> shares = find_body_shares(nodes);
   std::vector<double> factors(bounds.size(), 1);
   for (std::size_t e = 0; e < bounds.size(); ++e) {
     if (!(bounds[e] > 0)) continue;
-    factors[e] = std::sqrt(find_growth(e, growth, nodes));
+    factors[e] = std::sqrt(limit_by_bodies(e, find_growth(e, growth, nodes), shares));
     least[0] = std::min(least[0], bounds[e]);
     least[1] = std::min(least[1], factors[e] * bounds[e]);
   }

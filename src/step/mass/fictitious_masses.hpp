@@ -4,6 +4,7 @@
 // and the slowest motion would take as many more steps.
 //
 // An element of mass m and stable step h counts as m (h_t / h)^2. Rotary inertias follow. Weights remain physical.
+// Rigid bodies keep their masses: where a light one holds nodes of elements, these have a smaller step than the others.
 
 #include <vector>
 
@@ -42,12 +43,15 @@ class FictitiousMasses : public Action {
 
   NodeMasses find_masses(const State& state, const std::vector<double>& growth);
   double find_growth(std::size_t element, const std::vector<double>& growth, const NodeMasses& nodes) const;
+  std::vector<double> find_body_shares(const NodeMasses& nodes) const;
+  double limit_by_bodies(std::size_t element, double growth, const std::vector<double>& shares) const;
   void set_nodes(State& state, const NodeMasses& nodes);
 
   const ChunkedMesh& chunked_;
   const Model& model_;
   LumpedMasses summer_;
   ElementBounds bounds_;
+  std::vector<int> bodies_of_nodes_;      // rigid body of each node, or -1; empty: there are none
   Array<double> factors_;                 // [elements] of their stable steps; empty: the masses are the physical ones
   Array<double> least_;                   // [chunks] scratch
   Array<double> weights_;                 // [nodes] physical mass over that of the relaxation
