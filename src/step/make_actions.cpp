@@ -17,6 +17,7 @@ namespace percuss {
 namespace {
 
 const std::vector<double> no_damping;
+const std::vector<Wrench> no_reactions;
 
 }  // namespace
 
@@ -33,7 +34,11 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   const std::vector<double>* damping = &no_damping;
   if (!model.dampings.empty()) damping = &add(std::make_unique<DampingStage>(model))->coefficients();
   add(std::make_unique<ConditionStage>(model));
-  if (model.rigid.any()) actions.rigid = add(std::make_unique<RigidStage>(model, *damping, deck.time.end));
+  const std::vector<Wrench>* reactions = &no_reactions;
+  if (model.rigid.any()) {
+    actions.rigid = add(std::make_unique<RigidStage>(model, *damping, deck.time.end));
+    reactions = &actions.rigid->reactions();
+  }
   if (model.springs.any()) add(std::make_unique<SpringStage>(model));
   if (!model.turn_springs.empty()) add(std::make_unique<TurnSpringStage>(model));
   if (model.glue.any()) add(std::make_unique<GlueStage>(deck, model, contact));
@@ -44,7 +49,7 @@ Actions make_actions(const Deck& deck, const ChunkedMesh& chunked, const Model& 
   if (model.scales_in_run) add(std::make_unique<MassScaler>(deck, chunked, model));
   add(std::make_unique<WallMotions>(deck, contact));
   actions.sensors = add(std::make_unique<Sensors>(deck, model.ranks));
-  actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact));
+  actions.forces = add(std::make_unique<ForceBooks>(deck, chunked, model, contact, *reactions));
   add(std::make_unique<Accelerometers>(deck, chunked, model));
   return actions;
 }

@@ -53,8 +53,9 @@ void append_mean(const ContactImpulse& since, double per_time, bool is_contact, 
 
 }  // namespace
 
-ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
-    : deck_(deck), ranks_(model.ranks), contact_(contact) {
+ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact,
+                       const std::vector<Wrench>& reactions)
+    : deck_(deck), ranks_(model.ranks), contact_(contact), reactions_(reactions) {
   for (const ForceDeck& force : deck.output.forces) {
     if (force.kind == Kind::support) supports_.emplace_back(deck, force, chunked, model);
     if (force.kind == Kind::section) sections_.emplace_back(deck, force, chunked, model);
@@ -77,7 +78,7 @@ void ForceBooks::book_motion(State& state, const StepTimes& times) {
     }
     ++sums;
   };
-  for (SupportForce& support : supports_) add(support.find_impulse(state, times.dt_mean));
+  for (SupportForce& support : supports_) add(support.find_impulse(state, times.dt_mean, reactions_));
   for (SectionForce& section : sections_) add(section.find_impulse(state, times.dt_mean));
 }
 

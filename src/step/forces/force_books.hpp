@@ -17,8 +17,10 @@ namespace percuss {
 class ForceBooks : public Action {
  public:
   /// Collective. Throws InputError with the deck's place, the same on all ranks, for a support without held nodes and a
-  /// section that cuts no element. deck and contact outlive this.
-  ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
+  /// section that cuts no element. reactions: of each step on the rigid bodies, empty without. deck, contact
+  /// and reactions outlive this.
+  ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact,
+             const std::vector<Wrench>& reactions);
 
   /// Of supports and sections.
   void book_motion(State& state, const StepTimes& times) override;
@@ -49,6 +51,7 @@ class ForceBooks : public Action {
   const Deck& deck_;
   const Communicator ranks_;
   ContactStage& contact_;
+  const std::vector<Wrench>& reactions_;
   std::vector<SupportForce> supports_;
   std::vector<SectionForce> sections_;
   std::vector<std::array<ExactSum, 6>> sums_;  // of the supports, then of the sections; this rank's share

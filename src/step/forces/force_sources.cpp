@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -32,6 +34,25 @@ void require_some(const Communicator& ranks, std::size_t own, const std::string&
   if (some == 0) throw InputError(otherwise);
 }
 
+/// Rigid bodies that something may hold, and of which all nodes are marked. Collective.
+std::vector<std::size_t> list_bodies(const ChunkedMesh& chunked, const Model& model, const std::vector<char>& marked) {
+  const std::vector<RigidBody>& bodies = model.rigid.bodies;
+  if (bodies.empty()) return {};
+  std::vector<std::int64_t> counts(bodies.size(), 0);
+  const auto body_of_node = to_host(model.rigid.body_of_node);
+  for (std::size_t n = 0; n < marked.size(); ++n)
+    if (marked[n] != 0 && body_of_node(n) >= 0 && owns_node(chunked, static_cast<int>(n)))
+      ++counts[static_cast<std::size_t>(body_of_node(n))];
+  all_reduce(model.ranks, Reduce::sum, counts);
+  std::vector<std::size_t> found;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const bool may_be_held =
+        std::any_of(bodies[b].motion.begin(), bodies[b].motion.end(), [](int m) { return m != RigidBody::free; });
+    if (may_be_held && counts[b] == bodies[b].nodes) found.push_back(b);
+  }
+  return found;
+}
+
 /// Mean place of the selected nodes at time 0, of all ranks.
 Vec3 find_mean_place(const Deck& deck, const Selector& where, const ChunkedMesh& chunked, const Model& model) {
   std::array<ExactSum, 4> sums{};
@@ -53,10 +74,12 @@ SupportForce::SupportForce(const Deck& deck, const ForceDeck& force, const Chunk
   marked_.assign(chunked.mesh.nodes.size(), 0);
   for (const int node : select_nodes(chunked.mesh, deck, force.where)) marked_[static_cast<std::size_t>(node)] = 1;
   list({model.held, model.held_spins, model.owned_held, model.owned_held_spins});
-  require_some(model.ranks, held_.extent(0) + held_spins_.extent(0),
+  bodies_ = list_bodies(chunked, model, marked_);
+  require_some(model.ranks, held_.extent(0) + held_spins_.extent(0) + bodies_.size(),
                fmt::format("{}: error: force '{}' is of a support where no condition holds a node (conditions say "
                            "what is held)",
                            deck.where(force.place), force.name));
+  if (model.ranks.rank() != 0) bodies_.clear();  // all ranks have the same reactions of bodies
 }
 
 void SupportForce::list(const Held& held) {
@@ -68,7 +91,17 @@ void SupportForce::renew(const State& state) {
   list({state.held, state.held_spins, state.owned_held, state.owned_held_spins});
 }
 
-ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean) {
+void SupportForce::add_bodies(const State& state, const std::vector<Wrench>& reactions, ImpulseSums& sums) const {
+  for (const std::size_t b : bodies_) {
+    const Wrench& reaction = reactions[b];
+    const Vector3<double> r = state.bodies[b].center - to_vector(about_);
+    const double arm[3] = {r.x, r.y, r.z}, j[3] = {reaction.impulse.x, reaction.impulse.y, reaction.impulse.z};
+    add_impulse(arm, j, 0, [&](int k, double value) { sums[static_cast<std::size_t>(k)].add(value); });
+    for (int k = 0; k < 3; ++k) sums[3 + static_cast<std::size_t>(k)].add(get(reaction.moment, k));
+  }
+}
+
+ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean, const std::vector<Wrench>& reactions) {
   ImpulseSums sums{};
   if (held_.extent(0) > 0) {
     const HeldReactions reactions = find_reactions(state, dt_mean);
@@ -84,6 +117,7 @@ ImpulseSums SupportForce::find_impulse(const State& state, double dt_mean) {
           add_impulse(r, j, 0, add);
         });
   }
+  add_bodies(state, reactions, sums);
   if (held_spins_.extent(0) == 0) return sums;
   const HeldMoments moments = find_held_moments(state, dt_mean);
   const auto entries = held_spins_;

@@ -11,17 +11,18 @@ namespace percuss {
 /// Six exact sums: an impulse and its moment [force x time, force x length x time].
 using ImpulseSums = std::array<ExactSum, 6>;
 
-/// What the conditions give to the nodes of a selector.
+/// What the conditions give to the nodes of a selector, and to the rigid bodies of which it has all nodes.
 class SupportForce {
  public:
-  /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes.
+  /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes or bodies.
   SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
 
   /// After sensors have switched conditions.
   void renew(const State& state);
 
-  /// Of this rank's nodes in a step. Call with v at n+1/2, x and forces at n.
-  ImpulseSums find_impulse(const State& state, double dt_mean);
+  /// Of this rank's nodes in a step. Call with v at n+1/2, x and forces at n. reactions: of rigid bodies, empty
+  /// without.
+  ImpulseSums find_impulse(const State& state, double dt_mean, const std::vector<Wrench>& reactions);
 
  private:
   struct Held {
@@ -29,9 +30,11 @@ class SupportForce {
     Array<int> owned, owned_spins;
   };
   void list(const Held& held);
+  void add_bodies(const State& state, const std::vector<Wrench>& reactions, ImpulseSums& sums) const;
 
   std::vector<char> marked_;            // [nodes] whether it is of the support
   Array<const int> held_, held_spins_;  // entries of State::held and held_spins
+  std::vector<std::size_t> bodies_;     // rigid ones, on the first rank alone; none of those that are always free
   Vec3 about_;
   ExactSums<6> sums_{"percuss::support_sums"}, spin_sums_{"percuss::support_spin_sums"};
 };

@@ -53,6 +53,7 @@ RigidStage::RigidStage(const Model& model, const std::vector<double>& damping, d
   const std::size_t count = model.rigid.bodies.size();
   damping_.assign(count, 0);
   growths_.assign(count, 1);
+  reactions_.resize(count);
   steps_ = Array<BodyStep>("percuss::body_steps", count);
   responses_ = Array<BodyResponse>("percuss::body_responses", count);
   inputs_ = {static_cast<int>(count), model.rigid.body_of_node, responses_};
@@ -285,32 +286,52 @@ void RigidStage::book_grounded_joints(State& state) const {
   }
 }
 
+/// What contact and joints gave to a body in the step.
+Wrench RigidStage::find_given(std::size_t index) const {
+  Wrench given = contact_.empty() ? Wrench{} : contact_[index];
+  if (!joints_.any()) return given;
+  given.impulse = given.impulse + joints_.on_bodies()[index].impulse;
+  given.moment = given.moment + joints_.on_bodies()[index].moment;
+  return given;
+}
+
+/// The same on all ranks.
+Wrench RigidStage::find_reaction(const State& state, std::size_t index, double dt_mean) const {
+  const RigidBody& body = model_.rigid.bodies[index];
+  const RigidState &now = state.bodies[index], &next = next_[index];
+  const Wrench given = find_given(index);
+  Wrench reaction;
+  for (int k = 0; k < 3; ++k) {
+    const auto dof = static_cast<std::size_t>(k);
+    const double m = body.mass, f = get(forces_[index].impulse, k), t = get(forces_[index].moment, k);
+    const double change = m * (get(next.velocity, k) - get(now.velocity, k)) - get(given.impulse, k);
+    if (holds(body, now, dof)) set(reaction.impulse, k, change - dt_mean * (f + m * state.gravity.g[k]));
+    const double turned = get(next.spin_momentum, k) - get(now.spin_momentum, k) - get(given.moment, k);
+    if (holds(body, now, dof + 3)) set(reaction.moment, k, turned - dt_mean * t);
+  }
+  return reaction;
+}
+
 void RigidStage::book_motion(State& state, const StepTimes& times) {
   const double dt = times.dt, dt_mean = times.dt_mean;
+  for (std::size_t b = 0; b < next_.size(); ++b) reactions_[b] = find_reaction(state, b, dt_mean);
   if (model_.ranks.rank() != 0) return;
   const double share = model_.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     const RigidState &now = state.bodies[b], &next = next_[b];
-    Wrench contact = contact_.empty() ? Wrench{} : contact_[b];
-    const Wrench& force = forces_[b];
-    if (joints_.any()) {  // its work of both bodies is none
-      contact.impulse = contact.impulse + joints_.on_bodies()[b].impulse;
-      contact.moment = contact.moment + joints_.on_bodies()[b].moment;
-    }
-    double j[3] = {0, 0, 0}, work = 0;
+    const Wrench given = find_given(b);  // the work of joints on both bodies is none
+    const Wrench &force = forces_[b], &reaction = reactions_[b];
+    double j[3] = {reaction.impulse.x, reaction.impulse.y, reaction.impulse.z}, work = 0;
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
-      const double g = state.gravity.g[k], m = body.mass, p = get(contact.impulse, k), f = get(force.impulse, k);
+      const double g = state.gravity.g[k], m = body.mass, p = get(given.impulse, k), f = get(force.impulse, k);
       const double v0 = get(now.velocity, k), v1 = get(next.velocity, k), change = m * (v1 - v0) - p;
-      if (holds(body, now, dof)) {
-        j[k] = change - dt_mean * (f + m * g);
-        work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + share * m * g);
-      }
+      if (holds(body, now, dof)) work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + share * m * g);
       if (!holds(body, now, dof + 3)) continue;
       const double w0 = get(now.spin, k), w1 = get(next.spin, k), t = get(force.moment, k);
-      const double turned = get(next.spin_momentum, k) - get(now.spin_momentum, k) - get(contact.moment, k);
-      state.books.moment_impulse[k].add(turned - dt_mean * t);
+      const double turned = get(next.spin_momentum, k) - get(now.spin_momentum, k) - get(given.moment, k);
+      state.books.moment_impulse[k].add(get(reaction.moment, k));
       work += 0.5 * turned * (w0 + w1) - 0.5 * dt * w1 * t;
     }
     if (!damping_coefficients_.empty()) book_damping(state, b, j);

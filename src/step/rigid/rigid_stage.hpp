@@ -45,6 +45,10 @@ class RigidStage : public Action {
 
   void move(State& state, const StepTimes& times) override;
 
+  /// [bodies] impulse of what holds each in the step, once its motion is booked, and the moment about its centre.
+  /// Joints are not among what holds them. The same on all ranks.
+  const std::vector<Wrench>& reactions() const { return reactions_; }
+
   /// In a scene in which nothing deforms: no node goes far beyond its element's edge, no body turns much.
   double largest_step(const State& state) const override;
 
@@ -55,6 +59,9 @@ class RigidStage : public Action {
   std::vector<Warning> take_warnings() override { return std::exchange(warnings_, {}); }
 
  private:
+  Wrench find_given(std::size_t index) const;
+  /// Impulse of what holds a body in the step, and its moment about the centre.
+  Wrench find_reaction(const State& state, std::size_t index, double dt_mean) const;
   /// contact: what each body got from it; empty: nothing.
   void correct(State& state, const std::vector<Wrench>& contact, double dt);
   void set_spins(const State& state) const;
@@ -75,9 +82,10 @@ class RigidStage : public Action {
   double end_;
   RigidForces find_forces_;
   JointSolver joints_;
-  bool is_moved_ = false;           // whether a prescribed motion does work on a body
-  std::vector<Wrench> forces_;      // at n, without gravity
-  std::vector<Wrench> contact_;     // impulses of this step; empty: none
+  bool is_moved_ = false;        // whether a prescribed motion does work on a body
+  std::vector<Wrench> forces_;   // at n, without gravity
+  std::vector<Wrench> contact_;  // impulses of this step; empty: none
+  std::vector<Wrench> reactions_;
   std::vector<double> damping_;     // [bodies] h of this step (kernels/node/damping.hpp)
   std::vector<double> growths_;     // [bodies] 1 + h
   std::vector<RigidState> free_;    // momenta without joints

@@ -177,8 +177,48 @@ output: {history: {forces: [{name: foot, support: block}, {name: hit, contact: [
   EXPECT_GT(hit, 0.1);
 }
 
+/// A rigid plate at rest, hit by a ball askew, and a rigid block that is driven along z and may turn.
+const char* const rigid_supports = R"(
+time: {end: 1}
+parts:
+  plate: {box: {size: [2, 2, 0.5], cells: [4, 4, 1]}, material: m, rigid: {fixed: [x, y, z, rx, ry, rz]}}
+  ball: {sphere: {radius: 0.4, cells: 4}, at: [1.3, 0.8, 0.95], material: m}
+  block: {box: {size: [1, 2, 3], cells: [1, 2, 3]}, at: [9, 0, 0], material: m, rigid: true}
+materials: {m: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{part: ball, velocity: [0.5, 0, -3]}]
+conditions: [{body: block, velocity: {z: {table: [[0, 0], [1, 7]]}}}]
+contact: {friction: 0.3}
+output:
+  history:
+    forces:
+      - {name: foot, support: plate}
+      - {name: hit, contact: [plate, ball]}
+      - {name: lift, support: block, about: [0, 0, 0]}
+      - {name: both, support: all}
+)";
+
+TEST(ForceBooks, SupportOfARigidBodyIsWhatHoldsIt) {
+  Scene scene(rigid_supports);
+  scene.stepper.start(scene.state);
+  while (scene.state.time < 0.1) scene.stepper.advance(scene.state);
+  const auto j = take_impulses(scene, 0);
+  const Vec3 hit = find_vector(j, 'f', "hit"), foot = find_vector(j, 'f', "foot"), lift = find_vector(j, 'f', "lift");
+  EXPECT_LT(hit[2], -0.1);
+  EXPECT_GT(std::abs(hit[0]), 0.01);
+  expect_near(foot, {-hit[0], -hit[1], -hit[2]}, 1e-13 * std::abs(hit[2]));  // it stays at rest
+  const Vec3 m_hit = find_vector(j, 'm', "hit"), m_foot = find_vector(j, 'm', "foot");
+  expect_near(m_foot, {-m_hit[0], -m_hit[1], -m_hit[2]}, 1e-12 * std::abs(m_hit[0]));
+  // The block of mass 12 has the velocity 7 t at the middle of the step, and its centre is at (9.5, 1).
+  const double lifted = 12 * 7 * (scene.state.time - 0.5 * scene.state.dt);
+  expect_near(lift, {0, 0, lifted}, 1e-12 * lifted);
+  expect_near(find_vector(j, 'm', "lift"), {lifted, -9.5 * lifted, 0}, 1e-11 * lifted);
+  const Vec3 both = find_vector(j, 'f', "both");
+  expect_near(both, minus(foot, {-lift[0], -lift[1], -lift[2]}), 1e-12 * lifted);
+}
+
 TEST(ForceBooks, AreTheSameBitsOnAnyRanks) {
-  for (const std::string& deck : {make_collision("kinematic"), make_flat("0.3", wide_base), std::string(clamped)}) {
+  for (const std::string& deck :
+       {make_collision("kinematic"), make_flat("0.3", wide_base), std::string(clamped), std::string(rigid_supports)}) {
     Scene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
     together.run(60);
     alone.run(60);
