@@ -1,34 +1,37 @@
-"""What the laws of percuss can do, as `percuss schema` prints it."""
+"""What the laws of percuss can do, as `percuss schema` prints it: laws.json has it, so that an import needs no program.
+
+    percuss schema | python3 -m percuss.importing.laws    # writes laws.json anew
+"""
 
 import functools
 import json
-import subprocess
-
-from percuss.errors import NotResults
-from percuss.program import find_program
-from percuss.terminal import clean
+import os
+import sys
 
 from .model import Block, Deck, Model
 
+TRAITS = "laws.json"
 NOT_DAMPED = "stiffness damping of elements other than hexahedra, shells and beams, or of a law whose elastic constants change"
 
 
 @functools.cache
-def read_traits() -> dict[str, dict[str, bool]]:
+def read_traits() -> dict[str, list[str]]:
     """By the name of a law."""
-    program = find_program()
-    done = subprocess.run([program, "schema"], capture_output=True, text=True, errors="replace", check=False)
-    try:
-        traits: dict[str, dict[str, bool]] = json.loads(done.stdout)["x-laws"]
-    except (ValueError, LookupError, TypeError) as error:
-        text = "which does not say what its laws can do: it is older than this tool, or no percuss"
-        raise NotResults(f"{clean(program)} schema ends with exit code {done.returncode} ({text}): build percuss anew") from error
+    with open(os.path.join(os.path.dirname(__file__), TRAITS), encoding="utf-8") as file:
+        traits: dict[str, list[str]] = json.load(file)
     return traits
+
+
+def write_traits(schema: str) -> str:
+    """The text of the file, from what `percuss schema` prints."""
+    laws = json.loads(schema)["x-laws"]
+    lines = [f"{json.dumps(name)}: {json.dumps([trait for trait, is_so in laws[name].items() if is_so])}" for name in laws]
+    return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def has(law: Deck, trait: str) -> bool:
     """Whether a law of a deck has a trait of `x-laws`."""
-    return read_traits().get(law.get("model", ""), {}).get(trait, False)
+    return trait in read_traits().get(law.get("model", ""), [])
 
 
 def grows_in_increments(law: Deck) -> bool:
@@ -77,3 +80,8 @@ def takes_stress(model: Model, block: Block) -> bool:
 def takes_plastic_strain(model: Model, block: Block) -> bool:
     """Whether elements may begin with an equivalent plastic strain."""
     return has(find_law(model, block), "has_plastic_strain")
+
+
+if __name__ == "__main__":
+    with open(os.path.join(os.path.dirname(__file__), TRAITS), "w", encoding="utf-8") as written:
+        written.write(write_traits(sys.stdin.read()))
