@@ -58,6 +58,8 @@ def import_model(arguments: argparse.Namespace) -> int:
     ledger = make_ledger(arguments.allow, arguments.fit_rates, arguments.case, arguments.allow_library)
     try:
         model = choose_reader(arguments.model)(ledger)
+        if ledger.list_refused():
+            add_later_refusals(arguments, ledger)
     except BadInput as error:
         if error.is_missing and ledger.list_refused():  # what is refused is what is missing
             os.makedirs(arguments.out, exist_ok=True)
@@ -86,6 +88,21 @@ def import_model(arguments: argparse.Namespace) -> int:
     return print_refused(arguments, ledger) if refused else print_deck(deck, summary, verdict)
 
 
+def add_later_refusals(arguments: argparse.Namespace, ledger: Ledger) -> None:
+    """Reads the model once more as if all that is refused were allowed, and checks what it becomes: the user gets all refusals at once."""
+    trial = make_ledger(arguments.allow, arguments.fit_rates, arguments.case, arguments.allow_library)
+    trial.presumes = True
+    try:
+        model = choose_reader(arguments.model)(trial)
+        if model.blocks and all("--allow " in entry.text for entry in trial.list_refused()):  # nothing is missing in it
+            with tempfile.TemporaryDirectory(prefix="percuss_import_") as folder:
+                write_files(arguments, model, folder)
+                check_written(arguments, trial, model, folder)
+    except BadInput:
+        return  # what is refused may be what is missing
+    ledger.add_later(trial)
+
+
 def print_unused(ledger: Ledger) -> None:
     """What the user allows and the deck does not have."""
     for pattern in ledger.allowed:
@@ -109,7 +126,9 @@ def print_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
 
 
 def print_errors(ledger: Ledger) -> None:
-    """An error for each row that is refused."""
+    """An error for each row that is refused, and for each card that cannot be read."""
+    for fault in ledger.faults:
+        print(clean(str(fault)), file=sys.stderr)
     for entry in ledger.list_refused():
         more = f" (and {entry.count - 1} more)" if entry.count > 1 else ""
         print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
@@ -117,19 +136,25 @@ def print_errors(ledger: Ledger) -> None:
 
 def write_checked(arguments: argparse.Namespace, ledger: Ledger, model: Model) -> proof.Verdict:
     """Writes deck, mesh and tables to a folder of their own, checks them there, and moves them to their places if they pass."""
-    place = arguments.out.rstrip("/") or "/"
-    folder = tempfile.mkdtemp(prefix=".import_", dir=place)
+    folder = tempfile.mkdtemp(prefix=".import_", dir=arguments.out.rstrip("/") or "/")
     try:
         names = write_files(arguments, model, folder)
-        verdict = proof.check_deck(os.path.join(folder, DECK), ledger.user_code) if arguments.check else proof.Verdict(0)
-        verdict = verdict._replace(output=verdict.output.replace(folder, place), errors=verdict.errors.replace(folder, place))
-        if verdict.code == 2:
-            proof.refuse_checked(model, ledger, arguments.model, os.path.join(folder, DECK), verdict)
+        verdict = check_written(arguments, ledger, model, folder)
         if not verdict.code:
             for name in names:
                 os.replace(os.path.join(folder, name), os.path.join(arguments.out, name))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+    return verdict
+
+
+def check_written(arguments: argparse.Namespace, ledger: Ledger, model: Model, folder: str) -> proof.Verdict:
+    """Checks the deck of a folder that is to be moved, unless the user wants no check. Its errors become refusals."""
+    deck, place = os.path.join(folder, DECK), arguments.out.rstrip("/") or "/"
+    verdict = proof.check_deck(deck, ledger.user_code) if arguments.check else proof.Verdict(0)
+    verdict = verdict._replace(output=verdict.output.replace(folder, place), errors=verdict.errors.replace(folder, place))
+    if verdict.code == 2:
+        proof.refuse_checked(model, ledger, arguments.model, deck, verdict)
     return verdict
 
 

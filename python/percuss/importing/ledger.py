@@ -2,6 +2,7 @@
 
 import fnmatch
 import re
+import shlex
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple
@@ -10,6 +11,8 @@ NAMED_ALONE = ("INCLUDE.outside",)  # not in --allow all
 SILENT = "nothing comes of it: no card that is translated refers to it, or what it refers to is left out"
 ELSEWHERE = "no row of its own: nothing that is translated refers to it, or its effect is in another row of this keyword"
 NO_COUNTERPART = "percuss has no counterpart"
+NO_SPRINGS = "percuss corrects velocities, without springs in contact; contact.enforcement: penalty has springs of its own"  # what became of those of a deck
+MOST_FAULTS = 20  # after which reading stops
 
 
 class Place(NamedTuple):
@@ -38,6 +41,11 @@ class BadInput(Exception):
 def missing(what: str) -> str:
     """The text of BadInput where a card refers to what is not there."""
     return f"there is no {what} {REFERRED}: add it, or correct the name or id"
+
+
+def type_pattern(key: str) -> str:
+    """A key as it is typed behind --allow: commas part patterns, and the shell parts words."""
+    return shlex.quote(re.sub(r"[,*?\[\]]", "?", key))
 
 
 class Status(Enum):
@@ -74,6 +82,8 @@ class Ledger:
     used_patterns: set[str] = field(default_factory=set)
     files: set[str] = field(default_factory=set)  # that the model is read from
     lost_parts: bool = False  # elements of the model are not in the deck
+    presumes: bool = False  # refusals are noted, and reading goes on as if the user had allowed them
+    faults: list[BadInput] = field(default_factory=list)  # of cards that cannot be read, while the others still are
     cards: list[tuple[str, Place, int]] = field(default_factory=list)  # all that are read, with their last lines
     reported_lines: dict[str, bytearray] = field(default_factory=dict)  # by file: lines that an entry is about
 
@@ -134,11 +144,29 @@ class Ledger:
             self.note(key, Status.LEFT_OUT, place, f"{problem}: {instead}")
             return True
         reason = "" if problem.endswith(")") else f" ({NO_COUNTERPART})"
-        remedy = f"change or remove it, or use --allow {key}; then {instead}" if instead else "change or remove it"
+        remedy = f"change or remove it, or use --allow {type_pattern(key)}; then {instead}" if instead else "change or remove it"
         text = f"{problem}{reason}: {remedy}"
         self.note(key, Status.REFUSED, place, text)
         self.entries[key, Status.REFUSED, text].follows = any(word in problem for word in FOLLOWS)
-        return False
+        return self.presumes and bool(instead)
+
+    def note_fault(self, error: BadInput) -> None:
+        """A card that cannot be read. What it defines may be what others miss: only faults of their own are kept of them."""
+        if not (self.faults and error.is_missing):
+            self.faults.append(error)
+        if len(self.faults) == MOST_FAULTS:
+            self.stop_at_faults()
+
+    def stop_at_faults(self) -> None:
+        """Raises the first fault, and leaves the others in the list."""
+        if self.faults:
+            raise self.faults.pop(0)
+
+    def add_later(self, trial: "Ledger") -> None:
+        """Refusals that show once others are allowed."""
+        for entry in trial.list_refused():
+            if not entry.follows:
+                self.entries.setdefault((entry.card, Status.REFUSED, entry.text), entry)
 
     def refuses_in(self, first: Place, last: int) -> bool:
         """Whether a refusal stands in these lines of a file."""

@@ -7,9 +7,10 @@ from ..ledger import BadInput, Ledger, Place
 from ..model import Deck
 from .deck import AbaqusDeck, RigidGroup
 from .followers import is_partial, note_couplings
-from .levers import MOST, find_lever
+from .levers import MOST, find_center, find_lever
 from .lines import Block
 from .mesh import BodyCard, Scope
+from .reference_ways import ROWS, place_center
 from .surfaces import add_wall, finish_wall
 
 TURNS = {"rx", "ry", "rz"}
@@ -198,7 +199,11 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
         return
     joint = make_joint(deck, group, rest) if not moved and not group.spells and not group.at_center else None
     if joint:
-        deck.model.deck.setdefault("joints", {})[deck.model.names.take(f"held_{number}")] = joint
+        group.joint = deck.model.names.take(f"held_{number}")
+        deck.model.deck.setdefault("joints", {})[group.joint] = joint
+        return
+    if turns_about_reference(group):
+        turn_about_reference(deck, group, number, rest, moved)
         return
     if not (TURNS <= rest or group.at_center or not directions & set(WAYS)):
         note_reference(deck, group)
@@ -211,6 +216,34 @@ def hold_group(deck: AbaqusDeck, group: RigidGroup, number: int) -> None:
     which = {"body": group.name} if moves_body(group) else {"nodes": deck.model.add_node_set(f"body_{number}", group.nodes)}
     for motion in moved.values():
         deck.model.add("conditions", {**which, **motion})
+
+
+def turns_about_reference(group: RigidGroup) -> bool:
+    """Whether all six directions of one reference node away from the centre are prescribed, and some turn is a motion."""
+    refs = {node for node, _ in group.held.values()}
+    turns = any(group.held[way][1] is not None for way in TURNS & group.held.keys())
+    return len(group.held) == 6 and turns and len(refs) == 1 and not group.at_center and not group.spells
+
+
+def turn_about_reference(deck: AbaqusDeck, group: RigidGroup, number: int, rest: set[str], moved: dict[str, Deck]) -> None:
+    """A spherical joint to the ground where the reference node stays in its place; else the way of the mass centre, which follows from all directions."""
+    ref = deck.mesh.nodes[next(node for node, _ in group.held.values())]
+    turns = [motion for way, motion in moved.items() if way in TURNS]
+    if rest & TURNS:
+        group.keys["fixed"] = sorted(rest & TURNS)
+    for motion in turns:
+        deck.model.add("conditions", {"body": group.name, **motion})
+    if rest.issuperset(WAYS):
+        group.joint = deck.model.names.take(f"held_{number}")
+        deck.model.deck.setdefault("joints", {})[group.joint] = {"kind": "spherical", "bodies": [group.name], "at": list(ref)}
+        return
+    center = group.rigid_keys.get("center") or find_center(deck, group.nodes)
+    if center is None:
+        note_reference(deck, group)
+        return
+    tables = place_center(list(moved.values()), [c - r for c, r in zip(center, ref)], deck.end_time)
+    deck.model.add("conditions", {"body": group.name, "displacement": {way: {"table": rows} for way, rows in zip(WAYS, tables)}})
+    deck.ledger.approximated("BOUNDARY.reference", group.place, f"the way of the mass centre about the reference node, by {ROWS} rows")
 
 
 def moves_body(group: RigidGroup) -> bool:

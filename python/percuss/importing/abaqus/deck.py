@@ -42,6 +42,7 @@ class RigidGroup:
     at_center: bool = False  # the reference node is the centre
     moves_ref: bool = False  # POSITION=CENTER OF MASS: it goes there from its place
     rigid_keys: Deck = field(default_factory=dict)  # mass, centre and inertia at the reference node
+    joint: str = ""  # to the ground, which holds the reference node
     wall: Deck | None = None  # of an analytical surface, by its name
     card: BodyCard | None = None  # of such a surface
     profile: str = ""

@@ -2,7 +2,7 @@
 
 from itertools import combinations_with_replacement
 
-from ..ledger import BadInput, Place
+from ..ledger import NO_SPRINGS, BadInput, Place
 from ..model import Deck
 from . import glue
 from .contact import add_pair, end_pair, name_side
@@ -187,6 +187,7 @@ def finish_contact(deck: AbaqusDeck) -> None:
         section["surfaces"] = pairs or "all"
         if generals:
             include_beams(deck, section, generals[0].place)
+            deck.ledger.approximated("CONTACT.stiffness", generals[0].place, f"the penalty method: {NO_SPRINGS}")
         if deck.whole_friction and not all("friction" in pair for pair in pairs or [{}]):
             section["friction"] = deck.whole_friction
     elif "ties" in section:

@@ -197,6 +197,27 @@ def read_gravity(deck: AbaqusDeck, block: Block, line: Line) -> None:
         deck.ledger.refuse("DLOAD.GRAV", block.at(line[0]), "gravity on some of the elements", "it acts on all of them")
     note_gravity(deck, block, block.text(line, 0).upper(), [a / length for a in axis], block.at(line[0]))
     add_gravity(deck, block, line, block.number(line, 2), [a / length for a in axis], "loads.gravity")
+    if block.text(line, 0):
+        spare_masses(deck, block, line, [block.number(line, 2) * a / length for a in axis])
+
+
+def spare_masses(deck: AbaqusDeck, block: Block, line: Line, acceleration: list[float]) -> None:
+    """Gravity of percuss pulls at each mass. Loads hold up the point masses that are not among the elements of the card."""
+    inside = set(deck.elements_of(block.text(line, 0), block.at(line[0])))
+    for name, mass, place in deck.mesh.masses:
+        nodes = [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if id not in inside and deck.mesh.elements[id][1]]
+        for node in (node for node in nodes if node in deck.used_nodes() or node in deck.group_of_ref):
+            for dof in (dof for dof in (1, 2, 3) if acceleration[dof - 1] and mass):
+                write = write_body_load(deck, node, dof, block.at(line[0])) if node in deck.group_of_ref else write_mass_load(deck, node, dof, block.at(line[0]))
+                act(deck, block, line, ("mass", block.text(line, 0).upper(), name, node, dof), -mass * acceleration[dof - 1], write)
+
+
+def write_mass_load(deck: AbaqusDeck, node: int, dof: int, place: Place) -> Callable:
+    def write(value: "float | Deck") -> None:
+        list_loads(deck, "nodal").append({"nodes": deck.model.add_node_set(f"mass_{node}", [node]), "force": {AXES[dof - 1]: value}})
+        deck.ledger.translated("DLOAD", place, "loads.nodal against the gravity on a mass that is not among the elements of the card")
+
+    return write
 
 
 def note_gravity(deck: AbaqusDeck, block: Block, name: str, axis: list[float], place: Place) -> None:

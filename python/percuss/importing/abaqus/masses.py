@@ -88,4 +88,4 @@ def set_step(deck: AbaqusDeck, block: Block, parts: list[Part], step: float) -> 
     for part in parts:
         if "rigid" not in part.keys:
             part.keys["mass_scaling"] = {"step": step, "max_added": MOST_ADDED, **every}
-    deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part: DT is that of percuss' bound of an element")
+    deck.ledger.approximated(block.keyword, block.place, "mass_scaling of each part, without a limit: DT is that of percuss' bound of an element; the run says at its start how much mass that adds")

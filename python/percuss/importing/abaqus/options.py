@@ -6,7 +6,6 @@ from ..text_files import find_similar
 from .lines import Block
 
 OF_STEP = "AMPLITUDE OP"
-OF_NUMERICS = "ELEMENT_BY_ELEMENT DIRECT_USER_CONTROL FIXED_TIME_INCREMENTATION IMPROVED_DT_METHOD"
 SHORTEST = 4  # letters of a keyword that is shortened
 OF_SET = "GENERATE INSTANCE INTERNAL UNSORTED ELSET"
 KNOWN = {
@@ -41,7 +40,7 @@ KNOWN = {
     "KINEMATIC": "",
     "MPC": "",
     "EQUATION": "",
-    "EMBEDDED ELEMENT": "HOST_ELSET EXTERIOR_TOLERANCE ROUNDOFF_TOLERANCE",
+    "EMBEDDED ELEMENT": "HOST_ELSET EXTERIOR_TOLERANCE",
     "DAMPING": "ALPHA BETA",
     "SPRING": "ELSET NONLINEAR",
     "DASHPOT": "ELSET NONLINEAR",
@@ -80,20 +79,46 @@ KNOWN = {
     "DSLOAD": f"FOLLOWER CONSTANT_RESULTANT {OF_STEP}",
     "TIE": "NAME ADJUST POSITION_TOLERANCE TYPE NO_ROTATION",
     "SURFACE INTERACTION": "NAME",
-    "FRICTION": "TAUMAX SLIP_TOLERANCE EXPONENTIAL_DECAY ROUGH",
+    "FRICTION": "TAUMAX EXPONENTIAL_DECAY ROUGH",
     "CONTACT": "OP",
-    "CONTACT PAIR": "INTERACTION MECHANICAL_CONSTRAINT CPSET WEIGHT TYPE OP",
+    "CONTACT PAIR": "INTERACTION CPSET TYPE OP",
     "CONTACT INCLUSIONS": "ALL_EXTERIOR",
     "CONTACT EXCLUSIONS": "",
     "CONTACT PROPERTY ASSIGNMENT": "",
     "SURFACE PROPERTY ASSIGNMENT": "PROPERTY",
-    "DYNAMIC": f"EXPLICIT ADIABATIC SCALE_FACTOR {OF_NUMERICS}",
-    "DYNAMIC TEMPERATURE-DISPLACEMENT": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
+    "DYNAMIC": "EXPLICIT ADIABATIC SCALE_FACTOR",
+    "DYNAMIC TEMPERATURE-DISPLACEMENT": "EXPLICIT SCALE_FACTOR",
     "FIXED MASS SCALING": "ELSET FACTOR DT TYPE",
     "VARIABLE MASS SCALING": "ELSET DT TYPE FREQUENCY NUMBER_INTERVAL",
-    "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE PENALTY",
+    "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE",
     "CONTACT INITIALIZATION DATA": "NAME SEARCH_ABOVE SEARCH_BELOW",
 }
+OWN_STEP = "numerics: percuss chooses a stable step"
+OF_STANDARD = "numerics of implicit steps, which an explicit one does not have"
+ENFORCED = "the stiffness or the constraint that enforces contact: percuss corrects velocities, so that contact has no stiffness, unless contact.enforcement is penalty"
+SEARCHED = "how contact is searched for and followed: percuss searches in its own way"
+SMOOTHED = "how rates and their tables are smoothed: percuss takes the rate of the step, and the tables as they are"
+ADAPTIVE = "of adaptive meshes, which percuss does not have"
+# Options that are no physics, with the reason for which they are ignored, whatever they say.
+NUMERICS: dict[str, dict[str, str]] = {
+    "STEP": dict.fromkeys(("INC", "CONVERT SDI", "EXTRAPOLATION", "SOLVER", "UNSYMM"), OF_STANDARD),
+    "DYNAMIC": {
+        **dict.fromkeys(("ELEMENT BY ELEMENT", "DIRECT USER CONTROL", "FIXED TIME INCREMENTATION", "IMPROVED DT METHOD"), OWN_STEP),
+        **dict.fromkeys(("ALPHA", "APPLICATION", "BETA", "GAMMA", "DIRECT", "HAFTOL", "HALFINC SCALE FACTOR", "IMPACT", "INITIAL", "NOHAF", "SINGULAR MASS", "TIME INTEGRATOR"), OF_STANDARD),
+    },
+    "DYNAMIC TEMPERATURE-DISPLACEMENT": dict.fromkeys(("ELEMENT BY ELEMENT", "DIRECT USER CONTROL", "FIXED TIME INCREMENTATION", "IMPROVED DT METHOD"), OWN_STEP),
+    "MATERIAL": dict.fromkeys(("RTOL", "SRATE FACTOR", "STRAIN RATE REGULARIZATION"), SMOOTHED),
+    "SECTION CONTROLS": {"DRILL STIFFNESS": "stiffness against drilling rotations: percuss has its own"},
+    "FRICTION": dict.fromkeys(("SLIP TOLERANCE", "ELASTIC SLIP", "LAGRANGE", "SHEAR TRACTION SLOPE"), "how sticking is enforced: what sticks does not slip in percuss"),
+    "SURFACE INTERACTION": {"UNSYMM": OF_STANDARD},
+    "SURFACE BEHAVIOR": dict.fromkeys(("PENALTY", "AUGMENTED LAGRANGE", "DIRECT"), ENFORCED),
+    "CONTACT PAIR": {
+        "MECHANICAL CONSTRAINT": ENFORCED, "WEIGHT": "contact works both ways",
+        **dict.fromkeys(("EXTENSION ZONE", "GEOMETRIC CORRECTION", "HCRIT", "SMALL SLIDING", "SMOOTH", "SUPPLEMENTARY CONSTRAINTS", "TRACKING"), SEARCHED),
+    },
+    "BOUNDARY": {"REGION TYPE": ADAPTIVE}, "CLOAD": {"REGION TYPE": ADAPTIVE}, "DLOAD": {"REGION TYPE": ADAPTIVE}, "DSLOAD": {"REGION TYPE": ADAPTIVE},
+    "EMBEDDED ELEMENT": {"ROUNDOFF TOLERANCE": "weights of nodes below it: percuss keeps them"},
+}  # fmt: skip
 # Options of output: they say what is written, and where, but change no physics.
 OF_OUTPUT = {
     "OUTPUT": "FIELD HISTORY DIAGNOSTICS FREQUENCY MODE_LIST NAME NUMBER_INTERVAL OP TIME_INTERVAL TIME_MARKS TIME_POINTS VARIABLE FILTER SENSOR",
@@ -182,14 +207,13 @@ def check_options(block: Block, ledger: Ledger) -> None:
     known = KNOWN.get(block.keyword, OF_OUTPUT.get(block.keyword))
     if known is None:
         return
-    words = {word.replace("_", " ") for word in known.split()}
-    complete_names(block, words)
-    numerics = {word.replace("_", " ") for word in OF_NUMERICS.split()}
+    words, numerics = {word.replace("_", " ") for word in known.split()}, NUMERICS.get(block.keyword, {})
+    complete_names(block, words | numerics.keys())
     for name in block.options:
-        if block.keyword.startswith("DYNAMIC") and name in numerics:
-            ledger.ignored(f"DYNAMIC.{name}", block.place, "numerics: percuss chooses a stable step")
         values = DEFAULTS.get((block.keyword, name))
-        if name not in words or (values and " ".join(block.option(name).split()) not in values):
+        if name in numerics:
+            ledger.ignored(f"{block.keyword}.{name}", block.place, numerics[name])
+        elif name not in words or (values and " ".join(block.option(name).split()) not in values):
             ledger.refuse(
                 f"{block.keyword}.{clip(name)}",
                 block.place,

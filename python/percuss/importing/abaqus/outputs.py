@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 from ..fields import clip, parse_integer
 from ..laws import has
 from ..model import Deck
-from .bodies import moves_body
-from .deck import AbaqusDeck
+from .deck import AbaqusDeck, RigidGroup
 from .followers import list_leaders
 from .lines import Block
 
@@ -26,6 +25,7 @@ OF_CONTACT = ("CFN", "CFS", "CFT", "CFORCE", "CMN", "CMS", "CMT", "CNORMF", "CSH
 OF_ELEMENTS = ("S", "MISES", "PRESS", "PEEQ", "E", "LE", "ENER", "TEMP")
 MOST_FOLLOWED, MOST_FORCES, MOST_STATES, MOST_STATE_FIELDS = 100, 32, 50, 72
 LOST = "percuss has no such output: it is not written"
+NOT_HELD = "nothing holds these nodes, so there is no force"
 
 
 @dataclass
@@ -68,6 +68,7 @@ def add_outputs(deck: AbaqusDeck, requests: list[Request]) -> None:
                 deck.ledger.approximated("OUTPUT.VARIABLE", request.block.place, "VARIABLE=ALL: the fields of PRESELECT")
         for block in request.followers:
             HANDLERS.get(block.keyword, Writer.lose)(writer, request, block)
+            deck.model.origins.note(deck.model, block.keyword, block.place)
     if asked and not writer.fields:
         writer.fields.append("velocity")
     for key in [key for key, value in history.items() if value == []]:
@@ -160,7 +161,7 @@ class Writer:
         ids = [leaders[id].nodes[0] if id in leaders else id for id in self.deck.nodes_of(name, block.place)]
         bodies = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref and id not in self.deck.used_nodes()]
         if bodies:
-            self.deck.ledger.translated(block.keyword, block.place, "columns of its rigid body in the history (body_x:NAME and so on)")
+            self.deck.ledger.translated(block.keyword, block.place, "columns of the mass centre of its rigid body in the history (body_x:NAME and so on)")
         of_second_plane = set(self.deck.twins.values())  # of plane strain, which move as the first
         ids = [id for id in ids if id in self.deck.used_nodes() and id not in of_second_plane]
         if len(ids) > MOST_FOLLOWED:
@@ -184,24 +185,39 @@ class Writer:
         return self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), ids)
 
     def _add_support(self, name: str, block: Block) -> None:
-        """Force of what holds a set, or the body or the wall of a reference node."""
+        """Force of what holds a set, or the bodies and walls of reference nodes."""
         if not name or not self._once("support", name):
             return
         ids = self._lead(name, block)
-        groups = [self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref]
-        wall = next((group.wall["name"] for group in groups if group.wall), None)
-        held = {target[0] for target in self.deck.motions.windows}
+        groups = {id: self.deck.group_of_ref[id] for id in ids if id in self.deck.group_of_ref}
+        for id, group in groups.items():
+            self._add_body_support(name if len(ids) == 1 else f"{name}_{id}", id, group, block)
+        rest = [id for id in ids if id not in groups]
+        if rest and not self._holds_some(rest):
+            self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, NOT_HELD)
+        elif rest:
+            selector = self._name_held(name, rest, block) if not groups else self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), rest)
+            self._add_force(f"force_{name}", {"support": selector}, block)
+
+    def _holds_some(self, ids: list[int]) -> bool:
+        """Whether a condition of the deck holds or moves one of these nodes: a rotation only where a node has one."""
+        wanted, turning = set(ids) & self.deck.used_nodes(), self.deck.model.turning_nodes()
+        return any(node in wanted and (way in ("x", "y", "z") or node in turning) for node, way in self.deck.motions.windows)
+
+    def _add_body_support(self, name: str, ref: int, group: RigidGroup, block: Block) -> None:
+        """What holds or moves the body or the wall of a reference node; moments are about its place at time 0."""
+        wall = group.wall["name"] if group.wall else None
         if wall and any(entry.get("name") == wall for entry in self.deck.model.deck.get("walls", [])):
             self._add_force(f"force_{name}", {"wall": wall}, block)
-        elif not any(id in held for id in ids):
-            self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, "nothing holds these nodes, so there is no force")
-        elif groups and moves_body(groups[0]):
-            self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, "the body moves along its directions and turns: percuss has no force of such a motion")
-        elif groups and groups[0].nodes:
-            nodes = self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), groups[0].nodes)
-            self._add_force(f"force_{name}", {"support": nodes}, block)
-        elif (selector := self._name_held(name, ids, block)) and any(id in held for id in ids):
-            self._add_force(f"force_{name}", {"support": selector}, block)
+        elif group.joint:
+            self.deck.ledger.translated(block.keyword, block.place, f"joint_fx:{group.joint} and so on of the history, which the joint at the node always has")
+        elif not (group.held or group.spells) or not group.nodes:
+            self.deck.ledger.ignored(f"{block.keyword}.RF", block.place, NOT_HELD)
+        else:
+            nodes = self.deck.model.add_node_set(f"held_{name}".replace(".", "_"), group.nodes)
+            self._add_force(f"force_{name}", {"support": nodes, "about": list(self.deck.mesh.nodes[ref])}, block)
+            if any(motion is not None for way, (_, motion) in group.held.items() if way in ("x", "y", "z")):
+                self.deck.ledger.approximated(f"{block.keyword}.RM", block.place, "moments are about the place of the reference node at time 0")
 
     def _add_force(self, wish: str, what: Deck, block: Block) -> None:
         forces = self.history.setdefault("forces", [])

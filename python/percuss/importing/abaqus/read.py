@@ -361,7 +361,8 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     """Reads a deck and what it includes. The ledger gets what became of it."""
     reader = Reader(ledger)
     for block in BlockReader(path, ledger).read():
-        reader.take(block)
+        guard(ledger, block, reader.take)
+    ledger.stop_at_faults()
     deck = reader.deck
     deck.mesh, deck.assembly = reader.flat, reader.assembly
     place_instances(deck, reader.assembly)
@@ -399,20 +400,28 @@ def apply(reader: Reader) -> None:
     deck = reader.deck
     deck.motions.end = deck.loads.end = deck.end_time
     for block in reader.amplitudes:
-        name = block.option("NAME")
-        deck.amplitudes[name] = guard(block, lambda block: read_amplitude(block, deck.end_time))
-        deck.ledger.translated("AMPLITUDE", block.place, "a table where something uses it")
+        guard(deck.ledger, block, lambda block: add_amplitude(deck, block))
+    deck.ledger.stop_at_faults()
     acting = [block for block in reader.waiting if block.keyword in ACTIONS]
     for block in sorted(acting, key=lambda block: block.keyword != "INITIAL CONDITIONS"):  # velocities come before what changes them
-        guard(block, lambda block: ACTIONS[block.keyword](deck, block))
+        guard(deck.ledger, block, lambda block: ACTIONS[block.keyword](deck, block))
         deck.model.origins.note(deck.model, block.keyword, block.place)
+    deck.ledger.stop_at_faults()
 
 
-def guard(block: Block, act: Callable[[Block], T]) -> T:
+def add_amplitude(deck: AbaqusDeck, block: Block) -> None:
+    deck.amplitudes[block.option("NAME")] = read_amplitude(block, deck.end_time)
+    deck.ledger.translated("AMPLITUDE", block.place, "a table where something uses it")
+
+
+def guard(ledger: Ledger, block: Block, act: Callable[[Block], None]) -> None:
+    """Reads a block. Where it cannot be read the others still are, so that all faults come at once."""
     try:
-        return act(block)
+        act(block)
     except ArithmeticError as error:
-        raise BadInput(block.place, f"the numbers of *{block.keyword} are out of range ({error})") from None
+        ledger.note_fault(BadInput(block.place, f"the numbers of *{block.keyword} are out of range ({error})"))
+    except BadInput as error:
+        ledger.note_fault(error)
 
 
 def finish(reader: Reader) -> None:

@@ -3,11 +3,13 @@
 from ..fields import clip
 from ..ledger import BadInput, Place, missing
 from ..model import Block as Part
+from ..model import Deck
 from ..shapes import shell_area
 from .deck import AbaqusDeck
 from .mesh import RIGID
 
 THIN = 1e-3  # thickness of rigid elements over their mean edge
+STEEL = (7850.0, 2.1e11)  # density and Young's modulus in SI units
 
 
 def build_rigid_parts(deck: AbaqusDeck) -> None:
@@ -39,13 +41,18 @@ def add_rigid_shells(deck: AbaqusDeck, name: str, place: Place, shells: list[tup
     return part
 
 
+def find_stiffness(law: Deck) -> float:
+    """A modulus of a law; 0 where it has none of its own, such as one of the user's."""
+    speed = law.get("equation_of_state", {}).get("sound_speed", 0.0)
+    return law.get("youngs_modulus") or max(float(law.get("bulk_modulus", 0.0)), float(law.get("c10", 0.0)), law["density"] * speed**2)
+
+
 def name_rigid_material(deck: AbaqusDeck) -> str:
-    """A law of rigid elements, which gives contact its stiffness: that of the stiffest material."""
-    laws = [law for law in deck.model.materials.values() if "youngs_modulus" in law]
-    stiffest = max(laws, key=lambda law: law["youngs_modulus"], default={"density": 1.0, "youngs_modulus": 1.0})
+    """A law of rigid elements, which gives contact its stiffness: that of the stiffest material; of a model without any that of steel in SI units."""
+    density, stiffness = max(((law["density"], find_stiffness(law)) for law in deck.model.materials.values()), key=lambda pair: pair[1], default=STEEL)
     if not deck.rigid_material:
         deck.rigid_material = deck.model.names.take("rigid_surface", "material")
         deck.model.materials[deck.rigid_material] = {
-            "model": "elastic", "density": stiffest["density"], "youngs_modulus": stiffest["youngs_modulus"], "poissons_ratio": 0.3,
+            "model": "elastic", "density": density, "youngs_modulus": stiffness or density, "poissons_ratio": 0.3,
         }  # fmt: skip
     return deck.rigid_material

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from ..fields import REASONS, Row
+from ..ledger import NO_SPRINGS
 from ..model import Block, Deck
 from .beam_cards import width_of_section
 from .cards import Card, Lines
@@ -99,7 +100,8 @@ def read_contact(deck: KeywordDeck, card: Card) -> None:
         return
     kinds = {TIE: "CONTACT_TIED", TRANSDUCER: "CONTACT_FORCE_TRANSDUCER"}
     reader = replace(card, keyword=kinds.get(FAMILIES[family], "CONTACT")).reader()  # what its fields are called
-    if not reader.next_card():
+    if not reader:
+        deck.ledger.ignored(card.keyword, card.place, "it has no lines")
         return
     contact = read_cards(card, reader, family, options)
     lost = [(option, *OPTIONS[option][1:]) for option in options if OPTIONS[option][1]]
@@ -361,6 +363,8 @@ def finish_contacts(deck: KeywordDeck) -> None:
         section["surfaces"] = "none"
     else:
         del deck.model.deck["contact"]
+    if deck.contacts:
+        deck.ledger.approximated("CONTACT.stiffness", deck.contacts[0]["place"], f"SFS, SFM, SOFT, SOFSCL, SLSFAC and the like: {NO_SPRINGS}")
     if deck.friction_by_part and "surfaces" in section:
         add_frictions(deck, section)
     remove_eroded_nodes(deck)

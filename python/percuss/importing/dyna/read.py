@@ -108,7 +108,7 @@ DEFINITIONS: dict[str, Handler] = {
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "DEFORMABLE_TO_RIGID": rigid.read_switched, "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
     "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED": read_turn_springs,
-    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
+    "CONSTRAINED_NODE_SET": read_node_sets, "CONSTRAINED_LINEAR": read_node_sets, "CONSTRAINED_LINEAR_GLOBAL": read_node_sets, "CONSTRAINED_SPOTWELD": read_welds, "CONSTRAINED_RIVET": read_welds, "CONSTRAINED_GENERALIZED_WELD": read_welds, "INITIAL_DETONATION": read_detonation,
     "SENSOR_": read_sensor, "INITIAL_AXIAL_FORCE_BEAM": read_axial_force, "DATABASE_CROSS_SECTION_PLANE": read_plane,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
@@ -225,7 +225,11 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
     try:
         handler(deck, card)
     except ArithmeticError as error:
-        raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+        deck.ledger.note_fault(BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})"))
+        return
+    except BadInput as error:
+        deck.ledger.note_fault(error)
+        return
     surplus = card.find_surplus() if card.keyword not in READ_LATER else 0
     if surplus and not deck.ledger.refuses_in(card.place, surplus):
         deck.ledger.refuse(f"{card.keyword}.lines", card.at(surplus), "a line that the card does not have", "it is left out")
@@ -241,6 +245,7 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     for card in reader.read():
         sort_card(deck, card, waiting)
     waiting.take_last(deck)
+    ledger.stop_at_faults()
     if not deck.elements:
         raise BadInput(path, f"the deck has no elements that percuss reads: {find_misspelt(deck, 'ELEMENT_SOLID', 'ELEMENT_SHELL') or 'include the mesh file'}", follows=True)
     if deck.end_time <= 0:
@@ -252,6 +257,7 @@ def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     ledger.lost_parts = not {id for id, found in deck.elements.items() if found.solids or found.shells or found.beams or found.others} <= {b.part for b in deck.model.blocks}
     for _, card, handler in sorted(waiting.actions, key=lambda item: item[0]):
         apply(deck, card, handler)
+    ledger.stop_at_faults()
     finish(deck)
     note_definitions(deck)
     ledger.note_silent()
