@@ -10,6 +10,7 @@ import yaml
 from percuss.terminal import clean
 
 from .model import Deck, Model
+from .own_values import list_silenced
 
 WIDTH = 110  # at which a line of flow style goes on in the next
 LONGEST = 1 << 30  # of what is not broken
@@ -159,7 +160,8 @@ def list_start_remarks(deck: Deck) -> list[str]:
 
 def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
     """The text of deck.yaml, with every section of the model."""
-    sections = {**model.deck, "parts": make_parts(model, mesh_file), "materials": model.materials}
+    silenced = list_silenced(model)
+    sections = {**model.deck, **({"silence": silenced} if silenced else {}), "parts": make_parts(model, mesh_file), "materials": model.materials}
     unknown = sorted(set(sections) - set(ORDER))
     if unknown:
         raise RuntimeError(f"the importer has no place in the deck for the section {', '.join(unknown)}")

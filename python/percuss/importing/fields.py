@@ -88,6 +88,10 @@ class Row:
         self._read.add(name)
         return self._texts[name]
 
+    def knows(self, name: str) -> bool:
+        """Whether its layout has the field."""
+        return name in self._texts
+
     def has(self, name: str) -> bool:
         """Whether the field is not blank."""
         return self._texts[name] != ""
@@ -175,6 +179,20 @@ def describe_columns(line: str, first: int, width: int) -> str:
     if len(line[first:last].split()) > 1:
         return f"; columns {first + 1} to {first + width} are one field, and hold '{clip(line[first:last].strip())}': shift it"
     return ""
+
+
+def find_cut_number(line: str, border: int, borders: list[int]) -> str:
+    """The number that the end of a column cuts: characters on both sides of it that are one number. Whole numbers that fill their columns
+    stand side by side, also behind a number that ends its own, and are none. Neither are those of a line whose fields all begin with their columns."""
+    start = len(line[:border]) - len(line[:border].split()[-1])
+    word = line[start:].split()[0]
+    if parse_real(word) is None:
+        return ""
+    first = min(b for b in borders if b > start)  # the end of the column in which it begins
+    fills = start + len(word) in borders and line[first : start + len(word)].isdigit()
+    begins_all = all(line[a : a + 1] > " " for a, b in zip([0, *borders], borders) if line[a:b].strip())
+    is_whole = word.lstrip("+-").isdigit()
+    return "" if fills and (is_whole or start not in (0, *borders)) or is_whole and begins_all else word
 
 
 def clip(text: str, most: int = 40) -> str:

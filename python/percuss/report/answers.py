@@ -1,10 +1,13 @@
 """In short: what happened, how large the largest force was and when, whether the run can be trusted, and what to change."""
 
 import math
+import os
 import re
 
 import numpy as np
 
+from percuss.errors import NotResults
+from percuss.files import TEXT, load_json
 from percuss.results.units import choose_time_unit, choose_unit
 
 from .findings import BAD, GOOD, find_energy_in_contact_springs
@@ -22,7 +25,7 @@ REFINE = "Nothing that this run shows. Repeat it with smaller elements and compa
 
 def make_answers(run, findings):
     """Four questions and their answers, as far as the files have them."""
-    changes = [*list_changes(findings), *list_changes_for_forces(run)]
+    changes = [*list_changes_of_import(run), *list_changes(findings), *list_changes_for_forces(run)]
     rows = [("What happened?", [escape(text) for text in describe_events(run)]),
             ("Largest force, and when?", describe_forces(run)),
             ("May I trust it?", [escape(judge_trust(run, findings))]),
@@ -161,6 +164,27 @@ def describe_forces(run):
             text += f" To compare with a filtered test signal: percuss plot DIR 'f?:{peaks[0][0]}' --cfc 1000."
         texts.append(escape(text))
     return texts or [escape("All forces of the history are zero.")]
+
+
+def list_changes_of_import(run):
+    """What percuss import has left out or changed of another program's deck, as its report beside the deck says: first what the user has allowed."""
+    path = os.path.join(os.path.dirname(run.deck.file), "import_report.json")
+    if not run.deck.file or not os.path.isfile(path):
+        return []
+    try:
+        cards = load_json(path, {"cards": [{"card": TEXT, "outcome": TEXT, "how": TEXT}]})["cards"]
+    except NotResults:
+        return []
+    found = [f"Put back what the import has left out, if it matters: *{card['card']} ({card['how']})." for card in cards if card["outcome"] == "left out"]
+    count = sum(card["outcome"] == "approximated" for card in cards)
+    if count:
+        names = ", ".join(dict.fromkeys(f"*{card['card']}" for card in cards if card["outcome"] == "approximated"))
+        found.append(f"Read what the import has approximated (import_report.md): {shorten(names)}.")
+    return found[:MOST_CHANGES]
+
+
+def shorten(text, most=160):
+    return text if len(text) <= most else text[:most].rpartition(",")[0] + " and others"
 
 
 def list_changes_for_forces(run):

@@ -6,7 +6,7 @@ from ..model import Block, Deck, Vector
 from ..shapes import cross, dot, normalise, section_area, subtract
 from .cards import Card, Lines
 from .deck import BeamElement, KeywordDeck, PartCard
-from .mesh_cards import EIGHTS, elements_of, to_id
+from .mesh_cards import EIGHTS, ELEMENT_FIELDS, elements_of, to_id
 
 LEFT_OUT = "these beams are left out"
 MOST_DIRECTIONS = 64  # parts that one *PART may become by how its sections are turned
@@ -21,7 +21,7 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         line = reader.take()
-        texts = card.split(line, EIGHTS) + [""] * 10
+        texts = card.split(line, EIGHTS, ELEMENT_FIELDS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         ends = (to_id(card, line[0], texts[2], "N1"), to_id(card, line[0], texts[3], "N2"))
         third = to_id(card, line[0], texts[4], "N3", True)

@@ -2,10 +2,11 @@
 
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 
-from ..fields import Row, clip, describe_columns, parse_integer, shift_hint
+from ..fields import Row, clip, describe_columns, find_cut_number, parse_integer, shift_hint
 from ..ledger import BadInput, Ledger, Place, missing
 from ..model import Vector
 from ..text_files import read_lines
@@ -44,8 +45,8 @@ class Card:
     def at(self, number: int) -> Place:
         return Place(self.place.file, number)
 
-    def split(self, line: tuple[int, str], widths: tuple[int, ...]) -> list[str]:
-        """The fields of a line, parameters replaced."""
+    def split(self, line: tuple[int, str], widths: tuple[int, ...], names: Sequence[str] = ()) -> list[str]:
+        """The fields of a line, parameters replaced. names: of those that count, for messages; empty: all count."""
         number, text = line
         if "," in text:
             texts = [word.strip() for word in text.split(",")]
@@ -53,13 +54,24 @@ class Card:
             if "\t" in text:
                 self._refuse_tab(line, widths)
             texts, first = [], 0
-            for width in widths:
+            for index, width in enumerate(widths):
                 width = max(width, self.least_width)
                 texts.append(text[first : first + width].strip())
                 first += width
+                if text[first - 1 : first] > " " and text[first : first + 1] > " " and width < HEADING and (index < len(names) or not names):
+                    self._refuse_cut(line, first, widths, names[index] if names else "")
         if "&" in text:
             texts = [self._replace(word, number, widths[i] if i < len(widths) else 0) if "&" in word else word for i, word in enumerate(texts)]
         return texts
+
+    def _refuse_cut(self, line: tuple[int, str], border: int, widths: tuple[int, ...], name: str) -> None:
+        """A number over the end of its column, also where each half of it reads as one. name: of the field; empty: not known."""
+        borders = list(accumulate(max(width, self.least_width) for width in widths))
+        word = find_cut_number(line[1], border, borders)
+        if word:
+            field = f"{name} of *{self.keyword}" if name else f"a field of *{self.keyword}"
+            width = border - max((b for b in borders if b < border), default=0)
+            raise BadInput(self.at(line[0]), f"{field} is cut (column {border} ends a field of {width} and cuts '{clip(word)}'): shift it, or write commas")
 
     def _refuse_tab(self, line: tuple[int, str], widths: tuple[int, ...]) -> None:
         """A tab before the end of the fields, headings apart: nobody sees which column follows it."""
@@ -78,7 +90,7 @@ class Card:
 
     def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         """A line as named fields."""
-        row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
+        row = Row(self.keyword, self.at(line[0]), layout, self.split(line, widths, [word.partition("=")[0].partition("~")[0] for word in layout.split()]))
         if "," not in line[1]:
             row.columns = lambda index: self.describe_columns(line[1], widths, index)
         if self.change is not UNCHANGED:
@@ -130,9 +142,10 @@ class Lines:
         """Whether a line with something is left; passes over none."""
         return any(self.card.lines[index][1].strip() for index in range(self._next, len(self.card.lines)))
 
-    def next_card(self) -> bool:
-        """Whether a card follows. With _TITLE or _ID its first line is the next one, whatever that holds; without them empty lines are passed over."""
-        return self.holds_more() if self.card.has_title or self.card.has_id else self.skip_blank()
+    def next_card(self, of_lines: bool = False) -> bool:
+        """Whether a card follows. Where a card has a title or an id, or several lines (of_lines), its first line is the next one, also a
+        blank one: that is a line of defaults. Blank lines between cards of a single line define nothing, and are passed over."""
+        return self.holds_more() if self.card.has_title or self.card.has_id or of_lines else self.skip_blank()
 
     def skip_blank(self) -> bool:
         """Passes over empty lines; whether there is one with something."""
@@ -149,14 +162,14 @@ class CardReader:
         self._folder = os.path.dirname(os.path.realpath(path))
         self._folders = [self._folder]
         self._main = path
-        self._included: set[str] = set()
+        self._included: set[tuple[str, tuple[tuple[str, int], ...]]] = set()  # files with the offsets of their ids
         self._bytes = 0
         self.transformations: dict[int, Transformation] = {}
         self._ids = Unique()
         self._cases = Cases(ledger)
 
     def read(self) -> Iterator[Card]:
-        self._included.add(os.path.realpath(self._main))
+        self._included.add((os.path.realpath(self._main), ()))
         yield from self._read_file(self._main, self._main, Parameters(), 1)
 
     def _read_lines(self, path: str, place: "Place | str") -> list[str]:
@@ -248,12 +261,14 @@ class CardReader:
         path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
         if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
             raise BadInput(card.place, "files include each other too deeply, or in a loop: remove the loop")
-        if path in self._included and not change.offsets:
-            raise BadInput(card.place, f"'{clip(name)}' is included twice: remove one *INCLUDE")
-        self._included.add(path)
+        parameters = card.parameters.inner(change)
+        key = (path, tuple(sorted(parameters.change.offsets.items())))
+        if key in self._included:
+            raise BadInput(card.place, f"'{clip(name)}' is included twice (with the same ids): remove one *INCLUDE, or give it other offsets")
+        self._included.add(key)
         self._ledger.translated(card.keyword, card.place, "the file is read")
         shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
-        yield from self._read_file(path, shown, card.parameters.inner(change), depth + 1, card.place)
+        yield from self._read_file(path, shown, parameters, depth + 1, card.place)
 
     def _find(self, name: str, place: Place, folder_of_file: str) -> str:
         """Beside the main file, in the folders of _PATH, or beside the file that includes."""

@@ -162,7 +162,7 @@ def scale_masses(deck: KeywordDeck, step: float, once: bool, row: Row) -> None:
             continue
         again = {} if once or held else {"every": 10}
         block.keys["mass_scaling"] = {"step": step, "max_added": most, **again}
-    text = "mass_scaling of each part; percuss check says how much mass that adds; gravity acts on it too"
+    text = "mass_scaling of each part, without a limit; the run says at its start how much mass that adds; gravity acts on it too"
     if row.number("DT2MS") > 0:
         text += "; no element loses mass"
     if held and not once:

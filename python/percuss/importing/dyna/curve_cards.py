@@ -18,7 +18,7 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
     id, offset_a, offset_o = row.integer("LCID"), row.number("OFFA"), row.number("OFFO")
     scale_a, scale_o = row.number("SFA") or 1.0, row.number("SFO") or 1.0
     points: Points = []
-    while reader.skip_blank():
+    while reader.holds_more():  # a blank line is the point 0, 0
         point = reader.row("A O", (20, 20))
         points.append((scale_a * (point.number("A") + offset_a), scale_o * (point.number("O") + offset_o)))
         check_ascent(point, "A", [x for x, _ in points[-2:]], scale_a)
@@ -89,7 +89,7 @@ def read_table(deck: KeywordDeck, card: Card) -> None:
     deck.waiting_table = []
     values: list[float] = []
     deck.units_of_tables[id] = card.change.factors
-    while reader.skip_blank():
+    while reader.holds_more():
         point = reader.row("VALUE LCID", (20, 20))
         value = scale * (point.number("VALUE") + offset)
         values.append(value)

@@ -14,7 +14,7 @@ LEFT_OUT = "it is left out"
 def read_beams_in_solids(deck: KeywordDeck, card: Card) -> None:
     """BSID SSID BSTYP SSTYP - - NCOUP CDIR, then START END - AXFOR - PSSF - XINT; with _ID a line before."""
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         if card.has_id or card.has_title:
             reader.row("COUPID~label TITLE~label", (10, 70)).skip("TITLE")
         row = reader.row("BSID SSID BSTYP SSTYP UNUSED1~unused UNUSED2~unused NCOUP CDIR")
@@ -33,7 +33,7 @@ def read_beams_in_solids(deck: KeywordDeck, card: Card) -> None:
 def read_bars_in_solids(deck: KeywordDeck, card: Card) -> None:
     """LSTRSID ALESID LSTRSTYP ALESTYP NQUAD CTYPE DIREC MCOUP, START END and what other couplings have; with _ID a line before."""
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         if card.has_id or card.has_title:
             reader.row("COUPID~label TITLE~label", (10, 70)).skip("TITLE")
         row = reader.row("LSTRSID ALESID LSTRSTYP ALESTYP NQUAD~penalty CTYPE=2 DIREC~penalty=1 MCOUP~penalty")

@@ -9,6 +9,7 @@ from .deck import Element, Elements, KeywordDeck
 from .transforms import UNCHANGED, FileChange, apply
 
 NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
+NODE_FIELDS, ELEMENT_FIELDS = ("NID", "X", "Y", "Z", "TC", "RC"), ("EID", "PID", *(f"N{i}" for i in range(1, 9)))
 EIGHTS = (8,) * 10
 SIXTEENS = (16,) * 5
 # Seat belts and the like have no law in percuss: what is left of the model without them.
@@ -38,7 +39,7 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
     for line in card.lines:
         if not line[1].strip():
             continue
-        texts = card.split(line, NODE_WIDTHS) + [""] * 6
+        texts = card.split(line, NODE_WIDTHS, NODE_FIELDS) + [""] * 6
         id = to_id(card, line[0], texts[0], "NID")
         x = tuple(to_real(card, line[0], texts[i], "XYZ"[i - 1]) for i in (1, 2, 3))
         if change is not UNCHANGED:
@@ -96,7 +97,7 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         line = reader.take()
-        texts = card.split(line, EIGHTS) + [""] * 10
+        texts = card.split(line, EIGHTS, ELEMENT_FIELDS) + [""] * 10
         if parse_integer(texts[2] or "0") == 0:
             texts = texts[:2] + card.split(reader.take(), EIGHTS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
@@ -114,7 +115,7 @@ def read_thick_shells(deck: KeywordDeck, card: Card) -> None:
     for line in card.lines:
         if not line[1].strip():
             continue
-        texts = card.split(line, EIGHTS) + [""] * 10
+        texts = card.split(line, EIGHTS, ELEMENT_FIELDS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         corners = [to_id(card, line[0], text, "node") for text in texts[2:10]]
         place = card.at(line[0])
@@ -183,7 +184,7 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
     reader = card.reader()
     while reader.skip_blank():
         line = reader.take()
-        texts = card.split(line, EIGHTS) + [""] * 10
+        texts = card.split(line, EIGHTS, ELEMENT_FIELDS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         deck.element_lines["shells"].note(card.at(line[0]), id)
         nodes = [to_id(card, line[0], text, "node", True) for text in texts[2:10]]
@@ -224,7 +225,7 @@ def read_other_elements(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.ignored(card.keyword, card.place, "lines for pictures")
         return
     for line in card.lines:
-        texts = card.split(line, EIGHTS)
+        texts = card.split(line, EIGHTS, ELEMENT_FIELDS)
         part = parse_integer(texts[1]) if len(texts) > 1 and texts[1] else None
         if part and part > 0:
             elements_of(deck, part, card.at(line[0])).others.add(card.keyword)

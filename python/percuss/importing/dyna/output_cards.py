@@ -110,8 +110,8 @@ def add_planes(deck: KeywordDeck) -> None:
         if not asked:
             deck.ledger.ignored(plane.card, plane.place, "a plane that cuts no element")
             continue
-        if plane.radius or plane.has_edges:
-            deck.ledger.ignored(f"{plane.card}.RADIUS", plane.place, "output of a plane with limits; one by *DATABASE_CROSS_SECTION_SET is written")
+        if plane.is_limited:
+            add_limited_plane(deck, plane, asked)
             continue
         section: dict[str, Any] = {"point": list(plane.point), "normal": list(plane.normal)}
         names: list[str | None] = [None] if len(asked) == len(cut) else [block.name for block in asked]
@@ -125,6 +125,33 @@ def add_planes(deck: KeywordDeck) -> None:
             deck.ledger.approximated(plane.card, plane.place, text + "; along global axes")
         else:
             deck.ledger.translated(plane.card, plane.place, text)
+
+
+def add_limited_plane(deck: KeywordDeck, plane: Plane, blocks: list[Block]) -> None:
+    """A section by sets: the elements that the plane cuts within its limits, and their nodes behind it."""
+    cut: dict[str, list[int]] = {"SOLID": [], "SHELL": []}
+    behind, others = set[int](), 0
+    for block in blocks:
+        for id, corners in block.elements():
+            heights = {node: dot(subtract(deck.nodes[node], plane.point), plane.normal) for node in corners}
+            middle = tuple(sum(deck.nodes[node][d] for node in corners) / len(corners) for d in range(3))
+            if not min(heights.values()) < 0 < max(heights.values()) or not plane.holds(middle):  # type: ignore[arg-type]
+                continue
+            if block.beams:
+                others += 1
+                continue
+            cut["SOLID" if block.solids else "SHELL"].append(id)
+            behind |= {node for node, height in heights.items() if height < 0}
+    if not behind or others:
+        text = "a plane with limits that cuts beams, which percuss has by planes without limits" if others else "a plane that cuts no element within its limits"
+        deck.ledger.ignored(plane.card, plane.place, f"{text}: it is not written")
+        return
+    names = [deck.model.names.take(f"{plane.title}_elements") for ids in cut.values() if ids]
+    deck.model.element_sets |= dict(zip(names, [(kind, sorted(ids)) for kind, ids in cut.items() if ids]))
+    nodes = deck.model.add_node_set(f"{plane.title}_nodes", behind)
+    section = {"name": deck.model.names.take(plane.title), "section": {"nodes": nodes, "elements": names}, "about": list(plane.point)}
+    deck.sections_by_sets.append(section)
+    deck.ledger.approximated(plane.card, plane.place, "output.history.forces of the elements that the plane cuts at time 0, whose middle lies within its limits; along global axes")
 
 
 def is_cut(deck: KeywordDeck, block: Block, plane: Plane) -> bool:
@@ -212,13 +239,15 @@ def finish_output(deck: KeywordDeck) -> None:
     if found.frames > 0:
         plastic = any(laws.has(law, "has_plastic_strain") for law in deck.model.materials.values())
         output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
+    welds = list_spot_welds(deck) if "SWFORC" in found.asked else []
+    found.elements += welds
     history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
     add_points(deck, history)
     add_accelerometers(deck, history)
     if "MATSUM" in found.asked:
         history["parts"] = "all"
     pairs = pair_forces(deck) if "RCFORC" in found.asked else []
-    note_files(deck, bool(pairs or deck.forces))
+    note_files(deck, bool(pairs or deck.forces), bool(welds))
     limited = list(deck.forces)
     if "RWFORC" in found.asked:
         limited += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
@@ -227,12 +256,7 @@ def finish_output(deck: KeywordDeck) -> None:
         card = next((f"DATABASE_{name}" for name in ("RCFORC", "RWFORC") if name in found.asked), "CONTACT_FORCE_TRANSDUCER")
         deck.ledger.approximated(f"{card}.most", found.asked.get(card.removeprefix("DATABASE_"), found.place), f"the first {MOST_FORCES} of {len(limited)} forces of contact and walls")
     forces = limited[:MOST_FORCES]
-    supports = [name for name in ("SPCFORC", "BNDOUT") if name in found.asked]
-    if supports:
-        if holds_nodes(deck):
-            forces.append({"name": "supports", "support": "all"})
-        else:
-            deck.ledger.ignored(f"DATABASE_{supports[0]}.supports", found.asked[supports[0]], "no node is held but those of rigid bodies, whose supports have no force in the history")
+    forces += list_supports(deck)
     add_planes(deck)
     forces += deck.sections_by_sets
     if forces:
@@ -241,11 +265,21 @@ def finish_output(deck: KeywordDeck) -> None:
     deck.model.deck["output"] = output
 
 
-def note_files(deck: KeywordDeck, has_pairs: bool) -> None:
-    """What becomes of each file with columns of the history. has_pairs: forces of contact are written."""
+def list_spot_welds(deck: KeywordDeck) -> list[int]:
+    """Beams of *MAT_SPOTWELD. Solids of it have no force in the history."""
+    blocks = [block for block in deck.model.blocks if deck.materials[deck.parts[block.part].material].keyword.startswith("MAT_SPOTWELD")]
+    if any(block.solids for block in blocks):
+        deck.ledger.ignored("DATABASE_SWFORC.solids", deck.output.asked["SWFORC"], "forces of spot welds of solids are not written")
+    return [id for block in blocks for id, _ in block.beams]
+
+
+def note_files(deck: KeywordDeck, has_pairs: bool, has_weld_beams: bool) -> None:
+    """What becomes of each file with columns of the history. has_pairs: forces of contact are written. has_weld_beams: spot welds are followed."""
     for name, place in deck.output.asked.items():
         sections, what = OF_SECTIONS.get(name, ((), ""))
-        if sections and not any(deck.model.deck.get(section) for section in sections):
+        if name == "SWFORC" and has_weld_beams:
+            deck.ledger.translated("DATABASE_SWFORC", place, "output.history.elements: axial_force, shear_y and shear_z of each beam that is a spot weld")
+        elif sections and not any(deck.model.deck.get(section) for section in sections):
             deck.ledger.ignored(f"DATABASE_{name}", place, f"the model has no {what}, so no force is written")
         elif name == "RCFORC" and not has_pairs:
             deck.ledger.ignored(f"DATABASE_{name}", place, describe_no_pair(deck))
@@ -260,10 +294,37 @@ def describe_no_pair(deck: KeywordDeck) -> str:
     return "no force of contact is written: a surface with itself, or with everything, has no two sides (*CONTACT_FORCE_TRANSDUCER, or contact of two parts, gives a force)"
 
 
-def holds_nodes(deck: KeywordDeck) -> bool:
-    """Whether a condition holds or moves a node that is not of a rigid body."""
-    rigid = list_rigid_nodes(deck)
-    return any("nodes" in entry and not nodes_of_name(deck, entry["nodes"]) <= rigid for entry in deck.model.deck.get("conditions", []))
+def list_supports(deck: KeywordDeck) -> list[Deck]:
+    """SPCFORC: the force on held nodes that nothing drives. BNDOUT: on driven nodes, and on each driven rigid body."""
+    asked, rigid = deck.output.asked, list_rigid_nodes(deck)
+    held, driven, bodies = set[int](), set[int](), dict[str, None]()
+    for entry in deck.model.deck.get("conditions", []):
+        nodes = nodes_of_name(deck, entry["nodes"]) if "nodes" in entry else set()
+        if "fixed" in entry or "symmetry" in entry:
+            held |= nodes - rigid
+            continue
+        driven |= nodes - rigid
+        bodies.update(dict.fromkeys([entry["body"]] if "body" in entry else sorted({deck.bodies_of_nodes[node] for node in nodes & rigid if node in deck.bodies_of_nodes})))
+    forces: list[Deck] = []
+    if "SPCFORC" in asked:
+        if held - driven:
+            is_all = not driven and not rigid
+            forces.append({"name": "supports", "support": "all" if is_all else deck.model.add_node_set("supports", held - driven)})
+        if not held - driven or held & driven:
+            text = f"without the {len(held & driven)} held nodes that are driven in another direction: BNDOUT has these" if held - driven else "no node is held but those that are driven, or of rigid bodies"
+            deck.ledger.ignored("DATABASE_SPCFORC.supports", asked["SPCFORC"], text)
+    if "BNDOUT" in asked:
+        forces += [{"name": "driven", "support": deck.model.add_node_set("driven", driven)}] if driven else []
+        forces += [{"name": f"driven_{body}", "support": nodes} for body in list(bodies)[:MOST_FORCES] if (nodes := name_body_nodes(deck, body))]
+        if not driven and not bodies:
+            deck.ledger.ignored("DATABASE_BNDOUT.motions", asked["BNDOUT"], "no node and no rigid body is driven")
+    return forces
+
+
+def name_body_nodes(deck: KeywordDeck, body: str) -> str:
+    """The set of all nodes of a rigid body; empty: it has none in the mesh."""
+    nodes = {node for node, name in deck.bodies_of_nodes.items() if name == body} & deck.used_nodes()
+    return deck.model.add_node_set(f"driven_{body}", nodes) if nodes else ""
 
 
 def nodes_of_name(deck: KeywordDeck, selector: "str | Deck") -> set[int]:

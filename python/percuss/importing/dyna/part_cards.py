@@ -69,7 +69,7 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
         return
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         if card.has_title:
             reader.take()
         lines = [reader.take()]

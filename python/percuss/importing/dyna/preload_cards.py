@@ -22,11 +22,25 @@ class Plane:
     point: Vector
     normal: Vector
     radius: float  # 0: no limit
-    has_edges: bool  # a rectangle limits it
+    edges: tuple[float, float]  # of the rectangle that limits it, whose corner is the point; 0: no limit
     place: Place
     card: str = ""
     title: str = ""
     is_local: bool = False  # forces along axes that move
+    along: Vector = (0.0, 0.0, 0.0)  # the first edge of the rectangle
+
+    @property
+    def is_limited(self) -> bool:
+        return self.radius > 0 or any(self.edges)
+
+    def holds(self, x: Vector) -> bool:
+        """Whether a point lies within its limits, along the normal."""
+        way = subtract(x, self.point)
+        flat = subtract(way, tuple(dot(way, self.normal) * n for n in self.normal))  # type: ignore[arg-type]
+        if self.radius > 0:
+            return dot(flat, flat) <= self.radius**2
+        sides = (self.along, cross(self.normal, self.along))
+        return all(not length or 0 <= dot(flat, side) <= length for side, length in zip(sides, self.edges))
 
 
 def read_axial_force(deck: KeywordDeck, card: Card) -> None:
@@ -102,8 +116,14 @@ def read_plane(deck: KeywordDeck, card: Card) -> None:
     line = subtract(head, tail)  # type: ignore[arg-type]
     if dot(line, line) <= 0:
         row.fail("XCH", "a point ahead of the first is expected: it gives the normal")
-    edges = bool(more.number("LENL") or more.number("LENM"))
+    edges = (more.number("LENL"), more.number("LENM"))
     plane = Plane(row.integer("PSID"), tail, normalise(line), row.number("RADIUS"), edges, row.place)  # type: ignore[arg-type]
+    if any(edges):
+        edge = subtract(tuple(more.numbers("XHEV", "YHEV", "ZHEV")), tail)  # type: ignore[arg-type]
+        across = subtract(edge, tuple(dot(edge, plane.normal) * n for n in plane.normal))  # type: ignore[arg-type]
+        if dot(across, across) <= 0:
+            more.fail("XHEV", "a point beside the normal is expected: it gives the first edge of the rectangle")
+        plane.along = normalise(across)
     plane.card, plane.title, plane.is_local = card.keyword, title, bool(more.integer("ID"))
     deck.ids.claim("*DATABASE_CROSS_SECTION", id, plane.place)
     deck.planes[id] = plane
@@ -148,7 +168,7 @@ def tighten_plane(deck: KeywordDeck, row: Row, plane: Plane) -> None:
         polygons = [polygon for polygon in polygons if polygon]
         if not polygons or not stress:
             continue
-        if not all(is_inside(point, plane) for polygon in polygons for point in polygon) or plane.has_edges:
+        if not all(is_inside(point, plane) for polygon in polygons for point in polygon) or any(plane.edges):
             deck.ledger.refuse("DATABASE_CROSS_SECTION_PLANE.RADIUS", plane.place, f"a preload of a plane with limits, which cuts part '{block.name}' beyond them or may do so", "it takes the whole part")
         area = sum(hull_area(polygon, plane.normal) for polygon in polygons)
         add_preload(deck.model, block, {"point": list(plane.point), "normal": list(plane.normal), "force": float(f"{stress * area:.9g}")})

@@ -137,7 +137,7 @@ def read_box(deck: KeywordDeck, card: Card) -> None:
 def read_system(deck: KeywordDeck, card: Card) -> None:
     """*DEFINE_COORDINATE_SYSTEM, _NODES and _VECTOR: three axes that stay as they are at the start."""
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         if card.has_title:
             reader.take()
         read_axes(deck, card, reader)

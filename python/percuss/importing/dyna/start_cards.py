@@ -30,7 +30,7 @@ def turn_vector(deck: KeywordDeck, row: Row, vector: list[float]) -> list[float]
 def read_initial_velocity(deck: KeywordDeck, card: Card) -> None:
     """*INITIAL_VELOCITY: a node set, or all nodes, but those exempted."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card(of_lines=True):
         row = reader.row("NSID NSIDEX BOXID IRIGID ICID")
         motion = reader.row("VX VY VZ VXR VYR VZR")
         exempt = reader.row("VXE VYE VZE VXRE VYRE VZRE") if row.integer("NSIDEX") else None
@@ -96,7 +96,7 @@ def read_node_velocities(deck: KeywordDeck, card: Card) -> None:
 def read_generation(deck: KeywordDeck, card: Card) -> None:
     """*INITIAL_VELOCITY_GENERATION: velocity and spin of parts or nodes."""
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.next_card(of_lines=True):
         row = reader.row("ID STYP=1 OMEGA VX VY VZ IVATN ICID")
         axis = reader.row("XC YC ZC NX NY NZ PHASE IRIGID")
         names = find_generated(deck, row)

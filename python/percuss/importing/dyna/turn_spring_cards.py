@@ -17,7 +17,7 @@ ANGLES = (("x", "PH"), ("y", "T"), ("z", "PS"))
 def read_turn_springs(deck: KeywordDeck, card: Card) -> None:
     """Their curves may come later."""
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         title = reader.text() if card.has_title else ""
         row = reader.row("JSID PIDA PIDB CIDA CIDB JID~output")
         curves = reader.row("LCIDPH LCIDT LCIDPS DLCIDPH DLCIDT DLCIDPS")

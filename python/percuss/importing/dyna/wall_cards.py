@@ -27,7 +27,7 @@ def read_plane_wall(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is not a plane", "it is left out")
         return
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         name = read_name(deck, card, reader)
         row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~penalty")
         plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
@@ -54,7 +54,7 @@ def read_geometric_wall(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is a prism, hollow, or deforms", "it is left out")
         return
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         name = read_name(deck, card, reader)
         row = reader.row("NSID NSIDEX BOXID BIRTH DEATH=1e20")
         wall = make_wall(deck, reader.row("XT YT ZT XH YH ZH FRIC"), name, shape)

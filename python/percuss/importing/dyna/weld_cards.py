@@ -47,7 +47,7 @@ def add_pairs(deck: KeywordDeck, card: Card) -> None:
 def add_general(deck: KeywordDeck, card: Card) -> None:
     """NSID CID FILTER WINDOW NPR NPRT, then TFAIL EPSF SN SS N M: the nodes of a set, by pairs."""
     reader = card.reader()
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         id = read_id(reader) if card.has_id else 0
         row = reader.row("NSID CID FILTER WINDOW NPR~absent NPRT~output")
         if row.integer("CID"):

@@ -60,7 +60,7 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
     is_logarithmic = card.keyword == f"MAT_PIECEWISE_LINEAR_PLASTICITY{LOG_OPTION}"
     card.keyword = card.keyword.removesuffix(LOG_OPTION) if is_logarithmic else card.keyword
     reader, count = card.reader(), LINES.get(name_law(card.keyword), 0)
-    while reader.next_card():
+    while reader.next_card(of_lines=True):
         title = reader.text() if card.has_title else ""
         lines = [reader.take()]
         while reader and (not count or len(lines) < count):

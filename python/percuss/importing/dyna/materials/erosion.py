@@ -45,6 +45,9 @@ def add_erosion(deck: KeywordDeck, material: int, law: Deck, use: Use) -> None:
     if 0 < abs(limit(more, "FAILTM")) < deck.end_time:
         deck.ledger.refuse("MAT_ADD_EROSION.FAILTM", more.place, "failure at a time", "it is left out")
     limits = {"principal_stress": limit(more, "SIGP1"), "principal_strain": limit(more, "MXEPS"), "pressure": -limit(more, "MNPRES")}
+    if strain < 0 and "evolution" in law.get("failure", {}):
+        deck.ledger.refuse("MAT_ADD_EROSION.EFFEPS", row.place, "failure by plastic strain beside damage of the law that grows with it", "it is left out")
+        strain = 0.0
     if strain < 0:
         limits["plastic_strain"] = -strain
     if strain < 0 and not laws.has(law, "has_plastic_strain"):

@@ -161,10 +161,11 @@ def find_bulk_modulus(law: Deck) -> float:
 
 
 def set_failure(law: Deck, **limits: float) -> None:
-    """Criteria of failure; 0 and what nothing reaches mean none."""
+    """Criteria of failure; 0 and what nothing reaches mean none. Of two limits of one kind the one that is reached first counts: each acts by itself."""
     for name, value in limits.items():
         if 0 < value < NEVER:
-            law.setdefault("failure", {})[name] = value
+            known = law.setdefault("failure", {})
+            known[name] = (max if name == "volume_below" else min)(known.get(name, value), value)
 
 
 def set_layers(deck: KeywordDeck, law: Deck, row: Row, use: Use, own: float | None) -> None:
