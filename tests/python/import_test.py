@@ -658,7 +658,7 @@ class Scene(InFolder):
         self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,0.0", "*INITIAL_VELOCITY_NODE\n1,0 0.0"), "columns of its line shifted")
         shifted = decks.SMALL.replace("       2             1.0", "        2            1.0 ").replace("       1       2       3       4", "        1       2       3       4")
         self.fails(shifted.replace("        2            1.0 ", "       2             1.0"), "node of *ELEMENT_SOLID", "columns of its line shifted")
-        self.fails(shifted, "NID of *NODE is ''", "columns of its line shifted")
+        self.fails(shifted, "Y of *NODE is cut (column 40 ends a field of 16")
         self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,", "*SET_NODE_LIST\n        78\n         10        20\n*INITIAL_VELOCITY_NODE\n1,"), "column 10 ends a field of 10 and cuts '10'")
         self.fails(decks.FORMS.replace("*INITIAL_VELOCITY_NODE\n1,", "*INITIAL_VELOCITY\n         1\n   0    3 \n*INITIAL_VELOCITY_NODE\n1,"), "VX of *INITIAL_VELOCITY", "columns 1 to 10 are one field, and hold '0 ")
         self.assertNotIn("empty", self.read(decks.FORMS)[0].deck["contact"]["ties"][0])

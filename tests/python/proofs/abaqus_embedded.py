@@ -26,4 +26,3 @@ PROOFS = [
     Proof("EMBEDDED ELEMENT: HOST_ELSET", hold("*EMBEDDED ELEMENT, HOST ELSET=bar\nbar,\n"), refused="embedded elements or hosts without elements"),
     Proof("EMBEDDED ELEMENT", hold("*EMBEDDED ELEMENT, HOST ELSET=cube\nbar,\n", "*NODE\n99, 5., 5., 15.\n*RIGID BODY, REF NODE=99, ELSET=cube\n"), refused="elements in rigid bodies"),
 ]  # fmt: skip
-NOT_PHYSICS = {"EMBEDDED ELEMENT.ROUNDOFF_TOLERANCE": "rounds small weights of nodes to zero"}
