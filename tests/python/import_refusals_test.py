@@ -112,6 +112,23 @@ class Alone(Case):
         real = abaqus(abaqus_cube().replace("210000.0", "2.1e11"), step="*CLOAD\nall, 1, 0.5\n")  # Pa beside t/mm^3
         self.assertIn("[unit_system]", (done := self.call(real)).stdout + done.stderr)
 
+    def test_a_report_names_what_the_import_has_changed(self):
+        try:
+            import percuss
+            from percuss.report.answers import list_changes_of_import
+        except ImportError as error:
+            self.skipTest(str(error))
+        text = deck(cube(), velocity(1.0), "*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-5,0,0,1\n0.1,0.2,0,0,0,0,0\n1,0,0\n")
+        self.assertEqual(self.call(text, "--allow", "all").returncode, 0)
+        subprocess.run([PERCUSS, "run", "m/deck.yaml", "--out", "r", "--quiet"], cwd=self.folder, check=True, capture_output=True)
+        before = os.getcwd()
+        os.chdir(self.folder)
+        try:
+            changes = list_changes_of_import(percuss.read("r"))
+        finally:
+            os.chdir(before)
+        self.assertIn("*RIGIDWALL_PLANAR_ORTHO", changes[0])
+
 
 if __name__ == "__main__":
     unittest.main()
