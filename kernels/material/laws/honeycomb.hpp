@@ -10,6 +10,7 @@ namespace percuss {
 /// start and turn with the element. With c = 1 - J the volumetric crush and f = c / (1 - compacted_volume) between 0
 /// and 1:
 ///   modulus_ij = start_ij + f (solid_ij - start_ij),   |sigma_ij| <= crush_ij(c)
+/// A normal stress in tension also stays below tension_cutoff, if there is one.
 /// From f = 1 on it is the solid: elastic and perfectly plastic. History: equivalent plastic strain (of the solid).
 struct Honeycomb {
   static constexpr const char* name = "honeycomb";
@@ -17,6 +18,7 @@ struct Honeycomb {
   double youngs_modulus = 0, poissons_ratio = 0, yield_stress = 0, compacted_volume = 0;
   double crush_moduli[3] = {0, 0, 0}, shear_moduli[3] = {0, 0, 0};
   MaterialTable crush_xx, crush_yy, crush_zz, crush_xy, crush_yz, crush_zx;
+  double tension_cutoff = 0;  // 0: none
 
   static constexpr auto keys() {
     using M = Honeycomb;
@@ -32,7 +34,9 @@ struct Honeycomb {
         need("crush_zz", &M::crush_zz, KeyRange::positive, "-, pressure", "Strength of zz over the crush 1 - V / V0."),
         need("crush_xy", &M::crush_xy, KeyRange::positive, "-, pressure", "Strength of xy over the crush 1 - V / V0."),
         need("crush_yz", &M::crush_yz, KeyRange::positive, "-, pressure", "Strength of yz over the crush 1 - V / V0."),
-        need("crush_zx", &M::crush_zx, KeyRange::positive, "-, pressure", "Strength of zx over the crush 1 - V / V0."));
+        need("crush_zx", &M::crush_zx, KeyRange::positive, "-, pressure", "Strength of zx over the crush 1 - V / V0."),
+        may("tension_cutoff", &M::tension_cutoff, KeyRange::not_negative, "pressure",
+            "Largest tensile stress before it is compacted; 0: the strength."));
   }
   const char* find_fault() const {
     return compacted_volume > 0 && compacted_volume < 1 ? "" : "a compacted_volume that is not between 0 and 1";
@@ -62,14 +66,15 @@ struct Honeycomb {
     step.history[0] = step.history[0] + dp;
     return_stress(trial, resistance, dp, T(yield_stress), step);
 
-    const auto crush_one = [&](const T& stress, const T& strain, double start, double end, const MaterialTable& table) {
+    const auto crush_one = [&](const T& stress, const T& strain, double start, double end, const MaterialTable& table,
+                               double most = 0) {
       const T limit = table(crush).y, moved = stress + (T(start) + share * T(end - start)) * strain;
-      return larger(smaller(moved, limit), -limit);
+      return larger(smaller(moved, most > 0 ? smaller(limit, T(most)) : limit), -limit);
     };
     const double g = 2 * solid.mu;
-    const Symmetric3<T> crushed{crush_one(old.xx, de.xx, crush_moduli[0], youngs_modulus, crush_xx),
-                                crush_one(old.yy, de.yy, crush_moduli[1], youngs_modulus, crush_yy),
-                                crush_one(old.zz, de.zz, crush_moduli[2], youngs_modulus, crush_zz),
+    const Symmetric3<T> crushed{crush_one(old.xx, de.xx, crush_moduli[0], youngs_modulus, crush_xx, tension_cutoff),
+                                crush_one(old.yy, de.yy, crush_moduli[1], youngs_modulus, crush_yy, tension_cutoff),
+                                crush_one(old.zz, de.zz, crush_moduli[2], youngs_modulus, crush_zz, tension_cutoff),
                                 crush_one(old.xy, de.xy, 2 * shear_moduli[0], g, crush_xy),
                                 crush_one(old.yz, de.yz, 2 * shear_moduli[1], g, crush_yz),
                                 crush_one(old.zx, de.zx, 2 * shear_moduli[2], g, crush_zx)};

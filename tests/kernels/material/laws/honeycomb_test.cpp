@@ -83,6 +83,23 @@ TEST(Honeycomb, EachDirectionIsCrushedAlongItsOwnCurve) {
   }
 }
 
+TEST(Honeycomb, PulledBackItIsElasticUpToTheTensionCutoff) {
+  Honeycomb law = sample<Honeycomb>();
+  law.tension_cutoff = 0.4e6;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point<Honeycomb> point(law, 80);
+    point.follow({make_strain(k, std::log(1 - 0.35)), 1, 200});
+    expect_alone(point, k, -components[k].find_strength(0.35), {});
+    const double strain = 1e-5, before = list(point.stress)[k];
+    point.advance(make_strain(k, strain), 1e-3);
+    expect_alone(point, k, before + components[k].find_modulus(find_crush(point)) * strain, {});
+    point.follow({make_strain(k, 0.01), 1, 10});
+    expect_alone(point, k, 0.4e6, {});
+    point.follow({make_strain(k, -0.02), 1, 20});  // pressed anew
+    expect_alone(point, k, -components[k].find_strength(find_crush(point)), {});
+  }
+}
+
 TEST(Honeycomb, EachShearHasItsOwnModulusAndStrengthAtAnyCrush) {
   const double strain = 1e-5;
   for (std::size_t k = 3; k < 6; ++k) {

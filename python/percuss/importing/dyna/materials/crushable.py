@@ -10,6 +10,7 @@ from ..cards import Card, Lines
 from ..deck import KeywordDeck
 from .shared import Use, finish_lines, note_viscosity, scale_stresses
 
+NO_TENSION = 1e-9  # of Young's modulus: TSC of 0
 LINE = 64  # rows of a line over a logarithm, before they are thinned
 EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
 
@@ -121,13 +122,14 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     deck.ledger.approximated(
         card.keyword,
         row.place,
-        "a honeycomb with the same curve in all directions, compacted at the end of the curve; tension as compression",
+        "a honeycomb with the same curve in all directions, compacted at the end of the curve; pulled back it is elastic up to TSC",
     )
     crush = {f"crush_{name}": rows for name in ("xx", "yy", "zz", "xy", "yz", "zx")}
     law = {"model": "honeycomb", "density": row.positive("RO"), "youngs_modulus": youngs, "poissons_ratio": 0.0,
            "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),
-           "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush}  # fmt: skip
-    row.skip("PR", "TSC")
+           "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush,
+           "tension_cutoff": row.not_negative("TSC") or NO_TENSION * youngs}  # fmt: skip
+    row.skip("PR")
     note_viscosity(deck, row, "DAMP")
     return law
 
